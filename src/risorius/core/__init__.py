@@ -1,0 +1,1 @@
+"""The types that all stages share: parameters, movements, scores, curves, speech."""

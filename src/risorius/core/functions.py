@@ -1,0 +1,44 @@
+"""Onset/offset functions: how a movement rises. Each is a pure function of x = t/D in [0, 1].
+
+f(0) = 0 and f(1) = 1, monotone. The offset is the mirror image, f(1 - x): paper A's phi_- is the mirror of
+its phi_+ (facts: science/errata, A0). Arrays of any shape, values outside [0, 1] are the caller's to clip.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import numpy.typing as npt
+
+from ..registry import Registry
+
+Array = npt.NDArray[np.float64]
+OnsetFunction = Callable[[Array], Array]
+
+ONSET_FUNCTIONS: Registry[OnsetFunction] = Registry("onset function")
+DEFAULT_FUNCTION = "exponential"
+
+
+@ONSET_FUNCTIONS.register("exponential")
+def exponential(x: Array) -> Array:
+    """2^x - 1: paper A, section 4 (after Essa)."""
+    return np.exp2(x) - 1.0
+
+
+@ONSET_FUNCTIONS.register("linear")
+def linear(x: Array) -> Array:
+    """Constant speed."""
+    return np.asarray(x, dtype=np.float64)
+
+
+@ONSET_FUNCTIONS.register("minimum_jerk")
+def minimum_jerk(x: Array) -> Array:
+    """10x³ - 15x⁴ + 6x⁵: no speed or acceleration at either end."""
+    return x * x * x * (10.0 + x * (6.0 * x - 15.0))
+
+
+@ONSET_FUNCTIONS.register("saccade")
+def saccade(x: Array) -> Array:
+    """Speed rising linearly to the middle and falling again (facts: science/03, section 3.2)."""
+    return np.where(x < 0.5, 2.0 * x * x, 1.0 - 2.0 * (1.0 - x) * (1.0 - x))

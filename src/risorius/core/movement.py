@@ -1,0 +1,140 @@
+"""Movements: the atoms of a performance, each with the cause that it goes back to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from ..errors import InputError, ParameterError, unknown
+from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
+from .parameters import INDEX, PARAMETERS, check_value
+
+# Default priority of each channel (DESIGN section 3), highest first.
+CHANNEL_PRIORITY: Mapping[str, float] = MappingProxyType(
+    {
+        "manual": 70.0,
+        "lips": 60.0,
+        "manipulators": 50.0,
+        "signals": 40.0,
+        "punctuators": 30.0,
+        "regulators": 25.0,
+        "gaze": 20.0,
+        "head": 20.0,
+        "emotion": 10.0,
+    }
+)
+CHANNELS = tuple(CHANNEL_PRIORITY)
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """Why a movement exists: the rule, what triggered it (phone, word, mark), and its place in the source."""
+
+    rule: str = ""
+    trigger: str = ""
+    place: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Movement:
+    """An atomic movement (paper A, section 4): targets reached in `onset` and left in `offset` seconds.
+
+    Times in seconds. `targets` maps parameter names to values. `priority` and `release_priority` (in the
+    offset phase) are None where the channel's own holds.
+    """
+
+    channel: str
+    start: float
+    end: float
+    onset: float
+    offset: float
+    targets: Mapping[str, float]
+    id: str = ""
+    layer: str = ""
+    priority: float | None = None
+    release_priority: float | None = None
+    function: str = DEFAULT_FUNCTION
+    cause: Cause = field(default_factory=Cause)
+
+    @property
+    def label(self) -> str:
+        """A name for messages: the id, or the channel and start."""
+        return self.id or f"{self.channel}@{self.start:g}"
+
+
+@dataclass(frozen=True, slots=True)
+class Dominance:
+    """How strongly a lip segment holds one parameter (Cohen and Massaro; facts: science/01, section 1.1).
+
+    `magnitude` against the neighbours' (1 is a vowel's); `before`, `after`: time constants in seconds of
+    the fall on either side of the plateau; `exponent` of the fall; `plateau`: the share of the segment
+    around its centre in which dominance is full.
+    """
+
+    magnitude: float = 1.0
+    before: float = 0.05
+    after: float = 0.05
+    exponent: float = 1.0
+    plateau: float = 0.5
+
+
+DEFAULT_DOMINANCE = Dominance()
+
+
+@dataclass(frozen=True, slots=True)
+class LipSegment:
+    """One phone's lips: targets, how dominant each is, and the limits it sets on the other channels.
+
+    `phone` is "" for silence. `dominance` maps a parameter, or "*" for all others, to its Dominance.
+    Targets of contact parameters (`lip_seal`, `lip_tuck`) are goals: reached during [start, end] whatever
+    else happens (DESIGN section 3). `limits` maps parameters to (low, high).
+    """
+
+    phone: str
+    start: float
+    end: float
+    targets: Mapping[str, float]
+    limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    dominance: Mapping[str, Dominance] = field(default_factory=dict)
+    cause: Cause = field(default_factory=Cause)
+
+    def dominance_of(self, parameter: str) -> Dominance:
+        """Return the dominance over `parameter`: its own, else that of "*", else the default."""
+        return self.dominance.get(parameter) or self.dominance.get("*") or DEFAULT_DOMINANCE
+
+
+@dataclass(frozen=True, slots=True)
+class ManualCurve:
+    """Curves drawn by hand: for each parameter its keys (time, value), joined by straight lines."""
+
+    keys: Mapping[str, tuple[tuple[float, float], ...]]
+    cause: Cause = field(default_factory=Cause)
+
+
+def check_movement(m: Movement) -> None:
+    """Raise InputError or ParameterError if a movement cannot be performed."""
+    if m.channel not in CHANNEL_PRIORITY:
+        raise ParameterError(unknown("channel", m.channel, CHANNELS))
+    check_span(m.label, m.start, m.end)
+    for what, value in (("onset", m.onset), ("offset", m.offset)):
+        if not 0.0 <= value < float("inf"):
+            raise InputError(f"movement '{m.label}': {what} = {value} must be 0 or more seconds")
+    ONSET_FUNCTIONS.get(m.function)
+    for name, value in m.targets.items():
+        check_target(name, value)
+
+
+def check_span(label: str, start: float, end: float) -> None:
+    """Raise InputError unless 0 <= start < end, both finite."""
+    if not 0.0 <= start < float("inf"):
+        raise InputError(f"'{label}': start = {start} must be 0 or more seconds")
+    if not start < end < float("inf"):
+        raise InputError(f"'{label}': end = {end} must come after start = {start}")
+
+
+def check_target(name: str, value: float) -> None:
+    """Raise ParameterError unless `name` is a parameter and `value` within its range."""
+    if name not in INDEX:
+        raise ParameterError(unknown("parameter", name, INDEX))
+    check_value(PARAMETERS[INDEX[name]], value)

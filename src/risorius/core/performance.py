@@ -1,0 +1,75 @@
+"""The performance: one curve per parameter, sampled at the frame times."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import InputError
+from .parameters import INDEX, NAMES, parameters_named
+from .score import Score
+
+MAX_FPS = 1000
+
+
+def parse_fps(text: str | float | Fraction) -> Fraction:
+    """Return a frame rate such as 30, "29.97" or "24000/1001"; raise InputError unless in (0, 1000]."""
+    try:
+        fps = Fraction(text) if not isinstance(text, float) else Fraction(text).limit_denominator(100_000)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        raise InputError(f"fps '{text}' is not a number; expected e.g. 30, 25 or 24000/1001") from None
+    if not 0 < fps <= MAX_FPS:
+        raise InputError(f"fps = {text} is out of range; expected more than 0 and at most {MAX_FPS}")
+    return fps
+
+
+def frame_count(duration: float, fps: Fraction) -> int:
+    """Return how many frames lie at k/fps for k = 0 … round(duration·fps)."""
+    return round(duration * fps) + 1
+
+
+def frame_times(duration: float, fps: Fraction) -> npt.NDArray[np.float64]:
+    """Return the frame times k/fps in seconds, shape (frames,)."""
+    return sample_times(frame_count(duration, fps), fps)
+
+
+def sample_times(count: int, fps: Fraction) -> npt.NDArray[np.float64]:
+    """Return k/fps for k = 0 … count - 1, correctly rounded, shape (count,)."""
+    return np.arange(count, dtype=np.float64) * fps.denominator / fps.numerator
+
+
+@dataclass(frozen=True, slots=True)
+class Performance:
+    """Curves with the score they were made from.
+
+    `values`: shape (frames, 46), one column per parameter in the table's order; muscles 0..1, degrees, m.
+    """
+
+    score: Score
+    fps: Fraction
+    values: npt.NDArray[np.float64]
+
+    @property
+    def times(self) -> npt.NDArray[np.float64]:
+        """Frame times in seconds, shape (frames,)."""
+        return sample_times(len(self.values), self.fps)
+
+    @property
+    def duration(self) -> float:
+        """Seconds."""
+        return self.score.duration
+
+    def __getitem__(self, name: str) -> npt.NDArray[np.float64]:
+        """Return one parameter's curve, shape (frames,); for a name without its side, the mean of both."""
+        if name in INDEX:
+            return self.values[:, INDEX[name]]
+        columns = [INDEX[p.name] for p in parameters_named(name)]
+        return np.asarray(self.values[:, columns].mean(axis=1))
+
+    @property
+    def curves(self) -> dict[str, npt.NDArray[np.float64]]:
+        """All curves by name, in the table's order."""
+        return {name: self.values[:, i] for i, name in enumerate(NAMES)}

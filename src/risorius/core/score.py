@@ -1,0 +1,84 @@
+"""The score: all movements of a performance, before they are combined."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+from ..errors import InputError
+from .movement import LipSegment, ManualCurve, Movement, check_movement, check_span, check_target
+
+
+@dataclass(frozen=True, slots=True)
+class BlendSettings:
+    """How movements are combined.
+
+    `activation_threshold`, `min_onset` and `min_offset` override the parameter table for all muscles where
+    not None. `onset_function` overrides the movements' own where not None. `contact`: whether the lips'
+    contact goals hold. `lips`: the coarticulation model.
+    """
+
+    conflict: str = "inhibit"
+    activation_threshold: float | None = None
+    min_onset: float | None = None
+    min_offset: float | None = None
+    onset_function: str | None = None
+    contact: bool = True
+    lips: str = "dominance"
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """Movements, lip segments and hand-drawn curves over [0, duration] seconds."""
+
+    duration: float
+    movements: tuple[Movement, ...] = ()
+    lips: tuple[LipSegment, ...] = ()
+    manual: tuple[ManualCurve, ...] = ()
+    settings: BlendSettings = field(default_factory=BlendSettings)
+    text: str = ""
+    seed: int = 0
+
+
+def check_score(score: Score) -> None:
+    """Raise InputError or ParameterError, naming the movement, if a score cannot be performed."""
+    if not (score.duration > 0.0 and math.isfinite(score.duration)):
+        raise InputError(f"duration = {score.duration} must be more than 0 seconds")
+    for m in score.movements:
+        check_movement(m)
+    check_sequence(score.movements)
+    for segment in score.lips:
+        check_span(f"phone {segment.phone or 'silence'}", segment.start, segment.end)
+        for name, value in segment.targets.items():
+            check_target(name, value)
+        for name, (low, high) in segment.limits.items():
+            check_target(name, low)
+            check_target(name, high)
+            if low > high:
+                raise InputError(f"phone '{segment.phone}': limits of {name} are reversed: {low} > {high}")
+    for curve in score.manual:
+        _check_manual(curve)
+
+
+def check_sequence(movements: tuple[Movement, ...]) -> None:
+    """Raise InputError if two movements start together in one layer of a channel."""
+    seen: dict[tuple[str, str, float], Movement] = {}
+    for m in movements:
+        key = (m.channel, m.layer, m.start)
+        if key in seen:
+            raise InputError(
+                f"movements '{seen[key].label}' and '{m.label}' both start at {m.start:g} s "
+                f"in channel {m.channel}; movements of one channel follow one another"
+            )
+        seen[key] = m
+
+
+def _check_manual(curve: ManualCurve) -> None:
+    for name, keys in curve.keys.items():
+        if not keys:
+            raise InputError(f"manual curve of {name} has no keys; expected [[time, value], …]")
+        for _, value in keys:
+            check_target(name, value)
+        if any(not a[0] < b[0] for a, b in pairwise(keys)):
+            raise InputError(f"manual curve of {name}: times must increase from key to key")

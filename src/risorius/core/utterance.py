@@ -1,0 +1,122 @@
+"""What is said: phones, syllables, words, pauses and accents with their times, and the sound."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import pairwise
+
+from .audio import Audio
+
+SILENCE = ""
+
+
+class PauseKind(StrEnum):
+    """What a pause stands for (paper B, section 2.1: punctuators)."""
+
+    INITIAL = "initial"
+    COMMA = "comma"
+    FULL_STOP = "full_stop"
+    QUESTION = "question"
+    EXCLAMATION = "exclamation"
+    HESITATION = "hesitation"
+    FINAL = "final"
+
+
+@dataclass(frozen=True, slots=True)
+class Phone:
+    """A speech sound; `symbol` is ARPAbet without stress digit (IPA for other languages), "" for silence.
+
+    `stress`: 2 primary, 1 secondary, 0 none for vowels; -1 for consonants and silence. `word`: index of its
+    word, -1 for silence. Stops start where the articulators close. Seconds.
+    """
+
+    symbol: str
+    start: float
+    end: float
+    stress: int = -1
+    word: int = -1
+
+    @property
+    def duration(self) -> float:
+        """Seconds."""
+        return self.end - self.start
+
+
+@dataclass(frozen=True, slots=True)
+class Syllable:
+    """Phones [first_phone, last_phone) around one vowel. `stress` as in Phone. Seconds."""
+
+    first_phone: int
+    last_phone: int
+    start: float
+    end: float
+    stress: int
+    word: int
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A word: phones [first_phone, last_phone), characters [source_start, source_end). Seconds."""
+
+    text: str
+    start: float
+    end: float
+    first_phone: int
+    last_phone: int
+    source_start: int
+    source_end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Pause:
+    """A silence and what it stands for. Seconds."""
+
+    start: float
+    end: float
+    kind: PauseKind
+
+
+@dataclass(frozen=True, slots=True)
+class Accent:
+    """A pitch accent on a syllable; `label` is ToBI's, "*" where only its place is known. Seconds."""
+
+    time: float
+    word: int
+    syllable: int
+    label: str = "*"
+    nuclear: bool = False
+    confidence: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Utterance:
+    """Everything known about what is said. `phones` cover [0, duration] without a gap, silences included."""
+
+    text: str
+    language: str
+    audio: Audio
+    phones: tuple[Phone, ...]
+    words: tuple[Word, ...]
+    syllables: tuple[Syllable, ...] = ()
+    pauses: tuple[Pause, ...] = ()
+    accents: tuple[Accent, ...] = ()
+
+    def __post_init__(self) -> None:
+        check_continuous(self.phones, self.audio.duration)
+
+    @property
+    def duration(self) -> float:
+        """Seconds of sound, lead and tail included."""
+        return self.audio.duration
+
+
+def check_continuous(phones: tuple[Phone, ...], duration: float) -> None:
+    """Raise ValueError unless the phones follow one another without gap or overlap over [0, duration]."""
+    if not phones or phones[0].start != 0.0 or not math.isclose(phones[-1].end, duration, abs_tol=1e-9):
+        raise ValueError("phones do not cover the sound")
+    if any(a.end != b.start for a, b in pairwise(phones)):
+        raise ValueError("phones have a gap or overlap")
+    if any(not p.start < p.end for p in phones):
+        raise ValueError("a phone has no duration")

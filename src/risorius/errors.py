@@ -1,0 +1,68 @@
+"""The errors that Risorius raises. Only the command line turns them into an exit code."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where in a source something stands: file name, line and column counted from 1."""
+
+    file: str
+    line: int | None = None
+    column: int | None = None
+
+    def __str__(self) -> str:
+        parts = [self.file, *(str(n) for n in (self.line, self.column) if n is not None)]
+        return ":".join(parts)
+
+
+class RisoriusError(Exception):
+    """A fault that a user can mend: one line saying where it is, what is wrong and what was expected."""
+
+    def __init__(self, message: str, place: Place | None = None) -> None:
+        self.message = message
+        self.place = place
+        super().__init__(f"{place}: {message}" if place is not None else message)
+
+    def at(self, place: Place) -> RisoriusError:
+        """Return the same error with its place, unless it has one already."""
+        return self if self.place is not None else type(self)(self.message, place)
+
+
+class InputError(RisoriusError):
+    """The text, markup, score or option that the user gave cannot be used."""
+
+
+class ParameterError(InputError):
+    """A muscle, action unit, emotion or other name is unknown, or its value is out of range."""
+
+
+class SpeechError(RisoriusError):
+    """The speech engine failed or does not know what was asked for."""
+
+
+class HeadError(RisoriusError):
+    """A head's folder is incomplete or its arrays do not fit together."""
+
+
+class OutputError(RisoriusError):
+    """An output cannot be written: unknown suffix, missing or unwritable folder, full disk."""
+
+
+def unknown(kind: str, name: str, known: Iterable[str]) -> str:
+    """Word the message for an unknown name, with the nearest known one.
+
+    >>> unknown("emotion", "hapiness", ["happiness", "anger"])
+    "unknown emotion 'hapiness'; did you mean 'happiness'?"
+    """
+    choices = list(known)
+    lowered = {c.lower(): c for c in reversed(choices)}
+    near = difflib.get_close_matches(name.lower(), list(lowered), n=1, cutoff=0.6)
+    if near:
+        return f"unknown {kind} '{name}'; did you mean '{lowered[near[0]]}'?"
+    shown = ", ".join(choices[:12]) + (", …" if len(choices) > 12 else "")
+    return f"unknown {kind} '{name}'; expected one of {shown}"

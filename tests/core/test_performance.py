@@ -1,0 +1,25 @@
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from risorius.core.performance import frame_count, frame_times, parse_fps
+from risorius.errors import InputError
+
+
+@pytest.mark.parametrize("fps", ["", "x", "0", "-5", "1/0", "1001", "nan", float("inf"), float("nan")])
+def test_bad_frame_rates(fps: str | float) -> None:
+    with pytest.raises(InputError, match="fps"):
+        parse_fps(fps)
+
+
+def test_rational_rates_are_exact() -> None:
+    assert parse_fps("24000/1001") == Fraction(24000, 1001)
+    assert parse_fps(29.97) == Fraction(2997, 100)
+
+
+def test_frames_lie_at_k_over_fps() -> None:
+    fps = Fraction(24000, 1001)
+    times = frame_times(10.0, fps)
+    assert len(times) == frame_count(10.0, fps) == round(10 * fps) + 1
+    np.testing.assert_allclose(times, np.arange(len(times)) / float(fps), rtol=1e-15)
