@@ -24,9 +24,10 @@ class RisoriusError(Exception):
     """A fault that a user can mend: one line saying where it is, what is wrong and what was expected."""
 
     def __init__(self, message: str, place: Place | None = None) -> None:
-        self.message = message
+        # Names that users wrote may hold line ends.
+        self.message = " ".join(message.split())
         self.place = place
-        super().__init__(f"{place}: {message}" if place is not None else message)
+        super().__init__(self.message if place is None else f"{place}: {self.message}")
 
     def at(self, place: Place) -> RisoriusError:
         """Return the same error with its place, unless it has one already."""

@@ -1,0 +1,122 @@
+"""Lips: one segment per phone (two per diphthong), with its targets, dominance and limits.
+
+Paper A, section 5.1; DESIGN, section 3; the numbers are in `rules/data/lips.toml`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..core.movement import Cause, LipSegment
+from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
+from ..rules.lips import LipTable, PhoneShape, lip_table
+from .registry import CHANNEL_BUILDERS, Brief
+
+# A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
+SHORTEST_CLOSURE = 0.04
+_OPENING = ("jaw", "open")
+
+
+@CHANNEL_BUILDERS.register("lips")
+def lips(brief: Brief, rng: np.random.Generator) -> Iterator[LipSegment]:
+    """Yield the segments of all phones and pauses in order, the in-breath before speech included."""
+    if brief.utterance is None:
+        return
+    table = lip_table()
+    shaper = _Shaper(table, brief.utterance, brief.articulation)
+    for index, phone in enumerate(brief.utterance.phones):
+        if phone.symbol != SILENCE:
+            yield from shaper.spoken(index, phone)
+        elif phone.duration >= table.opening.shortest_pause:
+            yield from shaper.silence(phone, opens=brief.opens and index == 0)
+
+
+@dataclass
+class _Shaper:
+    """Turns phones into segments; equal shapes share their mappings, so that long clips stay small."""
+
+    table: LipTable
+    utterance: Utterance
+    articulation: float
+
+    def __post_init__(self) -> None:
+        self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
+        self._final = _phrase_final_phones(self.utterance)
+
+    def spoken(self, index: int, phone: Phone) -> Iterator[LipSegment]:
+        """Yield the phone's segment, or both of a diphthong."""
+        scale = self.articulation * self._opening(index, phone)
+        cause = Cause(f"lips.{phone.symbol}", self._trigger(phone))
+        diphthong = self.table.diphthongs.get(phone.symbol)
+        if diphthong is None:
+            shape = self.table.shape(phone.symbol)
+            end = phone.end if shape.closure >= 1.0 else _closure_end(phone, shape.closure)
+            yield self._segment(phone.symbol, shape, phone.start, end, scale, cause)
+            return
+        turn = phone.start + diphthong.turn * phone.duration
+        first, second = (self.table.shape(part) for part in diphthong.parts)
+        yield self._segment(phone.symbol, first, phone.start, turn, scale, cause)
+        yield self._segment(phone.symbol, second, turn, phone.end, scale, cause)
+
+    def silence(self, phone: Phone, opens: bool) -> Iterator[LipSegment]:
+        """Yield the rest of a pause, with the in-breath at its end where the mouth opens before speech."""
+        rest = self.table.rest
+        opening = self.table.opening
+        cause = Cause("lips.rest", "pause")
+        breath = phone.end - opening.breath_lead
+        if not opens or breath <= phone.start:
+            yield self._segment(SILENCE, rest, phone.start, phone.end, 1.0, cause)
+            return
+        yield self._segment(SILENCE, rest, phone.start, breath, 1.0, cause)
+        inhale = PhoneShape(rest.lip_class, opening.breath_shape)
+        yield self._segment(SILENCE, inhale, breath, phone.end, 1.0, Cause("lips.breath", "in-breath"))
+
+    def _segment(
+        self, symbol: str, shape: PhoneShape, start: float, end: float, scale: float, cause: Cause
+    ) -> LipSegment:
+        held = self.table.holdings[shape.lip_class]
+        targets = self._scaled_targets(shape, scale)
+        return LipSegment(symbol, start, end, targets, held.limits, held.dominance, cause)
+
+    def _scaled_targets(self, shape: PhoneShape, scale: float) -> Mapping[str, float]:
+        key = (id(shape.targets), round(scale, 6))
+        if key not in self._targets:
+            articulators = {
+                name: min(value * (scale if name in _OPENING else 1.0), 1.0)
+                for name, value in shape.targets.items()
+            }
+            self._targets[key] = self.table.to_parameters(articulators)
+        return self._targets[key]
+
+    def _opening(self, index: int, phone: Phone) -> float:
+        opening = self.table.opening
+        if phone.stress < 0:
+            return 1.0
+        scale = opening.stressed if phone.stress > 0 else opening.unstressed
+        return scale * (opening.phrase_final if index in self._final else 1.0)
+
+    def _trigger(self, phone: Phone) -> str:
+        if phone.word < 0:
+            return f"/{phone.symbol}/"
+        return f'/{phone.symbol}/ of "{self.utterance.words[phone.word].text}"'
+
+
+def _closure_end(phone: Phone, share: float) -> float:
+    held = max(share * phone.duration, SHORTEST_CLOSURE)
+    return phone.start + min(held, phone.duration) if phone.duration > SHORTEST_CLOSURE else phone.end
+
+
+def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:
+    """Return the vowels of the last syllable before each pause that ends a phrase."""
+    ends = {p.start for p in utterance.pauses if p.kind is not PauseKind.HESITATION}
+    found: set[int] = set()
+    vowel = -1
+    for index, phone in enumerate(utterance.phones):
+        if phone.stress >= 0:
+            vowel = index
+        if vowel >= 0 and phone.end in ends:
+            found.add(vowel)
+    return frozenset(found)

@@ -1,0 +1,71 @@
+"""The tables of `risorius list`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+Listing = tuple[Sequence[str], list[Sequence[str]]]
+
+
+def muscles() -> Listing:
+    """The 19 muscles of paper A, Table 1, then the other parameters."""
+    from .core.action_units import ACTION_UNITS
+    from .core.parameters import BASES, CONFLICTING_NUMBERS
+
+    rows: list[Sequence[str]] = []
+    for base, sides in BASES.items():
+        number = sides[0].number
+        units = [f"AU{u.number}" for u in ACTION_UNITS.values() if base in u.weights and not u.approximate]
+        rivals = sorted({b if a == number else a for a, b in CONFLICTING_NUMBERS if number in (a, b)})
+        p = sides[0]
+        rows.append(
+            (
+                f"{number:02}" if number else "",
+                base,
+                "left, right" if p.side else "",
+                f"{p.low:g} to {p.high:g}{f' {p.unit}' if p.unit else ''}",
+                " ".join(units),
+                " ".join(f"{r:02}" for r in rivals),
+            )
+        )
+    return ("no", "name", "sides", "range", "action units", "conflicts with"), rows
+
+
+def channels() -> Listing:
+    """The channels with their default priorities."""
+    from .core.movement import CHANNEL_PRIORITY
+
+    return ("channel", "priority"), [(name, f"{value:g}") for name, value in CHANNEL_PRIORITY.items()]
+
+
+def emotions() -> Listing:
+    """The emotions, their other names and the action units of a full display."""
+    from .rules.emotions import emotions as all_emotions
+
+    return ("emotion", "also", "action units"), [
+        (e.name, ", ".join(e.aliases), " ".join(f"{unit}={value:g}" for unit, value in e.units.items()))
+        for e in all_emotions().values()
+    ]
+
+
+def voices() -> Listing:
+    """The voices of the speech engine."""
+    from .speech.voices import voices as all_voices
+
+    return ("voice", "language", "name"), [(v.name, v.language, v.description) for v in all_voices()]
+
+
+def outputs() -> Listing:
+    """The outputs by suffix."""
+    from .out import OUTPUTS
+
+    return ("suffix", "content"), [(suffix, OUTPUTS.get(suffix).description) for suffix in OUTPUTS]
+
+
+LISTINGS: dict[str, Callable[[], Listing]] = {
+    "muscles": muscles,
+    "channels": channels,
+    "emotions": emotions,
+    "voices": voices,
+    "outputs": outputs,
+}

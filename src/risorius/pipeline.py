@@ -1,0 +1,103 @@
+"""The pipeline on one page: Script → Utterance → Score → Performance → vertices → outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from os import PathLike
+from pathlib import Path
+
+from .blend import combine
+from .channels import Brief, Display, compose
+from .core.action_units import resolve_targets
+from .core.movement import Cause, ManualCurve
+from .core.score import BlendSettings, Score
+from .core.utterance import Utterance
+from .out import check_targets as check_outputs
+from .out.score_json import read_score
+from .rules.emotions import emotion as find_emotion
+from .script import Script, movements_of, read_script
+from .settings import Settings
+from .speech import say
+from .take import Progress, Take, quiet
+
+__all__ = ["check_outputs", "mix", "perform", "pose", "speak"]
+
+Emotions = Mapping[str, float] | Iterable[Display]
+
+
+def speak(
+    given: str,
+    *,
+    text: bool = False,
+    source: str = "text",
+    emotion: Emotions = (),
+    settings: Settings | None = None,
+    progress: Progress = quiet,
+) -> Take:
+    """Perform a text or file (`.txt`, `.xml`, `.score.json`); `text` forces text, `source` names it.
+
+    `emotion`: intensities 0..1 by name, or displays with their spans. Raises RisoriusError with one line on
+    what is wrong and where.
+    """
+    settings = settings or Settings()
+    if given.lower().endswith(".json") and not text:
+        return mix(given, settings=settings)
+    script = read_script(given, text=text, source=source)
+    progress("Speaking …")
+    utterance = say(script, voice=settings.voice, rate=settings.rate, lead=settings.lead, tail=settings.tail)
+    score = plan(script, utterance, _displays(emotion), settings)
+    return perform(score, settings, utterance)
+
+
+def plan(script: Script, utterance: Utterance, emotions: tuple[Display, ...], settings: Settings) -> Score:
+    """Derive all movements from what is said and marked."""
+    marks = movements_of(script, utterance.words, max(utterance.duration, script.latest))
+    brief = Brief(
+        duration=max([utterance.duration, script.latest, *(m.end for m in marks)]),
+        utterance=utterance,
+        marks=marks,
+        emotions=emotions,
+        opens=not script.timed,
+        articulation=settings.articulation,
+        lively=settings.lively,
+    )
+    return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend)
+
+
+def perform(score: Score, settings: Settings | None = None, utterance: Utterance | None = None) -> Take:
+    """Combine a score's movements into curves."""
+    settings = settings or Settings()
+    return Take(combine(score, settings.fps), settings, utterance)
+
+
+def mix(
+    score: str | PathLike[str],
+    *,
+    settings: Settings | None = None,
+    conflict: str | None = None,
+    onset_function: str | None = None,
+) -> Take:
+    """Combine the movements of a score file; `conflict` and `onset_function` override the score's own."""
+    found = read_score(Path(score))
+    chosen = {"conflict": conflict, "onset_function": onset_function}
+    changed = {name: value for name, value in chosen.items() if value is not None}
+    return perform(replace(found, settings=replace(found.settings, **changed)), settings)
+
+
+def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
+    """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top."""
+    units = dict(targets)
+    for display in _displays(emotion):
+        for name, value in find_emotion(display.emotion).targets(display.intensity).items():
+            units[name] = max(units.get(name, 0.0), value)
+    keys = {name: ((0.0, value),) for name, value in resolve_targets(units).items()}
+    held = ManualCurve(keys, Cause("pose", "command"))
+    score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))
+    return perform(score, settings)
+
+
+def _displays(emotion: Emotions) -> tuple[Display, ...]:
+    if isinstance(emotion, Mapping):
+        return tuple(Display(name, intensity) for name, intensity in emotion.items())
+    return tuple(emotion)

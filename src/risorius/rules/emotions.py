@@ -1,0 +1,129 @@
+"""The emotions that a face can show, each a table in `rules/data/emotions`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from types import MappingProxyType
+from typing import Annotated
+
+from ..core.action_units import check_intensity, resolve_targets
+from ..errors import InputError, ParameterError, unknown
+from .load import load_folder
+from .schema import Range
+
+Seconds = Annotated[float, Range(0.0, 10.0)]
+
+
+@dataclass(frozen=True, slots=True)
+class Emblem:
+    """An emotion that is referred to, not felt (paper A, section 2): a part of the face, for a short while.
+
+    `units`: action units or muscles with their value at intensity 1. Seconds.
+    """
+
+    onset: Seconds
+    offset: Seconds
+    duration: Annotated[float, Range(0.1, 10.0)]
+    units: Mapping[str, float] = field(metadata={"key": "targets"})
+
+
+@dataclass(frozen=True, slots=True)
+class Emotion:
+    """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds."""
+
+    name: str
+    aliases: tuple[str, ...]
+    description: str
+    source: str
+    onset: Seconds
+    offset: Seconds
+    units: Mapping[str, float] = field(metadata={"key": "targets"})
+    emblem: Emblem
+
+    def __post_init__(self) -> None:
+        resolve_targets(self.units)
+        resolve_targets(self.emblem.units)
+
+    def targets(self, intensity: float) -> dict[str, float]:
+        """Return the parameters' values in a display of `intensity` 0..1; they are linear in it."""
+        return self._scaled(self.units, intensity)
+
+    def emblem_targets(self, intensity: float) -> dict[str, float]:
+        """Return the parameters' values in an emblem of `intensity` 0..1; they are linear in it."""
+        return self._scaled(self.emblem.units, intensity)
+
+    def _scaled(self, units: Mapping[str, float], intensity: float) -> dict[str, float]:
+        factor = check_intensity(self.name, intensity)
+        return {name: factor * value for name, value in resolve_targets(units).items()}
+
+
+@dataclass(frozen=True, slots=True)
+class Display:
+    """An emotion to show: intensity 0..1 over [start, end] seconds, the whole clip where they are None."""
+
+    emotion: str
+    intensity: float
+    start: float | None = None
+    end: float | None = None
+
+
+@cache
+def emotions() -> Mapping[str, Emotion]:
+    """Return all emotions by name, in alphabetical order."""
+    found: dict[str, Emotion] = {}
+    for emotion_ in load_folder(Emotion, "emotions").values():
+        found[emotion_.name] = emotion_
+    _by_any_name(found)
+    return MappingProxyType(found)
+
+
+@cache
+def emotion_names() -> Mapping[str, str]:
+    """Return the emotion's name for every name and alias, in lower case."""
+    return MappingProxyType(_by_any_name(emotions()))
+
+
+def emotion(name: str) -> Emotion:
+    """Return the emotion of that name or alias, in any case; raise ParameterError naming the nearest one."""
+    known = emotion_names()
+    key = name.strip().lower()
+    if key not in known:
+        raise ParameterError(unknown("emotion", name, known))
+    return emotions()[known[key]]
+
+
+_NUMBER = r"(?:\d+\.?\d*|\.\d+)"
+_DISPLAY = re.compile(rf"([\w -]+):({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?", re.ASCII)
+
+
+def parse_display(text: str) -> Display:
+    """Return the display that an option such as `joy:0.7` or `fear:1@0.5-2` asks for.
+
+    Raises InputError if it is not of that form, ParameterError for an unknown emotion or intensity above 1.
+    """
+    match = _DISPLAY.fullmatch(text.strip())
+    if match is None:
+        shown = "".join(c if c.isprintable() else " " for c in text)
+        raise InputError(f"emotion '{shown}' is not understood; expected e.g. joy:0.7 or joy:0.7@1-2.5")
+    found = emotion(match[1])
+    intensity = check_intensity(found.name, float(match[2]))
+    if match[3] is None:
+        return Display(found.name, intensity)
+    start, end = float(match[3]), float(match[4])
+    if not start < end:
+        raise InputError(
+            f"emotion {found.name}: from {start:g} to {end:g} s is no span; expected start < end"
+        )
+    return Display(found.name, intensity, start, end)
+
+
+def _by_any_name(table: Mapping[str, Emotion]) -> dict[str, str]:
+    names = {name: name for name in table}
+    for found in table.values():
+        for alias in found.aliases:
+            if names.setdefault(alias.lower(), found.name) != found.name:
+                raise InputError(f"'{alias}' names two emotions: {names[alias.lower()]} and {found.name}")
+    return names

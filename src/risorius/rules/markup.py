@@ -1,0 +1,88 @@
+"""What the markup's words stand for: directions, gestures, turns and durations (`markup.toml`)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated
+
+from ..core.action_units import resolve_targets
+from ..core.movement import check_target
+from .load import load
+from .schema import Range
+
+Seconds = Annotated[float, Range(0.01, 60.0)]
+Swings = tuple[Annotated[float, Range(-1.0, 1.0)], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Direction:
+    """A direction of gaze in degrees: up and to the subject's left are positive."""
+
+    pitch: Annotated[float, Range(-35.0, 35.0)]
+    yaw: Annotated[float, Range(-45.0, 45.0)]
+
+    @property
+    def targets(self) -> dict[str, float]:
+        """The parameters' values."""
+        return {"gaze_pitch": self.pitch, "gaze_yaw": self.yaw}
+
+
+@dataclass(frozen=True, slots=True)
+class Gesture:
+    """A repeated movement of one parameter: `swings` times `amplitude` degrees, `seconds` each.
+
+    From one repetition to the next the amplitude is multiplied by `decay`.
+    """
+
+    parameter: str
+    amplitude: Annotated[float, Range(0.0, 45.0)]
+    swings: Swings
+    seconds: Seconds
+    decay: Annotated[float, Range(0.0, 1.0)]
+
+    def __post_init__(self) -> None:
+        check_target(self.parameter, self.amplitude)
+
+
+@dataclass(frozen=True, slots=True)
+class Attitude:
+    """Where the eyes go, and the other parameters' targets by action unit or name."""
+
+    gaze: Direction
+    targets: Mapping[str, float]
+
+    def __post_init__(self) -> None:
+        resolve_targets(self.targets)
+
+
+@dataclass(frozen=True, slots=True)
+class Durations:
+    """Seconds that a mark lasts where it does not say."""
+
+    signal: Seconds
+    blink: Seconds
+    head: Seconds
+    turn: Seconds
+
+
+@dataclass(frozen=True, slots=True)
+class MarkupTable:
+    """The table `markup.toml`."""
+
+    duration: Durations
+    signal: Mapping[str, float]
+    gaze: Mapping[str, Direction]
+    head: Mapping[str, Gesture]
+    turn: Mapping[str, Attitude]
+    listen: Attitude
+
+    def __post_init__(self) -> None:
+        resolve_targets(self.signal)
+
+
+@cache
+def markup_table() -> MarkupTable:
+    """Return the package's table."""
+    return load(MarkupTable, "markup.toml")

@@ -1,0 +1,8 @@
+"""From a user's input to a script: what is to be said and shown, each mark with its place in the source."""
+
+from .anchor import Anchor
+from .model import Mark, MarkKind, Script, SpokenLine
+from .movements import movements_of
+from .read import read_script
+
+__all__ = ["Anchor", "Mark", "MarkKind", "Script", "SpokenLine", "movements_of", "read_script"]

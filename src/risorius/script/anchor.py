@@ -1,0 +1,118 @@
+"""Times in a script: seconds, or relative to a word or to the end of the performance."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+
+from ..core.utterance import Word
+from ..errors import InputError, Place
+from .quote import quoted
+
+# A day: longer performances are a slip of the pen.
+LATEST = 86_400.0
+
+NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_ANCHOR = re.compile(
+    rf"(?:word:(?P<word>\d{{1,7}})(?P<edge>\.start|\.end)?|(?P<end>end))(?:\s*(?P<sign>[+-])\s*(?P<offset>{NUMBER}))?",
+    re.ASCII | re.IGNORECASE,
+)
+_NUMBER = re.compile(rf"[+-]?{NUMBER}", re.ASCII)
+
+
+class Base(StrEnum):
+    """What an anchor counts from."""
+
+    START = "start"
+    WORD = "word"
+    WORD_END = "word end"
+    END = "end"
+
+
+@dataclass(frozen=True, slots=True)
+class Anchor:
+    """`seconds` after the start or end of the performance, or of word number `word` (from 1)."""
+
+    base: Base
+    seconds: float
+    word: int = 0
+    place: Place | None = field(default=None, compare=False)
+
+    def after(self, seconds: float) -> Anchor:
+        """Return the anchor that lies `seconds` later."""
+        return replace(self, seconds=self.seconds + seconds)
+
+    def same_base(self, other: Anchor) -> bool:
+        """Whether both count from the same moment, so that their distance is known without the speech."""
+        return (self.base, self.word) == (other.base, other.word)
+
+    def resolve(self, words: Sequence[Word], duration: float) -> float:
+        """Return the time in seconds in an utterance of these words, in a performance of `duration` seconds.
+
+        Raises InputError, with the place, for a word that does not exist and for a time before the start.
+        """
+        moment = self._origin(words, duration) + self.seconds
+        if moment < 0.0:
+            raise InputError(f"'{self}' is {-moment:.3f} s before the start", self.place)
+        return moment
+
+    def _origin(self, words: Sequence[Word], duration: float) -> float:
+        if self.base is Base.START:
+            return 0.0
+        if self.base is Base.END:
+            return duration
+        if not 1 <= self.word <= len(words):
+            known = f"words 1 to {len(words)}" if words else "none, for nothing is said"
+            raise InputError(f"'{self}': there is no word {self.word}; expected {known}", self.place)
+        word = words[self.word - 1]
+        return word.start if self.base is Base.WORD else word.end
+
+    def __str__(self) -> str:
+        if self.base is Base.START:
+            return f"{self.seconds:g}"
+        name = {Base.WORD: f"word:{self.word}", Base.WORD_END: f"word:{self.word}.end"}.get(self.base, "end")
+        return name + (f"{self.seconds:+g}" if self.seconds else "")
+
+
+def parse_number(text: str) -> float | None:
+    """Return a decimal number in ASCII digits; None if `text` is none (so are `nan`, `inf` and `1_000`)."""
+    stripped = text.strip()
+    if not _NUMBER.fullmatch(stripped):
+        return None
+    number = float(stripped)
+    return number if abs(number) < float("inf") else None
+
+
+def parse_anchor(name: str, text: str, place: Place | None = None) -> Anchor:
+    """Return the anchor that the attribute `name` gives: seconds, `word:3`, `word:3.end`, `end-0.5`.
+
+    Raises InputError, with the place, if it is none, lies before the start or after a day.
+    """
+    anchor = _seconds(text, place) or _relative(text, place)
+    if anchor is None:
+        raise InputError(
+            f"{name} = {quoted(text)} is no time; expected seconds, word:3, word:3.end or end-0.5", place
+        )
+    if anchor.base is Base.START and anchor.seconds < 0.0:
+        raise InputError(f"{name} = {quoted(text)} is negative; expected 0 or more seconds", place)
+    if abs(anchor.seconds) > LATEST:
+        raise InputError(f"{name} = {quoted(text)} is too long; expected at most {LATEST:.0f} seconds", place)
+    return anchor
+
+
+def _seconds(text: str, place: Place | None) -> Anchor | None:
+    number = parse_number(text)
+    return None if number is None else Anchor(Base.START, number, place=place)
+
+
+def _relative(text: str, place: Place | None) -> Anchor | None:
+    match = _ANCHOR.fullmatch(text.strip())
+    if match is None:
+        return None
+    seconds = float(f"{match['sign']}{match['offset']}") if match["offset"] else 0.0
+    if match["end"]:
+        return Anchor(Base.END, seconds, place=place)
+    at_end = (match["edge"] or "").lower() == ".end"
+    return Anchor(Base.WORD_END if at_end else Base.WORD, seconds, int(match["word"]), place)

@@ -1,0 +1,64 @@
+"""Nods and shakes: one mark that consists of several strokes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..core.parameters import INDEX, PARAMETERS
+from ..rules.markup import Gesture, markup_table
+from .attributes import Attributes
+from .model import Stroke
+
+MOST_REPETITIONS = 10
+
+
+@dataclass(frozen=True, slots=True)
+class TakenGesture:
+    """A gesture as an element asks for it: its strokes, and how many seconds it lasts by default."""
+
+    name: str
+    targets: dict[str, float]
+    strokes: tuple[Stroke, ...]
+    seconds: float
+
+
+def take_gesture(attributes: Attributes) -> TakenGesture | None:
+    """Return the nod or shake that an element asks for, None if it asks for none.
+
+    The value is how many times, 1 to 10, or, below 1, how strong a single one is; `amplitude` gives its size
+    in degrees. Raises InputError, with the place, for other values and for both gestures together.
+    """
+    gestures = markup_table().head
+    values = {name: attributes.number(name, 0.0, MOST_REPETITIONS) for name in gestures}
+    given = {name: value for name, value in values.items() if value is not None}
+    amplitude = attributes.number("amplitude", 0.0, 45.0)
+    if len(given) > 1:
+        raise attributes.error(f"{' and '.join(given)} are both given; expected an element for each")
+    if not given:
+        if amplitude is not None:
+            raise attributes.error("amplitude is given without nod or shake; expected one of them")
+        return None
+    name, value = next(iter(given.items()))
+    if value > 1.0 and not value.is_integer():
+        raise attributes.error(f"{name} = {value:g} is no number of times; expected 1, 2, 3 … or less than 1")
+    return _taken(name, gestures[name], value, amplitude)
+
+
+def _taken(name: str, gesture: Gesture, value: float, amplitude: float | None) -> TakenGesture:
+    degrees = (gesture.amplitude if amplitude is None else amplitude) * min(value, 1.0)
+    parameter = PARAMETERS[INDEX[gesture.parameter]]
+    times = max(1, int(value))
+    strokes = strokes_of(gesture, times)
+    seconds = gesture.seconds * (len(strokes) + 1)
+    return TakenGesture(name, {gesture.parameter: min(degrees, parameter.high)}, strokes, seconds)
+
+
+def strokes_of(gesture: Gesture, times: int) -> tuple[Stroke, ...]:
+    """Return the strokes of a gesture made `times` times.
+
+    Each stroke spans two swings, one out and one back, and the next begins when it is fully out: the head
+    goes from peak to peak, and after the last back to rest.
+    """
+    scales = [swing * gesture.decay**time for time in range(times) for swing in gesture.swings]
+    unit = 1.0 / (len(scales) + 1)
+    return tuple(Stroke(i * unit, (i + 2) * unit, scale, unit, unit) for i, scale in enumerate(scales))

@@ -1,0 +1,69 @@
+"""Paper A's markup (section 2): what is spoken and what is shown, each element with its time."""
+
+from __future__ import annotations
+
+from ..errors import InputError, ParameterError, Place, unknown
+from .anchor import LATEST
+from .apart import check_apart
+from .attributes import Attributes
+from .elements import CONTAINER, read_elements
+from .marks import ELEMENTS, marks_of
+from .model import Mark, Script, SpokenLine, script_of
+from .quote import one_line
+from .speakable import check_length, check_speakable
+
+SPOKEN = "PHONEME"
+KNOWN = (SPOKEN, *ELEMENTS, CONTAINER)
+
+
+def parse_markup(text: str, source: str = "text") -> Script:
+    """Return the script of a markup document.
+
+    Raises InputError or ParameterError, with file, line and column, for anything that is not as expected.
+    """
+    lines: list[SpokenLine] = []
+    marks: list[Mark] = []
+    language: str | None = None
+    for element in read_elements(text, source):
+        attributes = Attributes(element)
+        if element.name == SPOKEN:
+            lines.append(_line(attributes, lines))
+        elif element.name in ELEMENTS:
+            marks.extend(marks_of(attributes))
+        elif element.name == CONTAINER:
+            language = _language(attributes, language)
+        else:
+            raise ParameterError(unknown("element", one_line(element.name), KNOWN), element.place)
+    _check_spoken(lines, source)
+    check_apart((mark, mark.start) for mark in marks)
+    return script_of(tuple(lines), tuple(marks), timed=True, source=source, language=language)
+
+
+def _line(attributes: Attributes, before: list[SpokenLine]) -> SpokenLine:
+    """Return what a PHONEME says; its time, if given, comes after those of the lines before."""
+    start, text = attributes.number("time", 0.0, LATEST), attributes.take("text")
+    attributes.finish()
+    if text is None:
+        raise attributes.error('text is missing; expected e.g. text="Hello."')
+    check_speakable(text.value, text.place.file, text.place)
+    last = max((line.start for line in before if line.start is not None), default=None)
+    if start is not None and last is not None and start <= last:
+        raise attributes.error(f"time = {start:g} comes not after {last:g}, the time of the text before")
+    return SpokenLine(text.value, start, attributes.place)
+
+
+def _language(attributes: Attributes, before: str | None) -> str | None:
+    attribute = attributes.take("language")
+    attributes.finish()
+    if attribute is None:
+        return before
+    language = one_line(attribute.value.strip())
+    if not language or before not in (None, language):
+        raise attributes.error(f"language = '{language}' after '{before}'; expected one language in a script")
+    return language
+
+
+def _check_spoken(lines: list[SpokenLine], source: str) -> None:
+    if not lines:
+        raise InputError(f"nothing is said: there is no {SPOKEN}; expected at least one", Place(source, 1))
+    check_length(sum(len(line.text) for line in lines), lines[-1].place)

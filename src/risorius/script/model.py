@@ -1,0 +1,122 @@
+"""What is to be said and shown, before anything is spoken."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ..errors import Place
+from .anchor import Anchor, Base
+
+
+class MarkKind(StrEnum):
+    """What a mark asks for."""
+
+    EMOTION = "emotion"
+    EMBLEM = "emblem"
+    SIGNAL = "signal"
+    GAZE = "gaze"
+    HEAD = "head"
+    BLINK = "blink"
+    MOVEMENT = "movement"
+    TURN = "turn"
+    LISTEN = "listen"
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A part of a mark: its span, onset and offset as shares of the mark's, and what scales the targets.
+
+    `onset` and `offset` are None where they do not depend on the mark's length.
+    """
+
+    start: float = 0.0
+    end: float = 1.0
+    scale: float = 1.0
+    onset: float | None = None
+    offset: float | None = None
+
+
+WHOLE = (Stroke(),)
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """Something to show on one channel.
+
+    `targets` maps parameter names to values. `onset`, `offset` in seconds and `function` are None where the
+    channel's own holds, `priority` and `release_priority` likewise. `strokes`: the movements that the mark
+    consists of, one for all but gestures of the head. `label`: how the user wrote it.
+    """
+
+    kind: MarkKind
+    channel: str
+    start: Anchor
+    end: Anchor
+    targets: Mapping[str, float]
+    label: str
+    place: Place
+    onset: float | None = None
+    offset: float | None = None
+    priority: float | None = None
+    release_priority: float | None = None
+    layer: str = ""
+    function: str | None = None
+    strokes: tuple[Stroke, ...] = WHOLE
+
+
+@dataclass(frozen=True, slots=True)
+class SpokenLine:
+    """Words spoken in one go, from `start` seconds on, or after the line before where it is None.
+
+    `source_offset`: where the line begins in the script's text. `place`: where it stands in the source.
+    """
+
+    text: str
+    start: float | None
+    place: Place
+    source_offset: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """The words to speak, line by line, and the marks.
+
+    `text`: all lines, joined by line ends. `timed`: times are absolute, without lead or tail (markup).
+    `source`: the file's name. `language`: None where the source does not say.
+    """
+
+    text: str
+    lines: tuple[SpokenLine, ...]
+    marks: tuple[Mark, ...] = ()
+    timed: bool = False
+    source: str = "text"
+    language: str | None = None
+
+    @property
+    def latest(self) -> float:
+        """The last moment in seconds that a mark names: the performance lasts at least so long."""
+        moments = (a.seconds for mark in self.marks for a in (mark.start, mark.end) if a.base is Base.START)
+        return max(moments, default=0.0)
+
+
+def script_of(
+    lines: tuple[SpokenLine, ...],
+    marks: tuple[Mark, ...] = (),
+    *,
+    timed: bool,
+    source: str,
+    language: str | None = None,
+) -> Script:
+    """Return the script of these lines, their offsets set to where they stand in its text."""
+    placed: list[SpokenLine] = []
+    offset = 0
+    for line in lines:
+        placed.append(SpokenLine(line.text, line.start, line.place, offset))
+        offset += len(line.text) + len(LINE_END)
+    text = LINE_END.join(line.text for line in lines)
+    return Script(text, tuple(placed), marks, timed, source, language)
+
+
+LINE_END = "\n"

@@ -1,0 +1,123 @@
+"""From marks to movements, once the words' times are known."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from ..core.movement import Cause, Movement
+from ..core.utterance import Word
+from ..errors import InputError
+from ..rules.timing import Timing, channel_timing, saccade_duration
+from .apart import check_apart
+from .model import Mark, Script, Stroke
+
+_GAZE = ("gaze_pitch", "gaze_yaw")
+# Digits of a second that are kept: below them two times are the same, however they were added up.
+_DIGITS = 9
+
+
+@dataclass(frozen=True, slots=True)
+class _Timed:
+    """A mark, or a stroke of one, with its span in seconds."""
+
+    mark: Mark
+    stroke: Stroke
+    number: int
+    start: float
+    end: float
+    length: float
+
+    @property
+    def targets(self) -> dict[str, float]:
+        return {name: self.stroke.scale * value for name, value in self.mark.targets.items()}
+
+
+def movements_of(script: Script, words: Sequence[Word], duration: float) -> tuple[Movement, ...]:
+    """Return the script's marks as movements, in order of time, channel and layer.
+
+    `words` are those of the utterance, with their times; `duration` is the performance's, in seconds. Raises
+    InputError, with the place, for a word that does not exist, for an end before its start, and for two
+    marks that start together in one layer of a channel.
+    """
+    timed = [part for mark in script.marks for part in _strokes(mark, words, duration)]
+    timed.sort(key=lambda t: (t.start, t.mark.channel, t.mark.layer, t.end, t.mark.label))
+    check_apart((t.mark, t.start) for t in timed)
+    eyes = _Eyes()
+    return tuple(_movement(t, eyes) for t in timed)
+
+
+def _strokes(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[_Timed]:
+    start, end = (round(a.resolve(words, duration), _DIGITS) for a in (mark.start, mark.end))
+    if not start < end:
+        raise InputError(
+            f"{mark.label} ends at {end:g} s ({mark.end}), not after its start at {start:g} s ({mark.start})",
+            mark.place,
+        )
+    length = end - start
+    for number, stroke in enumerate(mark.strokes, 1):
+        begin, stop = (round(start + share * length, _DIGITS) for share in (stroke.start, stroke.end))
+        yield _Timed(mark, stroke, number, begin, stop, length)
+
+
+def _movement(timed: _Timed, eyes: _Eyes) -> Movement:
+    mark = timed.mark
+    timing = channel_timing(mark.channel)
+    onset, offset = _default_timing(timed, timing, eyes)
+    return Movement(
+        mark.channel,
+        timed.start,
+        timed.end,
+        onset if mark.onset is None else mark.onset,
+        offset if mark.offset is None else mark.offset,
+        timed.targets,
+        id=_id(timed),
+        layer=mark.layer,
+        priority=mark.priority,
+        release_priority=mark.release_priority,
+        function=mark.function or _function(mark, timing),
+        cause=Cause("script", mark.label, str(mark.place)),
+    )
+
+
+def _id(timed: _Timed) -> str:
+    mark = timed.mark
+    where = ".".join(str(n) for n in (mark.place.line, mark.place.column) if n is not None)
+    name = f"{mark.channel}@{where}"
+    return name if len(mark.strokes) == 1 else f"{name}.{timed.number}"
+
+
+def _function(mark: Mark, timing: Timing) -> str:
+    return channel_timing("gaze").function if _moves_eyes_alone(mark) else timing.function
+
+
+def _default_timing(timed: _Timed, timing: Timing, eyes: _Eyes) -> tuple[float, float]:
+    """Return seconds of onset and offset: by the eyes' angle, the stroke's length, or the channel."""
+    if _moves_eyes_alone(timed.mark):
+        return eyes.turn(timed)
+    stroke = timed.stroke
+    onset = timing.onset if stroke.onset is None else round(stroke.onset * timed.length, _DIGITS)
+    offset = timing.offset if stroke.offset is None else round(stroke.offset * timed.length, _DIGITS)
+    return onset, offset
+
+
+def _moves_eyes_alone(mark: Mark) -> bool:
+    return bool(mark.targets) and all(name in _GAZE for name in mark.targets)
+
+
+class _Eyes:
+    """Where each layer's last movement left the eyes, so that a turn takes as long as its angle asks for."""
+
+    def __init__(self) -> None:
+        self._last: dict[tuple[str, str], tuple[float, tuple[float, float]]] = {}
+
+    def turn(self, timed: _Timed) -> tuple[float, float]:
+        """Return the seconds that the eyes take to the movement's direction, and from there back to rest."""
+        key = (timed.mark.channel, timed.mark.layer)
+        end, direction = self._last.get(key, (-math.inf, (0.0, 0.0)))
+        origin = direction if end >= timed.start else (0.0, 0.0)
+        targets = timed.targets
+        goal = (targets.get(_GAZE[0], 0.0), targets.get(_GAZE[1], 0.0))
+        self._last[key] = (timed.end, goal)
+        return saccade_duration(math.dist(origin, goal)), saccade_duration(math.hypot(*goal))

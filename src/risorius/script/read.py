@@ -1,0 +1,56 @@
+"""From what the user gave, text or the name of a file, to a script: one reader per suffix.
+
+A new format is a file with a function from text and name to a script, and its line in `READERS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from ..errors import InputError, Place, unknown
+from ..registry import Registry
+from .files import names_something, read_text
+from .markup import parse_markup
+from .model import Script
+from .plain import parse_plain
+from .quote import LONGEST_PATH, one_line
+
+Reader = Callable[[str, str], Script]
+
+READERS: Registry[Reader] = Registry("suffix")
+READERS.register(".txt")(parse_plain)
+READERS.register(".xml")(parse_markup)
+
+# What is named like an input is a file, never words to speak, even where there is no reader for it.
+INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
+
+
+def read_script(given: str, *, text: bool = False, source: str = "text") -> Script:
+    """Return the script of `given`: a file where it names one or ends as one, else the words themselves.
+
+    `text`: take it as words whatever it looks like. `source` names the words in messages. Raises InputError
+    or ParameterError with the place in the file.
+    """
+    if text or not given.strip():
+        return parse_plain(given, source)
+    suffix = _suffix(given)
+    if suffix not in (*INPUT_SUFFIXES, *READERS) and not names_something(given):
+        return parse_plain(given, source)
+    return _read_file(given, suffix)
+
+
+def _suffix(given: str) -> str:
+    return Path(given).suffix.lower() if "\0" not in given else ""
+
+
+def _read_file(path: str, suffix: str) -> Script:
+    place = Place(one_line(path, LONGEST_PATH))
+    if not names_something(path):
+        raise InputError("there is no such file; expected a file, or --text to have the words spoken", place)
+    content = read_text(path)
+    if not suffix:
+        return parse_plain(content, place.file)
+    if suffix not in READERS:
+        raise InputError(unknown("suffix", suffix, READERS), place)
+    return READERS.get(suffix)(content, place.file)

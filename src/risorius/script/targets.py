@@ -1,0 +1,61 @@
+"""Targets named by attributes: emotions, action units, muscles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from ..core.action_units import ACTION_UNITS, action_unit, resolve_targets
+from ..core.parameters import ALIASES, BASES, PARAMETERS
+from ..errors import RisoriusError
+from ..rules.emotions import Emotion, emotion, emotion_names
+from .attributes import Attributes, number_of
+from .elements import Attribute
+
+_TARGET_NAMES = (*BASES, *ALIASES, *(f"AU{number}" for number in ACTION_UNITS))
+
+
+def take_targets(attributes: Attributes) -> dict[str, float]:
+    """Return the parameters' values that all remaining attributes give: action units and muscles add up.
+
+    Raises ParameterError, with the place, for an unknown name and for a value out of range.
+    """
+    return combined(_resolved(attributes, name, a, _TARGET_NAMES) for name, a in attributes.rest())
+
+
+def take_emotions(attributes: Attributes, *, emblem: bool) -> tuple[dict[str, float], Emotion | None]:
+    """Return as `take_targets`, and emotions by name or alias with their intensity; and the strongest one."""
+    parts: list[Mapping[str, float]] = []
+    given: dict[str, tuple[float, Emotion]] = {}
+    for name, attribute in attributes.rest():
+        if name not in emotion_names():
+            parts.append(_resolved(attributes, name, attribute, (*emotion_names(), *_TARGET_NAMES)))
+            continue
+        found, intensity = emotion(name), number_of(attribute, 0.0, 1.0)
+        if found.name in given:
+            raise attributes.error(f"{found.name} is given twice; expected it once", attribute.place)
+        given[found.name] = (intensity, found)
+        parts.append(found.emblem_targets(intensity) if emblem else found.targets(intensity))
+    strongest = max(given.values(), key=lambda pair: (pair[0], pair[1].name), default=None)
+    return combined(parts), strongest[1] if strongest else None
+
+
+def combined(parts: Iterable[Mapping[str, float]]) -> dict[str, float]:
+    """Add values up and clip them to each parameter's range, in the table's order (paper B, section 6.4)."""
+    total: dict[str, float] = {}
+    for part in parts:
+        for name, value in part.items():
+            total[name] = total.get(name, 0.0) + value
+    return {p.name: min(max(total[p.name], p.low), p.high) for p in PARAMETERS if p.name in total}
+
+
+def _resolved(
+    attributes: Attributes, name: str, attribute: Attribute, known: Iterable[str]
+) -> dict[str, float]:
+    try:
+        stem = name.partition(".")[0]
+        written = attribute.name.replace("-", "_")
+        if stem not in BASES and stem not in ALIASES and action_unit(written) is None:
+            raise attributes.unknown(attribute, known)
+        return resolve_targets({written: number_of(attribute)})
+    except RisoriusError as error:
+        raise error.at(attribute.place) from None

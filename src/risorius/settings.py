@@ -1,0 +1,61 @@
+"""What a user may choose, with its defaults."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from .core.performance import parse_fps
+from .core.score import BlendSettings
+from .errors import InputError
+
+LARGEST_SIDE = 4096
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """All settings of a performance; frozen, checked on creation (InputError names the one at fault).
+
+    `lead`, `tail`: seconds of silence around plain text. `articulation`: factor on how wide the mouth opens,
+    0 to 2. `at`: second of the frame that a `.png` shows (the middle where None); `every`: a `.png` is a
+    sheet of every n-th frame instead. `lively`: random blinks and small head and eye movements.
+    """
+
+    fps: Fraction = Fraction(30)
+    size: tuple[int, int] = (720, 720)
+    seed: int = 0
+    head: str = "standard"
+    voice: str = "en-us"
+    rate: int | None = None
+    lead: float = 0.5
+    tail: float = 0.7
+    articulation: float = 1.0
+    lively: bool = True
+    without: tuple[str, ...] = ()
+    at: float | None = None
+    every: int | None = None
+    blend: BlendSettings = field(default_factory=BlendSettings)
+
+    def __post_init__(self) -> None:
+        parse_fps(self.fps)
+        for what, value, low, high in (
+            ("lead", self.lead, 0.0, 60.0),
+            ("tail", self.tail, 0.0, 60.0),
+            ("articulation", self.articulation, 0.0, 2.0),
+            ("at", self.at if self.at is not None else 0.0, 0.0, math.inf),
+            ("every", self.every if self.every is not None else 1, 1, 1_000_000),
+            ("seed", self.seed, 0, 2**63 - 1),
+            *((f"size {side}", side, 16, LARGEST_SIDE) for side in self.size),
+        ):
+            if not low <= value <= high:
+                raise InputError(f"{what} = {value} is out of range; expected {low:g} to {high:g}")
+
+
+def parse_size(text: str) -> tuple[int, int]:
+    """Return width and height of a text such as "720x720"; raise InputError if it is none."""
+    match = re.fullmatch(r"(\d{1,5})[xX×](\d{1,5})", text.strip())
+    if match is None:
+        raise InputError(f"size '{text}' is not a size; expected e.g. 720x720")
+    return int(match[1]), int(match[2])

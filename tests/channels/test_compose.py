@@ -1,0 +1,87 @@
+import numpy as np
+import pytest
+
+from risorius.channels import CHANNEL_BUILDERS, Brief, Display, compose
+from risorius.channels.manipulators import WAIT, blink_interval
+from risorius.core.movement import CHANNELS, Cause, Movement
+from risorius.core.score import Score
+from risorius.errors import InputError, ParameterError
+
+BLINK = "orbicularis_oculi_palpebralis.left"
+
+
+@pytest.mark.parametrize(
+    ("brief", "without", "error"),
+    [
+        (Brief(4.0), ["blinks"], ParameterError),
+        (Brief(4.0, emotions=(Display("hapiness", 0.5),)), [], ParameterError),
+        (Brief(4.0, emotions=(Display("happiness", 1.5),)), [], ParameterError),
+        (Brief(4.0, emotions=(Display("happiness", 0.5, 2.0, 1.0),)), [], InputError),
+        (Brief(0.0), [], InputError),
+    ],
+)
+def test_bad_briefs(brief: Brief, without: list[str], error: type[Exception]) -> None:
+    with pytest.raises(error):
+        compose(brief, without=without)
+
+
+def test_every_channel_but_manual_has_a_builder() -> None:
+    assert set(CHANNEL_BUILDERS) == set(CHANNELS) - {"manual"}
+
+
+def _by_channel(score: Score) -> dict[str, list[Movement]]:
+    return {name: [m for m in score.movements if m.channel == name] for name in CHANNEL_BUILDERS}
+
+
+def test_same_seed_same_score_and_another_seed_another() -> None:
+    assert compose(Brief(60.0), seed=3) == compose(Brief(60.0), seed=3)
+    assert compose(Brief(60.0), seed=3) != compose(Brief(60.0), seed=4)
+
+
+@pytest.mark.parametrize("dropped", ["manipulators", "head", "gaze"])
+def test_a_channel_does_not_change_when_another_is_left_out(dropped: str) -> None:
+    whole, less = (_by_channel(compose(Brief(60.0), without=w)) for w in ([], [dropped]))
+    assert less.pop(dropped) == []
+    assert all(whole[name] == movements for name, movements in less.items())
+
+
+def test_every_movement_has_a_cause(utterance_of) -> None:
+    utterance = utterance_of("HH AH L OW")
+    score = compose(Brief(20.0, utterance, emotions=(Display("joy", 0.5),)))
+    assert all(m.cause != Cause() for m in (*score.movements, *score.lips))
+
+
+def test_emotions_given_separately_have_a_layer_each() -> None:
+    score = compose(Brief(4.0, emotions=(Display("joy", 0.5), Display("surprise", 1.0, 1.0, 2.0))))
+    layers = [m.layer for m in score.movements if m.channel == "emotion"]
+    assert len(set(layers)) == 2
+
+
+def test_both_eyes_blink_at_human_intervals() -> None:
+    blinks = _by_channel(compose(Brief(600.0)))["manipulators"]
+    starts = np.array([m.start for m in blinks])
+    assert all(m.targets[BLINK] == m.targets[BLINK.replace("left", "right")] for m in blinks)
+    assert np.diff(starts).min() > WAIT
+    # facts: science/03, section 3.5: 10.5 to 32.5 a minute in conversation
+    assert 10.5 < len(blinks) / 10 < 32.5
+
+
+def test_random_blinks_keep_clear_of_marked_ones() -> None:
+    marked = tuple(Movement("manipulators", t, t + 0.3, 0.1, 0.1, {BLINK: 1.0}) for t in np.arange(0.5, 59, 0.7))
+    blinks = _by_channel(compose(Brief(60.0, marks=marked)))["manipulators"]
+    ends = sorted((m.start, m.end) for m in blinks)
+    assert len(ends) >= len(marked)
+    assert all(a[1] <= b[0] for a, b in zip(ends, ends[1:], strict=False))
+
+
+def test_blink_intervals_lie_between_one_and_three_waits() -> None:
+    rng = np.random.default_rng(0)
+    intervals = np.array([blink_interval(rng) for _ in range(20_000)])
+    assert intervals.min() >= WAIT
+    assert intervals.max() <= 3 * WAIT
+    # Mean of a wait of 1.8 s and then one blink a second, cut at 3.6 s: 1.8 + (1 - e^-1.8) + …
+    assert intervals.mean() == pytest.approx(WAIT + (1 - np.exp(-WAIT)) + 0.1 * np.exp(-WAIT), abs=0.02)
+
+
+def test_without_liveliness_nothing_random_is_left() -> None:
+    assert compose(Brief(60.0, lively=False)).movements == ()

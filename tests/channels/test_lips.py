@@ -1,0 +1,89 @@
+import pytest
+
+from risorius.channels import Brief, compose
+from risorius.core.movement import LipSegment
+from risorius.core.parameters import DEFAULT_THRESHOLD, RIVALS
+from risorius.core.utterance import Utterance
+from risorius.errors import InputError
+from risorius.rules.lips import lip_table
+
+ALL = "AA AE AH AO AW AY B CH D DH EH ER EY F G HH IH IY JH K L M N NG OW OY P R S SH T TH UH UW V W Y Z ZH"
+
+
+def segments(utterance: Utterance, **options: float) -> tuple[LipSegment, ...]:
+    return compose(Brief(utterance.duration, utterance, **options), without=["manipulators"]).lips
+
+
+def test_an_unknown_phone_is_named(utterance_of) -> None:
+    with pytest.raises(InputError, match="unknown phone 'QX'"):
+        segments(utterance_of("QX"))
+
+
+def test_every_english_phone_has_a_shape(utterance_of) -> None:
+    found = {s.phone for s in segments(utterance_of(ALL))}
+    assert found == set(ALL.split()) | {""}
+
+
+@pytest.mark.parametrize("phone", ["P", "B", "M"])
+def test_labials_close_and_keep_the_others_from_opening(phone: str, utterance_of) -> None:
+    (segment,) = (s for s in segments(utterance_of(f"AA {phone} AA")) if s.phone == phone)
+    assert segment.targets["lip_seal"] == 1.0
+    assert segment.end - segment.start >= 0.04
+    for name in ("masseter", "depressor_labii.left", "levator_labii_nasi.right", "levator_labii_superioris.left"):
+        assert segment.limits[name][1] <= 0.2
+
+
+@pytest.mark.parametrize("phone", ["F", "V"])
+def test_labiodentals_bring_the_lip_to_the_teeth(phone: str, utterance_of) -> None:
+    (segment,) = (s for s in segments(utterance_of(f"AA {phone} AA")) if s.phone == phone)
+    assert segment.targets["lip_tuck"] >= 0.9
+    assert segment.limits["masseter"][1] <= 0.05
+
+
+@pytest.mark.parametrize("phone", ["IY", "IH", "EH", "AE", "AA", "AH", "S", "T", "K", "N", "TH"])
+def test_unrounded_phones_have_no_funneler_and_inhibit_no_smile(phone: str) -> None:
+    targets = lip_table().to_parameters(lip_table().shape(phone).targets)
+    assert "orbicularis_oris_funneler" not in targets
+    for rival in RIVALS["zygomatic_major.left"]:
+        assert targets.get(rival, 0.0) < DEFAULT_THRESHOLD
+
+
+@pytest.mark.parametrize("phone", ["W", "UW", "UH", "AO", "SH", "R"])
+def test_rounded_phones_round(phone: str) -> None:
+    assert lip_table().to_parameters(lip_table().shape(phone).targets)["orbicularis_oris_funneler"] > 0.3
+
+
+def test_vowels_keep_the_presser_from_pressing() -> None:
+    table = lip_table()
+    for phone in ("AA", "IY", "UW", "ER"):
+        assert table.holdings[table.shape(phone).lip_class].limits["orbicularis_oris_presser"][1] < 0.1
+
+
+def test_diphthongs_have_two_shapes(utterance_of) -> None:
+    first, second = (s for s in segments(utterance_of("T AY T")) if s.phone == "AY")
+    assert first.end == second.start
+    assert first.targets["masseter"] > second.targets["masseter"]
+
+
+def test_the_mouth_opens_before_speech_only_in_plain_text(utterance_of) -> None:
+    utterance = utterance_of("AA")
+    assert [s.cause.rule for s in segments(utterance)][:2] == ["lips.rest", "lips.breath"]
+    assert "lips.breath" not in [s.cause.rule for s in segments(utterance, opens=False)]
+
+
+def test_articulation_widens_the_opening_alone(utterance_of) -> None:
+    utterance = utterance_of("AO")
+    wide, plain = (next(s for s in segments(utterance, articulation=a) if s.phone) for a in (1.3, 1.0))
+    assert wide.targets["masseter"] == pytest.approx(1.3 * plain.targets["masseter"])
+    assert wide.targets["orbicularis_oris_funneler"] == plain.targets["orbicularis_oris_funneler"]
+
+
+def test_the_last_vowel_of_a_phrase_opens_more(utterance_of) -> None:
+    opening = [s.targets["masseter"] for s in segments(utterance_of("AA T AA _ AA T AA")) if s.phone == "AA"]
+    assert opening[1] > opening[0]
+    assert opening[3] > opening[2]
+    assert opening[0] == opening[2]
+
+
+def test_segments_name_the_phone_and_word_that_caused_them(utterance_of) -> None:
+    assert [s.cause.trigger for s in segments(utterance_of("M")) if s.phone] == ['/M/ of "m"']

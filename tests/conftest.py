@@ -1,0 +1,45 @@
+"""Shared builders: small utterances that need no speech engine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from risorius.core.audio import silence
+from risorius.core.utterance import Pause, PauseKind, Phone, Utterance, Word
+
+VOWELS = frozenset("AA AE AH AO AW AY EH ER EY IH IY OW OY UH UW".split())
+UtteranceMaker = Callable[..., Utterance]
+
+
+@pytest.fixture
+def utterance_of() -> UtteranceMaker:
+    """Return a function from ARPAbet symbols ("_" for a pause) to an utterance, all one word per run of phones."""
+
+    def make(symbols: str, seconds: float = 0.1, lead: float = 0.5, tail: float = 0.5) -> Utterance:
+        rate = 22_050
+        spans: list[tuple[str, float]] = [("", lead)]
+        spans += [("" if s == "_" else s, 0.2 if s == "_" else seconds) for s in symbols.split()]
+        spans.append(("", tail))
+        phones: list[Phone] = []
+        words: list[Word] = []
+        pauses: list[Pause] = []
+        edge = 0
+        for number, (symbol, length) in enumerate(spans):
+            start, edge = edge / rate, edge + round(length * rate)
+            end = edge / rate
+            if symbol:
+                stress = 2 if symbol in VOWELS else -1
+                phones.append(Phone(symbol, start, end, stress, len(words)))
+                words.append(Word(symbol.lower(), start, end, number, number + 1, number, number + 1))
+            else:
+                kind = PauseKind.INITIAL if number == 0 else PauseKind.COMMA
+                kind = PauseKind.FINAL if number == len(spans) - 1 else kind
+                phones.append(Phone("", start, end))
+                pauses.append(Pause(start, end, kind))
+        text = " ".join(w.text for w in words)
+        audio = silence(edge / rate, rate)
+        return Utterance(text, "en-us", audio, tuple(phones), tuple(words), pauses=tuple(pauses))
+
+    return make

@@ -1,0 +1,184 @@
+import itertools
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from risorius.core.parameters import NAMES, PARAMETERS, RIVALS
+from risorius.errors import InputError, ParameterError
+from risorius.rules.emotions import Display, Emotion, emotion, emotion_names, emotions, parse_display
+from risorius.rules.load import load_folder
+
+SIX = ("anger", "disgust", "fear", "happiness", "sadness", "surprise")
+# The action units of the prototypes (facts: science/05, section 5.3), by what performs them.
+PROTOTYPES = {
+    "happiness": {"orbicularis_oculi_orbitalis", "zygomatic_major"},
+    "sadness": {"frontalis_medialis", "corrugator_supercilii", "triangularis", "mentalis"},
+    "anger": {
+        "corrugator_supercilii",
+        "levator_palpebrae",
+        "orbicularis_oculi_palpebralis",
+        "orbicularis_oris_presser",
+    },
+    "fear": {
+        "frontalis_medialis",
+        "frontalis_lateralis",
+        "corrugator_supercilii",
+        "levator_palpebrae",
+        "risorius",
+        "masseter",
+    },
+    "disgust": {"levator_labii_nasi", "levator_labii_superioris", "mentalis"},
+    "surprise": {"frontalis_medialis", "frontalis_lateralis", "levator_palpebrae", "masseter"},
+}
+# Anger's stare widens the eye and tenses its lower lid (AU5 with AU7): the one pair of Table 2 in a display.
+STARE = {"levator_palpebrae", "orbicularis_oculi_palpebralis"}
+NOT_EMBLEMS = ("levator_palpebrae", "orbicularis_oculi", "levator_labii_nasi", "head", "gaze")
+
+every_emotion = pytest.mark.parametrize("name", SIX)
+
+
+def base(name: str) -> str:
+    return name.partition(".")[0]
+
+
+def vector(shown: Emotion) -> list[float]:
+    targets = shown.targets(1.0)
+    return [targets.get(name, 0.0) for name in NAMES]
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("hapiness", "unknown emotion 'hapiness'; did you mean 'happiness'?"),
+        ("suprised", "unknown emotion 'suprised'; did you mean 'surprised'?"),
+        ("", "unknown emotion ''; expected one of anger, disgust"),
+    ],
+)
+def test_unknown_emotions_are_refused(name: str, message: str) -> None:
+    with pytest.raises(ParameterError) as caught:
+        emotion(name)
+    assert str(caught.value).startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "emotion '' is not understood; expected e.g. joy:0.7 or joy:0.7@1-2.5"),
+        ("joy", "emotion 'joy' is not understood"),
+        ("joy:much", "emotion 'joy:much' is not understood"),
+        ("joy:nan", "emotion 'joy:nan' is not understood"),
+        ("joy:-1", "emotion 'joy:-1' is not understood"),
+        ("joy:1@2", "emotion 'joy:1@2' is not understood"),
+        ("joy:1@-1-2", "emotion 'joy:1@-1-2' is not understood"),
+        ("jo\ny:1", "emotion 'jo y:1' is not understood"),
+        ("joy:1.5", "happiness = 1.5 is out of range; expected 0 to 1"),
+        ("hapiness:1", "unknown emotion 'hapiness'; did you mean 'happiness'?"),
+        ("joy:1@2-1", "emotion happiness: from 2 to 1 s is no span; expected start < end"),
+        ("joy:1@2-2", "emotion happiness: from 2 to 2 s is no span"),
+    ],
+)
+def test_bad_options_are_refused(text: str, message: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_display(text)
+    assert str(caught.value).startswith(message)
+
+
+@pytest.mark.parametrize("intensity", [-0.1, 1.1, math.nan, math.inf])
+def test_intensities_out_of_range_are_refused(intensity: float) -> None:
+    with pytest.raises(ParameterError, match="expected 0 to 1"):
+        emotion("anger").targets(intensity)
+    with pytest.raises(ParameterError, match="expected 0 to 1"):
+        emotion("anger").emblem_targets(intensity)
+
+
+def test_the_six_emotions_are_there() -> None:
+    assert tuple(emotions()) == SIX
+
+
+def test_files_are_named_for_their_emotions() -> None:
+    assert {path: e.name for path, e in load_folder(Emotion, "emotions").items()} == {
+        f"emotions/{name}.toml": name for name in SIX
+    }
+
+
+@pytest.mark.parametrize(
+    ("alias", "name"),
+    [
+        ("joy", "happiness"),
+        ("Happy", "happiness"),
+        ("SAD", "sadness"),
+        (" angry ", "anger"),
+        ("afraid", "fear"),
+        ("scared", "fear"),
+        ("disgusted", "disgust"),
+        ("surprised", "surprise"),
+    ],
+)
+def test_aliases_in_any_case(alias: str, name: str) -> None:
+    assert emotion(alias).name == name
+
+
+def test_every_alias_leads_to_its_emotion() -> None:
+    for name, shown in emotions().items():
+        assert all(emotion_names()[alias] == name for alias in shown.aliases)
+
+
+@every_emotion
+def test_a_display_holds_its_prototype(name: str) -> None:
+    targets = emotion(name).targets(1.0)
+    assert {base(p) for p, value in targets.items() if value > 0.15} >= PROTOTYPES[name]
+
+
+@every_emotion
+def test_a_display_is_within_range_and_symmetric(name: str) -> None:
+    targets = emotion(name).targets(1.0)
+    for p in PARAMETERS:
+        if p.name in targets:
+            assert 0.0 < targets[p.name] <= p.high
+            assert p.side != "left" or targets[p.name] == targets[f"{p.base}.right"]
+
+
+@every_emotion
+def test_no_display_works_against_itself(name: str) -> None:
+    targets = emotion(name).targets(1.0)
+    for p, q in itertools.combinations(targets, 2):
+        if {base(p), base(q)} != STARE:
+            assert q not in RIVALS[p], f"{p} and {q} conflict"
+
+
+@every_emotion
+def test_an_emblem_is_a_weaker_part_of_the_face(name: str) -> None:
+    shown = emotion(name)
+    emblem = shown.emblem_targets(1.0)
+    assert emblem
+    assert not any(p.startswith(NOT_EMBLEMS) for p in emblem)
+    assert max(emblem.values()) < max(shown.targets(1.0).values())
+    assert shown.emblem.onset + shown.emblem.offset < shown.emblem.duration
+    assert shown.emblem.onset < shown.onset
+
+
+def test_no_two_displays_look_alike() -> None:
+    for a, b in itertools.combinations(emotions().values(), 2):
+        va, vb = vector(a), vector(b)
+        cosine = sum(x * y for x, y in zip(va, vb, strict=True)) / (math.hypot(*va) * math.hypot(*vb))
+        assert cosine < 0.8, f"{a.name} and {b.name}: {cosine:.2f}"
+
+
+@given(st.sampled_from(SIX), st.floats(0.0, 1.0))
+def test_targets_are_linear_in_intensity(name: str, intensity: float) -> None:
+    full = emotion(name).targets(1.0)
+    assert emotion(name).targets(intensity) == pytest.approx({p: intensity * v for p, v in full.items()})
+
+
+@pytest.mark.parametrize(
+    ("text", "display"),
+    [
+        ("joy:0.7", Display("happiness", 0.7)),
+        (" Scared:1@0.5-2. ", Display("fear", 1.0, 0.5, 2.0)),
+        ("anger:0@0-.5", Display("anger", 0.0, 0.0, 0.5)),
+    ],
+)
+def test_options(text: str, display: Display) -> None:
+    assert parse_display(text) == display
