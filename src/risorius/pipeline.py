@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
 from .blend import combine
 from .channels import Brief, Display, compose
@@ -81,7 +82,7 @@ def mix(
     """Combine the movements of a score file; `conflict` and `onset_function` override the score's own."""
     found = read_score(Path(score))
     chosen = {"conflict": conflict, "onset_function": onset_function}
-    changed = {name: value for name, value in chosen.items() if value is not None}
+    changed: dict[str, Any] = {name: value for name, value in chosen.items() if value is not None}
     return perform(replace(found, settings=replace(found.settings, **changed)), settings)
 
 

@@ -27,7 +27,7 @@ class Settings:
     size: tuple[int, int] = (720, 720)
     seed: int = 0
     head: str = "standard"
-    voice: str = "en-us"
+    voice: str | None = None
     rate: int | None = None
     lead: float = 0.5
     tail: float = 0.7

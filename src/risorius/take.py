@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import astuple, dataclass, field
+from functools import cached_property, partial
 from os import PathLike
 from typing import TYPE_CHECKING
 
@@ -18,7 +18,9 @@ from .settings import Settings
 
 if TYPE_CHECKING:
     from .face.frame import FaceFrame
+    from .face.measure import Gauge
     from .face.solve import FaceSolver
+    from .out import Take as Material
     from .out.source import Picture, Size
 
 Progress = Callable[..., None]
@@ -68,7 +70,7 @@ class Take:
         """
         from .out import WriteOptions, check_targets, write_targets
 
-        options = WriteOptions(self.settings.size, self.settings.at, self.settings.every)
+        options = WriteOptions(self.settings.size, self.settings.at, self.settings.every or 5)
         write_targets(self._material(progress), check_targets(paths), options)
 
     def faces(self, indices: Sequence[int] | None = None) -> Iterator[FaceFrame]:
@@ -87,6 +89,28 @@ class Take:
         for done, face in enumerate(self.faces(chosen)):
             yield renderer.render(face)
             progress("Drawing", done + 1, len(chosen))
+
+    def _material(self, progress: Progress) -> Material:
+        from .out import Take as Material
+
+        return Material(
+            performance=self.performance,
+            utterance=self.utterance,
+            audio=self.utterance.audio if self.utterance else None,
+            frames=self.faces,
+            pictures=partial(self.pictures, progress=progress),
+            measures=self._measured,
+        )
+
+    def _measured(self, face: FaceFrame) -> list[float]:
+        measures = astuple(self._gauge.measure(face))
+        return [*measures, *self._gauge.landmarks(face).ravel().tolist()]
+
+    @cached_property
+    def _gauge(self) -> Gauge:
+        from .face.measure import Gauge
+
+        return Gauge(self._solver.head)
 
     @cached_property
     def _solver(self) -> FaceSolver:

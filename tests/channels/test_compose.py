@@ -67,7 +67,9 @@ def test_both_eyes_blink_at_human_intervals() -> None:
 
 
 def test_random_blinks_keep_clear_of_marked_ones() -> None:
-    marked = tuple(Movement("manipulators", t, t + 0.3, 0.1, 0.1, {BLINK: 1.0}) for t in np.arange(0.5, 59, 0.7))
+    marked = tuple(
+        Movement("manipulators", t, t + 0.3, 0.1, 0.1, {BLINK: 1.0}) for t in np.arange(0.5, 59, 0.7)
+    )
     blinks = _by_channel(compose(Brief(60.0, marks=marked)))["manipulators"]
     ends = sorted((m.start, m.end) for m in blinks)
     assert len(ends) >= len(marked)

@@ -14,9 +14,13 @@ def segments(utterance: Utterance, **options: float) -> tuple[LipSegment, ...]:
     return compose(Brief(utterance.duration, utterance, **options), without=["manipulators"]).lips
 
 
-def test_an_unknown_phone_is_named(utterance_of) -> None:
+def test_an_unknown_phone_is_named() -> None:
     with pytest.raises(InputError, match="unknown phone 'QX'"):
-        segments(utterance_of("QX"))
+        lip_table().shape("QX")
+
+
+def test_sounds_of_other_languages_are_spelled_in_english_ones(utterance_of) -> None:
+    assert [s.phone for s in segments(utterance_of("m yː ts")) if s.phone][0] == "M"
 
 
 def test_every_english_phone_has_a_shape(utterance_of) -> None:
@@ -29,7 +33,12 @@ def test_labials_close_and_keep_the_others_from_opening(phone: str, utterance_of
     (segment,) = (s for s in segments(utterance_of(f"AA {phone} AA")) if s.phone == phone)
     assert segment.targets["lip_seal"] == 1.0
     assert segment.end - segment.start >= 0.04
-    for name in ("masseter", "depressor_labii.left", "levator_labii_nasi.right", "levator_labii_superioris.left"):
+    for name in (
+        "masseter",
+        "depressor_labii.left",
+        "levator_labii_nasi.right",
+        "levator_labii_superioris.left",
+    ):
         assert segment.limits[name][1] <= 0.2
 
 

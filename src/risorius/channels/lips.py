@@ -13,6 +13,7 @@ import numpy as np
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..rules.lips import LipTable, PhoneShape, lip_table
+from ..speech.phonesets import to_arpabet
 from .registry import CHANNEL_BUILDERS, Brief
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
@@ -47,19 +48,16 @@ class _Shaper:
         self._final = _phrase_final_phones(self.utterance)
 
     def spoken(self, index: int, phone: Phone) -> Iterator[LipSegment]:
-        """Yield the phone's segment, or both of a diphthong."""
+        """Yield the phone's segments: one, two of a diphthong, more of a sound that English spells out."""
         scale = self.articulation * self._opening(index, phone)
-        cause = Cause(f"lips.{phone.symbol}", self._trigger(phone))
-        diphthong = self.table.diphthongs.get(phone.symbol)
-        if diphthong is None:
-            shape = self.table.shape(phone.symbol)
-            end = phone.end if shape.closure >= 1.0 else _closure_end(phone, shape.closure)
-            yield self._segment(phone.symbol, shape, phone.start, end, scale, cause)
-            return
-        turn = phone.start + diphthong.turn * phone.duration
-        first, second = (self.table.shape(part) for part in diphthong.parts)
-        yield self._segment(phone.symbol, first, phone.start, turn, scale, cause)
-        yield self._segment(phone.symbol, second, turn, phone.end, scale, cause)
+        shapes = [shape for part in to_arpabet(phone.symbol) for shape in self.table.shapes(part)]
+        share = phone.duration / sum(part for _, _, part in shapes)
+        start = phone.start
+        for symbol, shape, part in shapes:
+            end = start + part * share
+            cause = Cause(f"lips.{symbol}", self._trigger(phone))
+            yield self._segment(symbol, shape, start, _closure_end(start, end, shape), scale, cause)
+            start = end
 
     def silence(self, phone: Phone, opens: bool) -> Iterator[LipSegment]:
         """Yield the rest of a pause, with the in-breath at its end where the mouth opens before speech."""
@@ -104,9 +102,9 @@ class _Shaper:
         return f'/{phone.symbol}/ of "{self.utterance.words[phone.word].text}"'
 
 
-def _closure_end(phone: Phone, share: float) -> float:
-    held = max(share * phone.duration, SHORTEST_CLOSURE)
-    return phone.start + min(held, phone.duration) if phone.duration > SHORTEST_CLOSURE else phone.end
+def _closure_end(start: float, end: float, shape: PhoneShape) -> float:
+    """Return the end of the segment: a stop's ends where it is released, its burst is the next phone's."""
+    return min(start + max(shape.closure * (end - start), SHORTEST_CLOSURE), end)
 
 
 def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:

@@ -94,6 +94,14 @@ class LipTable:
         except KeyError:
             raise InputError(unknown("phone", symbol, (*self.phones, *self.diphthongs))) from None
 
+    def shapes(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
+        """Return a phone's shapes in order, each with its symbol and share of the phone's time."""
+        diphthong = self.diphthongs.get(symbol)
+        if diphthong is None:
+            return ((symbol, self.shape(symbol), 1.0),)
+        first, second = (self.shape(part) for part in diphthong.parts)
+        return (symbol, first, diphthong.turn), (symbol, second, 1.0 - diphthong.turn)
+
     def to_parameters(self, articulators: Mapping[str, float]) -> Mapping[str, float]:
         """Return the parameters that perform `articulators` (values 0..1); shares of one parameter add up."""
         total: dict[str, float] = {}

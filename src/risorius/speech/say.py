@@ -1,0 +1,161 @@
+"""From a script's lines to one utterance: each line spoken, then joined at its time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import pairwise
+from typing import TypeVar
+
+from ..core.audio import Audio, AudioWriter
+from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Phone, Syllable, Utterance, Word
+from ..errors import InputError
+from ..script import Script, SpokenLine
+from .synthesis import synthesize
+
+# Seconds between lines where the second has no time of its own.
+LINE_PAUSE = 0.3
+
+Timed = TypeVar("Timed", Phone, Word, Syllable, Pause)
+
+
+@dataclass(frozen=True, slots=True)
+class _Placed:
+    """A spoken line: its first sample in the whole, and what stands before it there."""
+
+    utterance: Utterance
+    line: SpokenLine
+    first_sample: int
+
+
+def say(
+    script: Script,
+    *,
+    voice: str | None = None,
+    rate: int | None = None,
+    lead: float = 0.5,
+    tail: float = 0.7,
+) -> Utterance:
+    """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
+
+    Without `voice`, the script's language is spoken by its first voice, English where it names none.
+    Raises InputError, with the line's place, where a line starts before the one before it has ended;
+    SpeechError if the engine fails.
+    """
+    speak = partial(synthesize, voice=voice, language=None if voice else script.language, rate=rate)
+    if not script.timed:
+        return _located(script.lines[0], partial(speak, lead=lead, tail=tail))
+    placed = list(_place(script.lines, speak))
+    if len(placed) == 1 and placed[0].first_sample == 0:
+        return placed[0].utterance
+    return _join(script.text, placed)
+
+
+def _located(line: SpokenLine, speak: Callable[[str], Utterance]) -> Utterance:
+    """Speak a line; what is wrong with it is raised with its place."""
+    try:
+        return speak(line.text)
+    except InputError as error:
+        raise error.at(line.place) from None
+
+
+def _place(lines: Sequence[SpokenLine], speak: Callable[[str], Utterance]) -> Iterator[_Placed]:
+    """Speak the lines in order of their time and yield each with its first sample."""
+    end = 0
+    for line in lines:
+        utterance = _located(line, speak)
+        sample_rate = utterance.audio.sample_rate
+        follows = end + round(LINE_PAUSE * sample_rate) if end else 0
+        first = follows if line.start is None else round(line.start * sample_rate)
+        if first < end:
+            raise InputError(
+                f"time = {line.start:g}, but the words before last until {end / sample_rate:.2f} s",
+                line.place,
+            )
+        yield _Placed(utterance, line, first)
+        end = first + utterance.audio.frames
+
+
+@dataclass(slots=True)
+class _Joiner:
+    """Collects lines into one utterance, their times, words and phones counted on."""
+
+    phones: list[Phone] = field(default_factory=list)
+    words: list[Word] = field(default_factory=list)
+    syllables: list[Syllable] = field(default_factory=list)
+    pauses: list[Pause] = field(default_factory=list)
+    accents: list[Accent] = field(default_factory=list)
+
+    def add(self, part: _Placed) -> None:
+        """Add a line, and the pause before it."""
+        said, at = part.utterance, part.first_sample / part.utterance.audio.sample_rate
+        self._pause_until(at)
+        phones, words, syllables = len(self.phones), len(self.words), len(self.syllables)
+        self.phones += [
+            replace(p, word=p.word + words if p.word >= 0 else p.word) for p in _shifted(said.phones, at)
+        ]
+        self.words += [_moved_word(w, phones, part.line.source_offset) for w in _shifted(said.words, at)]
+        self.syllables += [_moved_syllable(s, phones, words) for s in _shifted(said.syllables, at)]
+        self.pauses += _shifted(said.pauses, at)
+        self.accents += [
+            replace(a, time=a.time + at, word=a.word + words, syllable=a.syllable + syllables)
+            for a in said.accents
+        ]
+
+    def _pause_until(self, at: float) -> None:
+        edge = self.phones[-1].end if self.phones else 0.0
+        if at > edge:
+            self.phones.append(Phone(SILENCE, edge, at))
+            self.pauses.append(Pause(edge, at, PauseKind.FULL_STOP if self.words else PauseKind.INITIAL))
+
+    def utterance(self, text: str, language: str, audio: Audio) -> Utterance:
+        """Return what was collected."""
+        phones = _without_rounding_gaps(self.phones, audio.duration)
+        rest = (tuple(self.words), tuple(self.syllables), tuple(self.pauses), tuple(self.accents))
+        return Utterance(text, language, audio, phones, *rest)
+
+
+def _join(text: str, placed: Sequence[_Placed]) -> Utterance:
+    joiner = _Joiner()
+    for part in placed:
+        joiner.add(part)
+    return joiner.utterance(text, placed[0].utterance.language, _joined_audio(placed))
+
+
+def _shifted(items: Sequence[Timed], seconds: float) -> list[Timed]:
+    return [replace(item, start=item.start + seconds, end=item.end + seconds) for item in items]
+
+
+def _moved_word(word: Word, phones: int, characters: int) -> Word:
+    return replace(
+        word,
+        first_phone=word.first_phone + phones,
+        last_phone=word.last_phone + phones,
+        source_start=word.source_start + characters,
+        source_end=word.source_end + characters,
+    )
+
+
+def _moved_syllable(syllable: Syllable, phones: int, words: int) -> Syllable:
+    return replace(
+        syllable,
+        first_phone=syllable.first_phone + phones,
+        last_phone=syllable.last_phone + phones,
+        word=syllable.word + words,
+    )
+
+
+def _without_rounding_gaps(phones: Sequence[Phone], duration: float) -> tuple[Phone, ...]:
+    """Return the phones with each end set to the next one's start: shifting rounds both differently."""
+    tight = [replace(a, end=b.start) for a, b in pairwise(phones)]
+    return (*tight, replace(phones[-1], end=duration))
+
+
+def _joined_audio(placed: Sequence[_Placed]) -> Audio:
+    with AudioWriter(placed[0].utterance.audio.sample_rate) as writer:
+        for part in placed:
+            writer.silence((part.first_sample - writer.frames) / writer.sample_rate)
+            for block in part.utterance.audio.blocks():
+                writer.append(block)
+        return writer.finish()

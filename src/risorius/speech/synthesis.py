@@ -1,0 +1,110 @@
+"""From text to an Utterance with sound: spoken sentence by sentence and joined sample by sample."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from itertools import chain
+
+from ..core.audio import AudioWriter
+from ..core.utterance import Utterance
+from ..errors import InputError, ParameterError
+from .accents import place_accents
+from .assemble import Part, assemble, place, silence
+from .engine import SpeechEngine, SpeechRequest, SpeechWarning, load_engine
+from .normalise import normalise
+from .pauses import find_pauses
+from .sentences import divide
+from .syllables import syllabify
+from .tokens import is_speakable, tokenize
+from .voices import find_voice
+
+LONGEST_TEXT = 100_000
+SLOWEST, FASTEST = 80, 440
+LONGEST_SILENCE = 600
+LOWEST_PITCH, HIGHEST_PITCH = 0, 99
+
+
+def synthesize(
+    text: str,
+    *,
+    voice: str | None = None,
+    language: str | None = None,
+    rate: int | None = None,
+    pitch: int | None = None,
+    lead: float = 0.0,
+    tail: float = 0.0,
+    engine: SpeechEngine | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Utterance:
+    """Speak `text` and return the utterance, with `lead` and `tail` seconds of silence around it.
+
+    `voice` is a name from `voices` (default `en-us`); with `language` alone its first voice speaks.
+    `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own. `progress` is told
+    the share (0..1) that is done. Same arguments, same bytes.
+
+    Raises InputError for text that is empty, has nothing to speak or is longer than 100,000 characters,
+    ParameterError for a number out of range, SpeechError for an unknown voice or a failing engine.
+    """
+    _check_text(text)
+    _check_numbers(rate, pitch, lead, tail)
+    engine = engine or load_engine()
+    chosen = find_voice(voice, language, engine)
+    tokens = tokenize(text)
+    parts = _speak(text, SpeechRequest("", chosen, rate, pitch), engine, progress)
+    first = next(parts)
+    with AudioWriter(first.rendition.sample_rate) as writer:
+        segments = silence(writer, lead)
+        for part in chain([first], parts):
+            segments += place(part, tokens, writer.frames, lambda words: engine.transcribe(words, chosen))
+            writer.append(part.rendition.samples)
+        segments += silence(writer, tail)
+        audio = writer.finish()
+    phones, words = assemble(segments, text, tokens, audio.sample_rate)
+    if not words:
+        raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
+    syllables = syllabify(phones, words)
+    pauses = find_pauses(text, phones, words)
+    accents = place_accents(phones, words, syllables, pauses)
+    return Utterance(text, chosen.language, audio, phones, words, syllables, pauses, accents)
+
+
+def _speak(
+    text: str, request: SpeechRequest, engine: SpeechEngine, progress: Callable[[float], None] | None
+) -> Iterator[Part]:
+    """Speak the stretches of `text` in the manner of `request`; warn of sounds that had to be guessed."""
+    stretches = divide(text)
+    guessed: dict[str, None] = {}
+    for number, stretch in enumerate(stretches):
+        spoken = normalise(text, stretch.start, stretch.end, request.voice.language)
+        pause = stretch.ends_sentence and number + 1 < len(stretches)
+        part = Part(stretch, spoken, engine.speak(replace(request, text=spoken.text, end_pause=pause)))
+        guessed.update(dict.fromkeys(part.rendition.guessed))
+        yield part
+        if progress is not None:
+            progress((number + 1) / len(stretches))
+    if guessed:
+        names = ", ".join(f"'{name}'" for name in guessed)
+        warnings.warn(f"sounds shown as the nearest class of sounds: {names}", SpeechWarning, stacklevel=3)
+
+
+def _check_text(text: str) -> None:
+    if len(text) > LONGEST_TEXT:
+        raise InputError(
+            f"the text has {len(text):,} characters; at most {LONGEST_TEXT:,} can be spoken at once"
+        )
+    if not text.strip():
+        raise InputError("the text is empty; expected something to say")
+    if not is_speakable(text):
+        raise InputError(f"nothing in {text.strip()[:20]!r} can be spoken; expected letters or digits")
+
+
+def _check_numbers(rate: int | None, pitch: int | None, lead: float, tail: float) -> None:
+    if rate is not None and not SLOWEST <= rate <= FASTEST:
+        raise ParameterError(f"rate {rate} is out of range; expected {SLOWEST} to {FASTEST} words per minute")
+    if pitch is not None and not LOWEST_PITCH <= pitch <= HIGHEST_PITCH:
+        raise ParameterError(f"pitch {pitch} is out of range; expected {LOWEST_PITCH} to {HIGHEST_PITCH}")
+    for name, seconds in (("lead", lead), ("tail", tail)):
+        if not 0 <= seconds <= LONGEST_SILENCE:
+            raise ParameterError(f"{name} {seconds} is out of range; expected 0 to {LONGEST_SILENCE} seconds")

@@ -1,0 +1,73 @@
+"""Words of a text, as a reader counts them, with their places.
+
+A token is a run of letters and digits with what is spoken or written as one with it: "it's", "must-have",
+"$5.50", "3:45", "20°C", "example.com". Quotes, brackets and the punctuation around it are not part of it.
+Chinese characters and Japanese kana, which stand without spaces, are tokens one by one.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from typing import NamedTuple
+
+APOSTROPHES = "'\u2019\u02bc"
+HYPHENS = "-\u2010\u2011"
+# Characters without width that separate words: zero width space, byte order mark.
+BREAKS = "\u200b\ufeff"
+
+_BODY = r"[wd][wdj]*"
+# Within a token: one sign between two letters or digits; comma and colon between digits only.
+_JOINED = rf"(?:['\-.&/@+_=]|(?<=d)[,:](?=d)){_BODY}"
+_TOKEN = re.compile(rf"c|(?:(?<![wdj])[\-+](?=[$d]))?[$#@]*{_BODY}(?:{_JOINED})*[%°+#]*[wd]*|[&@%+=$#°]+")
+_CLASSES = {
+    **dict.fromkeys(APOSTROPHES, "'"),
+    **dict.fromkeys(HYPHENS + "\u2212", "-"),
+    **{char: char for char in ".,:&/@+_=%°#"},
+}
+
+
+class Token(NamedTuple):
+    """Characters [start, end) of a text."""
+
+    text: str
+    start: int
+    end: int
+
+
+def tokenize(text: str) -> tuple[Token, ...]:
+    """Return the tokens of `text` in order; `text[token.start:token.end] == token.text`."""
+    classes = "".join(map(_character_class, text))
+    return tuple(Token(text[m.start() : m.end()], m.start(), m.end()) for m in _TOKEN.finditer(classes))
+
+
+def is_speakable(text: str) -> bool:
+    """Tell whether anything in `text` is read aloud."""
+    return any(_character_class(char) in "wdc$%&+=@°#" for char in text)
+
+
+def _character_class(char: str) -> str:
+    """Return one character: w letter, d digit, j joined to what is before it, c one that stands without
+    spaces, $ currency, a blank, or the sign itself.
+    """
+    if char in _CLASSES:
+        return _CLASSES[char]
+    if _stands_alone(char):
+        return "c"
+    if char.isdecimal():
+        return "d"
+    category = unicodedata.category(char)
+    if category[0] == "M" or (category == "Cf" and char not in BREAKS):
+        return "j"
+    if char.isalnum():
+        return "w"
+    return "$" if category == "Sc" else " "
+
+
+def _stands_alone(char: str) -> bool:
+    return (
+        ("\u3040" <= char <= "\u30ff" and char != "\u30fb")
+        or "\u3400" <= char <= "\u4dbf"
+        or "\u4e00" <= char <= "\u9fff"
+        or "\U00020000" <= char <= "\U0003134f"
+    )  # fmt: skip

@@ -1,0 +1,58 @@
+import pytest
+
+from risorius.errors import InputError
+from risorius.script import read_script
+from risorius.script.markup import parse_markup
+from risorius.speech import say
+
+
+def test_a_line_may_not_start_before_the_one_before_it_ends() -> None:
+    script = parse_markup(
+        '<PHONEME time="0" text="Hello there." />\n<PHONEME time="0.3" text="You." />', "x.xml"
+    )
+    with pytest.raises(InputError, match=r"x\.xml:2:.*the words before last until 0\.\d+ s"):
+        say(script)
+
+
+def test_what_cannot_be_spoken_is_reported_with_its_place() -> None:
+    with pytest.raises(InputError, match=r"x\.xml:2:"):
+        say(parse_markup('<PHONEME text="Hello." />\n<PHONEME text="…" />', "x.xml"))
+
+
+def test_plain_text_has_lead_and_tail_and_markup_has_neither() -> None:
+    plain = say(read_script("Hello there.", text=True), lead=0.5, tail=0.7)
+    timed = say(parse_markup('<PHONEME time="0" text="Hello there." />', "x.xml"), lead=0.5, tail=0.7)
+    assert plain.duration - timed.duration == pytest.approx(1.2, abs=1e-4)
+    # In a lead the first consonant may close before its sound.
+    assert plain.words[0].start - timed.words[0].start == pytest.approx(0.5, abs=0.05)
+
+
+def test_lines_stand_at_their_times_in_one_utterance() -> None:
+    script = parse_markup(
+        '<PHONEME time="0.5" text="Hello there." />\n<PHONEME time="3" text="It is me." />', "x.xml"
+    )
+    said = say(script)
+    alone = say(parse_markup('<PHONEME time="0" text="It is me." />', "x.xml"))
+    assert [w.text for w in said.words] == ["Hello", "there", "It", "is", "me"]
+    assert all(said.text[w.source_start : w.source_end] == w.text for w in said.words)
+    assert said.words[2].start == pytest.approx(3.0 + alone.words[0].start, abs=1e-4)
+    assert said.duration == pytest.approx(3.0 + alone.duration, abs=1e-4)
+    for word in said.words:
+        assert all(said.phones[i].word >= 0 for i in range(word.first_phone, word.last_phone))
+    for syllable in said.syllables:
+        assert said.phones[syllable.first_phone].start == pytest.approx(syllable.start, abs=1e-4)
+    gaps = [p for p in said.phones if not p.symbol]
+    assert gaps[0].start == 0.0
+    assert gaps[0].end == pytest.approx(0.5, abs=1e-4)
+
+
+def test_a_line_without_a_time_follows_the_one_before() -> None:
+    said = say(parse_markup('<PHONEME text="One." /><PHONEME text="Two." />', "x.xml"))
+    assert [w.text for w in said.words] == ["One", "Two"]
+    assert said.words[1].start > said.words[0].end + 0.2
+
+
+def test_the_language_of_a_script_chooses_the_voice() -> None:
+    script = parse_markup('<SCRIPT language="de"><PHONEME text="Guten Tag." /></SCRIPT>', "x.xml")
+    assert say(script).language.startswith("de")
+    assert say(script, voice="en-us").language.startswith("en")

@@ -1,0 +1,170 @@
+"""The command line as a user meets it: help, lists, one-line errors, nothing left behind."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from risorius.cli import EXIT_FAULT, run
+
+MINIMAL_SCORE = {
+    "risorius": 1,
+    "duration": 1.0,
+    "movements": [
+        {
+            "channel": "emotion",
+            "start": 0.0,
+            "end": 1.0,
+            "onset": 0.2,
+            "offset": 0.3,
+            "targets": {"zygomatic_major.left": 1.0},
+        }
+    ],
+}
+BOMB = """<!DOCTYPE x [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>
+<PHONEME text="&b;"/>"""
+EXTERNAL = """<!DOCTYPE x [<!ENTITY a SYSTEM "file:///etc/passwd">]><PHONEME text="&a;"/>"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
+    """Run a command that must fail; return its one line."""
+    before = {p: p.read_bytes() for p in Path().iterdir() if p.is_file()}
+    assert run(arguments) == EXIT_FAULT
+    lines = [line for line in capsys.readouterr().err.splitlines() if line.startswith("risorius: ")]
+    assert len(lines) == 1
+    after = {p: p.read_bytes() for p in Path().iterdir() if p.is_file()}
+    assert after == before, "a failed command left or changed a file"
+    return lines[0]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["speak", ""], "the text is empty"),
+        (["speak", "… — !"], "nothing can be spoken"),
+        (["speak", "a" * 100_001], "100,000"),
+        (["speak", "missing.xml"], "missing.xml"),
+        (["speak", "Hello.", "-o", "nowhere/x.mp4"], "does not exist"),
+        (["speak", "Hello.", "-o", "x.mp5"], "did you mean '.mp4'"),
+        (["speak", "Hello.", "-o", "x"], "no suffix"),
+        (["speak", "Hello.", "--emotion", "hapiness:1"], "did you mean 'happiness'"),
+        (["speak", "Hello.", "--emotion", "happiness:2"], "expected 0 to 1"),
+        (["speak", "Hello.", "--emotion", "happiness"], "expected e.g. joy:0.7"),
+        (["speak", "Hello.", "--emotion", "happiness:1@3-2"], "happiness"),
+        (["speak", "Hello.", "--voice", "en-uss"], "did you mean"),
+        (["speak", "Hello.", "--rate", "10"], "80"),
+        (["speak", "Hello.", "--fps", "0"], "fps"),
+        (["speak", "Hello.", "--size", "720"], "720x720"),
+        (["speak", "Hello.", "--without", "blinks"], "unknown channel"),
+        (["speak", "Hello.", "--conflict", "inhibitt"], "did you mean 'inhibit'"),
+        (["speak", "Hello.", "--lips", "dominanc"], "did you mean 'dominance'"),
+        (["speak", "Hello.", "--head", "standart"], "did you mean 'standard'"),
+        (["speak", "Hello.", "--seed", "-1"], "seed"),
+        (["speak", "Hello.", "--bogus"], "bogus"),
+        (["mix", "missing.json"], "missing.json"),
+        (["pose", "zygomatic=1", "-o", "x.png"], "did you mean"),
+        (["pose", "zygomatic_major", "-o", "x.png"], "NAME=VALUE"),
+        (["pose", "AU34=1", "-o", "x.png"], "cheek puff"),
+        (["pose", "masseter=nan", "-o", "x.png"], "expected 0 to 1"),
+        (["pose", "masseter=1"], "-o"),
+        (["list", "muskles"], "muscles"),
+        (["spaek", "Hello."], "spaek"),
+    ],
+)
+def test_faults_are_one_line(
+    arguments: list[str], expected: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if "-o" not in arguments and arguments[0] == "speak":
+        arguments = [*arguments, "-o", "x.muscles.csv"]
+    assert expected in fails(arguments, capsys)
+
+
+@pytest.mark.parametrize(
+    ("content", "expected"),
+    [
+        ('<PHONEME time="0" text="Hello." />\n<EMOTIONDISPLAY time="0" duration="1" Surprize="0.7" />', "x.xml:2:"),
+        ('<PHONEME text="Hi." />\n<EMOTIONDISPLAY time="-1" duration="1" surprise="0.7" />', "x.xml:2:"),
+        ('<PHONEME text="Hi." />\n<EMOTIONDISPLAY time="2" end="1" surprise="0.7" />', "x.xml:2:"),
+        (
+            '<PHONEME text="Hi." />\n<EMOTIONDISPLAY time="0" end="1" surprise="1" />\n'
+            '<EMOTIONDISPLAY time="0" end="2" anger="1" />',
+            "x.xml:3:",
+        ),
+        ('<MOVEMENT time="0" end="1" zygomatic="1" /><PHONEME text="Hi."/>', "x.xml:1:"),
+        (BOMB, "x.xml:1:"),
+        (EXTERNAL, "x.xml:1:"),
+        ("<PHONEME", "x.xml:1:"),
+        ("", "x.xml"),
+    ],
+)
+def test_markup_faults_name_the_place(
+    content: str, expected: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("x.xml").write_text(content)
+    Path("x.mp4").write_bytes(b"mine")
+    assert expected in fails(["speak", "x.xml", "-o", "x.mp4"], capsys)
+
+
+def test_a_binary_file_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("x.txt").write_bytes(bytes(range(256)) * 10)
+    assert "x.txt" in fails(["speak", "x.txt", "-o", "x.muscles.csv"], capsys)
+
+
+def test_a_score_with_an_unknown_key_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("x.json").write_text(json.dumps({**MINIMAL_SCORE, "durration": 2}))
+    assert "did you mean 'duration'" in fails(["mix", "x.json", "-o", "x.muscles.csv"], capsys)
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="an administrator may write anywhere")
+def test_an_unwritable_folder_is_reported(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "locked").mkdir(mode=0o500)
+    assert "not writable" in fails(["speak", "Hello.", "-o", "locked/x.wav"], capsys)
+
+
+def test_mix_writes_the_curves_to_standard_output(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("x.json").write_text(json.dumps(MINIMAL_SCORE))
+    assert run(["mix", "x.json", "--fps", "10"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("time_s,zygomatic_major.left,")
+    assert len(lines) == 1 + 11
+
+
+@pytest.mark.parametrize("what", ["muscles", "channels", "emotions", "voices", "outputs"])
+def test_lists(what: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["list", what]) == 0
+    assert len(capsys.readouterr().out.splitlines()) > 5
+
+
+@pytest.mark.parametrize("command", [[], ["speak"], ["mix"], ["pose"], ["list"]])
+def test_help_explains(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([*command, "--help"]) == 0
+    assert "Usage: risorius" in capsys.readouterr().out
+
+
+def test_help_loads_nothing_heavy() -> None:
+    code = "import sys; from risorius.cli import run; run(['--help']); print(*sys.modules, file=sys.stderr)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not {"numpy", "numba", "scipy", "av", "rich", "PIL"} & set(done.stderr.split())
+
+
+def test_an_interrupt_leaves_nothing(folder: Path) -> None:
+    command = [sys.executable, "-m", "risorius", "speak", "Hello there. " * 40, "-o", "x.mp4"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        time.sleep(4)
+        process.send_signal(2)
+        _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "Traceback" not in said
+    assert list(folder.iterdir()) == []
