@@ -9,13 +9,13 @@ import pytest
 from risorius.core.audio import silence
 from risorius.core.utterance import Pause, PauseKind, Phone, Utterance, Word
 
-VOWELS = frozenset("AA AE AH AO AW AY EH ER EY IH IY OW OY UH UW".split())
+VOWELS = frozenset({"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"})
 UtteranceMaker = Callable[..., Utterance]
 
 
 @pytest.fixture
 def utterance_of() -> UtteranceMaker:
-    """Return a function from ARPAbet symbols ("_" for a pause) to an utterance, all one word per run of phones."""
+    """Return a function from ARPAbet symbols ("_" for a pause) to an utterance, a word per phone."""
 
     def make(symbols: str, seconds: float = 0.1, lead: float = 0.5, tail: float = 0.5) -> Utterance:
         rate = 22_050

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import signal
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 DEFAULT_OUTPUT = "performance.mp4"
 LONGEST_INPUT = 4_000_000
+WITHOUT_SPEECH = ("curves", "vertices", "pixels")
 EXIT_FAULT, EXIT_INTERRUPTED = 2, 130
 
 _CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
@@ -25,6 +27,8 @@ _CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 def main() -> None:
     """Run the command line: exit code 0, or 2 with one line on what is wrong, or 130 when interrupted."""
+    # Asked to end, we end as when interrupted: what is half-written goes.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     sys.exit(run(sys.argv[1:]))
 
 
@@ -235,7 +239,7 @@ def pose(
 
     if not outputs:
         raise OutputError("no output named; expected -o face.png")
-    check_outputs(outputs)
+    check_outputs(outputs, WITHOUT_SPEECH)
     take = hold(_assignments(targets), emotion=_displays(emotions), settings=_settings(**chosen))
     take.write(*outputs)
 

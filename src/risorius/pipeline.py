@@ -15,7 +15,7 @@ from .core.movement import Cause, ManualCurve
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
 from .out import check_targets as check_outputs
-from .out.score_json import read_score
+from .out.score_json import read_score_file
 from .rules.emotions import emotion as find_emotion
 from .script import Script, movements_of, read_script
 from .settings import Settings
@@ -80,10 +80,11 @@ def mix(
     onset_function: str | None = None,
 ) -> Take:
     """Combine the movements of a score file; `conflict` and `onset_function` override the score's own."""
-    found = read_score(Path(score))
+    file = read_score_file(Path(score))
     chosen = {"conflict": conflict, "onset_function": onset_function}
     changed: dict[str, Any] = {name: value for name, value in chosen.items() if value is not None}
-    return perform(replace(found, settings=replace(found.settings, **changed)), settings)
+    blend = replace(file.score.settings, **changed)
+    return perform(replace(file.score, settings=blend), settings, file.utterance)
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

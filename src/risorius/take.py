@@ -18,9 +18,10 @@ from .settings import Settings
 
 if TYPE_CHECKING:
     from .face.frame import FaceFrame
+    from .face.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
-    from .out import Take as Material
+    from .out import Material
     from .out.source import Picture, Size
 
 Progress = Callable[..., None]
@@ -70,7 +71,7 @@ class Take:
         """
         from .out import WriteOptions, check_targets, write_targets
 
-        options = WriteOptions(self.settings.size, self.settings.at, self.settings.every or 5)
+        options = WriteOptions(self.settings.size, self.settings.at, self.settings.every)
         write_targets(self._material(progress), check_targets(paths), options)
 
     def faces(self, indices: Sequence[int] | None = None) -> Iterator[FaceFrame]:
@@ -85,13 +86,13 @@ class Take:
         from .render import Renderer
 
         chosen = range(len(self.performance.values)) if indices is None else indices
-        renderer = Renderer(self._solver.head, size or self.settings.size)
+        renderer = Renderer(self.head, size or self.settings.size)
         for done, face in enumerate(self.faces(chosen)):
             yield renderer.render(face)
             progress("Drawing", done + 1, len(chosen))
 
     def _material(self, progress: Progress) -> Material:
-        from .out import Take as Material
+        from .out import Material
 
         return Material(
             performance=self.performance,
@@ -110,11 +111,17 @@ class Take:
     def _gauge(self) -> Gauge:
         from .face.measure import Gauge
 
-        return Gauge(self._solver.head)
+        return Gauge(self.head)
+
+    @cached_property
+    def head(self) -> Head:
+        """The head that performs; raises HeadError if it cannot be loaded."""
+        from .face.head import load_head
+
+        return load_head(self.settings.head)
 
     @cached_property
     def _solver(self) -> FaceSolver:
-        from .face.head import load_head
         from .face.solve import FaceSolver
 
-        return FaceSolver(load_head(self.settings.head))
+        return FaceSolver(self.head)

@@ -1,0 +1,59 @@
+"""Files appear whole or not at all: written beside their place, then renamed."""
+
+from __future__ import annotations
+
+import errno
+import os
+import secrets
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..errors import OutputError, Place
+
+_TEMPORARY = ".part"
+_FULL = {errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)}
+
+
+@contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """Yield an empty temporary file in the folder of `path`, renamed to `path` when the block ends well.
+
+    On any exception the temporary file is removed and an existing `path` stays as it was. A link is
+    followed: the file that it points to is replaced. Raises OutputError in place of any OSError.
+    """
+    try:
+        # Renaming onto a link would replace the link itself.
+        final = Path(os.path.realpath(path))
+        temporary = _create_beside(final)
+        try:
+            yield temporary
+            temporary.replace(final)
+        except BaseException:
+            temporary.unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        raise os_failure(path, error) from error
+
+
+def os_failure(path: Path, error: OSError) -> OutputError:
+    """Word what the system said as one line about `path`."""
+    if error.errno in _FULL:
+        message = "no space left on the disk; nothing was written"
+    else:
+        message = f"cannot be written: {error.strerror or error}"
+        other = None if error.filename is None else Path(os.fsdecode(error.filename))
+        if other is not None and other.suffix != _TEMPORARY and other != path:
+            message += f" ({other})"
+    return OutputError(message, Place(str(path)))
+
+
+def _create_beside(final: Path) -> Path:
+    """Create an empty file that only we know, with the permissions that any new file gets."""
+    while True:
+        temporary = final.with_name(f".risorius-{secrets.token_hex(6)}{_TEMPORARY}")
+        try:
+            os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
+        except FileExistsError:
+            continue
+        return temporary

@@ -1,0 +1,26 @@
+"""`.muscles.csv`: the curves, one column per parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from ..core.parameters import NAMES
+from ..core.performance import Performance
+from .source import Material, WriteOptions
+from .table import table_lines, write_lines
+
+COLUMNS = ("time_s", *NAMES)
+
+
+def write_muscles_csv(material: Material, path: Path, _options: WriteOptions) -> None:
+    """Write the time in seconds, then every parameter in the table's order, to 1e-6."""
+    write_lines(path, rows(material.performance))
+
+
+def rows(performance: Performance) -> Iterator[str]:
+    """Yield the lines of the table, the header first."""
+    numbers = np.column_stack([performance.times, performance.values])
+    return table_lines(COLUMNS, numbers, [6] * len(COLUMNS))

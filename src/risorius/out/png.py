@@ -1,0 +1,40 @@
+"""`.png`: one frame, or a contact sheet."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..core.performance import Performance
+from ..errors import InputError
+from .sheet import write_sheet
+from .source import Material, WriteOptions
+
+
+def write_png(material: Material, path: Path, options: WriteOptions) -> None:
+    """Write the frame nearest to `options.at` seconds, by default the middle one; with `every`, a sheet.
+
+    Raises InputError for a time outside the performance, and as `write_sheet`.
+    """
+    from PIL import Image
+
+    if options.every is not None:
+        write_sheet(material, path, options.size, options.every)
+        return
+    index = frame_at(material.performance, options.at)
+    for picture in material.pictures(options.size, [index]):
+        Image.fromarray(picture).save(path, format="PNG")
+
+
+def frame_at(performance: Performance, seconds: float | None) -> int:
+    """Return the index of the frame nearest to a time, the middle frame for None.
+
+    Raises InputError for a time more than half a frame outside the performance.
+    """
+    count = len(performance.values)
+    if seconds is None:
+        return count // 2
+    index = round(seconds * performance.fps) if abs(seconds) < float("inf") else -1
+    if not 0 <= index < count:
+        last = float((count - 1) / performance.fps)
+        raise InputError(f"--at {seconds:g} is outside the performance; expected 0 to {last:g} seconds")
+    return index

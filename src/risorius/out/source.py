@@ -1,0 +1,56 @@
+"""What a writer receives: one performance with everything that can be drawn or measured from it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.audio import Audio
+from ..core.performance import Performance
+from ..core.utterance import Utterance
+
+if TYPE_CHECKING:
+    from ..face.frame import FaceFrame
+
+Picture = npt.NDArray[np.uint8]
+Size = tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """A performance ready to be written, with its stages as callables, so that nothing is computed twice.
+
+    `frames()`: the solved faces of all frames in order, one at a time.
+    `pictures(size, indices)`: RGB pictures, uint8 of shape (height, width, 3) for size (width, height), of
+    the frames in `indices` (rising, within the performance), one at a time; a picture is only valid until
+    the next one is asked for.
+    `measures(frame)`: the numbers of `landmarks_csv.COLUMNS` after `time_s`, in that order.
+    `utterance` and `audio` are None where nothing is said.
+    """
+
+    performance: Performance
+    utterance: Utterance | None
+    audio: Audio | None
+    frames: Callable[[], Iterator[FaceFrame]]
+    pictures: Callable[[Size, Sequence[int]], Iterator[Picture]]
+    measures: Callable[[FaceFrame], Sequence[float] | npt.NDArray[np.float64]]
+
+
+@dataclass(frozen=True, slots=True)
+class WriteOptions:
+    """How outputs are written.
+
+    `size`: width and height of pictures in pixels. `at`: the time in seconds of a single picture, None for
+    the middle; `every`: a contact sheet of every so many frames instead. `voice`: the sound file that a score
+    refers to, None if there is none.
+    """
+
+    size: Size = (720, 720)
+    at: float | None = None
+    every: int | None = None
+    voice: Path | None = None

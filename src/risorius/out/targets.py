@@ -1,0 +1,100 @@
+"""Files that a user asks for: checked before any work starts, then all written or none."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Collection, Iterable, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from ..errors import OutputError, Place
+from .atomic import os_failure, replacing
+from .formats import Need, Output, output_for
+from .source import Material, WriteOptions
+
+PathLike = str | os.PathLike[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A file to be written and its format."""
+
+    path: Path
+    output: Output
+
+
+def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Target:
+    """Return the target for `path` if it can be written.
+
+    `available`: which of the needs ("curves", "vertices", "pixels", "speech") there will be.
+    Raises OutputError for an unknown suffix, a need that is not available, a folder that is missing or
+    not writable, and a path that is a folder or a read-only file.
+    """
+    file = Path(path)
+    if "\0" in str(file):
+        raise OutputError(f"the name {str(file)!r} contains a null character; expected a file name")
+    target = Target(file, output_for(file))
+    missing = sorted(need for need in target.output.needs if need not in available)
+    if missing:
+        raise OutputError(f"{target.output.suffix} needs {missing[0]}, and here is none", Place(str(file)))
+    try:
+        _check_place(file)
+    except OSError as error:
+        raise os_failure(file, error) from error
+    return target
+
+
+def check_targets(paths: Iterable[PathLike], available: Collection[str] = tuple(Need)) -> tuple[Target, ...]:
+    """Return the targets for all `paths`; raise OutputError as `check_target`, or if one is given twice."""
+    targets = tuple(check_target(path, available) for path in paths)
+    seen: set[str] = set()
+    for target in targets:
+        real = os.path.realpath(target.path)
+        if real in seen:
+            raise OutputError("the output is given twice; expected different files", Place(str(target.path)))
+        seen.add(real)
+    return targets
+
+
+def write_targets(material: Material, targets: Sequence[Target], options: WriteOptions | None = None) -> None:
+    """Write all targets; they appear together, when the last is complete, or not at all.
+
+    A score refers to the `.wav` among the targets, if there is one. Raises OutputError.
+    """
+    options = options or WriteOptions()
+    if options.voice is None:
+        voices = [target.path for target in targets if target.output.suffix == ".wav"]
+        options = replace(options, voice=voices[0] if voices else None)
+    with ExitStack() as stack:
+        beside = [stack.enter_context(replacing(target.path)) for target in targets]
+        for target, temporary in zip(targets, beside, strict=True):
+            _write_one(material, target, temporary, options)
+
+
+def _write_one(material: Material, target: Target, temporary: Path, options: WriteOptions) -> None:
+    try:
+        target.output.write(material, temporary, options)
+    except OSError as error:
+        raise os_failure(target.path, error) from error
+    except OutputError as error:
+        raise error.at(Place(str(target.path))) from error
+
+
+def _check_place(file: Path) -> None:
+    place = Place(str(file))
+    folder = file.parent
+    if file.is_dir():
+        raise OutputError("is a folder; expected a file name", place)
+    if not folder.exists():
+        raise OutputError(f"the folder '{folder}' does not exist", place)
+    if not folder.is_dir():
+        raise OutputError(f"'{folder}' is not a folder", place)
+    if file.exists() and not os.access(file, os.W_OK):
+        raise OutputError("exists and is read-only", place)
+    try:
+        # Only trying tells: permission bits say nothing about a read-only disk, or to an administrator.
+        tempfile.TemporaryFile(dir=Path(os.path.realpath(file)).parent).close()
+    except OSError as error:
+        raise OutputError(f"the folder '{folder}' is not writable ({error.strerror})", place) from error

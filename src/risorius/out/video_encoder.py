@@ -1,0 +1,173 @@
+"""The program's side of the video worker: starts it, feeds it, and never waits for it for ever."""
+
+from __future__ import annotations
+
+import errno
+import io
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from fractions import Fraction
+from pathlib import Path
+from types import TracebackType
+from typing import cast
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import OutputError
+from . import wire
+
+# Seconds without progress after which the worker is given up.
+PATIENCE = 60.0
+_PIPE_BYTES = 1 << 20
+
+
+class VideoEncoder:
+    """Writes one MP4 file through a worker process. Use as a context manager: leaving it completes the file.
+
+    Pictures are handed over at once and encoded while the next one is made; at most a few wait. Raises
+    OutputError if the worker dies, fails or does not answer for `patience` seconds, and OSError for a
+    fault of the disk.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        size: tuple[int, int],
+        fps: Fraction,
+        sample_rate: int | None = None,
+        patience: float = PATIENCE,
+    ) -> None:
+        self._size = size
+        self._patience = patience
+        self._silent_too_long = False
+        self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
+        self._process = _start(self._complaints.fileno())
+        # Without buffering, pipes are raw files.
+        self._input = cast(io.FileIO, self._process.stdin)
+        self._answer = cast(io.FileIO, self._process.stdout)
+        _widen(self._input.fileno())
+        self._setup = wire.Setup(str(path.absolute()), *size, str(fps), sample_rate)
+
+    @property
+    def pid(self) -> int:
+        """The worker's process id."""
+        return self._process.pid
+
+    def picture(self, rgb: npt.NDArray[np.uint8]) -> None:
+        """Add the next picture, uint8 of shape (height, width, 3); it may be changed afterwards."""
+        expected = (self._size[1], self._size[0], 3)
+        if rgb.shape != expected or rgb.dtype != np.uint8:
+            raise ValueError(f"a picture is {rgb.dtype}{rgb.shape}; expected uint8{expected}")
+        self._send(wire.PICTURE, np.ascontiguousarray(rgb).data.cast("B"))
+
+    def sound(self, samples: npt.NDArray[np.int16]) -> None:
+        """Add int16 samples, shape (n,)."""
+        if len(samples):
+            self._send(wire.SOUND, samples.astype("<i2", copy=False).tobytes())
+
+    def finish(self) -> None:
+        """Complete the file and end the worker."""
+        self._send(wire.END)
+        answer = self._read_answer()
+        if answer is None or "error" in answer:
+            raise self._failure(answer)
+
+    def _send(self, kind: bytes, payload: wire.Buffer = b"") -> None:
+        try:
+            with self._limit():
+                wire.send(self._input, kind, payload)
+        except OSError:
+            raise self._failure(self._read_answer()) from None
+
+    def _read_answer(self) -> dict[str, object] | None:
+        """Wait for the worker's end and return its answer, None if it gave none."""
+        with self._limit():
+            text = self._answer.read()
+            self._process.wait()
+        return json.loads(text) if text else None
+
+    def _failure(self, answer: dict[str, object] | None) -> Exception:
+        if self._silent_too_long:
+            return OutputError(f"the video encoder did not answer for {self._patience:g} s and was stopped")
+        if answer is None:
+            status = self._process.returncode
+            return OutputError(f"the video encoder died (exit status {status}){self._last_complaint()}")
+        number = answer.get("errno")
+        if isinstance(number, int) and number in errno.errorcode:
+            return OSError(number, os.strerror(number))
+        return OutputError(f"the video encoder failed: {answer.get('error')}")
+
+    def _last_complaint(self) -> str:
+        self._complaints.seek(0)
+        lines = self._complaints.read().decode(errors="replace").split("\n")
+        said = [line.strip() for line in lines if line.strip()]
+        return f": {said[-1]}" if said else ""
+
+    @contextmanager
+    def _limit(self) -> Iterator[None]:
+        """Kill the worker if the block takes too long, which ends any waiting for it."""
+        timer = threading.Timer(self._patience, self._give_up)
+        timer.daemon = True
+        timer.start()
+        try:
+            yield
+        finally:
+            timer.cancel()
+
+    def _give_up(self) -> None:
+        self._silent_too_long = True
+        self._process.kill()
+
+    def _stop(self) -> None:
+        self._process.kill()
+        self._process.wait()
+        for pipe in (self._input, self._answer, self._complaints):
+            with suppress(OSError):
+                pipe.close()
+
+    def __enter__(self) -> VideoEncoder:
+        try:
+            self._send(wire.SETUP, self._setup.encode())
+        except BaseException:
+            self._stop()
+            raise
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        try:
+            if kind is None:
+                self.finish()
+        finally:
+            self._stop()
+
+
+def _start(complaints: int) -> subprocess.Popen[bytes]:
+    """Start a worker that finds the same modules as this process does, but none in the current folder."""
+    # Our own package may have been found in the current folder.
+    paths = os.pathsep.join([*(entry for entry in sys.path if entry), str(Path(__file__).parents[2])])
+    return subprocess.Popen(
+        [sys.executable, "-P", "-m", "risorius.out.video_worker"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=complaints,
+        env={**os.environ, "PYTHONPATH": paths},
+        bufsize=0,
+    )
+
+
+def _widen(descriptor: int) -> None:
+    """Let the pipe hold a picture where the system can: fewer turns between the two processes."""
+    if sys.platform == "linux":
+        import fcntl
+
+        with suppress(OSError):
+            fcntl.fcntl(descriptor, fcntl.F_SETPIPE_SZ, _PIPE_BYTES)

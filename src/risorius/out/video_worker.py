@@ -1,0 +1,198 @@
+"""The video encoder, in a process of its own: `python -m risorius.out.video_worker`.
+
+Reads pictures and sound from standard input (`wire`) and writes H.264 and AAC in MP4. A separate process
+because the encoder's library brings GPL code, may crash, and should work while the next picture is drawn.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import queue
+import signal
+import sys
+import threading
+from contextlib import suppress
+from fractions import Fraction
+from pathlib import Path
+
+import av
+import numpy as np
+import numpy.typing as npt
+from av.video.reformatter import VideoReformatter
+
+from . import wire
+
+# The same number on every machine: the encoder's output depends on it.
+THREADS = 4
+# Pictures waiting for the encoder; more only cost memory.
+WAITING = 4
+BT709 = 1
+LIMITED_RANGE = 1
+BITS_PER_SECOND = 96_000
+# Rates that AAC knows; other sounds are resampled to the next one that loses nothing.
+AAC_RATES = (8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000, 64000, 88200, 96000)
+
+Bytes = npt.NDArray[np.uint8]
+
+
+class Film:
+    """An MP4 file in the making: pictures at k/fps, sound from t = 0."""
+
+    def __init__(self, setup: wire.Setup) -> None:
+        self._size = (setup.height, setup.width)
+        self._fps = Fraction(setup.fps)
+        self._pictures = 0
+        self._reformat = VideoReformatter()
+        # The index goes to the front, so that a browser can play before it has the whole file.
+        self._container = av.open(setup.path, "w", format="mp4", options={"movflags": "+faststart"})
+        self._video = self._video_stream()
+        self._sound = None if setup.sample_rate is None else Sound(self._container, setup.sample_rate)
+
+    def _video_stream(self) -> av.VideoStream:
+        stream = self._container.add_stream(
+            "libx264", rate=self._fps, options={"preset": "veryfast", "crf": "18"}
+        )
+        height, width = self._size
+        stream.width, stream.height = width + width % 2, height + height % 2
+        stream.pix_fmt = "yuv420p"
+        context = stream.codec_context
+        context.time_base = 1 / self._fps
+        context.thread_count = THREADS
+        context.colorspace = context.color_primaries = context.color_trc = BT709
+        context.color_range = LIMITED_RANGE
+        return stream
+
+    def picture(self, data: bytearray) -> None:
+        """Add the next picture: RGB bytes, (height, width, 3) in rows."""
+        rgb = _even(np.frombuffer(data, np.uint8).reshape(*self._size, 3))
+        frame = self._reformat.reformat(
+            av.VideoFrame.from_ndarray(rgb, format="rgb24"),
+            format="yuv420p",
+            dst_colorspace=BT709,
+            src_color_range="JPEG",
+            dst_color_range="MPEG",
+            interpolation="BILINEAR",
+        )
+        frame.pts = self._pictures
+        frame.time_base = 1 / self._fps
+        self._pictures += 1
+        self._container.mux(self._video.encode(frame))
+
+    def sound(self, data: bytearray) -> None:
+        """Add sound: 16-bit little-endian mono samples."""
+        if self._sound is None:
+            raise ValueError("sound came for a silent film")
+        self._sound.add(np.frombuffer(data, "<i2").astype(np.int16, copy=False))
+
+    def finish(self) -> None:
+        """Encode what is still held back and complete the file."""
+        self._container.mux(self._video.encode(None))
+        if self._sound is not None:
+            self._sound.finish()
+        self._container.close()
+
+
+class Sound:
+    """The sound of a film; its time is counted in samples, so that it cannot drift from the pictures."""
+
+    def __init__(self, container: av.container.OutputContainer, rate: int) -> None:
+        self._container = container
+        self._time_base = Fraction(1, rate)
+        self._rate = rate
+        self._samples = 0
+        encoded = next((known for known in AAC_RATES if known >= rate), AAC_RATES[-1])
+        self._stream = container.add_stream("aac", rate=encoded, layout="mono")
+        self._stream.bit_rate = BITS_PER_SECOND
+
+    def add(self, samples: npt.NDArray[np.int16]) -> None:
+        """Encode the next samples, shape (n,)."""
+        frame = av.AudioFrame.from_ndarray(samples[None], format="s16", layout="mono")
+        frame.sample_rate = self._rate
+        frame.pts = self._samples
+        frame.time_base = self._time_base
+        self._samples += len(samples)
+        self._container.mux(self._stream.encode(frame))
+
+    def finish(self) -> None:
+        """Encode what is still held back."""
+        self._container.mux(self._stream.encode(None))
+
+
+def _even(rgb: Bytes) -> Bytes:
+    """Repeat the last row and column of an odd picture: H.264 with half-size colour has even sides."""
+    height, width = rgb.shape[:2]
+    if height % 2 == 0 and width % 2 == 0:
+        return rgb
+    return np.pad(rgb, ((0, height % 2), (0, width % 2), (0, 0)), mode="edge")
+
+
+class Inbox:
+    """Messages read ahead by a thread, so that the program need not wait for the encoder."""
+
+    def __init__(self, pipe: io.RawIOBase) -> None:
+        self._queue: queue.Queue[tuple[bytes, bytearray] | EOFError] = queue.Queue(WAITING)
+        threading.Thread(target=self._read, args=(pipe,), daemon=True).start()
+
+    def _read(self, pipe: io.RawIOBase) -> None:
+        kind = b""
+        try:
+            while kind != wire.END:
+                kind, payload = wire.receive(pipe)
+                self._queue.put((kind, payload))
+        except EOFError as error:
+            self._queue.put(error)
+
+    def next(self) -> tuple[bytes, bytearray]:
+        """Return the next message; raise EOFError if the program is gone."""
+        item = self._queue.get()
+        if isinstance(item, EOFError):
+            raise item
+        return item
+
+
+def encode(inbox: Inbox) -> None:
+    """Encode one film, from its setup to its end."""
+    _, payload = inbox.next()
+    setup = wire.Setup.decode(payload)
+    try:
+        film = Film(setup)
+        handle = {wire.PICTURE: film.picture, wire.SOUND: film.sound}
+        kind, payload = inbox.next()
+        while kind != wire.END:
+            handle[kind](payload)
+            kind, payload = inbox.next()
+        film.finish()
+    except EOFError:
+        # The program died, and so cannot remove what is half written.
+        with suppress(OSError):
+            Path(setup.path).unlink()
+        raise
+
+
+def _reason(error: Exception) -> dict[str, object]:
+    text = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    return {"error": text, "errno": getattr(error, "errno", None)}
+
+
+def main() -> int:
+    """Encode what comes on standard input; answer on standard output."""
+    # An interrupt reaches the whole group; the program decides what becomes of this process.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    answer = os.dup(1)
+    os.dup2(2, 1)
+    try:
+        with open(0, "rb", buffering=0) as pipe:
+            encode(Inbox(pipe))
+    except EOFError:
+        return 1
+    except Exception as error:
+        os.write(answer, json.dumps(_reason(error)).encode())
+        return 1
+    os.write(answer, b"{}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

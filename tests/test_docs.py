@@ -1,0 +1,69 @@
+"""The documentation cannot lie: its commands run, its files exist, and nothing is left out."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import shutil
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from risorius.cli import commands, run
+from risorius.core.movement import CHANNELS
+from risorius.out import OUTPUTS
+
+ROOT = Path(__file__).parent.parent
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
+SIZE = ["--size", "64x64"]
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    return [text for name, text in BLOCK.findall(page.read_text()) if name == language]
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
+def test_commands_run(page: Path, folder: Path) -> None:
+    for line in "".join(blocks(page, "sh")).splitlines():
+        program, *arguments = shlex.split(line, comments=True)
+        assert program == "risorius"
+        small = SIZE if any(a.endswith((".mp4", ".png")) for a in arguments) else []
+        assert run([*arguments, *small]) == 0, line
+        outputs = [Path(b) for a, b in pairwise(arguments) if a == "-o"]
+        assert all(output.stat().st_size > 0 for output in outputs)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
+def test_python_runs(page: Path, folder: Path) -> None:
+    for code in blocks(page, "python"):
+        exec(compile(code, str(page), "exec"), {})
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
+@pytest.mark.parametrize(("language", "suffix"), [("xml", ".xml"), ("json", ".json")])
+def test_scripts_and_scores_perform(page: Path, language: str, suffix: str, folder: Path) -> None:
+    for number, text in enumerate(blocks(page, language)):
+        source = folder / f"{number}{suffix}"
+        source.write_text(text)
+        assert run(["speak", str(source), "-o", "x.muscles.csv"]) == 0
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
+def test_links_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)#]+)\)", page.read_text()):
+        assert (page.parent / target).exists(), target
+
+
+def test_every_command_channel_and_output_is_documented() -> None:
+    reference = (ROOT / "docs" / "reference.md").read_text() + (ROOT / "README.md").read_text()
+    for name in (*commands.commands, *CHANNELS, *OUTPUTS):
+        assert f"`{name}`" in reference or f"risorius {name}" in reference, name

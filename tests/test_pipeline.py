@@ -1,0 +1,136 @@
+"""The whole pipeline on real sentences, with the real speech engine, face and encoder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import risorius
+from risorius.core.movement import Cause
+from risorius.face.measure import Gauge
+from risorius.rules.emotions import emotions
+from risorius.settings import Settings
+
+ROOT = Path(__file__).parent.parent
+DEMO = str(ROOT / "examples" / "demo.xml")
+LABIALS = "My baby brother put the map by the beam."
+SMALL = Settings(size=(96, 96))
+SMILE, FUNNELER = "zygomatic_major.left", "orbicularis_oris_funneler"
+
+
+@pytest.fixture(scope="module")
+def demo() -> risorius.Take:
+    return risorius.speak(DEMO)
+
+
+def test_the_demonstration_lasts_until_the_smile_has_gone(demo: risorius.Take) -> None:
+    assert demo.duration == 4.0
+    assert len(demo.times) == 121
+
+
+def test_surprise_gives_way_to_the_smile_without_a_jump(demo: risorius.Take) -> None:
+    fine = risorius.speak(DEMO, settings=Settings(fps=240))  # type: ignore[arg-type]
+    for name in ("frontalis_medialis.left", SMILE, "masseter"):
+        steps = [np.abs(np.diff(take.curves[name])).max() for take in (demo, fine)]
+        assert steps[1] < 0.35 * steps[0]
+    assert demo.curves["frontalis_medialis.left"][30] == pytest.approx(1.0)
+    assert demo.curves[SMILE][10] < 0.1
+    assert demo.curves[SMILE][45] > 0.5
+
+
+def test_the_smile_yields_before_the_rounded_lips_of_very_and_returns(demo: risorius.Take) -> None:
+    very = next(w for w in demo.utterance.words if w.text == "very")  # type: ignore[union-attr]
+    smile, rounded = demo.curves[SMILE], demo.curves[FUNNELER] > 0.1
+    during = (demo.times > very.start) & (demo.times < very.end) & rounded
+    assert during.any()
+    assert (smile[during] < 0.1).all()
+    first = np.flatnonzero(during)[0]
+    assert smile[first - 3] > smile[first - 1], "the smile gives way over several frames"
+    assert smile[demo.times > 2.9].max() > 0.85
+
+
+def test_both_eyes_blink(demo: risorius.Take) -> None:
+    for side in ("left", "right"):
+        assert demo.curves[f"orbicularis_oculi_palpebralis.{side}"].max() > 0.7
+
+
+def test_every_movement_has_a_cause(demo: risorius.Take) -> None:
+    assert all(m.cause != Cause() for m in (*demo.score.movements, *demo.score.lips))
+    assert {"lips", "emotion", "manipulators", "gaze", "head"} <= {
+        *(m.channel for m in demo.score.movements),
+        "lips",
+    }
+
+
+@pytest.mark.parametrize("emotion", [None, *emotions()])
+def test_closures_are_closed_under_every_emotion(emotion: str | None) -> None:
+    take = risorius.speak(LABIALS, emotion={emotion: 1.0} if emotion else {})
+    closed = [s for s in take.score.lips if "lip_seal" in s.targets]
+    assert [s.phone for s in closed] == ["M", "B", "B", "B", "P", "M", "P", "B", "B", "M"]
+    inside = [i for i, t in enumerate(take.times) if any(s.start <= t <= s.end for s in closed)]
+    assert len(inside) >= len(closed)
+    gauge = Gauge(take.head)
+    gaps = [gauge.measure(face).lip_gap_mm for face in take.faces(inside)]
+    assert max(gaps) <= 0.05
+    assert take.curves["masseter"][inside].max() <= 0.2 + 1e-9
+
+
+def test_a_display_is_kept_where_nothing_conflicts() -> None:
+    take = risorius.speak("As I said, it is easy.", emotion={"happiness": 1.0})
+    said = (take.times > 0.6) & (take.times < take.duration - 1.0)
+    assert take.curves[SMILE][said].min() > 0.5
+
+
+def test_a_score_read_back_gives_the_same_performance(demo: risorius.Take, tmp_path: Path) -> None:
+    demo.write(tmp_path / "a.score.json", tmp_path / "a.muscles.csv")
+    for take in (risorius.mix(tmp_path / "a.score.json"), risorius.speak(str(tmp_path / "a.score.json"))):
+        np.testing.assert_array_equal(take.performance.values, demo.performance.values)
+    take.write(tmp_path / "b.muscles.csv")
+    assert (tmp_path / "a.muscles.csv").read_bytes() == (tmp_path / "b.muscles.csv").read_bytes()
+
+
+def test_same_input_same_bytes(tmp_path: Path) -> None:
+    names = ["x.muscles.csv", "x.landmarks.csv", "x.score.json", "x.TextGrid", "x.wav", "x.png", "x.mp4"]
+    written = []
+    for folder in (tmp_path / "a", tmp_path / "b"):
+        folder.mkdir()
+        take = risorius.speak("Hi, mum!", emotion={"joy": 0.5}, settings=SMALL)
+        take.write(*(folder / name for name in names))
+        written.append([(folder / name).read_bytes() for name in names])
+    for name, first, second in zip(names, *written, strict=True):
+        assert first == second, name
+
+
+def test_another_seed_moves_the_blinks_but_not_the_lips() -> None:
+    one, two = (risorius.speak("Hello there.", settings=Settings(seed=seed)) for seed in (1, 2))
+    assert one.score.lips == two.score.lips
+    assert one.score.movements != two.score.movements
+
+
+def test_still_is_still() -> None:
+    take = risorius.speak("Hello there.", settings=Settings(lively=False))
+    assert not take.curves["orbicularis_oculi_palpebralis.left"].any()
+    assert not take.curves["head_yaw"].any()
+
+
+def test_the_video_has_all_frames_and_the_whole_sound(tmp_path: Path) -> None:
+    import av
+
+    take = risorius.speak("Hello there.", settings=SMALL)
+    take.write(tmp_path / "x.mp4")
+    with av.open(str(tmp_path / "x.mp4")) as video:
+        frames = sum(1 for _ in video.decode(video=0))
+    with av.open(str(tmp_path / "x.mp4")) as video:
+        sound = sum(frame.samples / frame.sample_rate for frame in video.decode(audio=0))
+    assert frames == len(take.times)
+    assert sound == pytest.approx(take.duration, abs=0.1)
+
+
+def test_a_pose_is_held_exactly() -> None:
+    take = risorius.pose({"AU12.left": 0.8, "head_yaw": -10.0}, emotion={"surprise": 0.5})
+    assert take.curves[SMILE][0] == 0.8
+    assert take.curves["zygomatic_major.right"][0] == 0.0
+    assert take.curves["head_yaw"][0] == -10.0
+    assert take.curves["frontalis_medialis.left"][0] == pytest.approx(0.5)
