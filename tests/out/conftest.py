@@ -18,7 +18,7 @@ from risorius.core.utterance import Utterance
 from risorius.out import Material
 from risorius.out.landmarks_csv import COLUMNS
 
-TakeMaker = Callable[..., Material]
+MaterialMaker = Callable[..., Material]
 Pictures = Callable[[tuple[int, int], Sequence[int]], Iterator[npt.NDArray[np.uint8]]]
 
 
@@ -31,7 +31,7 @@ def _grey_pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[np
 
 
 @pytest.fixture
-def material_of() -> TakeMaker:
+def material_of() -> MaterialMaker:
     """Return a function that makes a material: a smile that rises over `duration`."""
 
     def make(

@@ -18,7 +18,7 @@ from risorius.core.audio import Audio
 from risorius.out import Material, WriteOptions
 from risorius.out.mp4 import write_mp4
 
-TakeMaker = Callable[..., Material]
+MaterialMaker = Callable[..., Material]
 SoundMaker = Callable[..., Audio]
 Pixels = npt.NDArray[np.uint8]
 BARS = np.array(
@@ -89,7 +89,7 @@ def _flashes(marked: set[int]) -> Callable[..., Iterator[Pixels]]:
     ],
 )
 def test_flash_and_click_agree_within_a_millisecond(
-    tmp_path: Path, material_of: TakeMaker, sound_of: SoundMaker, fps: Fraction, rate: int
+    tmp_path: Path, material_of: MaterialMaker, sound_of: SoundMaker, fps: Fraction, rate: int
 ) -> None:
     marked = {round(t * fps) for t in (0.5, 1.5, 2.5)}
     samples = np.zeros(3 * rate, np.int16)
@@ -108,7 +108,7 @@ def test_flash_and_click_agree_within_a_millisecond(
 
 @pytest.mark.parametrize("fps", [Fraction(30), Fraction(24000, 1001), Fraction(1, 2), Fraction(997)])
 def test_picture_k_is_shown_at_k_by_fps_exactly(
-    tmp_path: Path, material_of: TakeMaker, fps: Fraction
+    tmp_path: Path, material_of: MaterialMaker, fps: Fraction
 ) -> None:
     material = material_of(float(10 / fps), fps)
     film = _write(material, tmp_path / "x.mp4", (32, 32))
@@ -118,7 +118,7 @@ def test_picture_k_is_shown_at_k_by_fps_exactly(
 
 @pytest.mark.parametrize("seconds", [0.2, 1.0, 2.5])
 def test_the_whole_sound_is_kept_whatever_the_pictures_last(
-    tmp_path: Path, material_of: TakeMaker, sound_of: SoundMaker, seconds: float
+    tmp_path: Path, material_of: MaterialMaker, sound_of: SoundMaker, seconds: float
 ) -> None:
     tone = np.round(8000 * np.sin(np.arange(round(22_050 * seconds)) * 0.1)).astype(np.int16)
     film = _write(material_of(1.0, audio=sound_of(tone)), tmp_path / "x.mp4", (32, 32))
@@ -128,7 +128,7 @@ def test_the_whole_sound_is_kept_whatever_the_pictures_last(
     assert len(film.pictures) == 31
 
 
-def test_colours_are_exact_and_tagged_bt709(tmp_path: Path, material_of: TakeMaker) -> None:
+def test_colours_are_exact_and_tagged_bt709(tmp_path: Path, material_of: MaterialMaker) -> None:
     size = (12 * 40, 80)
     bars = BARS.repeat(40, 0)[None].repeat(size[1], 0)
 
@@ -149,7 +149,7 @@ def test_colours_are_exact_and_tagged_bt709(tmp_path: Path, material_of: TakeMak
 
 @pytest.mark.parametrize("size", [(33, 21), (1, 1), (32, 21), (33, 20)])
 def test_an_odd_size_repeats_the_last_row_and_column(
-    tmp_path: Path, material_of: TakeMaker, size: tuple[int, int]
+    tmp_path: Path, material_of: MaterialMaker, size: tuple[int, int]
 ) -> None:
     even = (size[0] + size[0] % 2, size[1] + size[1] % 2)
     film = _write(material_of(0.2), tmp_path / "x.mp4", size)
@@ -159,7 +159,7 @@ def test_an_odd_size_repeats_the_last_row_and_column(
 
 
 def test_the_same_take_gives_the_same_bytes_on_one_processor_and_on_many(
-    tmp_path: Path, material_of: TakeMaker, sound_of: SoundMaker
+    tmp_path: Path, material_of: MaterialMaker, sound_of: SoundMaker
 ) -> None:
     noise = np.random.default_rng(0).integers(0, 256, (120, 160, 3)).astype(np.uint8)
 

@@ -11,7 +11,7 @@ from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
 from risorius.out import OUTPUTS, Material, WriteOptions, check_target, check_targets, write_targets
 
-TakeMaker = Callable[..., Material]
+MaterialMaker = Callable[..., Material]
 NOWHERE = Path("/proc")
 
 
@@ -76,7 +76,7 @@ def test_the_same_file_twice_is_refused(tmp_path: Path) -> None:
         check_targets([tmp_path / "x.mp4", tmp_path / "." / "x.mp4"])
 
 
-def test_when_one_writer_fails_none_of_the_files_appears(tmp_path: Path, material_of: TakeMaker) -> None:
+def test_when_one_writer_fails_none_of_the_files_appears(tmp_path: Path, material_of: MaterialMaker) -> None:
     """The second of three outputs breaks in the middle of its pictures."""
 
     def pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[npt.NDArray[np.uint8]]:
@@ -95,7 +95,9 @@ def test_when_one_writer_fails_none_of_the_files_appears(tmp_path: Path, materia
     assert list(tmp_path.iterdir()) == [old]
 
 
-def test_a_take_without_sound_gives_an_error_with_the_place(tmp_path: Path, material_of: TakeMaker) -> None:
+def test_a_take_without_sound_gives_an_error_with_the_place(
+    tmp_path: Path, material_of: MaterialMaker
+) -> None:
     with pytest.raises(OutputError, match=r"x\.wav: there is no voice to write"):
         write_targets(material_of(), check_targets([tmp_path / "x.wav"]))
     assert list(tmp_path.iterdir()) == []
@@ -103,7 +105,7 @@ def test_a_take_without_sound_gives_an_error_with_the_place(tmp_path: Path, mate
 
 def test_all_formats_are_written_twice_with_the_same_bytes(
     tmp_path: Path,
-    material_of: TakeMaker,
+    material_of: MaterialMaker,
     sound_of: Callable[..., Audio],
     utterance_of: Callable[..., Utterance],
 ) -> None:

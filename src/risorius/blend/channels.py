@@ -1,0 +1,102 @@
+"""The channels of a score, compiled: each with its priority over time and its curves by parameter."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.movement import CHANNEL_PRIORITY, CHANNELS, Movement
+from ..core.score import Score
+from .concatenate import Layer, concatenate
+from .intervals import Array, Spans, union
+from .levels import Course, Levels, levels_of
+from .lips import LipCurve, Lips
+from .manual import key_curves
+
+Indices = npt.NDArray[np.intp]
+
+
+class Curve(Protocol):
+    """One parameter of one layer, as a deviation from its neutral."""
+
+    def sample(self, times: Array) -> tuple[Indices, Array]:
+        """Return where the curve is not at rest among the sorted times, and its values there."""
+
+    def above(self, threshold: float) -> Spans:
+        """Return when the curve is higher than `threshold`, shape (n, 2)."""
+
+    def breakpoints(self) -> Array:
+        """Return when the curve's parts begin and end, unsorted, shape (n,)."""
+
+
+@dataclass(slots=True)
+class Channel:
+    """A channel: its layers, all curves by parameter, and its priority."""
+
+    name: str
+    levels: Levels
+    curves: dict[str, list[Curve]]
+    layers: tuple[Layer, ...] = ()
+    _above: dict[tuple[str, float], Spans] = field(default_factory=dict)
+
+    def sample(self, parameter: str, times: Array) -> tuple[Indices, Array]:
+        """Return where a parameter is not at rest and its highest value of all layers there."""
+        curves = self.curves[parameter]
+        if len(curves) == 1:
+            return curves[0].sample(times)
+        dense = np.zeros(len(times))
+        for curve in curves:
+            index, values = curve.sample(times)
+            dense[index] = np.maximum(dense[index], values)
+        index = np.flatnonzero(dense)
+        return index, dense[index]
+
+    def above(self, parameter: str, threshold: float) -> Spans:
+        """Return when the channel would hold a parameter above `threshold`, shape (n, 2)."""
+        if parameter not in self.curves:
+            return union(())
+        key = (parameter, threshold)
+        if key not in self._above:
+            self._above[key] = union([curve.above(threshold) for curve in self.curves[parameter]])
+        return self._above[key]
+
+
+def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
+    """Return the channels that the score uses, highest default priority first."""
+    movements: dict[str, dict[str, list[Movement]]] = defaultdict(lambda: defaultdict(list))
+    for movement in score.movements:
+        movements[movement.channel][movement.layer].append(movement)
+    function = score.settings.onset_function
+    channels = []
+    for name in CHANNELS:
+        layers = tuple(
+            concatenate(layer, found, function) for layer, found in sorted(movements[name].items())
+        )
+        curves: dict[str, list[Curve]] = defaultdict(list)
+        if name == "lips" and lips is not None:
+            for parameter in lips.parameters:
+                curves[parameter].append(LipCurve(lips, parameter))
+        if name == "manual":
+            for parameter, drawn in key_curves(score.manual).items():
+                curves[parameter].extend(drawn)
+        for layer in layers:
+            for parameter, curve in layer.curves.items():
+                curves[parameter].append(curve)
+        if curves:
+            levels = levels_of(_courses(name, layers, lips), CHANNEL_PRIORITY[name])
+            channels.append(Channel(name, levels, dict(sorted(curves.items())), layers))
+    return tuple(channels)
+
+
+def _courses(name: str, layers: Sequence[Layer], lips: Lips | None) -> list[Course]:
+    """What decides the channel's priority; speech, unbroken, counts as one movement."""
+    courses = [step.course() for layer in layers for step in layer.steps]
+    if name == "lips" and lips is not None:
+        own = CHANNEL_PRIORITY[name]
+        courses.extend(Course(start, end, end, own, own) for start, end in lips.speech.tolist())
+    return courses

@@ -1,0 +1,79 @@
+"""How neighbouring lip segments blend: the interface of all models, and what they share.
+
+A model says how much each segment weighs at a time, per parameter. Everything else (targets, limits on
+other channels, whether the mouth speaks) is an average by these weights. A new model is a file that
+registers itself here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.movement import LipSegment
+from ..core.utterance import SILENCE
+from ..registry import Registry
+from .intervals import Array
+
+Indices = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class Weights:
+    """Weights of segments at some times, as triples: segment, index of the time, weight; each shape (m,).
+
+    They sum to 1 at each of the `count` times, or to 0 far from all segments.
+    """
+
+    segment: Indices
+    time: Indices
+    weight: Array
+    count: int
+
+    def average(self, values: Array) -> Array:
+        """Return the weighted average of one value per segment, shape (segments,), at the times: (count,)."""
+        spread = np.bincount(self.time, self.weight * values[self.segment], self.count)
+        return np.asarray(spread, dtype=np.float64)
+
+
+class Coarticulation(Protocol):
+    """A model made for some segments: sorted, without gaps; `reach`: how far a segment is felt, seconds."""
+
+    reach: float
+
+    def group(self, parameter: str) -> int:
+        """Return a number; parameters with the same number have the same weights at all times."""
+
+    def targets(self, parameter: str) -> Array:
+        """Return each segment's target for the parameter, 0 where it has none, shape (segments,)."""
+
+    def weights(self, group: int, times: Array) -> Weights:
+        """Return the weights of one group's parameters at sorted times, shape (n,)."""
+
+
+LIP_MODELS: Registry[Callable[[Sequence[LipSegment]], Coarticulation]] = Registry("lip model")
+
+SHORTEST_SILENCE = 0.15
+"""Seconds: a shorter gap between segments (the release of a stop, a breath) belongs to its neighbours."""
+_LEAD = 2.0
+"""Seconds of rest put before the first and after the last segment."""
+
+
+def without_gaps(segments: Sequence[LipSegment]) -> tuple[LipSegment, ...]:
+    """Return the segments by time, with silence in every long gap between them and at both ends."""
+    ordered = sorted(segments, key=lambda s: (s.start, s.end, s.phone))
+    if not ordered:
+        return ()
+    filled: list[LipSegment] = []
+    covered = ordered[0].start - _LEAD
+    for segment in ordered:
+        if segment.start >= covered + SHORTEST_SILENCE:
+            filled.append(LipSegment(SILENCE, covered, segment.start, {}))
+        filled.append(segment)
+        covered = max(covered, segment.end)
+    filled.append(LipSegment(SILENCE, covered, covered + _LEAD, {}))
+    return tuple(filled)

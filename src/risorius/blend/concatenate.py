@@ -1,0 +1,158 @@
+"""Movements of one layer follow one another: paper A, section 5.2, with its errors mended.
+
+DESIGN, section 3, "Within a channel", is the contract; facts: science/errata, A1 and A2, the reasons.
+The movements of a layer become steps in the order in which they hold the layer (a movement that was
+interrupted holds it twice), and each step a stroke in every parameter that it moves or lets go.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from ..core.functions import DEFAULT_FUNCTION
+from ..core.movement import CHANNEL_PRIORITY, Movement
+from ..core.parameters import NEUTRAL, PARAMETERS
+from .levels import Course
+from .strokes import Stroke, StrokeCurve, last_time, value_at
+
+NEUTRALS: dict[str, float] = {p.name: float(n) for p, n in zip(PARAMETERS, NEUTRAL, strict=True)}
+SIGNED = frozenset(p.name for p in PARAMETERS if p.signed or p.neutral != 0.0)
+"""Parameters worked as signed deviations from their neutral: degrees, and the distance looked at."""
+
+
+@dataclass(slots=True)
+class Step:
+    """One movement's hold on its layer, with the onset and offset that it really gets. Seconds.
+
+    `until`: when all that it left has come to rest, or the next step has taken over.
+    """
+
+    movement: Movement
+    start: float
+    end: float
+    onset: float
+    offset: float
+    function: str
+    targets: dict[str, float]
+    until: float
+
+    @property
+    def release(self) -> float:
+        """When the offset begins."""
+        return self.end - self.offset
+
+    def course(self) -> Course:
+        """Return its claim on the channel's priority."""
+        m = self.movement
+        own = CHANNEL_PRIORITY[m.channel] if m.priority is None else m.priority
+        after = own if m.release_priority is None else m.release_priority
+        return Course(self.start, self.release, self.until, own, after)
+
+
+@dataclass(slots=True)
+class Layer:
+    """The movements of one layer, concatenated: steps in order and a curve for each parameter."""
+
+    name: str
+    steps: list[Step] = field(default_factory=list)
+    curves: dict[str, StrokeCurve] = field(default_factory=dict)
+
+
+def concatenate(name: str, movements: Iterable[Movement], function: str | None = None) -> Layer:
+    """Return the concatenation of one layer's movements, no two of which start together.
+
+    `function` replaces the movements' own onset functions where not None. Values of parameters with a
+    neutral other than 0 become deviations from it.
+    """
+    steps = sequence(movements, function)
+    return Layer(name, steps, _curves(steps))
+
+
+def sequence(movements: Iterable[Movement], function: str | None = None) -> list[Step]:
+    """Return the steps of a layer in order: movements, and those resumed after one nested within them."""
+    steps: list[Step] = []
+    interrupted: list[Step] = []
+    for movement in sorted(movements, key=lambda m: m.start):
+        _resume(steps, interrupted, movement.start)
+        step = _step(movement, movement.start, function)
+        if steps and step.end <= steps[-1].end:
+            interrupted.append(steps[-1])
+        while interrupted and interrupted[-1].end < step.end:
+            interrupted.pop()
+        steps.append(step)
+    _resume(steps, interrupted, math.inf)
+    return steps
+
+
+def _resume(steps: list[Step], interrupted: list[Step], before: float) -> None:
+    """Resume interrupted movements where the one that interrupts lets go, if that is before `before`."""
+    while interrupted and steps[-1].release < before:
+        at, outer = steps[-1].release, interrupted.pop()
+        if outer.end - at > outer.offset:
+            steps.append(_step(outer.movement, at, outer.function))
+
+
+def _step(movement: Movement, start: float, function: str | None) -> Step:
+    """A movement held from `start` on; an onset and offset too long for it shrink in proportion."""
+    length = movement.end - start
+    onset, offset = movement.onset, movement.offset
+    if onset + offset > length:
+        factor = length / (onset + offset)
+        onset, offset = onset * factor, offset * factor
+    targets = {name: value - NEUTRALS[name] for name, value in movement.targets.items()}
+    shape = function or movement.function
+    return Step(movement, start, movement.end, onset, offset, shape, targets, movement.end)
+
+
+def _curves(steps: list[Step]) -> dict[str, StrokeCurve]:
+    strokes: dict[str, list[Stroke]] = {}
+    live: dict[str, Stroke] = {}
+    for number, step in enumerate(steps):
+        before = steps[number - 1] if number else None
+        taken_over = _take_over(live, step.start)
+        if before is not None:
+            before.until = min(before.until, step.start)
+        for name in {**taken_over, **step.targets}:
+            level = taken_over.get(name, 0.0)
+            if level == 0.0 and name not in step.targets:
+                continue
+            stroke = _stroke(name, level, step, number, before)
+            strokes.setdefault(name, []).append(stroke)
+            live[name] = stroke
+            step.until = max(step.until, stroke.last)
+    return {name: StrokeCurve(found) for name, found in strokes.items()}
+
+
+def _take_over(live: dict[str, Stroke], time: float) -> dict[str, float]:
+    """Stop all strokes that are not yet at rest and return the levels they leave."""
+    levels = {name: value_at(stroke, time) for name, stroke in live.items() if stroke.last > time}
+    for name in levels:
+        live[name].stop = time
+    live.clear()
+    return levels
+
+
+def _stroke(name: str, level: float, step: Step, number: int, before: Step | None) -> Stroke:
+    """What `step` makes of a parameter that stands at `level` when it starts."""
+    target = step.targets.get(name, 0.0)
+    signed = name in SIGNED
+    exponential = step.function == DEFAULT_FUNCTION
+    stroke = Stroke(
+        step.start, 0.0, target, math.inf, target, step.onset, step.release, step.offset, step.end,
+        step.function, number,
+    )  # fmt: skip
+    overlaps = level != 0.0 or (before is not None and step.start < before.end)
+    if before is not None and overlaps:
+        if signed or (level < target and not exponential):
+            stroke.begin, stroke.rise = level, target - level
+        elif level < target:
+            stroke.begin, stroke.rise, stroke.cap = level, 1.0, target
+        else:
+            stroke.begin, stroke.rise = target, 0.0
+            if before.offset > 0.0:
+                stroke.excess, stroke.fade = level - target, before.offset
+                stroke.fade_function = before.function
+    stroke.last = last_time(stroke, signed)
+    return stroke

@@ -1,0 +1,120 @@
+"""Contact goals: lips that must close, and the lower lip that must reach the upper teeth.
+
+Goals are the last step: each segment with a target for `lip_seal` or `lip_tuck` reaches it for the whole
+of its closure, whatever else happens (DESIGN, section 3; facts: lips, point 10).
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..core.functions import minimum_jerk
+from ..core.movement import LipSegment
+from .intervals import Array
+
+SEAL, TUCK = "lip_seal", "lip_tuck"
+CONTACTS = (SEAL, TUCK)
+
+SHORTEST_CLOSURE = 0.04
+"""Seconds: a shorter closure would be over before an eye could see it."""
+RAMP = 0.065
+"""Seconds in which the lips come to a goal and leave it, given room."""
+SHORTEST_RAMP = 0.03
+"""Seconds: less room than this between a seal and a tuck is taken from the tuck."""
+FASTEST_RAMP = 0.015
+"""Seconds: a tuck that leaves less room on its two sides is given up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """A closure: `value` of `contact` during [start, end], with ramps on both sides, seconds.
+
+    `segment`: the index of the segment that asks for it.
+    """
+
+    contact: str
+    segment: int
+    start: float
+    end: float
+    value: float
+    ramp_in: float = RAMP
+    ramp_out: float = RAMP
+
+    def at(self, time: float) -> float:
+        """Return how far this goal is reached at a time."""
+        return float(GoalCurve([self]).at(np.array([time]))[0])
+
+
+def contact_goals(segments: Sequence[LipSegment]) -> tuple[Goal, ...]:
+    """Return the goals of the segments, sorted by start; a tuck makes room for the seals beside it."""
+    seals = _closures(segments, SEAL)
+    tucks = []
+    for tuck in _closures(segments, TUCK):
+        fitted = _fit(tuck, seals)
+        if fitted is not None:
+            tucks.append(fitted)
+    return tuple(sorted((*seals, *tucks), key=lambda g: (g.start, g.end, g.contact)))
+
+
+def _closures(segments: Sequence[LipSegment], contact: str) -> list[Goal]:
+    found = []
+    for number, segment in enumerate(segments):
+        value = segment.targets.get(contact, 0.0)
+        if value > 0.0:
+            missing = max(0.0, SHORTEST_CLOSURE - (segment.end - segment.start)) / 2.0
+            found.append(Goal(contact, number, segment.start - missing, segment.end + missing, value))
+    return sorted(found, key=_middle)
+
+
+def _middle(goal: Goal) -> float:
+    return (goal.start + goal.end) / 2.0
+
+
+def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
+    """Place a tuck between the seals around it, shortening their ramps towards it in place."""
+    right = bisect_right(seals, _middle(tuck), key=_middle)
+    left = right - 1
+    free_from = seals[left].end if left >= 0 else -np.inf
+    free_to = seals[right].start if right < len(seals) else np.inf
+    room = free_to - free_from
+    if room < 2.0 * FASTEST_RAMP:
+        return None
+    margin = min(SHORTEST_RAMP, room / 2.0)
+    start = min(max(tuck.start, free_from + margin), free_to - margin)
+    end = max(min(tuck.end, free_to - margin), start)
+    if left >= 0:
+        seals[left] = replace(seals[left], ramp_out=min(seals[left].ramp_out, start - free_from))
+    if right < len(seals):
+        seals[right] = replace(seals[right], ramp_in=min(seals[right].ramp_in, free_to - end))
+    return replace(
+        tuck, start=start, end=end, ramp_in=min(RAMP, start - free_from), ramp_out=min(RAMP, free_to - end)
+    )
+
+
+class GoalCurve:
+    """The goals of one contact, evaluated at any times: the highest holds."""
+
+    def __init__(self, goals: Sequence[Goal]) -> None:
+        self.goals = tuple(goals)
+        rows = [(g.start, g.end, g.value, g.ramp_in, g.ramp_out) for g in goals]
+        table = np.array(rows, dtype=np.float64).reshape(-1, 5).T
+        self._start, self._end, self._value, self._ramp_in, self._ramp_out = table
+
+    def at(self, times: Array) -> Array:
+        """Return the curve at sorted times, shape (n,), 0 away from all goals."""
+        low = np.searchsorted(times, self._start - self._ramp_in, side="left")
+        high = np.searchsorted(times, self._end + self._ramp_out, side="right")
+        count = high - low
+        goal = np.repeat(np.arange(len(count)), count)
+        index = np.arange(len(goal)) + np.repeat(low - (np.cumsum(count) - count), count)
+        t = times[index]
+        early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
+        late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
+        values = self._value[goal] * minimum_jerk(1.0 - np.minimum(np.maximum(early, late), 1.0))
+        curve = np.zeros(len(times))
+        np.maximum.at(curve, index, values)
+        return curve

@@ -1,0 +1,147 @@
+"""Lip segments blended by dominance (Cohen and Massaro 1993; paper A, section 5.1).
+
+Each segment has over each parameter a dominance that is full around its centre and falls off on both
+sides as magnitude·exp(-(x/tau)^c); the average of the targets, weighted by it, is the curve (facts:
+science/01, section 1.1). Three things are added, for curves without kinks and without far effects: the
+fall starts gently, it ends at a finite reach, and it starts at most `MARGIN` inside the segment's edge,
+so that a long silence or vowel gives way where its neighbour is, not at its own middle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..core.movement import Dominance, LipSegment
+from ..errors import InputError
+from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, Weights
+from .intervals import Array
+
+MARGIN = 0.08
+"""Seconds inside a segment's edge at which dominance begins to fall at the latest."""
+REACH = 6.0
+"""Time constants after which dominance has ended."""
+SOFTNESS = 0.5
+"""Time constants over which the fall begins; 0 would be a kink."""
+SHORTEST = 0.005
+"""The shortest time constant, seconds: below it a segment would be a step."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Columns:
+    """Dominance of every segment over one group of parameters; arrays of shape (segments,), seconds."""
+
+    centre: Array
+    flat: Array
+    magnitude: Array
+    before: Array
+    after: Array
+    exponent: Array
+    reach_before: Array
+    reach_after: Array
+    felt_until: Array
+
+
+@LIP_MODELS.register("dominance")
+class DominanceModel:
+    """Coarticulation by dominance (see `coarticulation.Coarticulation`)."""
+
+    def __init__(self, segments: Sequence[LipSegment]) -> None:
+        self._segments = tuple(segments)
+        self._groups: dict[tuple[int, ...], int] = {}
+        self._numbers: dict[Dominance, int] = {}
+        self._known: dict[int, int] = {}
+        self._group_of: dict[str, int] = {}
+        self._columns: list[_Columns] = []
+        self._targets: dict[str, Array] = {}
+        for segment in segments:
+            for dominance in segment.dominance.values():
+                _check(segment, dominance)
+        longest = [max(d.before, d.after) for s in segments for d in s.dominance.values()]
+        slowest = max([*longest, Dominance().before, Dominance().after])
+        self.reach = max(REACH * slowest, 2.0 * MARGIN + SHORTEST_SILENCE)
+
+    def group(self, parameter: str) -> int:
+        """Return the number of the parameters that every segment dominates alike."""
+        if parameter not in self._group_of:
+            held = [s.dominance_of(parameter) for s in self._segments]
+            key = tuple(map(self._number, held))
+            if key not in self._groups:
+                self._groups[key] = len(self._columns)
+                self._columns.append(_columns(self._segments, held))
+            self._group_of[parameter] = self._groups[key]
+        return self._group_of[parameter]
+
+    def _number(self, dominance: Dominance) -> int:
+        """A number for each value; looked up by identity first, for rules share their objects."""
+        number = self._known.get(id(dominance))
+        if number is None:
+            number = self._numbers.setdefault(dominance, len(self._numbers))
+            self._known[id(dominance)] = number
+        return number
+
+    def targets(self, parameter: str) -> Array:
+        """Return each segment's target, 0 where it has none, shape (segments,)."""
+        if parameter not in self._targets:
+            self._targets[parameter] = np.array(
+                [s.targets.get(parameter, 0.0) for s in self._segments], dtype=np.float64
+            )
+        return self._targets[parameter]
+
+    def weights(self, group: int, times: Array) -> Weights:
+        """Return the dominance of each segment, divided by their sum, at sorted times."""
+        d = self._columns[group]
+        first = int(np.searchsorted(d.felt_until, times[0], side="left"))
+        starts = d.centre - d.flat - d.reach_before
+        chosen = np.arange(first, len(starts))[starts[first:] <= times[-1]]
+        low = np.searchsorted(times, starts[chosen], side="left")
+        high = np.searchsorted(times, (d.centre + d.flat + d.reach_after)[chosen], side="right")
+        count = np.maximum(high - low, 0)
+        segment = np.repeat(chosen, count)
+        time = np.arange(len(segment)) + np.repeat(low - (np.cumsum(count) - count), count)
+        weight = _dominance(d, segment, times[time])
+        total = np.bincount(time, weight, len(times))
+        return Weights(segment, time, weight / np.where(total > 0.0, total, 1.0)[time], len(times))
+
+
+def _columns(segments: Sequence[LipSegment], dominances: Sequence[Dominance]) -> _Columns:
+    start, end = np.array([(s.start, s.end) for s in segments], dtype=np.float64).T
+    half = (end - start) / 2.0
+    rows = [(d.magnitude, d.before, d.after, d.exponent, d.plateau) for d in dominances]
+    magnitude, before, after, exponent, plateau = np.array(rows, dtype=np.float64).T
+    before, after = np.maximum(before, SHORTEST), np.maximum(after, SHORTEST)
+    flat = np.maximum(half * plateau, half - MARGIN)
+    # Wide enough to cover the segment itself and a gap, so that some segment has weight at every time.
+    least = 2.0 * (half - flat) + SHORTEST_SILENCE
+    reach_before = np.maximum(REACH * before, least)
+    reach_after = np.maximum(REACH * after, least)
+    centre = start + half
+    felt_until = np.maximum.accumulate(centre + flat + reach_after)
+    return _Columns(
+        centre, flat, magnitude, before, after, exponent, reach_before, reach_after, felt_until
+    )
+
+
+def _dominance(d: _Columns, segment: np.typing.NDArray[np.intp], times: Array) -> Array:
+    """Dominance of each segment at its time, shape (n,)."""
+    offset = times - d.centre[segment]
+    early = offset < 0.0
+    tau = np.where(early, d.before[segment], d.after[segment])
+    reach = np.where(early, d.reach_before[segment], d.reach_after[segment])
+    x = np.maximum(np.abs(offset) - d.flat[segment], 0.0)
+    soft = x * x / (x + SOFTNESS * tau)
+    exponent = d.exponent[segment]
+    fall = soft / tau if np.all(exponent == 1.0) else (soft / tau) ** exponent
+    taper = np.maximum(1.0 - (x / reach) ** 2, 0.0)
+    return d.magnitude[segment] * np.exp(-np.minimum(fall, 600.0)) * taper * taper
+
+
+def _check(segment: LipSegment, d: Dominance) -> None:
+    values = (d.magnitude, d.before, d.after, d.exponent, d.plateau)
+    if not (all(0.0 <= v < float("inf") for v in values) and d.exponent > 0.0 and d.plateau <= 1.0):
+        raise InputError(
+            f"phone '{segment.phone}' at {segment.start:g} s: dominance {d} is out of range; expected "
+            "magnitude, before, after of 0 or more, exponent above 0, plateau 0 to 1"
+        )

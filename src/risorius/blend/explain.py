@@ -1,0 +1,254 @@
+"""Why a parameter has its value: the winner and its cause, each loser and the reason.
+
+Nothing is stored per frame: an explanation is worked out on demand, from the same plan as the curves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import numpy as np
+
+from ..core.movement import Cause, LipSegment
+from ..core.parameters import INDEX
+from ..core.performance import frame_times
+from ..core.score import Score
+from ..errors import InputError, ParameterError, unknown
+from .channels import Channel, Curve
+from .concatenate import SIGNED, Layer, Step
+from .conflict import LIPS, Hindrance, Join
+from .contact import CONTACTS, SEAL, TUCK
+from .directions import shares_of
+from .lips import LipCurve
+from .manual import KeyCurve
+from .mouth import JAW
+from .plan import Moment, Plan
+from .strokes import StrokeCurve
+
+_LEAST = 1e-9
+_FIRST = np.zeros(1, dtype=np.intp)
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """What one movement, segment or drawn curve asks of a parameter at a time, and what it gets.
+
+    `label` names it, `cause` says why it exists. `asked` and `given` are deviations from the parameter's
+    neutral. `reason`: why it gets less than it asks, or does not show; "" if neither.
+    """
+
+    channel: str
+    layer: str
+    label: str
+    cause: Cause
+    asked: float
+    given: float
+    reason: str = ""
+
+    @property
+    def what(self) -> str:
+        """What it goes back to, for a sentence: the phone and word, or the mark, or its own name."""
+        return self.cause.trigger or self.label
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """A parameter's value at a time: the part that wins (None at rest), the others, and the last steps."""
+
+    time: float
+    parameter: str
+    value: float
+    winner: Part | None
+    losers: tuple[Part, ...]
+    notes: tuple[str, ...]
+
+
+def explain(source: Score | Plan, time: float, parameter: str) -> Explanation:
+    """Return why a parameter has its value at a time in seconds; the value is the curve's own.
+
+    `parameter` is a name of the table, with its side. Pass a Plan to explain many moments of one score.
+    Raises ParameterError for an unknown name and InputError for a time outside the score.
+    """
+    plan = source if isinstance(source, Plan) else Plan(source)
+    if parameter not in INDEX:
+        raise ParameterError(unknown("parameter", parameter, INDEX))
+    if not 0.0 <= time <= plan.score.duration:
+        raise InputError(f"time = {time} s is outside the score; expected 0 to {plan.score.duration:g} s")
+    value = float(Moment(plan, np.array([time])).value(parameter)[0])
+    parts = _directed(plan, time, parameter) if parameter in SIGNED else _parts(plan, time, parameter)
+    goal = _goal(plan, time, parameter)
+    parts = sorted([*goal, *parts], key=lambda p: -abs(p.given))
+    winner = parts[0] if parts and abs(parts[0].given) > _LEAST else None
+    adds = plan.policy.join is Join.SUM or parameter == JAW or parameter in SIGNED
+    losers = tuple(_lost(p, winner, adds) for p in parts if p is not winner)
+    return Explanation(time, parameter, value, winner, losers, tuple(_notes(plan, time, parameter, value) if parts else ()))
+
+
+def _lost(part: Part, winner: Part | None, adds: bool) -> Part:
+    if part.reason or winner is None:
+        return part
+    return replace(part, reason="added" if adds else f"lower than {winner.what} ({winner.channel})")
+
+
+def _parts(plan: Plan, time: float, name: str) -> list[Part]:
+    """All that moves a muscle, contact or the tongue at a time."""
+    moment = Moment(plan, np.array([time]))
+    own = moment.own(name)
+    found = []
+    for channel in plan.channels:
+        for curve in channel.curves.get(name, ()):
+            asked = _value(curve, time)
+            if abs(asked) <= _LEAST:
+                continue
+            kept = moment.settle(channel, name, moment.times, np.array([asked]))
+            shared = limited = kept
+            if channel.name != LIPS:
+                shared = moment.shared(channel, name, _FIRST, kept)
+                limited = moment.limited(channel, name, _FIRST, shared, own)
+            levels = (asked, float(kept[0]), float(shared[0]), float(limited[0]))
+            part = _source(plan, channel, curve, time, name)
+            reason = _reason(plan, channel, name, time, levels)
+            found.append(replace(part, asked=asked, given=levels[-1], reason=reason))
+    return found
+
+
+def _directed(plan: Plan, time: float, name: str) -> list[Part]:
+    """All that turns the head or the eyes at a time."""
+    terms = Moment(plan, np.array([time])).terms(name)
+    shares = shares_of(name, [term for _, term in terms])
+    found = []
+    for ((channel, curve), term), share in zip(terms, shares, strict=True):
+        asked, given = float(term[0]), float(share[0])
+        if abs(asked) > _LEAST:
+            smaller = "added, made smaller by the others" if abs(given) < abs(asked) - _LEAST else ""
+            part = _source(plan, channel, curve, time, name)
+            found.append(replace(part, asked=asked, given=given, reason=smaller))
+    return found
+
+
+def _goal(plan: Plan, time: float, name: str) -> list[Part]:
+    if name not in CONTACTS or plan.lips is None:
+        return []
+    found = []
+    for goal in plan.lips.goals[name].goals:
+        if goal.start - goal.ramp_in < time < goal.end + goal.ramp_out:
+            segment = plan.lips.mouth.segments[goal.segment]
+            part = _segment(segment)
+            found.append(replace(part, asked=goal.value, given=float(goal.at(time))))
+    return found
+
+
+def _reason(plan: Plan, channel: Channel, name: str, time: float, levels: Sequence[float]) -> str:
+    """Why less is left after the policy, the jaw's sharing and the lips' limits than was asked."""
+    asked, kept, shared, limited = levels
+    reasons = []
+    if kept < asked - _LEAST:
+        hindrance = plan.policy.hindrance(channel, name, time)
+        if hindrance is not None:
+            reasons.append(_because(plan, hindrance))
+    if shared < kept - _LEAST:
+        reasons.append("adds only a share to the jaw of speech")
+    if limited < shared - _LEAST and plan.lips is not None:
+        mouth = plan.lips.mouth
+        segment = mouth.segments[mouth.block_at(time).limiting(name, time)]
+        reasons.append(f"limited by {_segment(segment).what}")
+    return "; ".join(reasons)
+
+
+def _because(plan: Plan, hindrance: Hindrance) -> str:
+    """A hindrance in words, back to what caused it."""
+    channel = next(c for c in plan.channels if c.name == hindrance.channel)
+    asked = {
+        _source(plan, channel, curve, hindrance.time, hindrance.parameter).what: _value(curve, hindrance.time)
+        for curve in channel.curves[hindrance.parameter]
+    }
+    what = max(asked, key=lambda found: asked[found])
+    return f"{hindrance.effect} {hindrance.parameter} of {what} ({hindrance.channel})"
+
+
+def _value(curve: Curve, time: float) -> float:
+    _, values = curve.sample(np.array([time]))
+    return float(values[0]) if len(values) else 0.0
+
+
+def _source(plan: Plan, channel: Channel, curve: Curve, time: float, name: str) -> Part:
+    """The movement, segment or drawn curve behind a curve at a time."""
+    if isinstance(curve, LipCurve) and plan.lips is not None:
+        return _segment(plan.lips.mouth.segments[curve.leader(time)])
+    if isinstance(curve, KeyCurve):
+        drawn = plan.score.manual[curve.number]
+        return Part(channel.name, "", "drawn by hand", drawn.cause, 0.0, 0.0)
+    layer = next(held for held in channel.layers if held.curves.get(name) is curve)
+    movement = _step_of(layer, curve, time, name).movement
+    return Part(channel.name, layer.name, movement.label, movement.cause, 0.0, 0.0)
+
+
+def _step_of(layer: Layer, curve: StrokeCurve, time: float, name: str) -> Step:
+    """The step behind a stroke; for what is only let go, the earlier one that had asked for it."""
+    k = max(int(np.searchsorted(curve.start, time, side="right")) - 1, 0)
+    while k > 0 and name not in layer.steps[curve.step[k]].targets:
+        k -= 1
+    return layer.steps[curve.step[k]]
+
+
+def _segment(segment: LipSegment) -> Part:
+    label = f"/{segment.phone}/" if segment.phone else "silence"
+    return Part(LIPS, "", label, segment.cause, 0.0, 0.0)
+
+
+def _notes(plan: Plan, time: float, name: str, value: float) -> Iterator[str]:
+    """What the last steps did to the joined value."""
+    if plan.lips is None or name in SIGNED:
+        return
+    mouth, at = plan.lips.mouth, np.array([time])
+    if name == JAW and value >= mouth.jaw_at_seal(at)[0] - _LEAST:
+        yield "held by the seal of the lips"
+    seal = float(plan.lips.goals[SEAL].at(at)[0])
+    if name == TUCK and seal > _LEAST and value >= 1.0 - seal - _LEAST:
+        yield "pushed aside by the seal of the lips"
+    if name in mouth.limited and value > 0.0 and value <= mouth.low_at(name, at)[0] + _LEAST:
+        yield "held up by the lips' lower limit"
+
+
+@dataclass(slots=True)
+class Tally:
+    """How a channel fared in a clip, in frames × parameters.
+
+    `active`: it asked for something; `won`: it showed; `inhibited`: nothing was left of it; `limited`: less
+    than it asked for was left.
+    """
+
+    active: int = 0
+    won: int = 0
+    inhibited: int = 0
+    limited: int = 0
+
+
+def summarize(source: Score | Plan, fps: Fraction) -> dict[str, Tally]:
+    """Return for each channel how often it won, was inhibited or limited, over all frames and muscles."""
+    plan = source if isinstance(source, Plan) else Plan(source)
+    tallies = {channel.name: Tally() for channel in plan.channels}
+    for times in plan.pieces(frame_times(plan.score.duration, fps)):
+        moment = Moment(plan, times)
+        for name in plan.moving:
+            if name not in SIGNED:
+                _count(moment, name, tallies)
+    return tallies
+
+
+def _count(moment: Moment, name: str, tallies: dict[str, Tally]) -> None:
+    own, shown = moment.own(name), moment.value(name)
+    for channel in moment.plan.channels:
+        if name not in channel.curves:
+            continue
+        _, asked = channel.sample(name, moment.times)
+        index, given = moment.settled(channel, name)
+        if channel.name != LIPS:
+            given = moment.bounded(channel, name, index, given, own)
+        tally, active = tallies[channel.name], asked > _LEAST
+        tally.active += int(active.sum())
+        tally.won += int((active & (given > _LEAST) & (given >= shown[index] - _LEAST)).sum())
+        tally.inhibited += int((active & (given <= _LEAST)).sum())
+        tally.limited += int((active & (given > _LEAST) & (given < asked - _LEAST)).sum())

@@ -1,0 +1,117 @@
+"""Sets of times as sorted, disjoint intervals: arrays of shape (n, 2), start and end in seconds.
+
+The combination of channels works on such sets instead of frames, so that it does not depend on the frame
+rate. Ends may be infinite. An interval shorter than an instant is dropped: it would be an accident of
+rounding, and what it inhibits would be felt far around it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+Spans = npt.NDArray[np.float64]
+
+INSTANT = 1e-9
+"""Seconds."""
+
+EMPTY: Spans = np.zeros((0, 2))
+EMPTY.setflags(write=False)
+
+
+def merged(intervals: Spans) -> Spans:
+    """Return the set that unsorted, perhaps overlapping intervals cover, shape (n, 2)."""
+    return _covered((intervals,), 1) if len(intervals) else EMPTY
+
+
+def union(sets: Sequence[Spans]) -> Spans:
+    """Return the times that lie in any of the sets, shape (n, 2)."""
+    held = [s for s in sets if len(s)]
+    if not held:
+        return EMPTY
+    return held[0] if len(held) == 1 else _covered(held, 1)
+
+
+def intersection(a: Spans, b: Spans) -> Spans:
+    """Return the times that lie in both sets, shape (n, 2)."""
+    return _covered((a, b), 2) if len(a) and len(b) else EMPTY
+
+
+def difference(a: Spans, b: Spans) -> Spans:
+    """Return the times of `a` that lie outside `b`, shape (n, 2)."""
+    return intersection(a, complement(b)) if len(a) and len(b) else a
+
+
+def complement(a: Spans) -> Spans:
+    """Return all other times, shape (n, 2), from minus to plus infinity."""
+    edges = np.concatenate(([-np.inf], a.ravel(), [np.inf])).reshape(-1, 2)
+    return edges[edges[:, 0] < edges[:, 1]]
+
+
+def dilated(a: Spans, left: float, right: float) -> Spans:
+    """Return the set with every interval grown by `left` seconds backwards and `right` forwards."""
+    return _covered((a + np.array([-left, right]),), 1) if len(a) else EMPTY
+
+
+def _covered(sets: Sequence[Spans], needed: int) -> Spans:
+    """Times that at least `needed` of the sets cover; starts come first among equals, so touching ones join."""
+    starts = np.concatenate([s[:, 0] for s in sets])
+    ends = np.concatenate([s[:, 1] for s in sets])
+    times = np.concatenate((starts, ends))
+    order = np.argsort(times, kind="stable")
+    inside = np.cumsum(np.where(order < len(starts), 1, -1)) >= needed
+    entered = inside & ~np.concatenate(([False], inside[:-1]))
+    left = ~inside & np.concatenate(([False], inside[:-1]))
+    found = np.column_stack((times[order[entered]], times[order[left]]))
+    return found[found[:, 1] - found[:, 0] > INSTANT]
+
+
+def neighbours(a: Spans, times: Array) -> tuple[Array, Array]:
+    """Return for each time how long ago the set was left and how soon it is entered, both shape (n,).
+
+    Seconds, infinite where there is no such interval. Inside the set the first is 0 or negative.
+    """
+    k = np.searchsorted(a[:, 0], times, side="right")
+    ends = np.concatenate(([-np.inf], a[:, 1]))
+    starts = np.concatenate((a[:, 0], [np.inf]))
+    return times - ends[k], starts[k] - times
+
+
+def share(a: Spans, times: Array, width: float) -> Array:
+    """Return the share of [t - width, t] that the set covers, 0..1, shape (n,): a step made a ramp."""
+    if not len(a) or not len(times):
+        return np.zeros(len(times))
+    clipped = np.clip(a, times.min() - width, times.max())
+    before = np.concatenate(([0.0], np.cumsum(clipped[:, 1] - clipped[:, 0])))
+
+    def covered(t: Array) -> Array:
+        k = np.searchsorted(clipped[:, 0], t, side="right")
+        last = np.maximum(k - 1, 0)
+        excess = np.maximum(clipped[last, 1] - t, 0.0)
+        return np.asarray(np.where(k > 0, before[k] - excess, 0.0))
+
+    return np.clip((covered(times) - covered(times - width)) / width, 0.0, 1.0)
+
+
+def above_line(times: Array, values: Array, threshold: float) -> Spans:
+    """Return where the line through (times, values), both shape (n,), lies above `threshold`, shape (m, 2)."""
+    high = values > threshold
+    edges = np.flatnonzero(high[1:] != high[:-1])
+    t0, t1, v0, v1 = times[edges], times[edges + 1], values[edges], values[edges + 1]
+    return spans_between(times, high, t0 + (t1 - t0) * (threshold - v0) / (v1 - v0))
+
+
+def spans_between(times: Array, high: npt.NDArray[np.bool_], crossings: Array) -> Spans:
+    """Return the intervals where `high` holds, given when it changes between the times, shape (m, 2)."""
+    if not len(times):
+        return EMPTY
+    edges = [crossings]
+    if high[0]:
+        edges.insert(0, times[:1])
+    if high[-1]:
+        edges.append(times[-1:])
+    found = np.concatenate(edges).reshape(-1, 2)
+    return found[found[:, 1] - found[:, 0] > INSTANT]

@@ -1,0 +1,66 @@
+"""Knots: times on which curves are worked that have no formula of their own.
+
+They divide evenly what lies between given edges (where something starts, ends or changes), so that results
+do not depend on the frame rate and move with their causes. Between knots lie straight lines.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from .intervals import Array
+
+BLOCK = 120.0
+"""Seconds of one block of time: knots are made, and frames worked, block by block, so that memory does not
+grow with the score. Results do not depend on it."""
+
+
+def block_number(time: float) -> int:
+    """Return the number of the block in which a time lies."""
+    return math.floor(time / BLOCK)
+
+
+def block_knots(knots: Knots, number: int, margin: float) -> Array:
+    """Return a block's knots and those of `margin` seconds on both sides, shape (n,)."""
+    return knots.between(number * BLOCK - margin, (number + 1) * BLOCK + margin)
+
+
+class Knots:
+    """Edges, shape (n,), sorted and distinct, with knots at most `step` seconds apart between them.
+
+    With `reach`, the middle of a stretch of which the ends are felt no farther than that is left undivided.
+    """
+
+    def __init__(self, edges: Array, step: float, reach: float = np.inf) -> None:
+        long = np.flatnonzero(np.diff(edges) > 2.0 * reach + step)
+        quiet = edges[long] + reach
+        self.edges = np.sort(np.concatenate((edges, quiet, edges[long + 1] - reach)))
+        self._counts = np.maximum(np.ceil(np.diff(self.edges) / step - 1e-6), 1.0).astype(np.intp)
+        self._counts[np.searchsorted(self.edges, quiet)] = 1
+
+    def between(self, start: float, stop: float) -> Array:
+        """Return the knots from the last edge before `start` to the first after `stop`, shape (m,)."""
+        first = max(int(np.searchsorted(self.edges, start, side="right")) - 1, 0)
+        last = min(int(np.searchsorted(self.edges, stop, side="left")), len(self.edges) - 1)
+        edges, counts = self.edges[first : last + 1], self._counts[first:last]
+        part = np.arange(int(counts.sum())) - np.repeat(np.cumsum(counts) - counts, counts)
+        width = np.repeat(np.diff(edges) / counts, counts)
+        return np.append(np.repeat(edges[:-1], counts) + part * width, edges[-1])
+
+
+def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:
+    """Return the highest curve below `limit` that changes no faster than given, shape (n,).
+
+    It rises by at most 1 in `rise` seconds and falls by at most 1 in `fall` seconds (0: at once).
+    """
+    risen = _slowed(times, limit, rise)
+    return _slowed(-times[::-1], risen[::-1], fall)[::-1]
+
+
+def _slowed(times: Array, limit: Array, duration: float) -> Array:
+    if duration <= 0.0:
+        return limit
+    slope = times / duration
+    return np.minimum(limit, slope + np.minimum.accumulate(limit - slope))

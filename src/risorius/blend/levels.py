@@ -1,0 +1,119 @@
+"""The priority of a channel over time: a step function."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from .intervals import Array, Spans, intersection, share, union
+
+PRIORITY_RAMP = 0.12
+"""Seconds over which a change of priority takes effect where nothing else smooths it: a lip's minimum."""
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """One movement's claim on its channel's priority.
+
+    It holds `priority` from `start`, and `release_priority` from `release` to `end`, unless a movement that
+    started later is still in course. Seconds.
+    """
+
+    start: float
+    release: float
+    end: float
+    priority: float
+    release_priority: float
+
+
+@dataclass(frozen=True, slots=True)
+class Levels:
+    """Priorities `values` (n,), each from its own time of `times` (n,) to the next; the first is -inf."""
+
+    times: Array
+    values: Array
+
+    @property
+    def constant(self) -> float | None:
+        """The one priority, or None if it changes."""
+        return float(self.values[0]) if len(self.values) == 1 else None
+
+    @property
+    def distinct(self) -> tuple[float, ...]:
+        """All priorities, highest first."""
+        return tuple(float(v) for v in np.unique(self.values)[::-1])
+
+    def at(self, times: Array) -> Array:
+        """Return the priority at each time, shape (n,)."""
+        return self.values[np.searchsorted(self.times, times, side="right") - 1]
+
+    def spans(self, level: float) -> Spans:
+        """Return when the priority is `level`, shape (m, 2)."""
+        ends = np.concatenate((self.times[1:], [np.inf]))
+        held = self.values == level
+        return np.column_stack((self.times[held], ends[held]))
+
+    def weight(self, level: float, times: Array) -> Array:
+        """Return 1 where the priority is `level`, 0 elsewhere, with ramps after each change; shape (n,)."""
+        if self.constant is not None:
+            return np.full(len(times), float(level == self.constant))
+        return share(self.spans(level), times, PRIORITY_RAMP)
+
+
+def steady(priority: float) -> Levels:
+    """Return a priority that never changes."""
+    return Levels(np.array([-np.inf]), np.array([priority], dtype=np.float64))
+
+
+def levels_of(courses: Iterable[Course], default: float) -> Levels:
+    """Return a channel's priority: that of its latest-started movement in course, else the last one's.
+
+    Before the first movement it is the first one's; without any, `default`.
+    """
+    ordered = sorted(courses, key=lambda c: c.start)
+    if not ordered:
+        return steady(default)
+    if all(c.priority == c.release_priority == ordered[0].priority for c in ordered):
+        return steady(ordered[0].priority)
+    times = sorted({t for c in ordered for t in (c.start, c.release, c.end)})
+    values = _sweep(ordered, times)
+    kept = [0] + [i for i in range(1, len(times)) if values[i] != values[i - 1]]
+    starts = [-np.inf, *(times[i] for i in kept[1:])]
+    return Levels(np.array(starts), np.array([values[i] for i in kept], dtype=np.float64))
+
+
+def _sweep(ordered: list[Course], times: list[float]) -> list[float]:
+    """The priority from each time to the next; of movements in course the latest-started decides."""
+    values: list[float] = []
+    current = ordered[0].priority
+    in_course: list[Course] = []
+    waiting = iter(ordered)
+    following = next(waiting, None)
+    for t in times:
+        while following is not None and following.start <= t:
+            in_course.append(following)
+            following = next(waiting, None)
+        while in_course and in_course[-1].end <= t:
+            in_course.pop()
+        if in_course:
+            top = in_course[-1]
+            current = top.release_priority if t >= top.release else top.priority
+        values.append(current)
+    return values
+
+
+def outranking(a: Levels, b: Levels) -> Spans:
+    """Return when the priority `a` is higher than `b`, shape (n, 2)."""
+    return union(
+        [intersection(a.spans(high), b.spans(low)) for high in a.distinct for low in b.distinct if high > low]
+    )
+
+
+def outranks(a: Levels, b: Levels, times: Array) -> npt.NDArray[np.float64]:
+    """Return 1 where priority `a` is higher than `b`, else 0, with ramps after each change; shape (n,)."""
+    if a.constant is not None and b.constant is not None:
+        return np.full(len(times), float(a.constant > b.constant))
+    return share(outranking(a, b), times, PRIORITY_RAMP)

@@ -1,0 +1,93 @@
+"""The lip segments of a score, compiled: their curves, their goals, and what they ask of other channels."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import PARAMETERS, Kind
+from ..core.score import Score
+from ..core.utterance import SILENCE
+from ..errors import InputError
+from .coarticulation import LIP_MODELS, Weights, without_gaps
+from .concatenate import SIGNED
+from .contact import CONTACTS, GoalCurve, contact_goals
+from .intervals import Array, Spans, merged
+from .mouth import Mouth
+from .tuning import Tuning
+
+Indices = npt.NDArray[np.intp]
+
+_MOUTH = frozenset(p.name for p in PARAMETERS if p.kind in (Kind.MUSCLE, Kind.TONGUE, Kind.CONTACT))
+
+
+class Lips:
+    """All that a score's lip segments do.
+
+    `parameters`: those that some segment targets, contacts apart; `goals`: the curve of each contact;
+    `speech`: when there are segments that are not silent, shape (n, 2).
+    """
+
+    def __init__(self, score: Score, tuning: Tuning) -> None:
+        _check(score)
+        segments = without_gaps(score.lips)
+        self.model = LIP_MODELS.get(score.settings.lips)(segments)
+        self.parameters = tuple(sorted({n for s in segments for n in s.targets} - set(CONTACTS)))
+        goals = contact_goals(segments) if score.settings.contact else ()
+        self.goals = {name: GoalCurve([g for g in goals if g.contact == name]) for name in CONTACTS}
+        self.mouth = Mouth(segments, self.model, goals, tuning)
+        spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
+        self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
+        self._times: Array | None = None
+        self._weights: dict[int, Weights] = {}
+
+    def at(self, parameter: str, times: Array) -> Array:
+        """Return the segments' curve of a parameter at sorted times, shape (n,)."""
+        return self.weights(parameter, times).average(self.model.targets(parameter))
+
+    def weights(self, parameter: str, times: Array) -> Weights:
+        """Return the segments' weights for a parameter; kept while the same times are asked for."""
+        if times is not self._times:
+            self._times, self._weights = times, {}
+        group = self.model.group(parameter)
+        if group not in self._weights:
+            self._weights[group] = self.model.weights(group, times)
+        return self._weights[group]
+
+
+class LipCurve:
+    """One parameter of the lip segments."""
+
+    def __init__(self, lips: Lips, parameter: str) -> None:
+        self._lips, self._parameter = lips, parameter
+
+    def sample(self, times: Array) -> tuple[Indices, Array]:
+        """Return where the curve is not at rest and its values there (see StrokeCurve.sample)."""
+        values = self._lips.at(self._parameter, times)
+        index = np.flatnonzero(values)
+        return index, values[index]
+
+    def above(self, threshold: float) -> Spans:
+        """Return when the curve is higher than `threshold`, shape (n, 2)."""
+        return self._lips.mouth.above(self._parameter, threshold)
+
+    def leader(self, time: float) -> int:
+        """Return the number of the segment that counts most at a time."""
+        model = self._lips.model
+        weights = model.weights(model.group(self._parameter), np.array([time]))
+        worth = weights.weight * (1e-9 + model.targets(self._parameter)[weights.segment])
+        return int(weights.segment[np.argmax(worth)])
+
+    def breakpoints(self) -> Array:
+        """Return all starts and ends of segments."""
+        return self._lips.mouth.edges
+
+
+def _check(score: Score) -> None:
+    for segment in score.lips:
+        for name in (*segment.targets, *segment.limits):
+            if name in SIGNED or name not in _MOUTH:
+                raise InputError(
+                    f"phone '{segment.phone}' at {segment.start:g} s: lips cannot move {name}; "
+                    "expected a muscle, a contact or the tongue"
+                )

@@ -1,0 +1,47 @@
+"""Curves drawn by hand: keys joined by straight lines, in force only within their own time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.movement import ManualCurve
+from .concatenate import NEUTRALS
+from .intervals import Array, Spans, above_line
+
+Indices = npt.NDArray[np.intp]
+
+
+class KeyCurve:
+    """One parameter's keys, as deviations from its neutral. `number`: which of the score's curves it is."""
+
+    def __init__(self, name: str, keys: Iterable[tuple[float, float]], number: int) -> None:
+        table = np.array(tuple(keys), dtype=np.float64)
+        self.times, self.values = table[:, 0].copy(), table[:, 1] - NEUTRALS[name]
+        self.number = number
+
+    def sample(self, times: Array) -> tuple[Indices, Array]:
+        """Return where the curve is in force and its values there (see StrokeCurve.sample)."""
+        low = np.searchsorted(times, self.times[0], side="left")
+        high = np.searchsorted(times, self.times[-1], side="right")
+        index = np.arange(low, high)
+        return index, np.interp(times[index], self.times, self.values)
+
+    def above(self, threshold: float) -> Spans:
+        """Return when the curve is higher than `threshold`, shape (n, 2)."""
+        return above_line(self.times, self.values, threshold)
+
+    def breakpoints(self) -> Array:
+        """Return the key times, shape (n,)."""
+        return self.times
+
+
+def key_curves(curves: Iterable[ManualCurve]) -> dict[str, list[KeyCurve]]:
+    """Return for each parameter all curves drawn for it."""
+    found: dict[str, list[KeyCurve]] = {}
+    for number, curve in enumerate(curves):
+        for name, keys in curve.keys.items():
+            found.setdefault(name, []).append(KeyCurve(name, keys, number))
+    return found

@@ -1,0 +1,248 @@
+"""While lips speak they own the mouth's opening: their limits on other channels, and their share of the jaw.
+
+All is worked on knots: times that divide every segment evenly, at most `STEP` apart, so that results do not
+depend on the frame rate and move with the segments. Between knots lie straight lines. Knots are made in
+blocks of time, so that memory does not grow with the score.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from ..core.movement import LipSegment
+from ..core.parameters import RIVALS
+from ..core.utterance import SILENCE
+from .coarticulation import Coarticulation, Weights
+from .contact import CONTACTS, SEAL, Goal
+from .intervals import EMPTY, Array, Spans, above_line, spans_between, union
+from .knots import BLOCK, Knots, block_knots, block_number, envelope
+from .roots import find_roots
+from .tuning import Tuning
+
+STEP = 0.005
+"""Seconds between knots at most."""
+HAIR = 1e-9
+"""A limit or average that equals a threshold, but for rounding, is not above it."""
+JAW = "masseter"
+JAW_AT_SEAL = 0.2
+"""The most that the jaw may be open while the lips are sealed."""
+
+
+class Mouth:
+    """What the lip segments ask of the rest of the face.
+
+    `segments` as the model has them: sorted, without gaps, at least one. `goals`: the contact goals in
+    force. Limits of silence, and of segments whose contact goals are switched off, do not count.
+    """
+
+    def __init__(
+        self, segments: Sequence[LipSegment], model: Coarticulation, goals: Sequence[Goal], tuning: Tuning
+    ) -> None:
+        self.segments = tuple(segments)
+        self.model = model
+        self.goals = tuple(goals)
+        self.tuning = tuning
+        self.speaks = np.array([float(s.phone != SILENCE) for s in segments])
+        closing = {g.segment for g in goals}
+        self.limits: tuple[dict[str, tuple[float, float]], ...] = tuple(
+            dict(s.limits) if s.phone != SILENCE and (i in closing or not _touches(s)) else {}
+            for i, s in enumerate(segments)
+        )
+        self.limited = frozenset(name for held in self.limits for name in held)
+        self.parameters = frozenset(name for s in segments for name in s.targets) - frozenset(CONTACTS)
+        self._found: dict[tuple[str, str, float], Spans] = {}
+        self._limits_on: dict[str, Array] = {}
+        self._margin = model.reach + tuning.longest
+        times = {t for s in segments for t in (s.start, s.end)} | {t for g in goals for t in (g.start, g.end)}
+        self._knots = Knots(np.array(sorted(times), dtype=np.float64), STEP, self._margin)
+        self.edges = self._knots.edges
+        # Times asked for lie in one block and perhaps a little on both sides.
+        self.block: Callable[[int], Block] = lru_cache(maxsize=3)(self._block)
+
+    def limits_on(self, name: str) -> Array:
+        """Return each segment's lower and upper limit on a parameter, 0 and 1 without, shape (2, segments)."""
+        if name not in self._limits_on:
+            rows = [held.get(name, (0.0, 1.0)) for held in self.limits]
+            self._limits_on[name] = np.array(rows, dtype=np.float64).T.copy()
+        return self._limits_on[name]
+
+    def speaking_at(self, times: Array) -> Array:
+        """Return how much the mouth speaks at sorted times, 0..1, shape (n,)."""
+        return self._at(Block.speaking, times)
+
+    def low_at(self, name: str, times: Array) -> Array:
+        """Return the lower limit of a parameter at sorted times, shape (n,)."""
+        return self._at(lambda block: block.low(name), times)
+
+    def high_at(self, name: str, times: Array) -> Array:
+        """Return the upper limit for channels that the lips outrank at sorted times, shape (n,)."""
+        return self._at(lambda block: block.high(name), times)
+
+    def closed_at(self, name: str, times: Array) -> Array:
+        """Return the upper limit that closures set for every channel at sorted times, shape (n,)."""
+        return self._at(lambda block: block.closed(name), times)
+
+    def jaw_at_seal(self, times: Array) -> Array:
+        """Return how far the jaw may be open, given the seals, at sorted times, shape (n,)."""
+        return self._at(Block.jaw_at_seal, times)
+
+    def _at(self, curve: Callable[[Block], Array], times: Array) -> Array:
+        numbers = np.floor(times / BLOCK)
+        values = np.empty(len(times))
+        for number in np.unique(numbers):
+            first, last = np.searchsorted(numbers, (number, number + 1))
+            block = self.block(int(number))
+            values[first:last] = np.interp(times[first:last], block.knots, curve(block))
+        return values
+
+    def block_at(self, time: float) -> Block:
+        """Return the block in which a time lies."""
+        return self.block(block_number(time))
+
+    def above(self, name: str, threshold: float) -> Spans:
+        """Return when the segments' own curve of a parameter is higher than `threshold`, shape (n, 2)."""
+        return self._scan("above", name, threshold, lambda b, n, t: b.above(n, t))
+
+    def forbidden(self, name: str, threshold: float, closures_only: bool) -> Spans:
+        """Return when limits let others' contributions to a parameter not pass `threshold`, shape (n, 2)."""
+        if name not in self.limited:
+            return EMPTY
+        if closures_only:
+            return self._scan("closed", name, threshold, lambda b, n, t: b.below(b.closed(n), t))
+        return self._scan("high", name, threshold, lambda b, n, t: b.below(b.high(n), t))
+
+    def _scan(
+        self, kind: str, name: str, threshold: float, find: Callable[[Block, str, float], Spans]
+    ) -> Spans:
+        """Look through all blocks; once, for every parameter that might be asked for, so each is made once."""
+        if (kind, name, threshold) not in self._found:
+            others = self.parameters if kind == "above" else self.limited
+            wanted = {(n, self.tuning.threshold[n]) for n in others if RIVALS[n]} | {(name, threshold)}
+            found: dict[tuple[str, float], list[Spans]] = {key: [] for key in wanted}
+            for number in range(block_number(self.edges[0]), block_number(self.edges[-1]) + 1):
+                for key in sorted(wanted):
+                    found[key].append(find(self.block(number), *key))
+            self._found.update({(kind, *key): union(spans) for key, spans in found.items()})
+        return self._found[kind, name, threshold]
+
+    def _block(self, number: int) -> Block:
+        return Block(self, block_knots(self._knots, number, self._margin))
+
+
+class Block:
+    """The knots of one block of time, shape (n,), and curves on them, made when first asked for."""
+
+    def __init__(self, mouth: Mouth, knots: Array) -> None:
+        self.knots = knots
+        self._mouth = mouth
+        self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
+        self._weights: dict[int, Weights] = {}
+        self._curves: dict[tuple[str, str], Array] = {}
+
+    def above(self, name: str, threshold: float) -> Spans:
+        """Return when the segments' curve is higher than `threshold`: seen on knots, then refined."""
+        model = self._mouth.model
+        targets = model.targets(name)
+        threshold += HAIR
+        high = self._average(name, targets) > threshold
+        edges = np.flatnonzero(high[1:] != high[:-1])
+        group = model.group(name)
+        crossings = np.zeros(0)
+        if len(edges):
+            crossings = find_roots(
+                lambda t: model.weights(group, t).average(targets) - threshold,
+                self.knots[edges],
+                self.knots[edges + 1],
+            )
+        return spans_between(self.knots, high, crossings)
+
+    def below(self, curve: Array, threshold: float) -> Spans:
+        """Return when a curve on the knots is not higher than `threshold`, shape (n, 2)."""
+        return above_line(self.knots, -curve, -threshold - HAIR)
+
+    def speaking(self) -> Array:
+        """Return how much the mouth speaks at the knots, 0..1: the weight of all but silence."""
+        return self._curve("speaking", JAW, lambda: self._average(JAW, self._mouth.speaks))
+
+    def low(self, name: str) -> Array:
+        """Return the lower limit at the knots, 0 where there is none."""
+
+        return self._curve("low", name, lambda: self._average(name, self._mouth.limits_on(name)[0]))
+
+    def high(self, name: str) -> Array:
+        """Return the upper limit at the knots for channels that the lips outrank, 1 where there is none."""
+
+        def make() -> Array:
+            missing = 1.0 - self._mouth.limits_on(name)[1]
+            return self._envelope(name, np.minimum(1.0 - self._average(name, missing), self._closures(name)))
+
+        return self._curve("high", name, make)
+
+    def limiting(self, name: str, time: float) -> int:
+        """Return the number of the segment whose upper limit counts most at a time."""
+        mouth, tuning = self._mouth, self._mouth.tuning
+        missing = 1.0 - mouth.limits_on(name)[1]
+        limit = np.minimum(1.0 - self._average(name, missing), self._closures(name))
+        ahead = self.knots - time
+        pace = np.where(ahead > 0.0, tuning.min_offset[name], tuning.min_onset[name])
+        slack = np.divide(np.abs(ahead), pace, out=np.full(len(ahead), np.inf), where=pace > 0.0)
+        binding = float(self.knots[np.argmin(limit + slack)])
+        for goal in self._goals:
+            if goal.start <= binding <= goal.end and missing[goal.segment] > 0.0:
+                return goal.segment
+        weights = mouth.model.weights(mouth.model.group(name), np.array([binding]))
+        return int(weights.segment[np.argmax(weights.weight * missing[weights.segment])])
+
+    def closed(self, name: str) -> Array:
+        """Return the upper limit at the knots that closures set for every channel, 1 where there is none."""
+        return self._curve("closed", name, lambda: self._envelope(name, self._closures(name)))
+
+    def jaw_at_seal(self) -> Array:
+        """Return how far the jaw may be open at the knots, given the seals."""
+
+        def make() -> Array:
+            limit = np.ones(len(self.knots))
+            for goal in self._goals:
+                if goal.contact == SEAL:
+                    self._lower(limit, goal, 1.0 - goal.value * (1.0 - JAW_AT_SEAL))
+            return self._envelope(JAW, limit)
+
+        return self._curve("seal", JAW, make)
+
+    def _curve(self, kind: str, name: str, make: Callable[[], Array]) -> Array:
+        found = self._curves.get((kind, name))
+        if found is None:
+            found = self._curves[kind, name] = make()
+        return found
+
+    def _average(self, name: str, values: Array) -> Array:
+        group = self._mouth.model.group(name)
+        if group not in self._weights:
+            self._weights[group] = self._mouth.model.weights(group, self.knots)
+        return self._weights[group].average(values)
+
+    def _closures(self, name: str) -> Array:
+        """The limits of closures alone, in force for the whole closure and not diluted by neighbours."""
+        limit = np.ones(len(self.knots))
+        for goal in self._goals:
+            held = self._mouth.limits[goal.segment].get(name)
+            if held is not None:
+                self._lower(limit, goal, held[1])
+        return limit
+
+    def _lower(self, limit: Array, goal: Goal, value: float) -> None:
+        first = int(np.searchsorted(self.knots, goal.start, side="left"))
+        last = int(np.searchsorted(self.knots, goal.end, side="right"))
+        np.minimum(limit[first:last], value, out=limit[first:last])
+
+    def _envelope(self, name: str, limit: Array) -> Array:
+        """The highest curve below `limit` that keeps the parameter's minimum durations."""
+        tuning = self._mouth.tuning
+        return envelope(self.knots, limit, tuning.min_onset[name], tuning.min_offset[name])
+
+
+def _touches(segment: LipSegment) -> bool:
+    return any(segment.targets.get(contact, 0.0) > 0.0 for contact in CONTACTS)

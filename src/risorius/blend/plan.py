@@ -1,0 +1,189 @@
+"""From a score to curves: the page on which all parts of the combination meet.
+
+Movements of a layer are concatenated, lip segments blended, channels settled against each other by the
+policy, brought within the lips' limits and joined; the jaw shares, directions add, contact goals come last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.movement import CHANNEL_PRIORITY
+from ..core.parameters import INDEX, NAMES, NEUTRAL
+from ..core.performance import Performance, frame_times
+from ..core.score import Score, check_score
+from . import dominance, policies  # noqa: F401 - they register themselves
+from .channels import Channel, Curve, compile_channels
+from .concatenate import SIGNED
+from .conflict import LIPS, POLICIES, Field, Join
+from .contact import CONTACTS, SEAL, TUCK
+from .directions import combine_directions
+from .intervals import Array
+from .knots import BLOCK
+from .levels import outranks, steady
+from .lips import Lips
+from .mouth import JAW
+from .tuning import tune
+
+Indices = npt.NDArray[np.intp]
+
+JAW_SHARE = 0.35
+"""The share of another channel's jaw that is added to the lips' own while the mouth speaks."""
+CHUNK = 16_384
+"""Times worked at once: memory beyond the result does not grow with its length."""
+
+
+class Plan:
+    """A score made ready: its curves at any times. Raises as `check_score` and `tune` do."""
+
+    def __init__(self, score: Score) -> None:
+        check_score(score)
+        policy = POLICIES.get(score.settings.conflict)
+        self.score = score
+        self.tuning = tune(score.settings)
+        self.lips = Lips(score, self.tuning) if score.lips else None
+        self.channels = compile_channels(score, self.lips)
+        levels = next((c.levels for c in self.channels if c.name == LIPS), steady(CHANNEL_PRIORITY[LIPS]))
+        self.field = Field(self.channels, self.tuning, self.lips.mouth if self.lips else None, levels)
+        self.policy = policy(self.field)
+        limited = self.lips.mouth.limited if self.lips else frozenset()
+        contacts = CONTACTS if self.lips else ()
+        self.moving = sorted({*(n for c in self.channels for n in c.curves), *limited, *contacts})
+
+    def at(self, times: Array) -> Array:
+        """Return all parameters at the times, seconds, in any order, shape (n,) -> (n, 46)."""
+        wanted = np.asarray(times, dtype=np.float64)
+        order = np.argsort(wanted, kind="stable")
+        values = np.empty((len(wanted), len(NAMES)))
+        for piece in _chunks(wanted[order]):
+            values[order[piece]] = Moment(self, wanted[order[piece]]).values()
+        return values
+
+    def pieces(self, times: Array) -> Iterator[Array]:
+        """Yield sorted times in pieces that lie in one block and are not too long."""
+        for chosen in _chunks(times):
+            yield times[chosen]
+
+
+def _chunks(times: Array) -> Iterator[slice]:
+    edges = np.flatnonzero(np.diff(np.floor(times / BLOCK))) + 1
+    for first, last in pairwise((0, *edges.tolist(), len(times))):
+        for start in range(first, last, CHUNK):
+            yield slice(start, min(start + CHUNK, last))
+
+
+class Moment:
+    """A plan at some sorted times of one block, shape (n,), at least one."""
+
+    def __init__(self, plan: Plan, times: Array) -> None:
+        self.plan, self.times = plan, times
+        self.settle = plan.policy.at(times)
+        self._mouth = plan.field.mouth
+
+    def values(self) -> Array:
+        """Return all parameters, shape (n, 46)."""
+        values = np.tile(NEUTRAL, (len(self.times), 1))
+        for name in self.plan.moving:
+            values[:, INDEX[name]] = self.value(name)
+        return values
+
+    def value(self, name: str) -> Array:
+        """Return one parameter, shape (n,)."""
+        if name in SIGNED:
+            terms = [term for _, term in self.terms(name)]
+            return combine_directions(name, terms or [np.zeros(len(self.times))])
+        own = self.own(name)
+        total = self._join_all(name, own)
+        if name == JAW and self._mouth is not None:
+            return np.minimum(total, self._mouth.jaw_at_seal(self.times))
+        return self.touched(name, total) if name in CONTACTS else total
+
+    def own(self, name: str) -> Array:
+        """Return what speech does with a parameter, settled, shape (n,)."""
+        dense = np.zeros(len(self.times))
+        for channel in self.plan.channels:
+            if channel.name == LIPS and name in channel.curves:
+                index, values = self.settled(channel, name)
+                dense[index] = values
+        return dense
+
+    def settled(self, channel: Channel, name: str) -> tuple[Indices, Array]:
+        """Return where a channel moves a parameter and what the policy leaves of it, both shape (m,)."""
+        index, values = channel.sample(name, self.times)
+        return index, self.settle(channel, name, self.times[index], values)
+
+    def bounded(self, channel: Channel, name: str, index: Indices, settled: Array, own: Array) -> Array:
+        """Return what is left of another channel's settled values, at the indices, under speech, (m,)."""
+        return self.limited(channel, name, index, self.shared(channel, name, index, settled), own)
+
+    def shared(self, channel: Channel, name: str, index: Indices, values: Array) -> Array:
+        """Return another channel's values, the jaw's as what it adds to the jaw of speech, shape (m,)."""
+        if name != JAW or self._mouth is None:
+            return values
+        times = self.times[index]
+        ruled = self._mouth.speaking_at(times) * (1.0 - outranks(channel.levels, self.plan.field.lips, times))
+        return values * (1.0 - (1.0 - JAW_SHARE) * ruled)
+
+    def limited(self, channel: Channel, name: str, index: Indices, values: Array, own: Array) -> Array:
+        """Return another channel's values within the limits of speech, shape (m,); of the jaw, the total."""
+        limit = self.plan.field.limit(channel, name, self.times[index])
+        if limit is None:
+            return values
+        return np.minimum(values, np.maximum(limit - own[index], 0.0) if name == JAW else limit)
+
+    def _join_all(self, name: str, own: Array) -> Array:
+        """Speech and all other channels together, 0..1."""
+        adds = self.plan.policy.join is Join.SUM
+        others = np.zeros(len(self.times))
+        for channel in self.plan.channels:
+            if channel.name == LIPS or name not in channel.curves:
+                continue
+            index, values = self.settled(channel, name)
+            values = self.bounded(channel, name, index, values, own)
+            others[index] = others[index] + values if adds else np.maximum(others[index], values)
+        total = own + others if adds or name == JAW else np.maximum(own, others)
+        if self._mouth is not None and name in self._mouth.limited:
+            total = np.maximum(total, self._mouth.low_at(name, self.times))
+        return np.minimum(total, 1.0)
+
+    def touched(self, name: str, value: Array) -> Array:
+        """Return a contact, shape (n,), with its goals; a seal that is a goal pushes a tuck aside."""
+        if self.plan.lips is None:
+            return value
+        goals = self.plan.lips.goals
+        reached = np.maximum(value, goals[name].at(self.times))
+        return np.minimum(reached, 1.0 - goals[SEAL].at(self.times)) if name == TUCK else reached
+
+    def terms(self, name: str) -> list[tuple[tuple[Channel, Curve], Array]]:
+        """Return the deviation that each layer of each channel asks of a direction, shape (n,) each."""
+        found = []
+        for channel in self.plan.channels:
+            for curve in channel.curves.get(name, ()):
+                dense = np.zeros(len(self.times))
+                index, values = curve.sample(self.times)
+                dense[index] = values
+                found.append(((channel, curve), dense))
+        return found
+
+
+def at(score: Score, times: Array) -> Array:
+    """Return all parameters of a score at any times, seconds: shape (n,) -> (n, 46), in the table's order.
+
+    Raises InputError or ParameterError if the score cannot be performed.
+    """
+    return Plan(score).at(times)
+
+
+def combine(score: Score, fps: Fraction) -> Performance:
+    """Return the performance of a score at frames k/fps, k = 0 … round(duration·fps).
+
+    Two stages (paper A, sections 5 and 6; DESIGN, section 3): within each channel, then across channels by
+    the policy that the score's settings name. Values do not depend on `fps`. Raises InputError or
+    ParameterError if the score cannot be performed.
+    """
+    return Performance(score, fps, Plan(score).at(frame_times(score.duration, fps)))

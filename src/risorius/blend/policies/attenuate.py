@@ -1,0 +1,42 @@
+"""Policy `attenuate`: the lower priority is made smaller, never removed (paper B, section 4.4)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..channels import Channel
+from ..conflict import POLICIES, Field, Hindrance, Join, Settle
+from ..intervals import Array
+from .strength import Strengths
+
+SHARE = 0.8
+"""The share that a rival at full strength takes."""
+
+
+@POLICIES.register("attenuate")
+class Attenuate:
+    """aF = F·(1 - 0.8·strongest rival of higher priority)."""
+
+    join = Join.MAX
+
+    def __init__(self, field: Field) -> None:
+        self._field = field
+
+    def _strengths(self, times: Array) -> Strengths:
+        return Strengths(
+            self._field, times, lambda rival, activity: activity, lambda parameter, x: 1.0 - SHARE * x
+        )
+
+    def at(self, times: Array) -> Settle:
+        """Return the function that settles activities at some of the sorted times."""
+        strengths = self._strengths(times)
+
+        def settle(channel: Channel, parameter: str, own: Array, values: Array) -> Array:
+            gain = strengths.gain(channel, parameter)
+            return values * (gain if len(own) == len(times) else gain[np.searchsorted(times, own)])
+
+        return settle
+
+    def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+        """Return the rival that takes most of an activity, or None."""
+        return self._strengths(np.array([time])).strongest(channel, parameter, time)

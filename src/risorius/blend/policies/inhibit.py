@@ -1,0 +1,132 @@
+"""Policy `inhibit`: the muscle of the lower priority gives way (paper A, section 6; DESIGN, section 3).
+
+Everything is worked on sets of times. An activity min(F, psi) exceeds its threshold where F does, less the
+times so near to inhibited ones that psi does not; so levels are settled from the highest down without
+sampling a single frame.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..channels import Channel
+from ..conflict import POLICIES, Effect, Field, Hindrance, Join, Settle
+from ..intervals import Array, Spans, difference, dilated, intersection, neighbours, union
+
+
+@POLICIES.register("inhibit")
+class Inhibit:
+    """Paper A's policy: 0 while a rival of higher priority is active, and slowed around such times."""
+
+    join = Join.MAX
+
+    def __init__(self, field: Field) -> None:
+        self._field = field
+        self._active: dict[tuple[str, float, str], Spans] = {}
+        self._at_level: dict[tuple[str, float, str], Spans] = {}
+        self._inhibited: dict[tuple[str, str], Spans] = {}
+
+    def at(self, times: Array) -> Settle:
+        """Return the function that settles activities; the same at all times."""
+        return self._settle
+
+    def _settle(self, channel: Channel, parameter: str, times: Array, values: Array) -> Array:
+        spans = self.inhibited(channel, parameter)
+        if not len(spans):
+            return values
+        since, until = neighbours(spans, times)
+        tuning = self._field.tuning
+        released = _risen(since, tuning.min_onset[parameter])
+        before = _risen(until, tuning.min_offset[parameter])
+        return np.minimum(values, np.minimum(released, before))
+
+    def inhibited(self, channel: Channel, parameter: str) -> Spans:
+        """Return when a channel's parameter must be 0, shape (n, 2)."""
+        key = (channel.name, parameter)
+        if key not in self._inhibited:
+            levels = channel.levels
+            self._inhibited[key] = union(
+                [
+                    self._where(channel, self._inhibited_at(channel, level, parameter), level)
+                    for level in levels.distinct
+                ]
+            )
+        return self._inhibited[key]
+
+    def _inhibited_at(self, channel: Channel, level: float, parameter: str) -> Spans:
+        """When it would have to be 0 if the channel had this level throughout."""
+        key = (channel.name, level, parameter)
+        if key not in self._at_level:
+            rivals = self._field.rivals(channel, parameter, level)
+            self._at_level[key] = union([self.active(*rival) for rival in rivals])
+        return self._at_level[key]
+
+    def active(self, channel: Channel, level: float, parameter: str) -> Spans:
+        """Return when a channel at a level holds a parameter, already settled, above its threshold, (n, 2)."""
+        key = (channel.name, level, parameter)
+        if key not in self._active:
+            field = self._field
+            threshold = field.tuning.threshold[parameter]
+            left = field.threshold_time(parameter, field.tuning.min_offset[parameter])
+            right = field.threshold_time(parameter, field.tuning.min_onset[parameter])
+            known = dilated(self._known(channel, level, parameter), left, right)
+            free = difference(channel.above(parameter, threshold), known)
+            free = difference(free, field.forbidden(channel, parameter, threshold))
+            self._active[key] = self._where(channel, free, level)
+        return self._active[key]
+
+    def _known(self, channel: Channel, level: float, parameter: str) -> Spans:
+        """Inhibited times as far as they are settled when this level's turn has come.
+
+        Where the channel stands higher, what holds there; elsewhere what holds at this level: never more
+        than the final set, so that no activity that will be seen is overlooked.
+        """
+        held = self._inhibited_at(channel, level, parameter)
+        if channel.levels.constant is not None:
+            return held
+        higher = [above for above in channel.levels.distinct if above > level]
+        elsewhere = difference(held, union([channel.levels.spans(above) for above in higher]))
+        settled = [self._where(channel, self._inhibited_at(channel, a, parameter), a) for a in higher]
+        return union([elsewhere, *settled])
+
+    def _where(self, channel: Channel, spans: Spans, level: float) -> Spans:
+        """Only the times at which the channel has the level."""
+        if channel.levels.constant is not None:
+            return spans
+        return intersection(spans, channel.levels.spans(level))
+
+    def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+        """Return the rival that inhibits an activity, or whose nearness limits it, or None."""
+        spans = self.inhibited(channel, parameter)
+        if not len(spans):
+            return None
+        since, until = (float(x[0]) for x in neighbours(spans, np.array([time])))
+        tuning = self._field.tuning
+        if since <= 0.0:
+            return self._culprit(Effect.INHIBITED, channel, parameter, time)
+        after, before = tuning.min_onset[parameter], tuning.min_offset[parameter]
+        if since < after and since * before <= until * after:
+            return self._culprit(Effect.ONSET, channel, parameter, time - since)
+        if until < before:
+            return self._culprit(Effect.OFFSET, channel, parameter, time + until)
+        return None
+
+    def _culprit(self, effect: Effect, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+        """The rival whose active time is nearest to `time`."""
+        best: tuple[float, Hindrance] | None = None
+        for level in channel.levels.distinct:
+            for other, above, rival in self._field.rivals(channel, parameter, level):
+                active = self.active(other, above, rival)
+                if not len(active):
+                    continue
+                distance = np.maximum(np.maximum(active[:, 0] - time, time - active[:, 1]), 0.0)
+                nearest = float(distance.min())
+                if best is None or nearest < best[0]:
+                    best = (nearest, Hindrance(effect, other.name, rival, time))
+        return None if best is None else best[1]
+
+
+def _risen(elapsed: Array, duration: float) -> Array:
+    """phi_+ of the time elapsed, 0 before and 1 after the duration, shape (n,)."""
+    x = np.clip(elapsed / duration, 0.0, 1.0) if duration > 0.0 else np.asarray(elapsed > 0.0, np.float64)
+    return np.exp2(x) - 1.0

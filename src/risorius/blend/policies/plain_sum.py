@@ -1,0 +1,29 @@
+"""Policy `sum`: activities are added and clipped, as other systems do; for comparison."""
+
+from __future__ import annotations
+
+from ..channels import Channel
+from ..conflict import POLICIES, Field, Hindrance, Join, Settle
+from ..intervals import Array
+
+
+@POLICIES.register("sum")
+class Sum:
+    """No conflict is resolved."""
+
+    join = Join.SUM
+
+    def __init__(self, field: Field) -> None:
+        pass
+
+    def at(self, times: Array) -> Settle:
+        """Return the function that leaves every activity as it is."""
+        return _unchanged
+
+    def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+        """Return None: nothing is held back."""
+        return None
+
+
+def _unchanged(channel: Channel, parameter: str, times: Array, values: Array) -> Array:
+    return values

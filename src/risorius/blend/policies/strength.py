@@ -1,0 +1,73 @@
+"""What the policies share that weaken an activity by the strength of its rivals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ..channels import Channel
+from ..conflict import Effect, Field, Hindrance
+from ..intervals import Array
+
+Strength = Callable[[str, Array], Array]
+"""(rival parameter, its settled activity (n,)) -> how strong it is, 0..1 (n,)."""
+Kept = Callable[[str, Array], Array]
+"""(parameter, strength of its strongest rival (n,)) -> the share of its activity that is kept, 0..1 (n,)."""
+
+
+class Strengths:
+    """Gains of all activities at some sorted times, settled from the highest level down.
+
+    A change of priority takes effect over a short ramp (`levels.PRIORITY_RAMP`), so that it makes no jump.
+    """
+
+    def __init__(self, field: Field, times: Array, strength: Strength, kept: Kept) -> None:
+        self._field, self.times = field, times
+        self._strength, self._kept = strength, kept
+        self._gains: dict[tuple[str, float, str], Array] = {}
+        self._strengths: dict[tuple[str, float, str], Array] = {}
+
+    def gain(self, channel: Channel, parameter: str) -> Array:
+        """Return the share of its activity that a channel's parameter keeps, 0..1, shape (n,)."""
+        levels = channel.levels
+        if levels.constant is not None:
+            return self._gain_at(channel, levels.constant, parameter)
+        total = np.zeros(len(self.times))
+        for level in levels.distinct:
+            total += levels.weight(level, self.times) * self._gain_at(channel, level, parameter)
+        return total
+
+    def _gain_at(self, channel: Channel, level: float, parameter: str) -> Array:
+        key = (channel.name, level, parameter)
+        if key not in self._gains:
+            strongest = np.zeros(len(self.times))
+            for other, above, rival in self._field.rivals(channel, parameter, level):
+                np.maximum(strongest, self._strength_of(other, above, rival), out=strongest)
+            self._gains[key] = self._kept(parameter, strongest)
+        return self._gains[key]
+
+    def _strength_of(self, channel: Channel, level: float, parameter: str) -> Array:
+        """How strong a channel at a level is against the rivals of its parameter."""
+        key = (channel.name, level, parameter)
+        if key not in self._strengths:
+            activity = np.zeros(len(self.times))
+            index, values = channel.sample(parameter, self.times)
+            activity[index] = values
+            activity *= self._gain_at(channel, level, parameter)
+            limit = self._field.limit(channel, parameter, self.times)
+            if limit is not None:
+                np.minimum(activity, limit, out=activity)
+            strength = self._strength(parameter, activity)
+            self._strengths[key] = strength * channel.levels.weight(level, self.times)
+        return self._strengths[key]
+
+    def strongest(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+        """Return the rival that takes most at a time among these, or None if none takes anything."""
+        best, found = 0.0, None
+        level = float(channel.levels.at(np.array([time]))[0])
+        for other, above, rival in self._field.rivals(channel, parameter, level):
+            strength = float(np.interp(time, self.times, self._strength_of(other, above, rival)))
+            if strength > best:
+                best, found = strength, Hindrance(Effect.WEAKENED, other.name, rival, time)
+        return found

@@ -1,0 +1,1 @@
+"""The face: from parameter curves to the vertices of the head."""

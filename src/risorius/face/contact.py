@@ -1,0 +1,178 @@
+"""Contact of two facing surfaces that lie one above the other, such as the lips.
+
+Each surface is a height over the (x, z) plane: of the upper one counts the lowest y at a place, of the lower
+one the highest. A vertex of one meets the other where a triangle covers its place. Unlike a search for the
+nearest point, this cannot flip faces or change its mind about the side. Gaps open along y.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from .jit import compiled
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int32]
+
+BINS = 96
+EDGE = 1e-9
+
+
+class Facing(NamedTuple):
+    """Two facing surfaces over one numbering of points.
+
+    `vertices` (k,) are those that may touch the other surface, `above` (k,) whether each belongs to the upper
+    one; `upper`, `lower` (m, 3) triangles.
+    """
+
+    vertices: IntArray
+    above: npt.NDArray[np.bool_]
+    upper: IntArray
+    lower: IntArray
+
+
+class Contacts(NamedTuple):
+    """Workspace for the contacts of one instant, at most one per vertex of `Facing`.
+
+    Row i says that Σ weight[i] · y[points[i]] is the gap: `points` (k, 4), `weight` (k, 4), `gap` (k,) mm
+    (negative where the surfaces overlap), `x` (k,) where it lies.
+    """
+
+    points: IntArray
+    weight: Array
+    gap: Array
+    x: Array
+
+    @classmethod
+    def room_for(cls, count: int) -> Contacts:
+        """Allocate for `count` contacts."""
+        return cls(np.zeros((count, 4), np.int32), np.zeros((count, 4)), np.zeros(count), np.zeros(count))
+
+
+def find_contacts(facing: Facing, points: Array, reach: float, out: Contacts) -> int:
+    """Write the contacts of `points` (n, 3) whose gap is below `reach` mm to `out`; return how many."""
+    return int(_find(*facing, points, reach, *out))
+
+
+@compiled
+def _find(
+    vertices: IntArray,
+    above: npt.NDArray[np.bool_],
+    upper: IntArray,
+    lower: IntArray,
+    points: Array,
+    reach: float,
+    out_points: IntArray,
+    out_weight: Array,
+    out_gap: Array,
+    out_x: Array,
+) -> int:
+    low, width = _range_of(points)
+    upper_start, upper_items = _sort_into_bins(points, upper, low, width)
+    lower_start, lower_items = _sort_into_bins(points, lower, low, width)
+    weights = np.empty(3)
+    count = 0
+    for k in range(len(vertices)):
+        v = vertices[k]
+        k_bin = min(max(int((points[v, 0] - low) / width), 0), BINS - 1)
+        if above[k]:
+            items = lower_items[lower_start[k_bin] : lower_start[k_bin + 1]]
+            t, y = _cover(v, -1.0, points, lower, items, weights)
+            sign, faces = -1.0, lower
+        else:
+            items = upper_items[upper_start[k_bin] : upper_start[k_bin + 1]]
+            t, y = _cover(v, 1.0, points, upper, items, weights)
+            sign, faces = 1.0, upper
+        gap = sign * (y - points[v, 1])
+        if t < 0 or gap >= reach:
+            continue
+        out_points[count, 0], out_weight[count, 0] = v, -sign
+        for c in range(3):
+            out_points[count, c + 1], out_weight[count, c + 1] = faces[t, c], sign * weights[c]
+        out_gap[count], out_x[count] = gap, points[v, 0]
+        count += 1
+    return count
+
+
+@compiled
+def _range_of(points: Array) -> tuple[float, float]:
+    low, high = points[0, 0], points[0, 0]
+    for p in points:
+        low, high = min(low, p[0]), max(high, p[0])
+    return low, max(high - low, 1e-6) / BINS
+
+
+@compiled
+def _sort_into_bins(
+    points: Array, triangles: IntArray, low: float, width: float
+) -> tuple[IntArray, IntArray]:
+    """Return start (BINS + 1,) and items: the triangles that meet each bin of `width` mm from x = `low`."""
+    first = np.empty(len(triangles), np.int32)
+    last = np.empty(len(triangles), np.int32)
+    start = np.zeros(BINS + 1, np.int32)
+    for t in range(len(triangles)):
+        a, b, c = points[triangles[t, 0], 0], points[triangles[t, 1], 0], points[triangles[t, 2], 0]
+        first[t] = min(max(int((min(a, b, c) - low) / width), 0), BINS - 1)
+        last[t] = min(max(int((max(a, b, c) - low) / width), 0), BINS - 1)
+        for k in range(first[t], last[t] + 1):
+            start[k + 1] += 1
+    for k in range(BINS):
+        start[k + 1] += start[k]
+    items = np.empty(start[BINS], np.int32)
+    fill = start.copy()
+    for t in range(len(triangles)):
+        for k in range(first[t], last[t] + 1):
+            items[fill[k]] = t
+            fill[k] += 1
+    return start, items
+
+
+@compiled
+def _cover(
+    v: int, sign: float, points: Array, triangles: IntArray, items: IntArray, weights: Array
+) -> tuple[int, float]:
+    """Return the triangle over vertex v with the lowest y (`sign` 1) or the highest (−1) and that y, or −1.
+
+    Its barycentric weights are written to `weights` (3,).
+    """
+    found, best = -1, np.inf
+    x, z = points[v, 0], points[v, 2]
+    for t in items:
+        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        if v in (a, b, c):
+            continue
+        ux, uz = points[b, 0] - points[a, 0], points[b, 2] - points[a, 2]
+        vx, vz = points[c, 0] - points[a, 0], points[c, 2] - points[a, 2]
+        area = ux * vz - uz * vx
+        if abs(area) < EDGE:
+            continue
+        px, pz = x - points[a, 0], z - points[a, 2]
+        wb, wc = (px * vz - pz * vx) / area, (ux * pz - uz * px) / area
+        if wb < -EDGE or wc < -EDGE or wb + wc > 1.0 + EDGE:
+            continue
+        y = sign * (points[a, 1] + wb * (points[b, 1] - points[a, 1]) + wc * (points[c, 1] - points[a, 1]))
+        if y < best:
+            found, best = t, y
+            weights[0], weights[1], weights[2] = 1.0 - wb - wc, wb, wc
+    return found, sign * best
+
+
+@compiled
+def narrowest(stations: Array, x: Array, gap: Array) -> npt.NDArray[np.int64]:
+    """Return the contact with the narrowest gap about each station, and half way between, or −1 (2 s − 1,).
+
+    `stations` (s,) mm along x, in order; `x` and `gap` (k,) of the contacts. Contacts within one spacing of
+    neighbouring stations count as being about it.
+    """
+    found = np.full(2 * len(stations) - 1, -1)
+    for step in range(len(found)):
+        before, after = max((step - 1) // 2, 0), min(step // 2 + 1, len(stations) - 1)
+        place = 0.5 * (stations[step // 2] + stations[(step + 1) // 2])
+        reach = 0.5 * abs(stations[after] - stations[before]) / (after - before)
+        for k in range(len(x)):
+            if abs(x[k] - place) <= reach and (found[step] < 0 or gap[k] < gap[found[step]]):
+                found[step] = k
+    return found

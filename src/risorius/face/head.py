@@ -1,0 +1,201 @@
+"""A head: geometry, muscle fields, jaw, eyes, teeth, tongue and landmarks, loaded from a folder and
+checked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import resources
+from pathlib import Path
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import MUSCLES
+from ..errors import HeadError, unknown
+from .head_file import FORMAT, HeadFile
+from .subdivide import FloatArray, IntArray, Subdivision, catmull_clark
+
+EXTRA_FIELDS = ("lip_tuck",)
+TONGUE_FIELDS = ("tongue_up", "tongue_out", "tongue_back")
+MASKS = ("lips", "inner_mouth", "lids", "ears", "garment")
+LANDMARKS = 68
+
+
+class Field(NamedTuple):
+    """A sparse field of displacements: vertices (k,) int32 at level 0, displacement (k, 3) in mm at
+    activation 1.
+    """
+
+    vertices: IntArray
+    displacement: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Mesh:
+    """A rigid triangle mesh: vertices (n, 3) mm, triangles (m, 3), material (n,) with 0 = tooth and 1 =
+    gum.
+    """
+
+    vertices: FloatArray
+    triangles: IntArray
+    material: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Tongue:
+    """The tongue: rest (n, 3) mm and quads (q, 4) at level 0, its fields by parameter name, and its level
+    1.
+    """
+
+    rest: FloatArray
+    quads: IntArray
+    fields: Mapping[str, Field]
+    subdivision: Subdivision
+
+
+@dataclass(frozen=True, slots=True)
+class Head:
+    """A head at rest and all that moves it; read-only arrays, mm, axes as in DESIGN (x to the subject's
+    left).
+
+    `rest` (N0, 3), `quads` (Q0, 4), `uv` (N0, 2), `masks` name → (N0,) 0..1, `mirror` (N0,) index of the
+    mirrored vertex; `fields` parameter name → `Field`, for every muscle but the masseter, and `lip_tuck`;
+    fields hold in the frame before the jaw's rotation. The jaw turns a skin vertex by `jaw_weight * masseter
+    * jaw_angle` (radians) about the line through `jaw_point` along the unit `jaw_axis`; `jaw_corrective` is
+    added after it, times `masseter`. `neck_weight` (N0,) is the vertex's share of the head's rotation about
+    `head_pivot`. `lip_pairs` (P, 2) are upper and lower vertices that touch when the lips close, `lid_pairs`
+    the same for the lids of the (left, right) eye; `eye_centre` (2, 3) and `eye_radius` (2,) are in that
+    order too. `landmarks` holds 68 iBUG points: level-1 vertices (68, 3) and barycentric weights (68, 3).
+    `skin` is the skin's level 1.
+    """
+
+    name: str
+    rest: FloatArray
+    quads: IntArray
+    uv: FloatArray
+    masks: Mapping[str, FloatArray]
+    mirror: IntArray
+    fields: Mapping[str, Field]
+    jaw_point: FloatArray
+    jaw_axis: FloatArray
+    jaw_angle: float
+    jaw_weight: FloatArray
+    jaw_corrective: Field
+    head_pivot: FloatArray
+    neck_weight: FloatArray
+    lip_pairs: IntArray
+    lid_pairs: tuple[IntArray, IntArray]
+    eye_centre: FloatArray
+    eye_radius: FloatArray
+    teeth_upper: Mesh
+    teeth_lower: Mesh
+    tongue: Tongue
+    landmark_triangles: IntArray
+    landmark_weights: FloatArray
+    skin: Subdivision
+
+    def landmarks(self, skin: npt.NDArray[np.floating]) -> FloatArray:
+        """Positions (68, 3) of the iBUG points on level-1 vertices `skin` (N1, 3)."""
+        corners = np.asarray(skin, dtype=np.float64)[self.landmark_triangles]
+        return np.asarray(np.einsum("kcd,kc->kd", corners, self.landmark_weights))
+
+
+def required_fields() -> tuple[str, ...]:
+    """Names of the fields that every head must have: all muscles but the masseter, and `lip_tuck`."""
+    return (*(p.name for p in MUSCLES if p.base != "masseter"), *EXTRA_FIELDS)
+
+
+def load_head(name_or_path: str | Path = "standard") -> Head:
+    """Load a head that comes with Risorius by its name, or any head from its folder or `.npz` file.
+
+    The same unchanged file gives the same object again. Raises HeadError where there is no such head, or its
+    file lacks an array, holds one of the wrong shape or range, or lacks a muscle.
+    """
+    path = _locate(name_or_path)
+    return _load(path, path.stat().st_mtime_ns)
+
+
+def _locate(name_or_path: str | Path) -> Path:
+    given = Path(name_or_path)
+    if given.is_dir():
+        given = given / "head.npz"
+    if given.is_file():
+        return given.resolve()
+    shipped = {entry.name: Path(str(entry)) / "head.npz" for entry in _shipped()}
+    if str(name_or_path) in shipped:
+        return shipped[str(name_or_path)]
+    raise HeadError(f"{unknown('head', str(name_or_path), shipped)}, or a folder that holds a head.npz")
+
+
+def _shipped() -> list[Path]:
+    root = Path(str(resources.files("risorius") / "heads"))
+    return [entry for entry in sorted(root.iterdir()) if (entry / "head.npz").is_file()]
+
+
+@lru_cache(maxsize=4)
+def _load(path: Path, _changed: int) -> Head:
+    file = HeadFile.read(path)
+    rest = file.array("rest", ("N", 3))
+    count = len(rest)
+    quads = file.indices("quads", ("Q", 4), count)
+    eyes = file.array("eye_radius", (2,), low=1.0)
+    skin = catmull_clark(count, quads)
+    return Head(
+        name=path.parent.name,
+        rest=rest,
+        quads=quads,
+        uv=file.array("uv", (count, 2)),
+        masks=MappingProxyType({m: file.array(f"mask/{m}", (count,), low=0.0, high=1.0) for m in MASKS}),
+        mirror=file.indices("mirror", (count,), count),
+        fields=_fields(file, "field", required_fields(), count),
+        jaw_point=file.array("jaw_point", (3,)),
+        jaw_axis=file.unit("jaw_axis"),
+        jaw_angle=float(file.array("jaw_angle", (), low=0.0, high=1.0)),
+        jaw_weight=file.array("jaw_weight", (count,), low=0.0, high=1.0),
+        jaw_corrective=_fields(file, "jaw", ("corrective",), count)["corrective"],
+        head_pivot=file.array("head_pivot", (3,)),
+        neck_weight=file.array("neck_weight", (count,), low=0.0, high=1.0),
+        lip_pairs=file.indices("lip_pairs", ("P", 2), count),
+        lid_pairs=(
+            file.indices("lid_pairs_left", ("L", 2), count),
+            file.indices("lid_pairs_right", ("L", 2), count),
+        ),
+        eye_centre=file.array("eye_centre", (2, 3)),
+        eye_radius=eyes,
+        teeth_upper=_mesh(file, "teeth_upper"),
+        teeth_lower=_mesh(file, "teeth_lower"),
+        tongue=_tongue(file),
+        landmark_triangles=file.indices("landmark_triangles", (LANDMARKS, 3), skin.matrix.shape[0]),
+        landmark_weights=file.array("landmark_weights", (LANDMARKS, 3), low=0.0, high=1.0),
+        skin=skin,
+    )
+
+
+def _fields(file: HeadFile, prefix: str, names: tuple[str, ...], count: int) -> Mapping[str, Field]:
+    fields = {name: Field(*file.field(f"{prefix}/{name}", count)) for name in names}
+    return MappingProxyType(fields)
+
+
+def _mesh(file: HeadFile, name: str) -> Mesh:
+    vertices = file.array(f"{name}/vertices", ("n", 3))
+    count = len(vertices)
+    return Mesh(
+        vertices,
+        file.indices(f"{name}/triangles", ("m", 3), count),
+        file.array(f"{name}/material", (count,), low=0.0, high=1.0),
+    )
+
+
+def _tongue(file: HeadFile) -> Tongue:
+    rest = file.array("tongue/rest", ("n", 3))
+    quads = file.indices("tongue/quads", ("q", 4), len(rest))
+    fields = _fields(file, "tongue", TONGUE_FIELDS, len(rest))
+    return Tongue(rest, quads, fields, catmull_clark(len(rest), quads))
+
+
+__all__ = ["FORMAT", "Field", "Head", "Mesh", "Tongue", "load_head", "required_fields"]

@@ -1,0 +1,102 @@
+"""The file format of a head (`head.npz`): named arrays, fields as int16, each read with a check of its
+shape.
+"""
+
+from __future__ import annotations
+
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import HeadError, Place
+from .subdivide import FloatArray, IntArray
+
+FORMAT = 1
+Shape = tuple[int | str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class HeadFile:
+    """The arrays of one head file. Shapes are given as sizes, or letters where any size above 0 will do."""
+
+    path: Path
+    arrays: dict[str, npt.NDArray[Any]]
+
+    @classmethod
+    def read(cls, path: Path) -> HeadFile:
+        """Read all arrays; raise HeadError where the file is no head file of this format."""
+        try:
+            with np.load(path, allow_pickle=False) as archive:
+                arrays = {name: archive[name] for name in archive.files}
+        except (OSError, ValueError, zipfile.BadZipFile) as error:
+            raise HeadError(f"not a head file: {error}", Place(str(path))) from error
+        file = cls(path, arrays)
+        version = int(file.array("format", ()))
+        if version != FORMAT:
+            raise file.error("format", f"is {version}; expected {FORMAT}")
+        return file
+
+    def error(self, name: str, message: str) -> HeadError:
+        """The error to raise about the array `name`."""
+        return HeadError(f"array '{name}' {message}", Place(str(self.path)))
+
+    def array(
+        self, name: str, shape: Shape, low: float | None = None, high: float | None = None
+    ) -> FloatArray:
+        """A read-only float64 array; raise HeadError where it is missing, misshapen, not finite or out of
+        range.
+        """
+        values = np.asarray(self._raw(name, shape), dtype=np.float64)
+        if not np.isfinite(values).all():
+            raise self.error(name, "holds a value that is not a finite number")
+        if values.size and (
+            (low is not None and values.min() < low) or (high is not None and values.max() > high)
+        ):
+            raise self.error(name, f"spans {values.min():g} to {values.max():g}; expected {low} to {high}")
+        values.setflags(write=False)
+        return values
+
+    def indices(self, name: str, shape: Shape, count: int) -> IntArray:
+        """A read-only int32 array of indices below `count`; raise HeadError where one is not."""
+        raw = self._raw(name, shape)
+        if raw.dtype.kind not in "iu":
+            raise self.error(name, f"is of type {raw.dtype}; expected whole numbers")
+        values = raw.astype(np.int32)
+        if values.size and (values.min() < 0 or values.max() >= count):
+            raise self.error(name, f"points outside the {count} vertices")
+        values.setflags(write=False)
+        return values
+
+    def unit(self, name: str) -> FloatArray:
+        """A direction (3,); raise HeadError where its length is not 1."""
+        values = self.array(name, (3,))
+        if abs(float(np.linalg.norm(values)) - 1.0) > 1e-5:
+            raise self.error(name, f"has length {np.linalg.norm(values):g}; expected 1")
+        return values
+
+    def field(self, name: str, count: int) -> tuple[IntArray, FloatArray]:
+        """Vertices (k,) and displacement (k, 3) of a field kept as `name/vertices`, `name/values`,
+        `name/scale`.
+        """
+        vertices = self.indices(f"{name}/vertices", ("k",), count)
+        steps = self.array(f"{name}/values", (len(vertices), 3))
+        displacement = steps * float(self.array(f"{name}/scale", (), low=0.0))
+        displacement.setflags(write=False)
+        return vertices, displacement
+
+    def _raw(self, name: str, shape: Shape) -> npt.NDArray[Any]:
+        if name not in self.arrays:
+            raise self.error(name, "is missing")
+        found = self.arrays[name].shape
+        wanted = "(" + ", ".join(str(size) for size in shape) + (",)" if len(shape) == 1 else ")")
+        fits = len(found) == len(shape) and all(
+            (size > 0 if isinstance(want, str) else size == want)
+            for size, want in zip(found, shape, strict=True)
+        )
+        if not fits:
+            raise self.error(name, f"has shape {found}; expected {wanted}")
+        return self.arrays[name]

@@ -1,0 +1,85 @@
+"""The jaw: a frame that turns about the hinge axis and carries teeth, tongue and skin.
+
+Skin fields are turned with the share of the rotation that their vertex takes; what the rigid rotation leaves
+over is a linear corrective (facts: face-model, section 2).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import INDEX
+from .head import Head
+from .jit import compiled
+from .rotations import about_axis
+
+Array = npt.NDArray[np.float64]
+MASSETER = INDEX["masseter"]
+
+
+@dataclass(frozen=True, slots=True)
+class Jaw:
+    """The hinge of a head: `point` (3,) mm, unit `axis` (3,), `angle` radians at full opening.
+
+    `weight` (N0,) is each skin vertex's share of the rotation, `corrective` (N0, 3) mm is added after it.
+    """
+
+    point: Array
+    axis: Array
+    angle: float
+    weight: Array
+    corrective: Array
+
+    @classmethod
+    def of(cls, head: Head) -> Jaw:
+        """Take the jaw of `head`."""
+        corrective = np.zeros_like(head.rest)
+        corrective[head.jaw_corrective.vertices] = head.jaw_corrective.displacement
+        return cls(head.jaw_point, head.jaw_axis, head.jaw_angle, head.jaw_weight, corrective)
+
+    def carry_skin(self, rest: Array, displacement: Array, opening: float, out: Array) -> None:
+        """Write the skin (N0, 3) that muscles displaced by `displacement`, with the jaw at `opening` 0..1."""
+        _carry(
+            rest, displacement, self.weight, self.corrective, self.point, self.axis, self.angle, opening, out
+        )
+
+    def carry(self, points: Array, opening: float) -> Array:
+        """Return `points` (n, 3) turned rigidly with the jaw at `opening` 0..1."""
+        rotation = about_axis(self.axis, self.angle * opening)
+        return np.asarray((points - self.point) @ rotation.T + self.point)
+
+
+@compiled
+def _carry(
+    rest: Array,
+    displacement: Array,
+    weight: Array,
+    corrective: Array,
+    point: Array,
+    axis: Array,
+    angle: float,
+    opening: float,
+    out: Array,
+) -> None:
+    ax, ay, az = axis[0], axis[1], axis[2]
+    for v in range(len(rest)):
+        x = rest[v, 0] + displacement[v, 0]
+        y = rest[v, 1] + displacement[v, 1]
+        z = rest[v, 2] + displacement[v, 2]
+        turn = weight[v] * angle * opening
+        if turn != 0.0:
+            # Rodrigues' formula about the hinge.
+            x, y, z = x - point[0], y - point[1], z - point[2]
+            sine, versine = np.sin(turn), 1.0 - np.cos(turn)
+            along = ax * x + ay * y + az * z
+            x, y, z = (
+                x + sine * (ay * z - az * y) + versine * (ax * along - x) + point[0],
+                y + sine * (az * x - ax * z) + versine * (ay * along - y) + point[1],
+                z + sine * (ax * y - ay * x) + versine * (az * along - z) + point[2],
+            )
+        out[v, 0] = x + opening * corrective[v, 0]
+        out[v, 1] = y + opening * corrective[v, 1]
+        out[v, 2] = z + opening * corrective[v, 2]

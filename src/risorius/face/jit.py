@@ -1,0 +1,20 @@
+"""The way the face's kernels are compiled, with the types that numba's decorators lose."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
+
+import numba
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def compiled(function: F) -> F:
+    """Compile a function for one thread, kept on disk; its arithmetic is not rearranged."""
+    return cast(F, numba.njit(cache=True, error_model="numpy")(function))
+
+
+def compiled_fast(function: F) -> F:
+    """Compile a function whose sums may be rearranged into vectors."""
+    return cast(F, numba.njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc"})(function))

@@ -1,0 +1,135 @@
+"""The lips' contact: they never pass through each other, close on `lip_seal`, and tuck in on `lip_tuck`.
+
+All three are constraints on the plate of skin around the mouth (facts: face-model, section 5), solved after
+muscles and jaw, so that no expression can open a closure.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from .complementarity import Gaps, Workspace, settle
+from .contact import Contacts, find_contacts, narrowest
+from .head import Head
+from .mouth import OVERLAP, Mouth, TeethEdge
+from .plate import Response, nearby, response, stiffness
+from .products import Rows, carry, carry_upwards
+
+Array = npt.NDArray[np.float64]
+
+NEAR = 0.12  # mm; after closing, wider gaps are left out of the solution
+SHUT = 0.01  # mm that a full seal may leave open
+PRESS = 0.05  # mm by which a seal presses the lips together, so that facets do not hold them apart
+SLACK = 0.005  # mm outside its bounds at which a gap is left alone
+PASSES = 3
+SWEEPS = 60
+TUCK_WIDTH = 11.0  # mm to either side of the midline over which the lip meets the teeth
+TUCK_ABOVE, TUCK_BEFORE = 0.7, 1.2  # mm that the tucked lip stands above and before the teeth's edge
+TUCK_ROOM = 1.2  # mm that the upper lip stays above the teeth's edge, out of the tucked lip's way
+
+
+class Handles:
+    """Places on the lips, each a weighted sum of the mouth's points, that can be moved one by one."""
+
+    def __init__(self, weights: Array, plate: Response) -> None:
+        """Take the places `weights` (s, n)."""
+        self._rows = Rows.of(sp.csr_matrix(weights))
+        self._region = plate.region
+        inverse = np.linalg.inv(weights @ plate.compliance @ weights.T)
+        self._motion = np.ascontiguousarray(plate.motion.T @ (weights.T @ inverse))
+
+    def places(self, points: Array) -> Array:
+        """Return where they are (s, 3) at `points` (n, 3)."""
+        return self._rows.times(points, np.empty((self._motion.shape[1], 3)))
+
+    def move(self, skin: Array, way: Array) -> None:
+        """Move the places by `way` (s, 3) mm, and the level-0 `skin` (N0, 3) around them with them."""
+        carry(self._region, self._motion, way, skin)
+
+
+class Lips:
+    """The lips' constraints of one head, with the workspace of one solver (not for two threads at once)."""
+
+    def __init__(self, head: Head) -> None:
+        mouth = Mouth.of(head)
+        rest: Array = mouth.matrix @ head.rest
+        self._plate = response(stiffness(len(head.rest), head.quads), mouth.matrix, nearby(head.rest, rest))
+        self._facing = mouth.facing
+        self._matrix, self._points = Rows.of(mouth.matrix), np.zeros_like(rest)
+        self._line = Handles(mouth.line, self._plate)
+        self._middle = Rows.of(sp.csr_matrix(0.5 * np.abs(mouth.line)))
+        self._stations = np.zeros((len(mouth.line), 3))
+        upper, lower = np.maximum(mouth.line, 0.0), np.maximum(-mouth.line, 0.0)
+        central = np.abs(lower @ rest[:, 0]) <= TUCK_WIDTH
+        self._tucked = Handles(np.vstack([upper[central], lower[central]]), self._plate)
+        self._teeth = TeethEdge.of(head.teeth_upper, TUCK_WIDTH + 4.0, 16)
+        most = len(mouth.facing.vertices)
+        self._contacts = Contacts.room_for(most)
+        self._work = Workspace.room_for(most, len(rest))
+        self._low, self._high = np.full(most, -OVERLAP), np.full(most, np.inf)
+        self._force = np.zeros(len(rest))
+
+    def solve(self, skin: Array, seal: float, tuck: float) -> None:
+        """Move the level-0 `skin` (N0, 3) in place.
+
+        The lower lip goes the share `tuck` (0..1) of its way to the upper teeth, the lips the share `seal` of
+        theirs to each other (a full seal leaves nothing to tuck); then they are moved apart where they overlap.
+        """
+        if tuck > 0.0 and seal < 1.0:
+            self._tuck(skin, tuck * (1.0 - seal))
+        opening = self._close(skin, seal) if seal > 0.0 else None
+        for _ in range(PASSES):
+            if not self._settle(skin, opening):
+                break
+
+    def _tuck(self, skin: Array, tuck: float) -> None:
+        """Bring the lower lip to the upper teeth's edge by the share `tuck`, and the upper lip out of its way."""
+        here = self._tucked.places(self._matrix.times(skin, self._points))
+        upper, lower = here[: len(here) // 2], here[len(here) // 2 :]
+        goal = here.copy()
+        goal_upper, goal_lower = goal[: len(upper)], goal[len(upper) :]
+        goal_upper[:, 1] = np.maximum(upper[:, 1], self._teeth.at(upper[:, 0])[0] + TUCK_ROOM)
+        edge_y, edge_z = self._teeth.at(lower[:, 0])
+        goal_lower[:, 1], goal_lower[:, 2] = edge_y + TUCK_ABOVE, edge_z + TUCK_BEFORE
+        self._tucked.move(skin, tuck * (goal - here))
+
+    def _close(self, skin: Array, seal: float) -> Array:
+        """Bring the points of the line together by the share `seal`; return how wide their gaps may stay.
+
+        The latter (2 s − 1,) mm is at the stations and half way between.
+        """
+        points = self._matrix.times(skin, self._points)
+        apart = self._line.places(points)
+        count = find_contacts(self._facing, points, np.inf, self._contacts)
+        nearest = self._narrowest(points, count)
+        between = np.interp(np.arange(len(nearest)) / 2.0, np.arange(len(apart)), apart[:, 1])
+        gap = np.where(nearest >= 0, self._contacts.gap[nearest], between)
+        apart[:, 1] += PRESS
+        self._line.move(skin, -seal * apart)
+        return np.asarray((1.0 - seal) * np.maximum(gap, 0.0) + SHUT)
+
+    def _settle(self, skin: Array, opening: Array | None) -> bool:
+        """Push along y until no gap overlaps or is wider than its `opening` (2 s − 1,); False if none was."""
+        points = self._matrix.times(skin, self._points)
+        found = self._contacts
+        count = find_contacts(self._facing, points, NEAR if opening is None else np.inf, found)
+        low, high, gap = self._low[:count], self._high[:count], found.gap[:count]
+        high[:] = np.inf
+        if opening is not None:
+            nearest = self._narrowest(points, count)
+            np.minimum.at(high, nearest[nearest >= 0], opening[nearest >= 0])
+        if not ((gap < low - SLACK) | (gap > high + SLACK)).any():
+            return False
+        rows = np.flatnonzero((gap < NEAR) | (high < np.inf))
+        self._force[:] = 0.0
+        gaps = Gaps(found.points[rows], found.weight[rows], gap[rows], low[rows], high[rows])
+        settle(gaps, self._plate.compliance, SWEEPS, self._work, self._force)
+        carry_upwards(self._plate.region, self._plate.motion, self._force, skin)
+        return True
+
+    def _narrowest(self, points: Array, count: int) -> npt.NDArray[np.int64]:
+        """Return which of the `count` contacts is the narrowest at each station, and between, or −1."""
+        stations = self._middle.times(points, self._stations)[:, 0]
+        return narrowest(stations, self._contacts.x[:count], self._contacts.gap[:count])

@@ -1,0 +1,112 @@
+"""Where the lips can touch: their two surfaces, the line on which they meet, and the upper teeth's edge."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+from scipy.spatial import cKDTree
+
+from .contact import Contacts, Facing, find_contacts
+from .head import Head, Mesh
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int32]
+
+REACH = 5.0  # mm from the line on which the lips meet to the last point that may touch
+STATIONS = 19  # along that line; closer ones would ask for more than the mesh can bend
+OVERLAP = 0.03  # mm by which the lips may overlap: less than the mesh's own facets
+
+
+@dataclass(frozen=True, slots=True)
+class Mouth:
+    """The part of the skin where lips touch, at level 1.
+
+    `vertices` (n,) are its level-1 vertices and `matrix` (n, N0) gives them from level-0 positions; `facing`
+    are its two surfaces; `line` (s, n) takes, at each station from the right corner to the left, the upper
+    point minus the lower point that meet.
+    """
+
+    vertices: npt.NDArray[np.intp]
+    matrix: sp.csr_matrix
+    facing: Facing
+    line: Array
+
+    @classmethod
+    def of(cls, head: Head) -> Mouth:
+        """Find the two surfaces about the lip pairs of `head`, and where they meet at rest."""
+        meeting = head.rest[head.lip_pairs].mean(axis=1)
+        inside = head.skin.matrix @ np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > 0.3
+        near = cKDTree(meeting).query(head.skin.matrix @ head.rest)[0] < REACH
+        patch = np.flatnonzero(inside & near)
+        matrix: sp.csr_matrix = head.skin.matrix[patch].tocsr()
+        points = matrix @ head.rest
+        facing = _without_overlap(_facing(patch, head.skin.triangles, matrix @ head.jaw_weight < 0.5), points)
+        half = float(np.abs(meeting[:, 0]).max())
+        return cls(patch, matrix, facing, _line(facing, points, np.linspace(-half, half, STATIONS)))
+
+    def lip(self, upper: bool) -> npt.NDArray[np.intp]:
+        """Return the level-1 vertices (k,) of the upper or of the lower lip that may touch the other."""
+        return np.asarray(self.vertices[self.facing.vertices[self.facing.above == upper]])
+
+
+def _facing(patch: npt.NDArray[np.intp], triangles: IntArray, above: npt.NDArray[np.bool_]) -> Facing:
+    local = np.full(int(triangles.max()) + 1, -1, np.int32)
+    local[patch] = np.arange(len(patch))
+    faces = local[triangles]
+    faces = faces[(faces >= 0).all(axis=1)]
+    # Triangles that join the lips at the corners belong to both: they close the crease behind the corner.
+    upper, lower = faces[above[faces].any(axis=1)], faces[~above[faces].all(axis=1)]
+    return Facing(np.arange(len(patch), dtype=np.int32), above, upper, lower)
+
+
+def _without_overlap(facing: Facing, points: Array) -> Facing:
+    """Leave out vertices that overlap at rest (folds of the cheek): contact must leave the rest as it is."""
+    found = Contacts.room_for(len(facing.vertices))
+    count = find_contacts(facing, points, -OVERLAP, found)
+    free = ~np.isin(facing.vertices, found.points[:count, 0])
+    return facing._replace(vertices=facing.vertices[free], above=facing.above[free])
+
+
+def _line(facing: Facing, points: Array, stations: Array) -> Array:
+    """Return rows (s, n): about each station (s,) mm in x, the contact whose gap at rest is least."""
+    upper, lower = facing.above[facing.upper].all(axis=1), facing.above[facing.lower].any(axis=1)
+    facing = facing._replace(upper=facing.upper[upper], lower=facing.lower[~lower])
+    found = Contacts.room_for(len(facing.vertices))
+    count = find_contacts(facing, points, np.inf, found)
+    width = stations[1] - stations[0]
+    rows = np.zeros((len(stations), len(points)))
+    for row, x in zip(rows, stations, strict=True):
+        best = int(np.argmin(found.gap[:count] + np.abs(found.x[:count] - x) / width))
+        np.add.at(row, found.points[best], found.weight[best])
+    return rows
+
+
+@dataclass(frozen=True, slots=True)
+class TeethEdge:
+    """The front teeth's lower edge as a curve: at `x` (k,) ascending, its `y` and `z` (k,), all mm."""
+
+    x: Array
+    y: Array
+    z: Array
+
+    @classmethod
+    def of(cls, teeth: Mesh, half_width: float, steps: int) -> TeethEdge:
+        """Find the edge of the upper `teeth` over |x| ≤ `half_width` mm, smoothed over their gaps."""
+        crowns = teeth.vertices[teeth.material < 0.5]
+        x = np.linspace(-half_width, half_width, steps)
+        width = x[1] - x[0]
+        lowest = np.array([_lowest(crowns[np.abs(crowns[:, 0] - at) <= width]) for at in x])
+        y = np.polynomial.Polynomial.fit(x, lowest[:, 1], 2)(x)
+        z = np.polynomial.Polynomial.fit(x, lowest[:, 2], 2)(x)
+        return cls(x, y, z)
+
+    def at(self, x: Array) -> tuple[Array, Array]:
+        """Return y and z (n,) of the edge at `x` (n,)."""
+        return np.interp(x, self.x, self.y), np.interp(x, self.x, self.z)
+
+
+def _lowest(crowns: Array) -> Array:
+    return np.asarray(crowns[np.argmin(crowns[:, 1])])

@@ -1,0 +1,117 @@
+"""Muscles: activations to one displacement per skin vertex.
+
+Every muscle has a calibrated field of displacement (facts: face-model, section 1). At equilibrium a linear
+network of springs is the plain sum of such fields; flesh is not linear, so near-parallel pulls on one vertex
+are limited here (facts: face-model, section 3), which keeps two muscles that do the same thing from doing it
+twice.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import INDEX, PARAMETERS
+from .head import Head
+from .jit import compiled
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int32]
+
+# These do not act by a field on the skin at rest: the jaw is a frame, the lids slide over the eyeball.
+ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")
+
+# Muscles that are heads of one sheet: their fields are parts of one shape and add up to it, unlimited.
+SHEETS = {
+    "zygomatic_minor": "levator_labii_superioris",
+    "corrugator_supercilii": "depressor_supercilii",
+    "depressor_glabellae": "depressor_supercilii",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class MuscleFields:
+    """The fields of all muscles, sorted by vertex and then by source.
+
+    Entries `start[v]:start[v + 1]` belong to vertex v: `parameter` (k,) index into the values, `source` (k,)
+    what they are a part of (the two sides of a muscle, and the heads of a sheet, meet as parts of one shape),
+    `displacement` (k, 3) in mm at activation 1.
+    """
+
+    start: IntArray
+    parameter: IntArray
+    source: IntArray
+    displacement: Array
+
+    @classmethod
+    def of(cls, head: Head) -> MuscleFields:
+        """Gather the fields of `head`."""
+        acting = [p for p in PARAMETERS if p.name in head.fields and p.base not in ELSEWHERE]
+        sheets = [SHEETS.get(p.base, p.base) for p in acting]
+        fields = [head.fields[p.name] for p in acting]
+        sizes = [len(field.vertices) for field in fields]
+        vertex = np.concatenate([field.vertices for field in fields])
+        parameter = np.repeat([INDEX[p.name] for p in acting], sizes)
+        source = np.repeat([sheets.index(sheet) for sheet in sheets], sizes)
+        order = np.lexsort((parameter, source, vertex))
+        return cls(
+            np.searchsorted(vertex[order], np.arange(len(head.rest) + 1)).astype(np.int32),
+            parameter[order].astype(np.int32),
+            source[order].astype(np.int32),
+            np.concatenate([field.displacement for field in fields])[order],
+        )
+
+    def displace(self, values: Array, out: Array) -> None:
+        """Write the displacement (N0, 3) in mm for `values` (46,) to `out`."""
+        _displace(self.start, self.parameter, self.source, self.displacement, values, out)
+
+
+MOST_SOURCES = 32
+
+
+@compiled
+def _displace(
+    start: IntArray, parameter: IntArray, source: IntArray, displacement: Array, values: Array, out: Array
+) -> None:
+    pulls = np.empty((MOST_SOURCES, 3))
+    for v in range(len(out)):
+        count, last = 0, -1
+        for e in range(start[v], start[v + 1]):
+            activation = values[parameter[e]]
+            if activation <= 0.0:
+                continue
+            if source[e] != last:
+                last = source[e]
+                pulls[count] = 0.0
+                count += 1
+            for c in range(3):
+                pulls[count - 1, c] += activation * displacement[e, c]
+        _limited_sum(pulls, count, out[v])
+
+
+@compiled
+def _limited_sum(pulls: Array, count: int, out: Array) -> None:
+    """Sum the first `count` pulls D, each times |D|² / (Σ |D'|³ max(0, cos(D, D'))²)^⅔ over all D'.
+
+    A pull alone, and pulls at right angles or against each other, are exact; n equal parallel pulls give
+    ∛n times one. Continuous, and the same in every frame of reference.
+    """
+    out[:] = 0.0
+    for m in range(count):
+        own = _dot(pulls[m], pulls[m])
+        shared = 0.0
+        for n in range(count):
+            along = _dot(pulls[m], pulls[n])
+            if along > 0.0:
+                shared += along**2 / own * np.sqrt(_dot(pulls[n], pulls[n]))
+        if shared > 0.0:
+            share = own / np.cbrt(shared) ** 2
+            for c in range(3):
+                out[c] += share * pulls[m, c]
+
+
+@compiled
+def _dot(a: Array, b: Array) -> float:
+    return float(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])

@@ -1,0 +1,76 @@
+"""The skin as a bending plate on a soft bed: how a push at some points moves the skin around them.
+
+K = ½L² + 0.05L + 0.004I on the level-0 edges (facts: face-model, section 5), factored once for a head.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+from scipy.sparse.linalg import splu
+from scipy.spatial import cKDTree
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int32]
+
+BENDING, STRETCHING, BED = 0.5, 0.05, 0.004
+REACH = 45.0  # mm from a push beyond which the plate is held still
+# Vertices that no push moves by more than this share of the strongest response are left where they are.
+NEGLIGIBLE = 0.004
+
+
+@dataclass(frozen=True, slots=True)
+class Response:
+    """What unit pushes at n points do.
+
+    `region` (r,) the level-0 vertices that move, `motion` (n, r) how far each moves per unit push at each
+    point, `compliance` (n, n) how far each point moves per unit push at each point.
+    """
+
+    region: IntArray
+    motion: Array
+    compliance: Array
+
+
+def stiffness(count: int, quads: npt.NDArray[np.integer]) -> sp.csc_matrix:
+    """Return K (count, count) of the mesh `quads` (Q, 4)."""
+    sides = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
+    ends = np.unique(np.sort(sides, axis=1), axis=0)
+    ones = np.ones(2 * len(ends))
+    beside = sp.csr_matrix((ones, (ends.ravel(), ends[:, ::-1].ravel())), shape=(count, count))
+    laplacian = sp.diags(np.asarray(beside.sum(axis=1)).ravel()) - beside
+    return (BENDING * laplacian @ laplacian + STRETCHING * laplacian + BED * sp.identity(count)).tocsc()
+
+
+def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: npt.NDArray[np.bool_]) -> Response:
+    """Return the response of the plate `stiff` (N0, N0) at `points` (n, N0), rows of weights that sum to 1.
+
+    Only vertices in `free` (N0,) move; those under the points must be among them, well within.
+    """
+    local = np.flatnonzero(free)
+    symmetric = {"SymmetricMode": True}
+    part = stiff[local][:, local]
+    factor = splu(part, permc_spec="MMD_AT_PLUS_A", options=symmetric, diag_pivot_thresh=0.0)
+    weights = points[:, local]
+    under = np.flatnonzero(weights.getnnz(axis=0))
+    unit = np.zeros((len(local), len(under)))
+    unit[under, np.arange(len(under))] = 1.0
+    motion = factor.solve(unit)
+    reach = np.abs(motion).max(axis=1)
+    moved = np.flatnonzero(reach > NEGLIGIBLE * reach.max())
+    at_points = weights[:, under]
+    motion = motion @ at_points.T.toarray()
+    compliance = weights @ motion
+    return Response(
+        local[moved].astype(np.int32),
+        np.ascontiguousarray(motion[moved].T),
+        0.5 * (compliance + compliance.T),
+    )
+
+
+def nearby(rest: Array, points: Array) -> npt.NDArray[np.bool_]:
+    """Return which vertices `rest` (N0, 3) lie within a push's reach of any of `points` (n, 3)."""
+    return np.asarray(cKDTree(points).query(rest, distance_upper_bound=REACH)[0] < REACH)

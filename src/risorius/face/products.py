@@ -1,0 +1,73 @@
+"""Products of matrices with points, in one thread and into memory that is already there.
+
+A linear algebra library would start threads for each of these, which costs more than the product.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from .jit import compiled, compiled_fast
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int32]
+
+
+class Rows(NamedTuple):
+    """The rows of a sparse matrix (n, m): row i has `weight[start[i]:start[i + 1]]` at `column[…]`."""
+
+    start: IntArray
+    column: IntArray
+    weight: Array
+
+    @classmethod
+    def of(cls, matrix: sp.csr_matrix) -> Rows:
+        """Take the rows of a CSR matrix."""
+        return cls(
+            matrix.indptr.astype(np.int32), matrix.indices.astype(np.int32), matrix.data.astype(np.float64)
+        )
+
+    def times(self, points: Array, out: Array) -> Array:
+        """Write the product with `points` (m, 3) to `out` (n, 3) and return it."""
+        _times(*self, points, out)
+        return out
+
+
+@compiled
+def _times(start: IntArray, column: IntArray, weight: Array, points: Array, out: Array) -> None:
+    for i in range(len(out)):
+        x, y, z = 0.0, 0.0, 0.0
+        for e in range(start[i], start[i + 1]):
+            w, j = weight[e], column[e]
+            x += w * points[j, 0]
+            y += w * points[j, 1]
+            z += w * points[j, 2]
+        out[i, 0], out[i, 1], out[i, 2] = x, y, z
+
+
+@compiled_fast
+def carry(region: IntArray, motion: Array, moves: Array, skin: Array) -> None:
+    """Add `motion` (r, s) times `moves` (s, 3) to `skin` (N, 3) at the vertices `region` (r,)."""
+    for k in range(len(region)):
+        x, y, z = 0.0, 0.0, 0.0
+        for s in range(len(moves)):
+            x += motion[k, s] * moves[s, 0]
+            y += motion[k, s] * moves[s, 1]
+            z += motion[k, s] * moves[s, 2]
+        v = region[k]
+        skin[v, 0] += x
+        skin[v, 1] += y
+        skin[v, 2] += z
+
+
+@compiled_fast
+def carry_upwards(region: IntArray, motion: Array, pushes: Array, skin: Array) -> None:
+    """Add to the y of `skin` (N, 3) at `region` (r,) `pushes` (s,), mostly 0, times `motion` (s, r)."""
+    for s in range(len(pushes)):
+        if pushes[s] != 0.0:
+            for k in range(len(region)):
+                skin[region[k], 1] += pushes[s] * motion[s, k]

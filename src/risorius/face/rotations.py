@@ -1,0 +1,44 @@
+"""Rotation matrices of the head frame: +x to the subject's left, +y up, +z forward."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+
+def about_axis(axis: Array, angle: float) -> Array:
+    """Return the (3, 3) right-handed rotation by `angle` radians about the unit vector `axis` (3,)."""
+    x, y, z = (float(a) for a in axis)
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.asarray(np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross))
+
+
+def head_rotation(pitch: float, yaw: float, roll: float) -> Array:
+    """Return the (3, 3) rotation of the head; degrees, up, to the subject's left and tilted left positive.
+
+    The head tilts first, then nods, then turns, so that a nod of a turned head is still a nod.
+    """
+    turn = about_axis(np.array([0.0, 1.0, 0.0]), math.radians(yaw))
+    nod = about_axis(np.array([1.0, 0.0, 0.0]), -math.radians(pitch))
+    tilt = about_axis(np.array([0.0, 0.0, 1.0]), -math.radians(roll))
+    return np.asarray(turn @ nod @ tilt)
+
+
+def direction(pitch: float, yaw: float) -> Array:
+    """Return the unit vector (3,) at `pitch` degrees up and `yaw` degrees to the subject's left of +z."""
+    p, y = math.radians(pitch), math.radians(yaw)
+    return np.array([math.cos(p) * math.sin(y), math.sin(p), math.cos(p) * math.cos(y)])
+
+
+def forward_to(target: Array) -> Array:
+    """Return the (3, 3) rotation without torsion (Listing's law) that takes +z to the unit vector `target`.
+
+    `target` must lie in front (z > −1).
+    """
+    x, y, z = (float(t) for t in target)
+    k = 1.0 / (1.0 + z)
+    return np.array([[1.0 - k * x * x, -k * x * y, x], [-k * x * y, 1.0 - k * y * y, y], [-x, -y, z]])

@@ -1,0 +1,68 @@
+"""Where things are on a head, found from its eyes, lips and shape, so that colours and hairs fit any head."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from ..face.head import Head
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Anatomy:
+    """Places at rest in mm: `skin` (N1, 3) and its `masks` at level 1, and the face's marks.
+
+    `unit` is half the distance between the eyes over that of the head for which distances here were drawn
+    (28.9 mm): the scale of all distances on the face.
+    """
+
+    skin: Array
+    masks: dict[str, Array]
+    unit: float
+    eye_height: float
+    nose_tip: Array
+    mouth: Array
+    mouth_half_width: float
+    top: float
+    chin: float
+
+    def sphere(self) -> tuple[Array, float]:
+        """Return centre (3,) and radius of a sphere about head and neck, on which shadows are looked for."""
+        middle = 0.5 * (self.top + self.chin)
+        centre = np.array([0.0, middle - 25.0 * self.unit, -45.0 * self.unit])
+        return centre, 0.5 * (self.top - self.chin) + 62.0 * self.unit
+
+
+def find_anatomy(head: Head) -> Anatomy:
+    """Measure a head."""
+    matrix = head.skin.matrix
+    skin = np.asarray(matrix @ head.rest)
+    masks = {name: np.clip(matrix @ mask, 0.0, 1.0) for name, mask in head.masks.items()}
+    eyes = head.eye_centre
+    lips = head.rest[head.lip_pairs].reshape(-1, 3)
+    mouth = np.array([0.0, lips[:, 1].mean(), lips[:, 2].max()])
+    middle = np.abs(skin[:, 0]) < 3.0
+    between = middle & (skin[:, 1] > mouth[1] + 8.0) & (skin[:, 1] < eyes[:, 1].mean())
+    nose = skin[between][np.argmax(skin[between, 2])]
+    below = middle & (skin[:, 1] < mouth[1] - 12.0) & (skin[:, 2] > 0.0)
+    return Anatomy(
+        skin=skin,
+        masks=masks,
+        unit=float(eyes[0, 0] - eyes[1, 0]) / 57.8,
+        eye_height=float(eyes[:, 1].mean()),
+        nose_tip=nose,
+        mouth=mouth,
+        mouth_half_width=float(np.abs(lips[:, 0]).max()),
+        top=float(skin[:, 1].max()),
+        chin=float(skin[below, 1].min()),
+    )
+
+
+def smoothstep(low: float, high: float, x: npt.NDArray[np.floating]) -> Array:
+    """Return 0 up to `low`, 1 from `high` on, smooth between."""
+    t = np.clip((np.asarray(x, np.float64) - low) / (high - low), 0.0, 1.0)
+    return t * t * (3.0 - 2.0 * t)

@@ -1,0 +1,26 @@
+"""The slit of the lips through which light enters the mouth."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from .materials.mouth import LIP_STEPS
+
+Array = npt.NDArray[np.float64]
+
+
+def lip_edges(pairs: Array) -> tuple[Array, Array]:
+    """Return the span (2,) of x and the slit (LIP_STEPS, 4): y and z of the upper and of the lower lip.
+
+    `pairs` (P, 2, 3) mm are points of the upper and lower lip that touch when the mouth is shut. Where several
+    stand over one x the nearer lips to each other count, since they bound the light.
+    """
+    x = pairs[..., 0].mean(axis=1)
+    grid = np.linspace(x.min(), x.max(), LIP_STEPS)
+    gap = pairs[:, 0, 1] - pairs[:, 1, 1]
+    width = max((x.max() - x.min()) / LIP_STEPS, 1e-6)
+    weight = np.exp(-0.5 * ((grid[:, None] - x) / width) ** 2 - 0.5 * np.clip(gap - gap.min(), 0.0, 40.0))
+    weight += 1e-12 * (np.abs(grid[:, None] - x) == np.abs(grid[:, None] - x).min(axis=1, keepdims=True))
+    weight /= weight.sum(axis=1, keepdims=True)
+    return np.array([x.min(), x.max()]), weight @ pairs[:, :, 1:].reshape(-1, 4)

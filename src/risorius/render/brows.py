@@ -1,0 +1,76 @@
+"""Eyebrows: fine hairs that rise at the nose, then sweep outwards and lie down towards the tail."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from .anatomy import Anatomy, smoothstep
+from .attach import Surface, flat
+from .strands import Strands, join
+
+Array = npt.NDArray[np.float64]
+POINTS = 5
+_SEED = 7
+
+
+def brow_line(anatomy: Anatomy, t: Array) -> tuple[Array, Array, Array]:
+    """Return |x|, height and half thickness of the brow in mm, from its head (t = 0) to its tail (t = 1)."""
+    u = anatomy.unit
+    x = (9.5 + 35.5 * t) * u
+    rise = 4.8 * np.sin(np.clip(t / 0.66, 0.0, 1.0) * np.pi / 2) - 8.5 * np.clip(t - 0.66, 0.0, 1.0) ** 1.1
+    thickness = (3.3 * (1 - t**1.7) + 0.55) * np.minimum(1.0, 0.62 + 2.2 * t)
+    return x, anatomy.eye_height + (16.6 + rise) * u, thickness * u
+
+
+def brow_shade(anatomy: Anatomy) -> Array:
+    """Return how much each skin vertex (N1,) is darkened under the brows."""
+    x, y = np.abs(anatomy.skin[:, 0]), anatomy.skin[:, 1]
+    t = (x / anatomy.unit - 9.5) / 35.5
+    _, centre, half = brow_line(anatomy, np.clip(t, 0.0, 1.0))
+    across = np.exp(-(((y - centre) / (half + 0.8)) ** 2))
+    ends = smoothstep(-0.06, 0.12, t) * (1 - smoothstep(0.9, 1.05, t))
+    return across * ends * (anatomy.skin[:, 2] > 0)
+
+
+def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 360) -> Strands:
+    """Return `count` hairs a side, mirrored, of an albedo (3,)."""
+    rng = np.random.default_rng(_SEED)
+    t = rng.beta(1.25, 1.15, count)
+    x, centre, half = brow_line(anatomy, t)
+    offset = np.clip(rng.normal(0.0, 0.5, count), -1.05, 1.05)
+    # Hairs of the upper edge point down, those of the lower edge up: they meet along the brow's ridge.
+    angle = 66 * (1 - t) ** 2.2 + 10 - 30 * t - 20 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 9, count)
+    length = (6.0 + 2.6 * rng.random(count)) * (1 - 0.30 * t) * (0.65 + 0.35 * smoothstep(0.0, 0.25, t)) * anatomy.unit
+    shade = 0.9 + 0.6 * rng.random(count)
+    bend = rng.normal(-14, 8, count)
+    sides = []
+    for side in (1.0, -1.0):
+        place = np.stack([side * x, centre + offset * half], axis=1)
+        sides.append(_side(surface, place, side, np.radians(angle), np.radians(bend), length, shade[:, None] * colour))
+    return join(sides)
+
+
+def _side(surface: Surface, place: Array, side: float, angle: Array, bend: Array, length: Array, colour: Array) -> Strands:
+    triangles, weights = surface.nearest(_on_face(surface, place))
+    origin, normal = surface.at(triangles, weights)
+    curve = [origin + 0.1 * normal]
+    for k in range(1, POINTS):
+        way = k / (POINTS - 1)
+        turned = angle + bend * way
+        ahead = np.stack([side * np.cos(turned), np.sin(turned), np.zeros(len(turned))], axis=1)
+        step = flat(ahead, normal) * (length / (POINTS - 1))[:, None]
+        lift = 0.42 * (1 - 1.35 * way)
+        curve.append(curve[-1] + step + lift * normal * 0.6)
+    way = np.linspace(0.0, 1.0, POINTS)
+    widths = np.tile(0.23 * (1 - 0.85 * way**1.6) * np.minimum(1.0, 0.75 + way), (len(place), 1))
+    return surface.root(triangles, weights, np.stack(curve, axis=1), widths, colour, np.full(len(place), 0.15), 0.25)
+
+
+def _on_face(surface: Surface, place: Array) -> Array:
+    """Return points (S, 3) of the face's front near (x, y) places (S, 2)."""
+    front = np.flatnonzero((surface.normals[:, 2] > 0.1) & (surface.points[:, 2] > -20.0))
+    distance = np.linalg.norm(surface.points[front, None, :2] - place[None], axis=2)
+    nearest = np.argsort(distance, axis=0)[:3]
+    depth = surface.points[front[nearest], 2].mean(axis=0)
+    return np.concatenate([place, depth[:, None]], axis=1)

@@ -1,0 +1,26 @@
+"""How sharply a surface bends at each vertex."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+
+def mean_curvature(
+    points: npt.NDArray[np.floating],
+    normals: npt.NDArray[np.floating],
+    quads: npt.NDArray[np.integer],
+    rounds: int = 3,
+) -> npt.NDArray[np.float64]:
+    """Return the size of the curvature (n,) in 1/mm: the normals' change along the edges, smoothed `rounds` times."""
+    sides = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
+    i, j = np.unique(sides, axis=0).T
+    length = np.linalg.norm(points[i] - points[j], axis=1)
+    bend = np.linalg.norm(normals[i] - normals[j], axis=1) / np.maximum(length, 1e-3)
+    ends, degree = np.concatenate([i, j]), np.bincount(np.concatenate([i, j]), minlength=len(points))
+    degree = np.maximum(degree, 1)
+    curvature = np.bincount(ends, np.concatenate([bend, bend]), len(points)) / degree
+    for _ in range(rounds):
+        around = np.bincount(ends, np.concatenate([curvature[j], curvature[i]]), len(points)) / degree
+        curvature = 0.5 * (curvature + around)
+    return curvature

@@ -1,0 +1,78 @@
+"""The eyes' geometry and iris, and where the lids' margins stand over them."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from .materials.eye import LID_STEPS
+from .noise import noise_at
+from .raster import FloatArray, IntArray
+from .tone import srgb_decode
+
+_RINGS, _SECTORS = 16, 40
+_WIDEST = np.radians(80.0)
+_IRIS_RINGS, _IRIS_ANGLES = 48, 360
+
+Array = npt.NDArray[np.float64]
+
+
+def cap() -> tuple[Array, IntArray]:
+    """Return the front of the unit sphere: vertices (n, 3) about +z, triangles (m, 3) wound outwards."""
+    polar = _WIDEST * np.arange(1, _RINGS + 1) / _RINGS
+    around = 2 * np.pi * np.arange(_SECTORS) / _SECTORS
+    ring = np.stack([
+        np.sin(polar)[:, None] * np.cos(around),
+        np.sin(polar)[:, None] * np.sin(around),
+        np.repeat(np.cos(polar)[:, None], _SECTORS, axis=1),
+    ], axis=-1)
+    vertices = np.concatenate([[[0.0, 0.0, 1.0]], ring.reshape(-1, 3)])
+    index = 1 + np.arange(_RINGS * _SECTORS).reshape(_RINGS, _SECTORS)
+    following = np.roll(index, -1, axis=1)
+    fan = np.stack([np.zeros(_SECTORS, int), index[0], following[0]], axis=1)
+    first = np.stack([index[:-1], index[1:], following[1:]], axis=-1).reshape(-1, 3)
+    second = np.stack([index[:-1], following[1:], following[:-1]], axis=-1).reshape(-1, 3)
+    return vertices, np.concatenate([fan, first, second]).astype(np.int32)
+
+
+def iris_image(inner: tuple[int, int, int], outer: tuple[int, int, int]) -> FloatArray:
+    """Return the iris' albedo (rings, angles, 3) from the pupil outwards, between two sRGB colours.
+
+    Radial fibres, a ruff about the pupil, a few furrows, and the dark limbus.
+    """
+    r = (np.arange(_IRIS_RINGS) / (_IRIS_RINGS - 1))[:, None]
+    angle = (2 * np.pi * np.arange(_IRIS_ANGLES) / _IRIS_ANGLES)[None, :]
+    fibres = 0.65 * _ring_noise(r, angle, 14.0, 1.2) + 0.45 * _ring_noise(r, angle, 30.0, 2.0)
+    ruff = np.exp(-(((r - 0.22 - 0.04 * _ring_noise(r * 0, angle, 4.0, 0.0)) / 0.11) ** 2))
+    share = np.clip(1.15 * (1 - r) ** 1.3 + 0.10 * fibres, 0.0, 1.0)[..., None]
+    colour = share * srgb_decode(np.array(inner) / 255) + (1 - share) * srgb_decode(np.array(outer) / 255)
+    light = 1.0 + 0.28 * fibres + 0.30 * ruff - 0.12 * _ring_noise(r, angle, 5.0, 5.0)
+    light *= 1.0 - 0.72 * np.clip((r - 0.72) / 0.28, 0.0, 1.0) ** 1.6
+    light *= 0.55 + 0.45 * np.clip(r / 0.10, 0.0, 1.0)
+    return np.asarray(colour * np.clip(light, 0.1, 2.0)[..., None], np.float32)
+
+
+def _ring_noise(r: Array, angle: Array, across: float, along: float) -> Array:
+    """Return noise on (rings, angles) with `across` waves round the ring and `along` from pupil to limbus."""
+    r, angle = np.broadcast_arrays(r, angle)
+    points = np.stack([np.cos(angle) * across, np.sin(angle) * across, r * along * 2 * np.pi], axis=-1)
+    return noise_at(points.reshape(-1, 3), 2 * np.pi).reshape(r.shape)
+
+
+def lid_margins(pairs: Array, centre: Array, radius: float) -> tuple[Array, Array]:
+    """Return the span (2,) of x and the heights (LID_STEPS, 2) of the upper and lower margin over the eye.
+
+    `pairs` (P, 2, 3) are the margins' points in the head frame; heights are brought onto the sphere, as
+    seen from its centre.
+    """
+    points = pairs - centre
+    points = points * (radius / np.linalg.norm(points, axis=-1, keepdims=True))
+    upper, lower = points[:, 0], points[:, 1]
+    span = np.array([max(upper[:, 0].min(), lower[:, 0].min()), min(upper[:, 0].max(), lower[:, 0].max())])
+    x = np.linspace(span[0], span[1], LID_STEPS)
+    return span, np.stack([_height(side, x) for side in (upper, lower)], axis=1)
+
+
+def _height(margin: Array, x: Array) -> Array:
+    order = np.argsort(margin[:, 0], kind="stable")
+    return np.interp(x, margin[order, 0], margin[order, 1])

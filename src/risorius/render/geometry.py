@@ -1,0 +1,74 @@
+"""What happens to the vertices of a frame: the head's rotation, and the normals of the moved surface."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from .jit import exact_kernel, f4, prange
+from .raster import FloatArray, IntArray
+from .vec import at, cross, sub, unit
+
+_BLOCK = 1024
+
+
+@exact_kernel
+def turn(points: FloatArray, weight: FloatArray, rotation: FloatArray, pivot: FloatArray, out: FloatArray) -> None:
+    """Rotate points (n, 3) about `pivot` (3,), each by its share `weight` (n,) of `rotation` (3, 3)."""
+    n = len(points)
+    for block in prange((n + _BLOCK - 1) // _BLOCK):
+        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
+            x, y, z = points[i, 0] - pivot[0], points[i, 1] - pivot[1], points[i, 2] - pivot[2]
+            for row in range(3):
+                moved = rotation[row, 0] * x + rotation[row, 1] * y + rotation[row, 2] * z + pivot[row]
+                out[i, row] = points[i, row] + weight[i] * (moved - points[i, row])
+
+
+@exact_kernel
+def face_normals(points: FloatArray, faces: IntArray, out: FloatArray) -> None:
+    """Write the normals of `faces` (m, 4), as long as twice their areas; a triangle repeats its last corner."""
+    n = len(faces)
+    for block in prange((n + _BLOCK - 1) // _BLOCK):
+        for f in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
+            first = sub(at(points, faces[f, 2]), at(points, faces[f, 0]))
+            second = sub(at(points, faces[f, 3]), at(points, faces[f, 1]))
+            out[f, 0], out[f, 1], out[f, 2] = cross(first, second)
+
+
+@exact_kernel
+def vertex_normals(normals: FloatArray, starts: IntArray, around: IntArray, out: FloatArray) -> None:
+    """Write unit normals of vertices from those of the faces `around[starts[i]:starts[i + 1]]` each of them."""
+    n = len(starts) - 1
+    for block in prange((n + _BLOCK - 1) // _BLOCK):
+        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
+            x, y, z = f4(0), f4(0), f4(0)
+            for k in range(starts[i], starts[i + 1]):
+                x += normals[around[k], 0]
+                y += normals[around[k], 1]
+                z += normals[around[k], 2]
+            out[i, 0], out[i, 1], out[i, 2] = unit((x, y, z))
+
+
+class Normals:
+    """Smooth normals of a mesh of fixed faces (m, 4), recomputed as its vertices move."""
+
+    def __init__(self, faces: IntArray, vertices: int) -> None:
+        self._faces = faces
+        distinct = np.ones(faces.shape, bool)
+        distinct[:, 3] = faces[:, 3] != faces[:, 2]
+        corners, owners = faces[distinct], np.nonzero(distinct)[0]
+        order = np.argsort(corners, kind="stable")
+        self._around: IntArray = owners[order].astype(np.int32)
+        counts = np.bincount(corners, minlength=vertices)
+        self._starts: IntArray = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
+        self._face_normals: FloatArray = np.zeros((len(faces), 3), np.float32)
+
+    def update(self, points: FloatArray, out: FloatArray) -> None:
+        """Write unit normals (n, 3) of the vertices `points` (n, 3)."""
+        face_normals(points, self._faces, self._face_normals)
+        vertex_normals(self._face_normals, self._starts, self._around, out)
+
+
+def triangles_as_faces(triangles: npt.NDArray[np.integer]) -> IntArray:
+    """Return triangles (m, 3) as faces (m, 4) that repeat their last corner."""
+    return np.concatenate([triangles, triangles[:, 2:]], axis=1).astype(np.int32)

@@ -1,0 +1,86 @@
+"""Hair on the head: short, combed back from the face, in locks, with a soft hairline."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial import cKDTree
+
+from .anatomy import Anatomy, smoothstep
+from .attach import Surface, flat
+from .scalp import flow, grow_roots, hair_density, inside_hairline
+from .strands import Strands
+
+Array = npt.NDArray[np.float64]
+POINTS = 6
+_LOCKS = 700
+_LAYERS = 4
+_SEED = 21
+
+
+def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 8500) -> Strands:
+    """Return `count` hairs of an albedo (3,)."""
+    rng = np.random.default_rng(_SEED)
+    density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
+    behind = smoothstep(-115.0, -150.0, surface.points[:, 2])
+    front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
+    density = density * (1.0 - 0.5 * behind) * (1.0 + 1.2 * front)
+    # Upper layers come first: what lies under them then fails the depth test at once.
+    rounds = [grow_roots(anatomy, surface, density, count // _LAYERS, _SEED + k) for k in range(_LAYERS)]
+    triangles, weights = (np.concatenate(part) for part in zip(*rounds, strict=True))
+    count = len(triangles)
+    origin, normal = surface.at(triangles, weights)
+    within = inside_hairline(anatomy, origin)
+    length = _lengths(anatomy, origin, within) * (0.75 + 0.5 * rng.random(count))
+    layer = (1.0 - (np.arange(count) * _LAYERS // count + rng.random(count)) / _LAYERS) ** 0.7
+    curves = _walk(anatomy, surface, origin, normal, length, layer, rng)
+    curves, lock = _gather_locks(curves, length, smoothstep(0.0, 18.0, within), rng)
+    shade = (0.72 + 0.4 * rng.random(count)) * lock * (1.9 - 0.9 * smoothstep(0.0, 12.0, within))
+    way = np.linspace(0.0, 1.0, POINTS)
+    fine = 0.36 + 0.64 * smoothstep(0.0, 14.0, within)
+    widths = 0.52 * fine[:, None] * (1 - 0.75 * way**2)
+    depths = 0.55 * (1 - layer) * smoothstep(2.0, 14.0, within)
+    return surface.root(triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0)
+
+
+def _lengths(anatomy: Anatomy, origin: Array, within: Array) -> Array:
+    """Return lengths in mm: long on top, short at the sides and neck, shorter at the hairline."""
+    u = anatomy.unit
+    high = smoothstep(25.0 * u, 75.0 * u, origin[:, 1] - anatomy.eye_height)
+    edge = 0.45 + 0.55 * smoothstep(0.0, 12.0 * u, within)
+    return np.asarray((9.0 + 36.0 * high) * edge * u)
+
+
+def _walk(anatomy: Anatomy, surface: Surface, origin: Array, normal: Array, length: Array, layer: Array,
+          rng: np.random.Generator) -> Array:
+    """Return curves (S, POINTS, 3) that leave the skin, bend over and follow it at their layer's height."""
+    u = anatomy.unit
+    tree = cKDTree(surface.points)
+    high = smoothstep(25.0 * u, 80.0 * u, origin[:, 1] - anatomy.eye_height)
+    volume = (1.2 + 16.0 * high * smoothstep(0.0, 25.0 * u, inside_hairline(anatomy, origin) + 14 * high)) * u
+    height = volume * (0.25 + 0.75 * layer)
+    stray = rng.normal(0.0, 0.10, origin.shape)
+    curves, ahead = [origin], flow(anatomy, origin, normal)
+    for k in range(1, POINTS):
+        way = k / (POINTS - 1)
+        place = curves[-1] + flat(ahead + stray, normal) * (length / (POINTS - 1))[:, None]
+        _, nearest = tree.query(place)
+        normal = surface.normals[nearest]
+        above = ((place - surface.points[nearest]) * normal).sum(axis=1)
+        wanted = height * np.sin(np.pi / 2 * min(1.0, 1.6 * way)) * (1 - 0.25 * way**2) + 0.3
+        curves.append(place + (wanted - above)[:, None] * normal)
+        ahead = flow(anatomy, curves[-1], normal)
+    return np.stack(curves, axis=1)
+
+
+def _gather_locks(curves: Array, length: Array, amount: Array, rng: np.random.Generator) -> tuple[Array, Array]:
+    """Draw hairs by `amount` (S,) to the guide of their lock, more at their tips; return curves and each lock's shade."""
+    count = len(curves)
+    guides = rng.permutation(count)[: min(_LOCKS, count)]
+    middle = curves[:, POINTS // 2]
+    _, mine = cKDTree(middle[guides]).query(middle)
+    way = np.linspace(0.0, 1.0, POINTS)[None, :, None]
+    offset = curves - curves[:, :1]
+    wanted = offset[guides][mine] * (length / length[guides][mine])[:, None, None] + curves[guides][mine][:, :1]
+    drawn = curves + 0.6 * amount[:, None, None] * way**1.3 * (wanted - curves)
+    return drawn, 0.82 + 0.36 * rng.random(len(guides))[mine]

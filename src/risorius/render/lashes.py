@@ -1,0 +1,49 @@
+"""Eyelashes on the lids' margins; they ride on the lids as these close."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from ..face.head import Head
+from .attach import Surface, unit
+from .strands import Strands, join
+
+Array = npt.NDArray[np.float64]
+POINTS = 5
+_SEED = 11
+
+
+def grow_lashes(head: Head, surface: Surface, colour: Array, upper: int = 46, lower: int = 26) -> Strands:
+    """Return `upper` and `lower` lashes for each eye, of an albedo (3,)."""
+    groups = []
+    for side in range(2):
+        pairs = surface.points[head.lid_pairs[side]]
+        rng = np.random.default_rng(_SEED)
+        groups.append(_row(surface, pairs[:, 0], head.eye_centre[side], upper, 6.2, 1.0, colour, rng))
+        groups.append(_row(surface, pairs[:, 1], head.eye_centre[side], lower, 3.0, -1.0, colour, rng))
+    return join(groups)
+
+
+def _row(surface: Surface, margin: Array, centre: Array, count: int, longest: float, up: float, colour: Array,
+         rng: np.random.Generator) -> Strands:
+    """Return one row along a margin (P, 3): short at the nose, longest past the middle, fanned out, curled."""
+    outward = 1.0 if centre[0] > 0 else -1.0
+    line = margin[np.argsort(margin[:, 0] * outward, kind="stable")]
+    place = np.clip(0.10 + 0.90 * (np.arange(count) + 0.3 * rng.standard_normal(count)) / (count - 1), 0.06, 1.0)
+    at = place * (len(line) - 1)
+    root = np.stack([np.interp(at, np.arange(len(line)), line[:, c]) for c in range(3)], axis=1)
+    length = longest * (0.45 + 0.55 * np.sin(np.pi * np.clip(0.12 + 0.62 * place, 0, 1)) ** 1.5)
+    length *= 0.85 + 0.3 * rng.random(count)
+    ahead = unit(root - centre)
+    fan = (place - 0.42) * 0.9 + rng.normal(0, 0.06, count)
+    start = ahead + np.stack([outward * fan, np.full(count, -0.10 * up), np.zeros(count)], axis=1)
+    way = np.linspace(0.0, 1.0, POINTS)
+    curl = np.array([0.0, up * (1.05 if up > 0 else 0.75), 0.0])
+    directions = unit(unit(start)[:, None, :] + curl * (way[None, :, None] ** 1.2))
+    steps = directions[:, :-1] * (length / (POINTS - 1))[:, None, None]
+    curves = root[:, None, :] + np.concatenate([np.zeros((count, 1, 3)), np.cumsum(steps, axis=1)], axis=1)
+    triangles, weights = surface.nearest(root)
+    curves += (surface.at(triangles, weights)[0] - root)[:, None, :]
+    widths = np.tile((0.17 if up > 0 else 0.10) * (1 - 0.88 * way**1.3), (count, 1))
+    return surface.root(triangles, weights, curves, widths, np.tile(colour, (count, 1)), np.full(count, 0.3), 0.0)

@@ -1,0 +1,164 @@
+"""The eye: a wet sphere with an iris behind a clear cornea, in the shade of its lids."""
+
+from __future__ import annotations
+
+import math
+
+from ..brdf import gloss, schlick
+from ..inputs import EYE_LEFT, Batch, Light, Mesh, Pose, Sight, Tables
+from ..jit import device, f4
+from ..noise import grain
+from ..raster import FloatArray
+from ..vec import Vec, add, along, cross, dot, mix, rotate, saturate, scale, smooth, sub, times, unit, unrotate
+from .lit import key_share, lamp_colour, lamp_direction, room_light
+from .patch import corners_of, place_of, put, weights_of
+
+LID_STEPS = 32
+IRIS = f4(0.365)  # radius of the iris in radii of the eye
+_LIMBUS = f4(0.045)  # half the width of its soft edge
+_PUPIL = f4(0.36)  # radius of the pupil in radii of the iris
+_CORNEA = f4(0.46)  # where the centre of the cornea's own sphere stands on the axis, in radii of the eye
+_DEPTH = f4(0.06)  # of the iris behind the limbus, in radii of the eye
+_REFRACTION = f4(1 / 1.336)
+_WHITE = (f4(0.72), f4(0.64), f4(0.58))
+_PINK = (f4(0.52), f4(0.27), f4(0.23))
+
+
+@device
+def shade_eyes(turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose,
+               tables: Tables) -> None:
+    """Colour the patches of the eyes among the first n of a row."""
+    for k in range(n):
+        t = batch.triangle[turn, k]
+        side = mesh.surfaces[t] - EYE_LEFT
+        if side == 0 or side == 1:
+            p, _, view = place_of(mesh, sight, corners_of(mesh, t), weights_of(batch, turn, k))
+            put(batch, turn, k, _eye(light, pose, tables, side, p, view))
+
+
+@device
+def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec) -> Vec:
+    """Return the light from the eye `side` (0 left, 1 right) at p."""
+    centre = (pose.eyes[side, 0], pose.eyes[side, 1], pose.eyes[side, 2])
+    outward = unit(sub(p, centre))
+    local = unrotate(pose.eye_axes[side], outward)
+    in_head = unrotate(pose.rotation, outward)
+    radius = pose.eye_radius[side]
+    below, above = _lid_distances(pose, side, in_head, radius)
+    shade = (f4(1) - f4(0.72) * math.exp(-below * f4(0.62))) * (f4(1) - f4(0.45) * math.exp(-above * f4(1.0)))
+    ring = math.sqrt(local[0] * local[0] + local[1] * local[1])
+    iris_share = f4(0)
+    if local[2] > f4(0):
+        iris_share = f4(1) - smooth(IRIS - _LIMBUS, IRIS + _LIMBUS, ring)
+    shadow = key_share(light, p) * shade
+    total = (f4(0), f4(0), f4(0))
+    if iris_share < f4(1):
+        total = _sclera(light, tables, local, in_head, outward, side, radius, shade, shadow)
+    facing = outward
+    if iris_share > f4(0):
+        bulge = unit((local[0], local[1], local[2] - _CORNEA))
+        facing = rotate(pose.eye_axes[side], bulge)
+        facing = unit(mix(outward, facing, iris_share))
+        total = mix(total, _iris(light, pose, tables, side, local, facing, view, shade, shadow), iris_share)
+    return add(total, _wet(light, facing, outward, view, shade, shadow, above))
+
+
+@device
+def _lid_distances(pose: Pose, side: int, in_head: Vec, radius: float) -> tuple[float, float]:
+    """Return mm below the upper and above the lower lid's margin."""
+    low, high = pose.lid_span[side, 0], pose.lid_span[side, 1]
+    place = saturate((in_head[0] * radius - low) / (high - low)) * f4(LID_STEPS - 1.001)
+    i = int(place)
+    s = place - f4(i)
+    upper = pose.lids[side, i, 0] + (pose.lids[side, i + 1, 0] - pose.lids[side, i, 0]) * s
+    lower = pose.lids[side, i, 1] + (pose.lids[side, i + 1, 1] - pose.lids[side, i, 1]) * s
+    y = in_head[1] * radius
+    return max(upper - y, f4(0)), max(y - lower, f4(0))
+
+
+@device
+def _sclera(light: Light, tables: Tables, local: Vec, in_head: Vec, normal: Vec, side: int, radius: float,
+            shade: float, shadow: float) -> Vec:
+    """Return the light scattered by the white of the eye: pinker towards the corners, with faint veins."""
+    inward = -in_head[0] if side == 0 else in_head[0]  # towards the nose
+    corner = smooth(f4(0.42), f4(0.86), inward) + f4(0.7) * smooth(f4(0.45), f4(0.95), -inward)
+    x, y, z = scale(local, radius)
+    vein = abs(grain(tables.grain, (x * f4(0.5), y, z), f4(3))[0])
+    vein = (f4(1) - smooth(f4(0), f4(0.22), vein)) * smooth(f4(0.36), f4(0.8), abs(inward))
+    albedo = mix(_WHITE, _PINK, saturate(corner * f4(0.75) + vein * f4(0.22)))
+    total = times(albedo, scale(room_light(light, normal, shade), f4(1.05)))
+    for k in range(2):
+        wrapped = saturate((dot(normal, lamp_direction(light, k)) + f4(0.3)) * f4(1 / 1.3))
+        total = along(total, times(albedo, lamp_colour(light, k)), wrapped * (shadow if k == 0 else shade))
+    return total
+
+
+@device
+def _iris(light: Light, pose: Pose, tables: Tables, side: int, local: Vec, facing: Vec, view: Vec, shade: float,
+          shadow: float) -> Vec:
+    """Return the light from the iris, seen and lit through the cornea, which gathers it opposite the lamp."""
+    cosine = dot(facing, view)
+    bent = math.sqrt(f4(1) - _REFRACTION * _REFRACTION * (f4(1) - cosine * cosine))
+    inward = along(scale(view, -_REFRACTION), facing, _REFRACTION * cosine - bent)
+    ray = unrotate(pose.eye_axes[side], inward)
+    plane = math.sqrt(f4(1) - IRIS * IRIS) - _DEPTH
+    way = (plane - local[2]) / min(ray[2], f4(-0.1))
+    x, y = (local[0] + ray[0] * way) / IRIS, (local[1] + ray[1] * way) / IRIS
+    distance = math.sqrt(x * x + y * y)
+    albedo = _iris_colour(tables, x, y, distance)
+    axis = (pose.eye_axes[side, 0, 2], pose.eye_axes[side, 1, 2], pose.eye_axes[side, 2, 2])
+    total = times(albedo, scale(room_light(light, axis, shade), f4(1.1)))
+    for k in range(2):
+        towards = unrotate(pose.eye_axes[side], lamp_direction(light, k))
+        gathered = saturate(f4(0.62) - f4(0.75) * (x * towards[0] + y * towards[1]) * saturate(distance * f4(1.4)))
+        arriving = (shadow if k == 0 else shade) * saturate(towards[2] + f4(0.2))
+        total = along(total, times(albedo, lamp_colour(light, k)), gathered * arriving * f4(1.35))
+    return total
+
+
+@device
+def _iris_colour(tables: Tables, x: float, y: float, distance: float) -> Vec:
+    """Return the albedo at a place in the iris' plane (radius 1): pupil, fibres, dark limbus."""
+    rings, angles = tables.iris.shape[0], tables.iris.shape[1]
+    ring = saturate((distance - _PUPIL) / (f4(1) - _PUPIL)) * f4(rings - 1.001)
+    turn = (math.atan2(y, x) * f4(0.15915494) + f4(0.5)) * f4(angles)
+    i, j = int(ring), int(turn)
+    s, t = ring - f4(i), turn - f4(j)
+    a, b = j % angles, (j + 1) % angles
+    low = mix(_texel(tables.iris, i, a), _texel(tables.iris, i, b), t)
+    high = mix(_texel(tables.iris, i + 1, a), _texel(tables.iris, i + 1, b), t)
+    pupil = smooth(_PUPIL - f4(0.03), _PUPIL + f4(0.05), distance)
+    return scale(mix(low, high, s), pupil)
+
+
+@device
+def _texel(image: FloatArray, i: int, j: int) -> Vec:
+    return image[i, j, 0], image[i, j, 1], image[i, j, 2]
+
+
+@device
+def _wet(light: Light, facing: Vec, outward: Vec, view: Vec, shade: float, shadow: float, above: float) -> Vec:
+    """Return what the tear film mirrors: windows of light in the cornea, the room, a line on the lower lid."""
+    total = scale(room_light(light, facing, f4(1)), schlick(dot(facing, view), f4(0.03)) * shade * f4(0.7))
+    back = along(scale(view, f4(-1)), facing, f4(2) * dot(facing, view))
+    for k in range(2):
+        direction, colour = lamp_direction(light, k), lamp_colour(light, k)
+        arriving = shade if k else max(shadow, f4(0.55) * shade)
+        size = f4(0.30) if k == 0 else f4(0.42)
+        total = along(total, colour, _window(back, direction, size) * arriving * (f4(0.9) if k == 0 else f4(0.22)))
+    line = unit(add(outward, (f4(0), f4(0.75), f4(0))))
+    tears = (f4(1) - smooth(f4(0.15), f4(0.75), above)) * gloss(line, view, lamp_direction(light, 0), f4(0.12), f4(0.04))
+    return along(total, lamp_colour(light, 0), tears * shadow)
+
+
+@device
+def _window(back: Vec, direction: Vec, size: float) -> float:
+    """Return 1 where the mirrored ray meets a square lamp of half-width `size` (tangent), with a soft edge."""
+    ahead = dot(back, direction)
+    if ahead <= f4(0.1):
+        return f4(0)
+    side = unit(cross((f4(0), f4(1), f4(0)), direction))
+    across, up = dot(back, side) / ahead, dot(back, cross(direction, side)) / ahead
+    edge = f4(0.12)
+    wide = f4(1) - smooth(size - edge, size + edge, abs(across))
+    return wide * (f4(1) - smooth(size * f4(1.25) - edge, size * f4(1.25) + edge, abs(up)))

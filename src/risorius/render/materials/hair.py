@@ -1,0 +1,79 @@
+"""Hairs: a fibre mirrors light into a cone about its own direction (Kajiya and Kay 1989), twice.
+
+Hairs are thinner than pixels, so their light is found at the points of their curves and carried along them.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..inputs import EXTRA, HAIR, OCCLUSION, SPECULAR, Batch, Light, Mesh
+from ..jit import device, f4, kernel, prange
+from ..raster import FloatArray
+from ..vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
+from .lit import key_share, lamp_colour, lamp_direction, room_light
+from .patch import corners_of, put, weights_of
+
+_BLOCK = 512
+
+
+@kernel
+def light_hairs(mesh: Mesh, light: Light, eye: FloatArray, first: int) -> None:
+    """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.hair_light`."""
+    pairs = (len(mesh.positions) - first) // 2
+    for block in prange((pairs + _BLOCK - 1) // _BLOCK):
+        _light_pairs(mesh, light, eye, first + 2 * block * _BLOCK, first + 2 * min((block + 1) * _BLOCK, pairs))
+
+
+@device
+def _light_pairs(mesh: Mesh, light: Light, eye: FloatArray, first: int, end: int) -> None:
+    camera = (eye[0], eye[1], eye[2])
+    for i in range(first, end, 2):
+        direction = at(mesh.normals, i)
+        if dot(direction, direction) == f4(0):
+            continue  # a hair behind the head
+        p = scale(add(at(mesh.positions, i), at(mesh.positions, i + 1)), f4(0.5))
+        colour = _fibre(mesh, light, i, p, direction, unit(sub(camera, p)))
+        for row in range(i, i + 2):
+            mesh.hair_light[row, 0], mesh.hair_light[row, 1], mesh.hair_light[row, 2] = colour
+
+
+@device
+def shade_hairs(turn: int, n: int, batch: Batch, mesh: Mesh) -> None:
+    """Colour the patches of hair among the first n of a row."""
+    for k in range(n):
+        t = batch.triangle[turn, k]
+        if mesh.surfaces[t] >= HAIR:
+            put(batch, turn, k, weigh(mesh.hair_light, corners_of(mesh, t), weights_of(batch, turn, k), 0))
+
+
+@device
+def _fibre(mesh: Mesh, light: Light, i: int, p: Vec, direction: Vec, view: Vec) -> Vec:
+    """Return the light from a hair at p, vertex i, that runs along `direction`."""
+    albedo = at(mesh.attributes, i)
+    free, strength, way = mesh.attributes[i, OCCLUSION], mesh.attributes[i, SPECULAR], mesh.attributes[i, EXTRA]
+    # Roots lie in the shade of the hairs above them.
+    free *= f4(0.25) + f4(0.75) * way
+    across = unit(along(view, direction, -dot(view, direction)))
+    shadow = key_share(light, p)
+    total = times(albedo, room_light(light, across, free))
+    for k in range(len(light.lamps)):
+        lamp, colour = lamp_direction(light, k), lamp_colour(light, k)
+        share = (shadow if k == 0 else mesh.reach[i, k]) * (f4(0.4) + f4(0.6) * free)
+        cosine = dot(direction, lamp)
+        sine = math.sqrt(saturate(f4(1) - cosine * cosine))
+        facing = saturate(dot(across, lamp) * f4(0.6) + f4(0.4))
+        total = along(total, times(albedo, colour), f4(0.7) * sine * facing * share)
+        total = add(total, scale(_shine(albedo, colour, direction, view, lamp), facing * share * strength))
+    return total
+
+
+@device
+def _shine(albedo: Vec, colour: Vec, direction: Vec, view: Vec, lamp: Vec) -> Vec:
+    """Return the white highlight, and the coloured one that has passed through the fibre, towards the tip."""
+    half = unit(add(view, lamp))
+    tilt = dot(direction, half)
+    first, second = tilt + f4(0.09), tilt - f4(0.14)
+    white = math.exp(-first * first * f4(60)) * f4(0.07)
+    tinted = math.exp(-second * second * f4(16)) * f4(1.3)
+    return along(scale(colour, white), times(albedo, colour), tinted)

@@ -1,0 +1,107 @@
+"""How much of the surroundings each vertex sees at rest, baked once per head from maps of depth."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from .jit import exact_kernel, f4, prange
+from .raster import ByteArray, FloatArray, IntArray, Visibility
+from .shadow import flatten, light_matrix, transform
+
+_SIZE = 512
+_BLOCK = 512
+_CONE = np.radians(20.0)  # half the angle under which a broad lamp is seen
+_CONE_DIRECTIONS = 400  # over the whole sphere: a dozen within the cone
+
+
+def sky_directions(count: int) -> npt.NDArray[np.float64]:
+    """Return `count` unit vectors (count, 3) spread evenly over the sphere (a golden spiral)."""
+    k = np.arange(count) + 0.5
+    height, angle = 1 - 2 * k / count, np.pi * (1 + 5**0.5) * k
+    ring = np.sqrt(1 - height**2)
+    return np.stack([ring * np.cos(angle), height, ring * np.sin(angle)], axis=1)
+
+
+def ambient_occlusion(
+    points: FloatArray,
+    normals: FloatArray,
+    triangles: IntArray,
+    two_sided: ByteArray,
+    centre: npt.NDArray[np.float64],
+    radius: float,
+    directions: int = 96,
+) -> FloatArray:
+    """Return the share (n,) float32 of the hemisphere above each vertex, weighted by the cosine, that is free.
+
+    Only what lies within `radius` of `centre` (3,) casts shade, in `directions` directions.
+    """
+    return _seen(points, normals, triangles, two_sided, centre, radius, sky_directions(directions), cosine=True)
+
+
+def lamp_reach(
+    points: FloatArray,
+    normals: FloatArray,
+    triangles: IntArray,
+    two_sided: ByteArray,
+    centre: npt.NDArray[np.float64],
+    radius: float,
+    lamp: npt.NDArray[np.floating],
+) -> FloatArray:
+    """Return the share (n,) float32 of a broad lamp in direction `lamp` (3,) that the scene lets through."""
+    around = sky_directions(_CONE_DIRECTIONS)
+    cone = around[around @ lamp > np.cos(_CONE)]
+    return _seen(points, normals, triangles, two_sided, centre, radius, cone, cosine=False)
+
+
+def _seen(
+    points: FloatArray,
+    normals: FloatArray,
+    triangles: IntArray,
+    two_sided: ByteArray,
+    centre: npt.NDArray[np.float64],
+    radius: float,
+    directions: npt.NDArray[np.float64],
+    *,
+    cosine: bool,
+) -> FloatArray:
+    """Return the share (n,) of the directions (k, 3) that are free, weighted by the cosine or all alike."""
+    buffer = Visibility(_SIZE, _SIZE, len(triangles), keep_ids=False)
+    xy, key = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.float32)
+    sums = np.zeros((len(points), 2), np.float32)
+    bias = np.float32(3.0 * radius / _SIZE)
+    for direction in directions:
+        matrix = light_matrix(direction, centre, radius, _SIZE)
+        flatten(points, matrix, xy, key)
+        buffer.draw(xy, key, triangles, two_sided)
+        _gather(points, normals, direction.astype(np.float32), matrix, buffer.depth, bias, cosine, sums)
+    return np.asarray(sums[:, 0] / np.maximum(sums[:, 1], 1e-6), np.float32)
+
+
+@exact_kernel
+def _gather(
+    points: FloatArray,
+    normals: FloatArray,
+    direction: FloatArray,
+    matrix: FloatArray,
+    depth: FloatArray,
+    bias: float,
+    by_cosine: bool,
+    sums: FloatArray,
+) -> None:
+    """Add what each vertex sees in one direction to its free (column 0) and its whole (column 1) weight."""
+    n = len(points)
+    for block in prange((n + _BLOCK - 1) // _BLOCK):
+        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
+            x, y, z = normals[i, 0], normals[i, 1], normals[i, 2]
+            weight = f4(1)
+            if by_cosine:
+                weight = x * direction[0] + y * direction[1] + z * direction[2]
+                if weight <= f4(0):
+                    continue
+            lifted = (points[i, 0] + x * bias, points[i, 1] + y * bias, points[i, 2] + z * bias)
+            u, v, d = transform(matrix, lifted)
+            sums[i, 1] += weight
+            inside = f4(0) <= u < f4(depth.shape[1]) and f4(0) <= v < f4(depth.shape[0])
+            if not inside or depth[int(v), int(u)] <= d + bias:
+                sums[i, 0] += weight

@@ -1,0 +1,56 @@
+"""Where hair grows: the hairline about the skull, and which way the hair lies."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from .anatomy import Anatomy, smoothstep
+from .attach import Surface, flat, unit
+from .noise import noise_at
+
+Array = npt.NDArray[np.float64]
+
+# Height of the hairline over the eyes (mm) by the angle from the front, about an axis through the skull.
+_ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
+_HEIGHTS = (65, 66, 68, 62, 48, 30, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
+_AXIS = -72.0  # z of the axis, mm
+
+
+def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
+    """Return mm (n,) by which points (n, 3) lie inside the hairline, negative outside; a little uneven."""
+    u = anatomy.unit
+    angle = np.degrees(np.arctan2(np.abs(points[:, 0]), points[:, 2] - _AXIS * u))
+    line = anatomy.eye_height + u * np.interp(angle, _ANGLES, _HEIGHTS)
+    uneven = 1.6 * noise_at(points, 16.0) + 0.8 * noise_at(points, 6.0)
+    return np.asarray(points[:, 1] - line + uneven * u)
+
+
+def hair_density(anatomy: Anatomy, points: Array, ears: Array) -> Array:
+    """Return how densely (n,) hair grows at points (n, 3): rising over a centimetre, none on the ears."""
+    return smoothstep(-2.5, 15.0, inside_hairline(anatomy, points)) * (1.0 - smoothstep(0.05, 0.3, ears))
+
+
+def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
+    """Return unit directions (n, 3) along the skin in which combed hair lies: back from the face, down at the sides."""
+    u = anatomy.unit
+    side = np.sign(points[:, 0]) * smoothstep(0.0, 25.0 * u, np.abs(points[:, 0]))
+    high = smoothstep(30.0 * u, 75.0 * u, points[:, 1] - anatomy.eye_height)
+    back = smoothstep(-70.0 * u, -150.0 * u, points[:, 2])
+    # A parting off the middle: hair leans to the subject's left of it and to the right beyond.
+    lean = np.tanh((points[:, 0] + 30.0 * u) / (18.0 * u))
+    combed = np.stack([0.62 * lean * high + 0.25 * side * (1 - high), -0.9 * (1 - high) - 0.6 * back, -1.0 + 0.5 * back], axis=1)
+    wave = np.stack([noise_at(points + shift, 45.0) for shift in (0.0, 91.0, 57.0)], axis=1)
+    return flat(unit(combed) + 0.16 * wave, normals)
+
+
+def grow_roots(anatomy: Anatomy, surface: Surface, density: Array, count: int, seed: int) -> tuple[Array, Array]:
+    """Return `count` triangles and barycentric weights, spread over the skin by area times `density` (N1,)."""
+    rng = np.random.default_rng(seed)
+    corners = surface.points[surface.triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    share = area * density[surface.triangles].mean(axis=1)
+    steps = (np.arange(count) + rng.random(count)) / count
+    triangles = np.searchsorted(np.cumsum(share) / share.sum(), steps).clip(0, len(area) - 1)
+    a, b = np.sqrt(rng.random(count)), rng.random(count)
+    return triangles.astype(np.int32), np.stack([1 - a, a * (1 - b), a * b], axis=1)

@@ -1,0 +1,152 @@
+"""The scene that a head makes: one list of vertices and triangles, posed anew for each frame."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from ..face.frame import FaceFrame
+from ..face.head import Head
+from .anatomy import find_anatomy
+from .aperture import lip_edges
+from .brows import grow_brows
+from .complexion import Complexion, linear
+from .eyeball import lid_margins
+from .garment import neckline, standing_off
+from .geometry import Normals, turn
+from .hairstyle import grow_hair
+from .inputs import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR, Pose
+from .lashes import grow_lashes
+from .occlusion import ambient_occlusion, lamp_reach
+from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
+from .raster import ByteArray, FloatArray, IntArray
+from .strands import Strands, ribbons
+
+Array = npt.NDArray[np.float64]
+_HAIR_COLOUR = (58, 42, 32)
+
+
+class HeadScene:
+    """All that is drawn of a head.
+
+    Static: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, …), `rest` (n, 3), and
+    `solid`, how many of the triangles (the first ones) cast shadows. After `pose`: `positions` (n, 3) and
+    `normals` (n, 3) float32 in the world.
+    """
+
+    def __init__(self, head: Head, lamps: FloatArray, complexion: Complexion | None = None) -> None:
+        self.head = head
+        self.anatomy = find_anatomy(head)
+        surface = skin_surface(head, self.anatomy)
+        complexion = complexion or Complexion()
+        hair = linear(_HAIR_COLOUR)
+        self.cloth: FloatArray = linear(complexion.cloth).astype(np.float32)
+        skin = skin_part(head, self.anatomy, surface, complexion, hair)
+        teeth = [teeth_part(head.teeth_upper), teeth_part(head.teeth_lower)]
+        parts = [skin, *eye_parts(head), *teeth, tongue_part(head)]
+        self._hairs = [
+            grow_brows(self.anatomy, surface, hair),
+            grow_lashes(head, surface, 0.35 * hair),
+            grow_hair(self.anatomy, surface, hair),
+        ]
+        self._offset = standing_off(neckline(self.anatomy), surface.normals).astype(np.float32)
+        self._starts = np.concatenate([[0], np.cumsum([len(part.vertices) for part in parts])])
+        self._gather(parts)
+        self._bake(lamps)
+
+    def _gather(self, parts: list[Part]) -> None:
+        """Lay the parts, then the hairs, out in common arrays."""
+        starts = self._starts
+        self.mesh_vertices = int(starts[-1])
+        faces = np.concatenate([part.faces + start for part, start in zip(parts, starts, strict=False)])
+        self._normals = Normals(np.ascontiguousarray(faces, np.int32), self.mesh_vertices)
+        triangles = [part.triangles + start for part, start in zip(parts, starts, strict=False)]
+        surfaces = [np.full(len(part.triangles), part.surface) for part in parts]
+        self.solid = sum(len(t) for t in triangles)
+        attributes = [part.attributes for part in parts]
+        self._hair_starts, first, number = [], self.mesh_vertices, HAIR
+        for group in self._hairs:
+            self._hair_starts.append(first)
+            triangles.append(group.triangles() + first)
+            per_hair = 2 * (group.widths.shape[1] - 1)
+            surfaces.append(number + np.repeat(np.arange(len(group.widths)), per_hair))
+            attributes.append(_hair_attributes(group))
+            first, number = first + group.vertices, number + len(group.widths)
+        self.triangles: IntArray = np.concatenate(triangles).astype(np.int32)
+        self.surfaces: IntArray = np.concatenate(surfaces).astype(np.int32)
+        self.two_sided: ByteArray = (self.surfaces >= HAIR).astype(np.uint8)
+        self.attributes: FloatArray = np.concatenate(attributes)
+        self._local: FloatArray = np.concatenate([part.vertices for part in parts]).astype(np.float32)
+        self._local[: len(self._offset)] += self._offset
+        self.rest: FloatArray = np.zeros((first, 3), np.float32)
+        self.rest[: self.mesh_vertices] = self._local
+        self.positions: FloatArray = self.rest.copy()
+        self.normals: FloatArray = np.zeros((first, 3), np.float32)
+        self.hair_light: FloatArray = np.zeros((first, 3), np.float32)
+        self._weight: FloatArray = np.ones(self.mesh_vertices, np.float32)
+        self._weight[: len(self._offset)] = self.head.skin.matrix @ self.head.neck_weight
+
+    def _bake(self, lamps: FloatArray) -> None:
+        """Fill in what the skin at rest sees of its surroundings and of all lamps (n, 7) but the first."""
+        count = len(self._offset)
+        self._normals.update(self._local, self.normals[: self.mesh_vertices])
+        normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
+        mesh = (self._local, normals, self.triangles[solid], self.two_sided[solid])
+        self.attributes[:count, OCCLUSION] = ambient_occlusion(
+            *mesh, *self.anatomy.sphere()
+        )[:count]
+        self.reach: FloatArray = np.ones((len(self.rest), len(lamps)), np.float32)
+        for k, lamp in enumerate(lamps[1:, :3], start=1):
+            self.reach[:count, k] = lamp_reach(*mesh, *self.anatomy.sphere(), lamp)[:count]
+
+    def pose(self, frame: FaceFrame, eye: FloatArray) -> Pose:
+        """Move all vertices to a frame; `eye` (3,) float32 is where the camera stands."""
+        rotation = frame.head_rotation.astype(np.float32)
+        pivot = self.head.head_pivot.astype(np.float32)
+        self._place(frame)
+        mesh = slice(0, self.mesh_vertices)
+        turn(self._local, self._weight, rotation, pivot, self.positions[mesh])
+        self._normals.update(self.positions[mesh], self.normals[mesh])
+        for group, start in zip(self._hairs, self._hair_starts, strict=True):
+            ribbons(self.positions, self.normals, group.roots, group.weights, group.curves, group.widths, eye, start)
+        return self._read_pose(frame, rotation, pivot)
+
+    def _place(self, frame: FaceFrame) -> None:
+        """Copy what moves within the head: skin, lower teeth, tongue."""
+        starts = self._starts
+        np.add(frame.skin, self._offset, out=self._local[: starts[1]])
+        self._local[starts[4] : starts[5]] = frame.teeth_lower
+        self._local[starts[5] : starts[6]] = frame.tongue
+
+    def _read_pose(self, frame: FaceFrame, rotation: FloatArray, pivot: FloatArray) -> Pose:
+        """Collect what the shaders of eyes and mouth need to know."""
+        head = self.head
+        centres = (head.eye_centre - head.head_pivot) @ frame.head_rotation.T + head.head_pivot
+        lids = [
+            lid_margins(frame.skin[head.lid_pairs[side]].astype(np.float64), head.eye_centre[side],
+                        float(head.eye_radius[side]))
+            for side in range(2)
+        ]
+        span, lips = lip_edges(frame.skin[head.lip_pairs].astype(np.float64))
+        return Pose(
+            rotation=rotation,
+            pivot=pivot,
+            eyes=centres.astype(np.float32),
+            eye_axes=np.ascontiguousarray(frame.head_rotation @ frame.eye_rotation, np.float32),
+            eye_radius=head.eye_radius.astype(np.float32),
+            lids=np.stack([heights for _, heights in lids]).astype(np.float32),
+            lid_span=np.stack([s for s, _ in lids]).astype(np.float32),
+            lips=np.ascontiguousarray(lips, np.float32),
+            lip_span=span.astype(np.float32),
+        )
+
+
+def _hair_attributes(group: Strands) -> FloatArray:
+    """Return attributes of the ribbons' vertices: colour, depth, gloss, and the way from root to tip."""
+    strands, points = group.widths.shape
+    result = np.zeros((strands, points, 2, ATTRIBUTES), np.float32)
+    result[..., ALBEDO : ALBEDO + 3] = group.colours[:, None, None, :]
+    result[..., OCCLUSION] = (1.0 - group.depths)[:, None, None]
+    result[..., SPECULAR] = group.gloss
+    result[..., EXTRA] = np.linspace(0.0, 1.0, points)[None, :, None]
+    return result.reshape(-1, ATTRIBUTES)

@@ -1,0 +1,122 @@
+"""The shadow of the key light: a depth map seen from the lamp, compared over a soft neighbourhood."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from .jit import device, exact_kernel, f4, prange
+from .camera import snap
+from .raster import ByteArray, FloatArray, IntArray, Visibility
+from .vec import Vec
+
+SIZE = 384
+REACH = 2  # taps on each side
+TILE = 8  # texels
+_BLOCK = 1024
+_RAMP = f4(0.5)  # 1/mm: depths are compared over 2 mm, which hides the steps of the map
+
+
+class ShadowMap:
+    """A map of SIZE² texels over a sphere that holds the scene."""
+
+    def __init__(self, direction: npt.NDArray[np.floating], centre: npt.NDArray[np.floating], radius: float,
+                 vertices: int, triangles: int) -> None:
+        self.matrix = light_matrix(direction, centre, radius, SIZE)
+        self.bias = 3.2 * radius / SIZE  # mm: what a texel spans in depth on a slanted surface
+        self._xy: IntArray = np.zeros((vertices, 2), np.int32)
+        self._key: FloatArray = np.zeros(vertices, np.float32)
+        self.tiles: FloatArray = np.zeros((SIZE // TILE, SIZE // TILE, 2), np.float32)
+        self._buffer = Visibility(SIZE, SIZE, triangles, keep_ids=False)
+
+    @property
+    def depth(self) -> FloatArray:
+        """The map (SIZE, SIZE) float32: mm towards the lamp from the sphere's far side, 0 where empty."""
+        return self._buffer.depth
+
+    def update(self, points: FloatArray, triangles: IntArray, two_sided: ByteArray) -> None:
+        """Draw the map anew."""
+        flatten(points, self.matrix, self._xy, self._key)
+        self._buffer.draw(self._xy, self._key, triangles, two_sided)
+        bound_tiles(self.depth, self.tiles)
+
+
+def light_matrix(direction: npt.NDArray[np.floating], centre: npt.NDArray[np.floating], radius: float,
+                 size: int) -> FloatArray:
+    """Return the matrix (3, 4) float32 whose rows give x and y in texels and mm towards the lamp.
+
+    The map covers the sphere of this radius about `centre`, whose far side has depth 1 mm.
+    """
+    ahead = np.asarray(direction, np.float64) / np.linalg.norm(direction)
+    side = np.cross((0.0, 1.0, 0.0) if abs(ahead[1]) < 0.99 else (1.0, 0.0, 0.0), ahead)
+    side /= np.linalg.norm(side)
+    scale = size / (2 * radius)
+    rows = np.stack([side * scale, -np.cross(ahead, side) * scale, ahead])
+    offset = np.array([size / 2, size / 2, radius + 1.0]) - rows @ np.asarray(centre, np.float64)
+    return np.concatenate([rows, offset[:, None]], axis=1).astype(np.float32)
+
+
+@device
+def transform(matrix: FloatArray, p: Vec) -> Vec:
+    """Return matrix (3, 4) · (p, 1)."""
+    return (
+        matrix[0, 0] * p[0] + matrix[0, 1] * p[1] + matrix[0, 2] * p[2] + matrix[0, 3],
+        matrix[1, 0] * p[0] + matrix[1, 1] * p[1] + matrix[1, 2] * p[2] + matrix[1, 3],
+        matrix[2, 0] * p[0] + matrix[2, 1] * p[1] + matrix[2, 2] * p[2] + matrix[2, 3],
+    )
+
+
+@exact_kernel
+def flatten(points: FloatArray, matrix: FloatArray, xy: IntArray, key: FloatArray) -> None:
+    """Write positions in 1/256 texel and depths of points (n, 3) for `light_matrix`."""
+    n = len(points)
+    for block in prange((n + _BLOCK - 1) // _BLOCK):
+        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
+            u, v, d = transform(matrix, (points[i, 0], points[i, 1], points[i, 2]))
+            xy[i, 0] = snap(u)
+            xy[i, 1] = snap(v)
+            key[i] = max(d, f4(0.001))
+
+
+@exact_kernel
+def bound_tiles(depth: FloatArray, tiles: FloatArray) -> None:
+    """Write the least and greatest depth that the taps of each tile's texels meet."""
+    size = depth.shape[0]
+    for j in prange(tiles.shape[0]):
+        for i in range(tiles.shape[1]):
+            low, high = f4(1e9), f4(0)
+            for row in range(max(j * TILE - REACH, 0), min((j + 1) * TILE + REACH + 1, size)):
+                for column in range(max(i * TILE - REACH, 0), min((i + 1) * TILE + REACH + 1, size)):
+                    low, high = min(low, depth[row, column]), max(high, depth[row, column])
+            tiles[j, i, 0], tiles[j, i, 1] = low, high
+
+
+@device
+def lit(depth: FloatArray, tiles: FloatArray, matrix: FloatArray, p: Vec, bias: float) -> float:
+    """Return the share of the lamp seen from p, 0..1: a tent over 2·REACH + 1 texels each way."""
+    u, v, d = transform(matrix, p)
+    x, y = u - f4(0.5), v - f4(0.5)
+    i, j = int(x), int(y)
+    size = depth.shape[0]
+    if i < REACH or j < REACH or i >= size - REACH - 1 or j >= size - REACH - 1:
+        return f4(1)
+    near = d + bias
+    if tiles[j // TILE, i // TILE, 1] <= near:
+        return f4(1)
+    if (tiles[j // TILE, i // TILE, 0] - near) * _RAMP >= f4(1):
+        return f4(0)
+    return _tent(depth, i, j, x - f4(i), y - f4(j), near)
+
+
+@device
+def _tent(depth: FloatArray, i: int, j: int, s: float, t: float, near: float) -> float:
+    """Return the share of texels about (i + s, j + t) that lie no nearer to the lamp than `near`."""
+    total = f4(0)
+    for row in range(-REACH, REACH + 2):
+        line = f4(0)
+        for column in range(-REACH, REACH + 2):
+            blocked = min(max((depth[j + row, i + column] - near) * _RAMP, f4(0)), f4(1))
+            line += (f4(1) - blocked) * (f4(REACH + 1) - abs(f4(column) - s))
+        total += line * (f4(REACH + 1) - abs(f4(row) - t))
+    reach = f4((REACH + 1) * (REACH + 1))
+    return total / (reach * reach)

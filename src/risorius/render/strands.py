@@ -1,0 +1,130 @@
+"""Hairs: tapered curves rooted in the skin, drawn as ribbons that face the camera."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from .jit import exact, exact_kernel, f4, prange
+from .raster import FloatArray, IntArray
+from .vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
+
+_BLOCK = 128
+_HIDDEN = f4(-0.45)  # cosine to the camera below which a root lies behind the head
+
+
+@dataclass(frozen=True, slots=True)
+class Strands:
+    """S hairs of P points each, rooted in skin triangles.
+
+    `roots` (S, 3) int32 are the triangle's vertices and `weights` (S, 3) float32 the place in it; `curves`
+    (S, P, 3) float32 mm stand in the root's frame (first edge made level, the third direction, normal);
+    `widths` (S, P) mm are full widths; `colours` (S, 3) linear; `depths` (S,) 0..1 is how little light
+    reaches the root (0 free, 1 buried); `gloss` is the strength of their highlights.
+    """
+
+    roots: IntArray
+    weights: FloatArray
+    curves: FloatArray
+    widths: FloatArray
+    colours: FloatArray
+    depths: FloatArray
+    gloss: float
+
+    @property
+    def vertices(self) -> int:
+        """How many vertices the ribbons have: two for each point."""
+        return 2 * self.widths.size
+
+    def triangles(self) -> IntArray:
+        """Return the ribbons' triangles (2 S (P − 1), 3), counting vertices from 0, hair by hair."""
+        strands, points = self.widths.shape
+        pair = 2 * np.arange(strands * points).reshape(strands, points)[:, :-1, None, None]
+        return (pair + np.array([[0, 1, 2], [1, 3, 2]])).reshape(-1, 3).astype(np.int32)
+
+
+def join(groups: list[Strands]) -> Strands:
+    """Return several groups of hairs, of equally many points, as one."""
+    names = ("roots", "weights", "curves", "widths", "colours", "depths")
+    arrays = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
+    return Strands(**arrays, gloss=groups[0].gloss)
+
+
+def root_frames(
+    positions: npt.NDArray[np.floating], normals: npt.NDArray[np.floating], roots: IntArray, weights: FloatArray
+) -> npt.NDArray[np.float64]:
+    """Return the frames (S, 3, 3) of roots, as rows: along the first edge, across it, normal."""
+    normal = np.einsum("skc,sk->sc", np.asarray(normals, np.float64)[roots], weights)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    edge = np.asarray(positions[roots[:, 1]] - positions[roots[:, 0]], np.float64)
+    edge -= np.einsum("sc,sc->s", edge, normal)[:, None] * normal
+    edge /= np.linalg.norm(edge, axis=1, keepdims=True)
+    return np.stack([edge, np.cross(normal, edge), normal], axis=1)
+
+
+@exact
+def _frame(positions: FloatArray, normals: FloatArray, corners: tuple[int, int, int], place: Vec) -> tuple[Vec, Vec, Vec]:
+    normal = unit(weigh(normals, corners, place, 0))
+    edge = sub(at(positions, corners[1]), at(positions, corners[0]))
+    edge = unit(along(edge, normal, -dot(edge, normal)))
+    return edge, cross(normal, edge), normal
+
+
+@exact
+def _point(curves: FloatArray, s: int, k: int, origin: Vec, frame: tuple[Vec, Vec, Vec]) -> Vec:
+    p = along(origin, frame[0], curves[s, k, 0])
+    p = along(p, frame[1], curves[s, k, 1])
+    return along(p, frame[2], curves[s, k, 2])
+
+
+@exact
+def _collapse(positions: FloatArray, normals: FloatArray, start: int, count: int, origin: Vec) -> None:
+    """Bring all vertices of a ribbon to its root, so that nothing of it is drawn."""
+    for row in range(start, start + count):
+        positions[row, 0], positions[row, 1], positions[row, 2] = origin
+        normals[row, 0], normals[row, 1], normals[row, 2] = f4(0), f4(0), f4(0)
+
+
+@exact_kernel
+def ribbons(
+    positions: FloatArray,
+    normals: FloatArray,
+    roots: IntArray,
+    weights: FloatArray,
+    curves: FloatArray,
+    widths: FloatArray,
+    eye: FloatArray,
+    first: int,
+) -> None:
+    """Write the ribbons' vertices into `positions` and their directions into `normals`, from row `first` on.
+
+    Roots are looked up in the same arrays; `eye` (3,) is where the camera stands. Hairs rooted behind the head
+    are left out.
+    """
+    strands, points = widths.shape
+    camera = (eye[0], eye[1], eye[2])
+    for block in prange((strands + _BLOCK - 1) // _BLOCK):
+        for s in range(block * _BLOCK, min((block + 1) * _BLOCK, strands)):
+            corners = (roots[s, 0], roots[s, 1], roots[s, 2])
+            place = (weights[s, 0], weights[s, 1], weights[s, 2])
+            origin = weigh(positions, corners, place, 0)
+            frame = _frame(positions, normals, corners, place)
+            if dot(frame[2], unit(sub(camera, origin))) < _HIDDEN:
+                _collapse(positions, normals, first + 2 * s * points, 2 * points, origin)
+                continue
+            here = _point(curves, s, 0, origin, frame)
+            ahead = (f4(0), f4(0), f4(0))
+            for k in range(points):
+                point = here
+                if k + 1 < points:
+                    here = _point(curves, s, k + 1, origin, frame)
+                    ahead = unit(sub(here, point))
+                side = scale(unit(cross(sub(camera, point), ahead)), widths[s, k] * f4(0.5))
+                row = first + 2 * (s * points + k)
+                for column in range(3):
+                    positions[row, column] = point[column] - side[column]
+                    positions[row + 1, column] = point[column] + side[column]
+                    normals[row, column] = ahead[column]
+                    normals[row + 1, column] = ahead[column]

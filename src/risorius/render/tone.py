@@ -1,0 +1,57 @@
+"""From linear light to the bytes of the picture."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from .jit import device, f4
+from .raster import ByteArray, FloatArray
+
+TONES = 4096
+WHITE = 6.0  # scene light that becomes full white
+
+
+def srgb_encode(linear: npt.NDArray[np.floating]) -> npt.NDArray[np.float64]:
+    """Return sRGB values 0..1 of linear light 0..1 (IEC 61966-2-1)."""
+    x = np.clip(np.asarray(linear, np.float64), 0.0, 1.0)
+    return np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
+
+
+def srgb_decode(encoded: npt.NDArray[np.floating]) -> npt.NDArray[np.float64]:
+    """Return linear light of sRGB values 0..1."""
+    x = np.asarray(encoded, np.float64)
+    return np.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)
+
+
+def film(linear: npt.NDArray[np.floating]) -> npt.NDArray[np.float64]:
+    """Return display light 0..1 of scene light: a toe that deepens shadows, a soft shoulder up to WHITE."""
+    x = np.clip(np.asarray(linear, np.float64), 0.0, WHITE)
+    rolled = x * (1 + x / WHITE**2) / (1 + 0.55 * x) * ((1 + 0.55 * WHITE) / (WHITE + 1))
+    return np.clip(1.30 * rolled**1.18 / (1 + 0.30 * rolled**1.18), 0.0, 1.0)
+
+
+def film_table() -> FloatArray:
+    """Return display light (TONES,) float32 for each square root of scene light from 0 to √WHITE."""
+    return film(np.linspace(0.0, np.sqrt(WHITE), TONES) ** 2).astype(np.float32)
+
+
+def tone_table() -> ByteArray:
+    """Return the sRGB byte (TONES,) for each square root of display light from 0 to 1."""
+    light = np.linspace(0.0, 1.0, TONES) ** 2
+    return np.asarray(srgb_encode(light) * 255 + 0.5).astype(np.uint8)
+
+
+@device
+def exposed(table: FloatArray, light: float) -> float:
+    """Look up the display light of scene light in `film_table`."""
+    x = math.sqrt(max(light, f4(0))) * f4((TONES - 1) / math.sqrt(WHITE))
+    return table[min(int(x + f4(0.5)), TONES - 1)]
+
+
+@device
+def to_byte(table: ByteArray, light: float) -> int:
+    """Look up the byte for one channel of display light 0..1."""
+    return table[min(int(math.sqrt(light) * f4(TONES - 1) + f4(0.5)), TONES - 1)]

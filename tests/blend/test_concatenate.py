@@ -1,0 +1,188 @@
+"""Movements of one layer: invalid scores, each case of the formulas, laws against the slow reference."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from risorius.blend.concatenate import concatenate, sequence
+from risorius.blend.strokes import StrokeCurve
+from risorius.core.functions import ONSET_FUNCTIONS
+from risorius.core.movement import Movement
+
+from . import reference
+from .strategies import MUSCLES, movements
+
+Z = "zygomatic_major.left"
+
+
+def move(start: float, end: float, onset: float, offset: float, value: float, **more: object) -> Movement:
+    return Movement("emotion", start, end, onset, offset, {Z: value}, **more)  # type: ignore[arg-type]
+
+
+def values(found: list[Movement], times: np.ndarray, name: str = Z) -> np.ndarray:
+    curve = concatenate("", found).curves[name]
+    dense = np.zeros(len(times))
+    index, sampled = curve.sample(times)
+    dense[index] = sampled
+    return dense
+
+
+class TestOneMovement:
+    """Paper A, section 4."""
+
+    def test_figure_4(self) -> None:
+        found = values([move(0, 7, 2, 3, 1.0)], np.array([0, 1, 2, 3, 4, 5.5, 7, 8.0]))
+        assert found == pytest.approx([0, math.sqrt(2) - 1, 1, 1, 1, math.sqrt(2) - 1, 0, 0], abs=1e-15)
+
+    def test_zero_onset_and_offset_are_steps(self) -> None:
+        found = values([move(1, 2, 0, 0, 0.7)], np.array([0.999, 1.0, 1.5, 2.0, 2.001]))
+        assert found.tolist() == [0, 0.7, 0.7, 0.7, 0]
+
+    def test_onset_and_offset_too_long_shrink_in_proportion(self) -> None:
+        short = move(0, 1, 1.0, 3.0, 1.0)
+        times = np.linspace(0, 1, 101)
+        assert values([short], times) == pytest.approx(values([move(0, 1, 0.25, 0.75, 1.0)], times))
+        assert values([short], np.array([0.25])) == pytest.approx([1.0])
+
+
+class TestTwoMovements:
+    """Paper A, section 5.2; facts: science/errata, A1 and A2."""
+
+    def test_figure_5_releases_to_a_lower_target(self) -> None:
+        found = [move(0, 7, 2, 3, 1.0), move(3, 10, 2, 2, 0.5)]
+        xi = 3 * (1 - math.log2(1.5))
+        times = np.array([3.0, 3.5, 3 + 3 - xi, 7.0, 9.0])
+        expected = [1.0, 0.5 + 2 ** (1 - (0.5 + xi) / 3) - 1, 0.5, 0.5, 0.5 * (math.sqrt(2) - 1)]
+        assert values(found, times) == pytest.approx(expected, abs=1e-12)
+
+    def test_rise_meets_a_higher_target_early(self) -> None:
+        found = [move(0, 7, 2, 3, 0.3), move(3, 10, 2, 2, 0.9)]
+        xi = 2 * math.log2(1.6)
+        times = np.array([3.0, 3 + xi / 2, 3 + xi, 5.0, 8.0])
+        assert values(found, times) == pytest.approx([0.3, 0.3 + 2 ** (xi / 4) - 1, 0.9, 0.9, 0.9], abs=1e-12)
+
+    def test_release_from_the_top_is_the_first_movements_own(self) -> None:
+        first = move(0, 7, 2, 3, 1.0)
+        second = Movement("emotion", 5, 12, 2, 2, {"masseter": 0.2})
+        times = np.linspace(5, 7, 50)
+        assert values([first, second], times) == pytest.approx(values([first], times), abs=1e-14)
+
+    def test_release_longer_than_the_next_onset_has_no_jump(self) -> None:
+        found = [move(0, 7, 2, 3, 1.0), move(3, 4.5, 0.3, 0.4, 0.5)]
+        steps = np.abs(np.diff(values(found, np.arange(0, 8, 1e-4))))
+        assert steps.max() < 2.5e-4
+
+    def test_touching_movements_do_not_overlap(self) -> None:
+        one, two = move(0, 2, 0.5, 0.5, 1.0), move(2, 4, 0.5, 0.5, 0.6)
+        times = np.linspace(0, 4, 401)
+        assert values([one, two], times) == pytest.approx(values([one], times) + values([two], times))
+
+    def test_a_tail_that_outlasts_its_follower_counts_as_overlap(self) -> None:
+        found = [
+            move(0, 4, 1, 4, 1.0),
+            Movement("emotion", 1, 1.5, 0.1, 0.1, {"masseter": 1.0}),
+            move(2, 4, 1, 1, 0.2),
+        ]
+        late = values(found, np.array([2.0 - 1e-9, 2.0, 2.0 + 1e-9]))
+        assert late[0] > 0.2
+        assert np.ptp(late) < 1e-8
+
+    def test_zero_durations_switch_at_once(self) -> None:
+        found = [move(0, 3, 0, 0, 1.0), move(1, 4, 0, 0, 0.4)]
+        assert values(found, np.array([0.5, 1.0, 3.5, 4.5])).tolist() == [1.0, 0.4, 0.4, 0.0]
+
+
+class TestNested:
+    """A movement within another interrupts it."""
+
+    def test_the_outer_resumes_where_the_inner_lets_go(self) -> None:
+        steps = sequence([move(0, 10, 1, 1, 1.0), move(3, 5, 0.5, 0.5, 0.2)])
+        assert [(s.start, s.end) for s in steps] == [(0, 10), (3, 5), (4.5, 10)]
+
+    def test_an_outer_with_no_time_left_is_dropped(self) -> None:
+        steps = sequence([move(0, 5.4, 1, 1, 1.0), move(3, 5, 0.5, 0.5, 0.2)])
+        assert [(s.start, s.end) for s in steps] == [(0, 5.4), (3, 5)]
+
+    def test_two_deep(self) -> None:
+        steps = sequence([move(0, 10, 1, 1, 1.0), move(2, 8, 0.5, 0.5, 0.6), move(3, 5, 0.5, 0.5, 0.2)])
+        assert [(s.start, s.end) for s in steps] == [(0, 10), (2, 8), (3, 5), (4.5, 8), (7.5, 10)]
+
+    def test_a_third_that_outlasts_the_inner_takes_its_place(self) -> None:
+        steps = sequence([move(0, 10, 1, 1, 1.0), move(2, 4, 0.5, 0.5, 0.6), move(3, 5, 0.5, 0.5, 0.2)])
+        assert [(s.start, s.end) for s in steps] == [(0, 10), (2, 4), (3, 5), (4.5, 10)]
+
+    def test_one_that_outlasts_all_ends_all(self) -> None:
+        steps = sequence([move(0, 10, 1, 1, 1.0), move(2, 4, 0.5, 0.5, 0.6), move(3, 12, 0.5, 0.5, 0.2)])
+        assert [(s.start, s.end) for s in steps] == [(0, 10), (2, 4), (3, 12)]
+
+
+class TestSigned:
+    """Degrees go straight from where they are to where they are asked."""
+
+    def test_from_one_side_to_the_other(self) -> None:
+        found = [
+            Movement("head", 0, 4, 1, 1, {"head_yaw": 10.0}),
+            Movement("head", 2, 6, 1, 1, {"head_yaw": -20.0}),
+        ]
+        got = values(found, np.array([1.5, 2.5, 3.0, 5.5]), "head_yaw")
+        assert got == pytest.approx([10, 10 - 30 * (math.sqrt(2) - 1), -20, -20 * (math.sqrt(2) - 1)])
+
+    def test_distance_is_worked_from_its_neutral(self) -> None:
+        found = [Movement("gaze", 0, 4, 1, 1, {"gaze_distance": 2.8})]
+        assert values(found, np.array([2.0]), "gaze_distance") == pytest.approx([2.0])
+
+    def test_what_the_next_movement_lacks_returns_within_its_onset(self) -> None:
+        found = [
+            Movement("head", 0, 4, 1, 1, {"head_yaw": 10.0}),
+            Movement("head", 2, 6, 1, 1, {"head_pitch": 5.0}),
+        ]
+        got = values(found, np.array([2.0, 2.5, 3.0, 3.5]), "head_yaw")
+        assert got == pytest.approx([10, 10 - 10 * (math.sqrt(2) - 1), 0, 0])
+
+
+@pytest.mark.parametrize("function", ONSET_FUNCTIONS.names())
+@settings(max_examples=40, deadline=None)
+@given(found=movements(("emotion",), most=6))
+def test_agrees_with_the_reference(function: str, found: tuple[Movement, ...]) -> None:
+    layer = [reference.with_function(m, function) for m in found if m.layer == ""]
+    times = np.arange(0, 9, 0.0371)
+    result = concatenate("", layer)
+    names = sorted({name for m in layer for name in m.targets})
+    for name in names:
+        signed = name in ("head_pitch", "gaze_distance")
+        shifted = [replace(m, targets={k: v - 0.8 * (k == "gaze_distance") for k, v in m.targets.items()}) for m in layer]
+        expected = reference.curve(shifted, name, signed, times)
+        got = np.zeros(len(times))
+        index, sampled = result.curves[name].sample(times)
+        got[index] = sampled
+        assert got == pytest.approx(np.array(expected), abs=1e-12)
+
+
+@settings(max_examples=60, deadline=None)
+@given(found=movements(("emotion",), most=6, directions=False), threshold=st.sampled_from((0.0, 0.1, 0.5)))
+def test_above_finds_exactly_the_times_over_the_threshold(
+    found: tuple[Movement, ...], threshold: float
+) -> None:
+    layer = concatenate("", [m for m in found if m.layer == ""])
+    times = np.arange(0.003, 9, 0.0137)
+    for name in MUSCLES:
+        curve = layer.curves.get(name)
+        if curve is not None:
+            _check_above(curve, threshold, times)
+
+
+def _check_above(curve: StrokeCurve, threshold: float, times: np.ndarray) -> None:
+    spans = curve.above(threshold)
+    assert (np.diff(spans.ravel()) > 0).all()
+    dense = np.zeros(len(times))
+    index, sampled = curve.sample(times)
+    dense[index] = sampled
+    inside = ((times[:, None] > spans[:, 0]) & (times[:, None] < spans[:, 1])).any(axis=1)
+    near = np.abs(dense - threshold) < 1e-9
+    assert ((dense > threshold) == inside)[~near].all()

@@ -1,0 +1,120 @@
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from risorius.face.contact import Contacts, find_contacts
+from risorius.face.measure import Gauge
+from risorius.face.mouth import Mouth, TeethEdge
+
+from .conftest import EMOTIONS, MOUTH_MUSCLES
+from .winding import LipTester
+
+TOLERANCE = 0.1  # mm that lips may overlap
+SEALED = 0.05  # mm that may stay open in a closure
+PAIRS = list(itertools.combinations(MOUTH_MUSCLES, 2))
+
+
+@pytest.fixture(scope="module")
+def tester(head):
+    return LipTester.of(head)
+
+
+@pytest.fixture(scope="module")
+def opening(head):
+    """A function from a frame to the widest of the narrowest openings (mm) along the mouth."""
+    mouth = Mouth.of(head)
+    found = Contacts.room_for(len(mouth.facing.vertices))
+    middle = 0.5 * np.abs(mouth.line)
+
+    def widest(frame):
+        points = frame.skin[mouth.vertices].astype(np.float64)
+        count = find_contacts(mouth.facing, points, np.inf, found)
+        stations = middle @ points[:, 0]
+        x, gap = found.x[:count], found.gap[:count]
+        places = np.linspace(stations[0], stations[-1], 40)
+        about = [np.abs(x - place) < 0.06 * (stations[-1] - stations[0]) / 2.0 for place in places]
+        return max(gap[near].min() for near in about if near.any())
+
+    return widest
+
+
+@pytest.mark.parametrize("muscle", MOUTH_MUSCLES)
+def test_lips_do_not_pass_through_each_other_for_any_muscle(face, tester, muscle):
+    assert tester.overlap(face(**{muscle: 1.0}).skin) < TOLERANCE
+
+
+@pytest.mark.parametrize(("a", "b"), PAIRS[::5])
+def test_lips_do_not_pass_through_each_other_for_pairs(face, tester, a, b):
+    assert tester.overlap(face(**{a: 1.0, b: 1.0}).skin) < TOLERANCE
+
+
+@given(
+    st.dictionaries(st.sampled_from(MOUTH_MUSCLES), st.floats(0.0, 1.0), max_size=5),
+    st.floats(0.0, 0.2),
+    st.sampled_from([0.0, 0.5, 1.0]),
+)
+@settings(max_examples=15, deadline=None, derandomize=True)
+def test_lips_do_not_pass_through_each_other_in_random_poses(face, tester, muscles, jaw, seal):
+    assert tester.overlap(face(**muscles, masseter=jaw, lip_seal=seal).skin) < TOLERANCE
+
+
+@pytest.mark.parametrize("jaw", [0.0, 0.1, 0.2])
+@pytest.mark.parametrize("emotion", EMOTIONS)
+def test_a_seal_closes_the_whole_mouth_under_every_emotion(face, opening, tester, emotion, jaw):
+    targets = EMOTIONS[emotion]
+    sealed = face(**targets, masseter=jaw, lip_seal=1.0)
+    assert opening(sealed) < SEALED
+    assert tester.overlap(sealed.skin) < TOLERANCE
+
+
+@pytest.mark.parametrize("emotion", ["happiness", "surprise", "fear"])
+def test_the_seal_scales_the_gap(face, head, emotion):
+    gauge = Gauge(head)
+    gap = [
+        gauge.measure(face(**EMOTIONS[emotion], masseter=0.2, lip_seal=seal)).lip_gap_mm
+        for seal in (0.0, 0.25, 0.5, 0.75, 1.0)
+    ]
+    assert gap[0] > 2.0
+    np.testing.assert_allclose(np.array(gap) / gap[0], [1.0, 0.75, 0.5, 0.25, 0.0], atol=0.15)
+
+
+def test_without_goals_open_lips_are_left_as_the_muscles_put_them(face, solver, head, rest):
+    frame = face(depressor_labii=1.0)
+    field = sum(
+        (
+            np.bincount(f.vertices, f.displacement[:, 1], len(head.rest))
+            for f in (head.fields["depressor_labii.left"], head.fields["depressor_labii.right"])
+        ),
+        np.zeros(len(head.rest)),
+    )
+    np.testing.assert_allclose(frame.skin[:, 1] - rest[:, 1], head.skin.matrix @ field, atol=1e-3)
+
+
+@pytest.mark.parametrize("emotion", [None, "happiness", "disgust", "fear"])
+def test_the_tucked_lower_lip_meets_the_upper_teeth(face, head, emotion):
+    frame = face(**EMOTIONS.get(emotion, {}), masseter=0.08, lip_tuck=1.0)
+    mouth = Mouth.of(head)
+    lip = np.maximum(-mouth.line, 0.0) @ frame.skin[mouth.vertices]
+    lip = lip[np.abs(lip[:, 0]) < 8.0]
+    y, z = TeethEdge.of(head.teeth_upper, 15.0, 16).at(lip[:, 0])
+    assert len(lip) >= 5
+    assert np.abs(lip[:, 1] - y).max() < 1.5
+    assert np.abs(lip[:, 2] - z).max() < 2.5
+
+
+def test_the_lip_gap_grows_with_the_jaw(face, head):
+    gauge = Gauge(head)
+    gap = [gauge.measure(face(masseter=jaw)).lip_gap_mm for jaw in np.linspace(0.0, 1.0, 11)]
+    assert gap[0] == 0.0
+    assert (np.diff(gap) > 0.5).all()
+
+
+def test_seal_and_contact_are_continuous(face):
+    steps = [face(AU12=0.6, AU22=0.4, masseter=0.12, lip_seal=s).skin for s in np.linspace(0.0, 1.0, 41)]
+    jumps = [np.abs(b - a).max() for a, b in itertools.pairwise(steps)]
+    assert max(jumps) < 0.35

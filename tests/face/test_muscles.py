@@ -1,0 +1,78 @@
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+
+from risorius.core.parameters import INDEX, MUSCLES
+from risorius.face.muscles import ELSEWHERE, SHEETS, MuscleFields
+
+from .conftest import values_of
+
+
+@pytest.fixture(scope="module")
+def displaced(head):
+    fields = MuscleFields.of(head)
+
+    def displace(**targets):
+        out = np.full_like(head.rest, np.nan)
+        fields.displace(values_of(targets), out)
+        return out
+
+    return displace
+
+
+def dense(head, *names):
+    out = np.zeros_like(head.rest)
+    for name in names:
+        out[head.fields[name].vertices] += head.fields[name].displacement
+    return out
+
+
+def test_no_activation_moves_nothing(displaced):
+    assert not displaced().any()
+
+
+@pytest.mark.parametrize("muscle", [m.name for m in MUSCLES if m.base not in ELSEWHERE])
+def test_a_muscle_alone_reproduces_its_field_in_proportion(displaced, head, muscle):
+    field = dense(head, muscle)
+    assert np.abs(field).max() > 0.5
+    np.testing.assert_allclose(displaced(**{muscle: 1.0}), field, atol=1e-9)
+    np.testing.assert_allclose(displaced(**{muscle: 0.3}), 0.3 * field, atol=1e-9)
+
+
+@pytest.mark.parametrize("base", ["zygomatic_major", "frontalis_medialis", "levator_labii_nasi"])
+def test_both_sides_of_a_muscle_add_up(displaced, head, base):
+    both = dense(head, f"{base}.left", f"{base}.right")
+    np.testing.assert_allclose(displaced(**{base: 1.0}), both, atol=1e-9)
+
+
+def test_the_heads_of_a_sheet_add_up(displaced, head):
+    bases = ("depressor_supercilii", *(b for b, sheet in SHEETS.items() if sheet == "depressor_supercilii"))
+    all_heads = dense(head, *(f"{base}.left" for base in bases))
+    np.testing.assert_allclose(displaced(**{f"{b}.left": 1.0 for b in bases}), all_heads, atol=1e-9)
+
+
+def test_two_muscles_overshoot_the_larger_by_little_where_they_pull_alike(displaced):
+    bases = [b for b in dict.fromkeys(m.base for m in MUSCLES) if b not in (*ELSEWHERE, *SHEETS)]
+    alone = {b: displaced(**{b: 1.0}) for b in bases}
+    length = {b: np.linalg.norm(field, axis=1) for b, field in alone.items()}
+    for a, b in itertools.combinations(bases, 2):
+        alike = (alone[a] * alone[b]).sum(axis=1) > 0.9 * length[a] * length[b]
+        over = np.linalg.norm(displaced(**{a: 1.0, b: 1.0}), axis=1) - np.maximum(length[a], length[b])
+        assert over[alike].max(initial=0.0) < 2.5, (a, b)
+
+
+def test_opposite_pulls_cancel_and_the_sum_is_never_longer_than_the_plain_one(displaced, head):
+    a, b = "frontalis_medialis", "corrugator_supercilii"
+    plain = np.linalg.norm(dense(head, f"{a}.left", f"{b}.left"), axis=1)
+    together = np.linalg.norm(displaced(**{f"{a}.left": 1.0, f"{b}.left": 1.0}), axis=1)
+    assert (together <= plain + 1e-9).all()
+
+
+def test_sources_stand_in_the_table(head):
+    fields = MuscleFields.of(head)
+    assert (np.diff(fields.start) >= 0).all()
+    assert INDEX["lip_tuck"] in fields.parameter
+    assert INDEX["masseter"] not in fields.parameter

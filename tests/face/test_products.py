@@ -1,0 +1,33 @@
+from __future__ import annotations
+
+import numpy as np
+import scipy.sparse as sp
+
+from risorius.face.products import Rows, carry, carry_upwards
+
+RNG = np.random.default_rng(7)
+
+
+def test_rows_times_points_is_the_matrix_product():
+    matrix = sp.random(40, 30, density=0.2, format="csr", random_state=3)
+    points, out = RNG.normal(size=(30, 3)), np.full((40, 3), np.nan)
+    assert Rows.of(matrix).times(points, out) is out
+    np.testing.assert_allclose(out, matrix @ points, atol=1e-14)
+
+
+def test_carry_adds_the_motion_of_every_handle_to_its_region_alone():
+    skin, region = RNG.normal(size=(12, 3)), np.array([1, 4, 7], np.int32)
+    motion, moves = RNG.normal(size=(3, 5)), RNG.normal(size=(5, 3))
+    expected = skin.copy()
+    expected[region] += motion @ moves
+    carry(region, motion, moves, skin)
+    np.testing.assert_allclose(skin, expected, atol=1e-14)
+
+
+def test_carry_upwards_moves_y_alone():
+    skin, region = RNG.normal(size=(12, 3)), np.array([1, 4, 7], np.int32)
+    motion, pushes = RNG.normal(size=(5, 3)), np.array([0.0, 1.0, 0.0, -2.0, 0.0])
+    expected = skin.copy()
+    expected[region, 1] += pushes @ motion
+    carry_upwards(region, motion, pushes, skin)
+    np.testing.assert_allclose(skin, expected, atol=1e-14)

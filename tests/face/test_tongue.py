@@ -1,0 +1,39 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from risorius.face.jaw import Jaw
+from risorius.face.tongue import TongueShapes
+
+from .conftest import values_of
+
+
+@pytest.fixture(scope="module")
+def tongue(head):
+    return TongueShapes.of(head), Jaw.of(head)
+
+
+def placed(tongue, opening=0.0, **targets):
+    shapes, jaw = tongue
+    return shapes.place(values_of(targets), jaw, opening)
+
+
+def test_at_rest_it_is_the_subdivided_tongue(tongue, head):
+    expected = head.tongue.subdivision.matrix @ head.tongue.rest
+    np.testing.assert_allclose(placed(tongue), expected, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "way"), [("tongue_up", (0, 1, 0)), ("tongue_out", (0, 0, 1)), ("tongue_back", (0, 0, -1))]
+)
+def test_each_shape_moves_the_tongue_its_way(tongue, name, way):
+    half, full = placed(tongue, **{name: 0.5}), placed(tongue, **{name: 1.0})
+    moved = (full - placed(tongue)) @ way
+    assert moved.max() > 2.0
+    np.testing.assert_allclose((half - placed(tongue)) @ way, 0.5 * moved, atol=1e-9)
+
+
+def test_it_goes_rigidly_with_the_jaw(tongue):
+    closed, opened = placed(tongue, tongue_up=0.7), placed(tongue, 0.8, tongue_up=0.7)
+    np.testing.assert_allclose(opened, tongue[1].carry(closed, 0.8), atol=1e-12)

@@ -1,0 +1,189 @@
+from __future__ import annotations
+
+import os
+import tomllib
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from headbuild.arch import Arch  # type: ignore[import-not-found]
+from headbuild.loops import Loops, columns  # type: ignore[import-not-found]
+from headbuild.muscles import PARTS, read_recipes  # type: ignore[import-not-found]
+from headbuild.pack import quantized, write_npz  # type: ignore[import-not-found]
+from headbuild.section import MouthSections  # type: ignore[import-not-found]
+from headbuild.source import open_source  # type: ignore[import-not-found]
+from headbuild.teeth import build_teeth, incisor_edge  # type: ignore[import-not-found]
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from risorius.face.subdivide import catmull_clark
+
+STANDARD = Path(__file__).parents[2] / "src" / "risorius" / "heads" / "standard"
+RECIPES = STANDARD / "muscles.toml"
+WHEEL = os.environ.get("RISORIUS_HEAD_WHEEL", "")
+
+
+def tube(around: int, rings: int) -> tuple[np.ndarray, np.ndarray]:
+    """Points and quads of an open tube about the z axis."""
+    angle = np.arange(around) * 2.0 * np.pi / around
+    ring = np.stack([2.0 * np.cos(angle), np.sin(angle), 0.0 * angle], axis=1)
+    points = np.vstack([ring + np.array([0.0, 0.0, z]) for z in range(rings)])
+    corner = np.arange(around * rings).reshape(rings, around)
+    quads = np.stack(
+        [corner[:-1], np.roll(corner, -1, 1)[:-1], np.roll(corner, -1, 1)[1:], corner[1:]], axis=-1
+    )
+    return points, quads.reshape(-1, 4)
+
+
+class TestInvalid:
+    def test_another_wheel_is_refused(self, tmp_path: Path) -> None:
+        (tmp_path / "other.whl").write_bytes(b"something else")
+        with pytest.raises(ValueError, match="SHA-256"):
+            open_source(tmp_path / "other.whl")
+
+    def test_a_loop_that_ends_at_a_border(self) -> None:
+        _, quads = tube(8, 4)
+        with pytest.raises(ValueError, match="does not close"):
+            Loops(quads).walk(0, 8)
+
+    @pytest.mark.parametrize(
+        ("old", "new", "message"),
+        [
+            ("[triangularis]", "[triangulariss]", "triangulariss"),
+            ('part = "below the brow"', 'part = "below the bow"', "unknown part 'below the bow'"),
+            ("shapes = { mouthFrown = 1.0 }", "shape = { mouthFrown = 1.0 }", "unknown key 'shape'"),
+            ('lips = "together"', 'lips = "togther"', "lips must be one of"),
+        ],
+    )
+    def test_recipes(self, tmp_path: Path, old: str, new: str, message: str) -> None:
+        text = RECIPES.read_text(encoding="utf-8")
+        assert old in text
+        (tmp_path / "muscles.toml").write_text(text.replace(old, new, 1), encoding="utf-8")
+        with pytest.raises(ValueError, match=message):
+            read_recipes(tmp_path / "muscles.toml")
+
+
+class TestRecipes:
+    def test_parts_of_one_shape_add_up_to_it(self) -> None:
+        recipes = read_recipes(RECIPES)
+        rng = np.random.default_rng(0)
+        points, field = rng.uniform(-60.0, 60.0, (200, 3)), rng.normal(size=(200, 3))
+        for shape in ("mouthUpperUp", "browDown"):
+            parts = {r["part"] for r in recipes.values() if list(r["shapes"]) == [shape]}
+            total = np.sum([PARTS[part](points, field) for part in sorted(parts)], axis=0)
+            assert len(parts) > 1
+            assert total == pytest.approx(field)
+
+    def test_every_muscle_says_where_it_runs(self) -> None:
+        for recipe in tomllib.loads(RECIPES.read_text(encoding="utf-8")).values():
+            assert all(recipe[key] for key in ("origin", "insertion", "action"))
+
+
+class TestLoops:
+    @given(st.integers(3, 12), st.integers(3, 6))
+    @settings(max_examples=20, deadline=None)
+    def test_a_ring_of_a_tube(self, around: int, rings: int) -> None:
+        _, quads = tube(around, rings)
+        loop = Loops(quads).walk(around, around + 1)
+        assert sorted(loop) == list(range(around, 2 * around))
+
+    def test_filling_stops_at_the_loop(self) -> None:
+        _, quads = tube(8, 6)
+        loops = Loops(quads)
+        assert len(loops.fill(0, [loops.walk(16, 17)])) == 2 * 8
+
+    def test_columns_pair_upper_with_lower(self) -> None:
+        points, _ = tube(12, 1)
+        pairs = columns(list(range(12)), points)
+        assert points[pairs[:, 0], 0] == pytest.approx(points[pairs[:, 1], 0])
+        assert (points[pairs[:, 0], 1] > points[pairs[:, 1], 1]).all()
+        assert (np.diff(points[pairs[:, 0], 0]) > 0).all()
+
+
+class TestPack:
+    def test_same_arrays_give_the_same_bytes(self, tmp_path: Path) -> None:
+        arrays: dict[str, Any] = {"a/b": np.arange(6.0).reshape(2, 3), "scalar": np.array(2.5)}
+        for name in ("one.npz", "two.npz"):
+            write_npz(tmp_path / name, arrays)
+        assert (tmp_path / "one.npz").read_bytes() == (tmp_path / "two.npz").read_bytes()
+        with np.load(tmp_path / "one.npz") as archive:
+            assert archive["a/b"].tolist() == arrays["a/b"].tolist()
+            assert archive["scalar"].shape == ()
+        with zipfile.ZipFile(tmp_path / "one.npz") as archive:
+            assert {entry.date_time[0] for entry in archive.infolist()} == {1980}
+
+    @given(st.floats(0.1, 30.0), st.integers(0, 10_000))
+    @settings(max_examples=30, deadline=None)
+    def test_quantized_fields_keep_a_hundredth_of_a_millimetre(self, size: float, seed: int) -> None:
+        field = np.random.default_rng(seed).normal(size=(40, 3)) * size
+        field[::3] = 0.0
+        packed = quantized(field)
+        restored = np.zeros_like(field)
+        restored[packed["vertices"]] = packed["values"] * float(packed["scale"])
+        assert np.abs(restored - field).max() < max(0.005, size * 4.0 / 32767.0)
+        assert not set(packed["vertices"]) & set(range(0, 40, 3))
+
+
+class TestArch:
+    @given(st.floats(-30.0, 30.0), st.floats(0.02, 0.06))
+    @settings(max_examples=30, deadline=None)
+    def test_lengths_along_it_are_true(self, along: float, bend: float) -> None:
+        steps = np.linspace(0.0, along, 400)
+        x, z = Arch(20.0, bend).place(steps, np.zeros(400))
+        assert np.hypot(np.diff(x), np.diff(z)).sum() == pytest.approx(abs(along), abs=0.02)
+
+    def test_outward_is_square_to_it(self) -> None:
+        arch = Arch(20.0, 0.03)
+        inner, outer = (np.array(arch.place(np.array([9.0]), np.array([v]))) for v in (0.0, 2.0))
+        ahead = np.array(arch.place(np.array([9.01]), np.array([0.0])))
+        assert np.linalg.norm(outer - inner) == pytest.approx(2.0)
+        assert float(((ahead - inner) * (outer - inner)).sum()) == pytest.approx(0.0, abs=1e-4)
+
+
+class TestTeeth:
+    @pytest.mark.parametrize("name", ["teeth_upper", "teeth_lower"])
+    def test_each_crown_faces_outwards(self, name: str) -> None:
+        part = build_teeth(-65.0)[name]
+        crowns = part.triangles[(part.material[part.triangles] == 0.0).all(axis=1)]
+        vertices = part.vertices[part.material == 0.0].reshape(12, -1, 3)
+        size = vertices.shape[1]
+        for number, crown in enumerate(vertices):
+            faces = crowns[(crowns // size == number).all(axis=1)] - number * size
+            a, b, c = (crown[faces[:, k]] - crown.mean(axis=0) for k in range(3))
+            assert float((np.cross(a, b) * c).sum()) > 0.0
+
+    def test_incisors_end_where_they_are_said_to(self) -> None:
+        part = build_teeth(-65.0)["teeth_upper"]
+        front = part.vertices[(part.material == 0.0) & (np.abs(part.vertices[:, 0]) < 6.0)]
+        edge = incisor_edge(-65.0)
+        assert front[:, 1].min() == pytest.approx(edge[1], abs=0.6)
+        assert abs(front[front[:, 1] < edge[1] + 0.5, 2].max() - edge[2]) < 1.2
+
+
+class TestSections:
+    @given(st.floats(-2.0, 2.0))
+    @settings(max_examples=20, deadline=None)
+    def test_gap_between_two_slabs(self, height: float) -> None:
+        x, z = np.meshgrid(np.linspace(-5.0, 5.0, 6), np.linspace(14.0, 30.0, 6))
+        slab = np.stack([x.ravel(), np.zeros(36), z.ravel()], axis=1)
+        points = np.vstack([slab + np.array([0.0, height, 0.0]), slab])
+        corner = np.arange(36).reshape(6, 6)
+        quads = np.stack([corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1]], -1).reshape(
+            -1, 4
+        )
+        skin = catmull_clark(72, np.vstack([quads, quads + 36]))
+        sections = MouthSections.of(skin, np.repeat([1.0, -1.0], 36))
+        assert sections.gap(points, 0.3) == pytest.approx(height)
+        assert sections.meeting(points, 0.3)[1] == pytest.approx(height / 2.0)
+        assert sections.gap(points, 9.0) == np.inf
+
+
+@pytest.mark.skipif(not WHEEL, reason="RISORIUS_HEAD_WHEEL does not name the source wheel")
+def test_the_shipped_head_is_what_the_tool_builds(tmp_path: Path) -> None:
+    from build_head import main  # type: ignore[import-not-found]
+
+    main(["--wheel", WHEEL, "-o", str(tmp_path)])
+    assert (tmp_path / "head.npz").read_bytes() == (STANDARD / "head.npz").read_bytes()
+    assert (tmp_path / "LICENSE").read_bytes() == (STANDARD / "LICENSE").read_bytes()

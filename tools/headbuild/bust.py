@@ -1,0 +1,131 @@
+"""The part of the body that the head file holds: all skin above the chest, cut along edge loops."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import scipy.sparse as sp
+from scipy.sparse.linalg import splu
+
+from .arrays import Array
+from .identity import identity
+from .loops import Loops
+from .source import Source
+
+# One edge of each loop that bounds the bust, and one vertex inside: chest, left arm, right arm.
+_CUTS = ((1383, 1393), (1677, 1678), (8349, 8350))
+_SEED = 755
+
+
+@dataclass(frozen=True)
+class Bust:
+    """The bust in its own numbering and frame (mm, origin midway between the eyes).
+
+    `ids` (N0,) are the base mesh's vertices in ascending order, `rest` (N0, 3), `quads` (Q0, 4) local,
+    `uv_quads` (Q0, 4) texture indices; `body` (n, 3) is the whole base mesh in the same frame; eyes are left,
+    right.
+    """
+
+    source: Source
+    ids: Array
+    quads: Array
+    uv_quads: Array
+    body: Array
+    eye_centre: Array
+    eye_radius: Array
+
+    @cached_property
+    def rest(self) -> Array:
+        """Positions (N0, 3) of the identity before the lips are sealed."""
+        return self.body[self.ids]
+
+    @cached_property
+    def loops(self) -> Loops:
+        """The loops of the bust, in its own numbering."""
+        return Loops(self.quads)
+
+    @cached_property
+    def mirror(self) -> Array:
+        """(N0,) local index of each vertex's mirror image."""
+        return self.local(self.source.mirror()[self.ids])
+
+    @cached_property
+    def edges(self) -> Array:
+        """(E, 2) unique edges."""
+        sides = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
+        return np.unique(np.sort(sides, axis=1), axis=0)
+
+    @cached_property
+    def laplacian(self) -> sp.csr_matrix:
+        """(N0, N0) graph Laplacian with unit edges."""
+        (a, b), count = self.edges.T, len(self.ids)
+        graph = sp.csr_matrix((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count))
+        return (sp.diags(np.asarray(graph.sum(axis=1)).ravel()) - graph).tocsr()
+
+    def spread(self, held: Array, values: Array, hold: float = 2.0, fade: float = 0.02) -> Array:
+        """`values` (N0,) nearly kept where `held` is 1, fading off smoothly elsewhere, the sooner the
+        larger `fade`.
+        """
+        system = self.laplacian + fade * sp.identity(len(held)) + sp.diags(hold * held)
+        return np.asarray(splu(system.tocsc()).solve(hold * held * values))
+
+    def local(self, ids: Array) -> Array:
+        """Local indices of base-mesh vertices `ids`, all of which the bust must hold."""
+        return np.searchsorted(self.ids, ids)
+
+    def loop(self, a: int, b: int) -> list[int]:
+        """The closed loop through the base mesh's edge a → b, in local indices."""
+        start, end = self.local(np.array([a, b]))
+        return self.loops.walk(int(start), int(end))
+
+    def shape(self, name: str) -> Array:
+        """Displacement (N0, 3) of a sculpted shape on the bust."""
+        return self.source.shape(name)[self.ids]
+
+    def texture(self, name: str) -> Array:
+        """A mask image sampled at the vertices (N0,), averaged over the faces' corners and the two sides."""
+        image, corners = self.source.texture(name), self.source.uv[self.uv_quads.ravel()]
+        height, width = image.shape
+        rows = np.clip(((1.0 - corners[:, 1]) * height).astype(int), 0, height - 1)
+        columns = np.clip((corners[:, 0] * width).astype(int), 0, width - 1)
+        flat = self.quads.ravel()
+        mean = np.bincount(flat, image[rows, columns], len(self.ids)) / np.bincount(
+            flat, minlength=len(self.ids)
+        )
+        return 0.5 * (mean + mean[self.mirror])
+
+    @cached_property
+    def uv(self) -> Array:
+        """(N0, 2) texture coordinates; a vertex on a seam takes those of its last face."""
+        result = np.zeros((len(self.ids), 2))
+        result[self.quads.ravel()] = self.source.uv[self.uv_quads.ravel()]
+        return result
+
+
+def cut_bust(source: Source) -> Bust:
+    """Build the identity and cut the bust out of its body."""
+    part = source.parts["body"]
+    loops = Loops(part.quads)
+    faces = loops.fill(_SEED, [loops.walk(a, b) for a, b in _CUTS])
+    ids = np.unique(part.quads[faces])
+    body = identity(source)
+    eyes = [_sphere(body[source.parts[f"helper-{side}-eye"].vertices]) for side in "lr"]
+    origin = (eyes[0][0] + eyes[1][0]) / 2.0
+    return Bust(
+        source=source,
+        ids=ids,
+        quads=np.searchsorted(ids, part.quads[faces]),
+        uv_quads=part.uv_quads[faces],
+        body=body - origin,
+        eye_centre=np.array([centre - origin for centre, _ in eyes]),
+        eye_radius=np.array([radius for _, radius in eyes]),
+    )
+
+
+def _sphere(points: Array) -> tuple[Array, float]:
+    matrix = np.column_stack([2.0 * points, np.ones(len(points))])
+    solution = np.linalg.lstsq(matrix, (points**2).sum(axis=1), rcond=None)[0]
+    centre = solution[:3]
+    return centre, float(np.sqrt(solution[3] + centre @ centre))

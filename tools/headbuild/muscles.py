@@ -1,0 +1,151 @@
+"""Displacement fields of the muscles, from the recipes of `muscles.toml`."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scipy.sparse as sp
+from scipy.sparse.linalg import splu
+
+from risorius.core.parameters import MUSCLES
+
+from .arrays import Array
+from .bust import Bust
+from .lids import close_lids, lid_pairs
+from .masks import smoothstep
+from .mouth import LipSeal, lip_rings, narrowed
+
+SIDES = ("left", "right")
+_SEAM = 8.0  # half width in mm of the ramp that splits a shape of both sides
+
+_KEYS = ("shapes", "part", "origin", "insertion", "action")
+_DEFAULTS = {"lips": "free", "smooth": 0.0, "narrow": 0.0}
+_LIPS = ("free", "together", "no overlap")
+
+Split = Callable[[Array, Array], Array]
+
+
+def _upper_lip_inner(points: Array, field: Array) -> Array:
+    return field * (1.0 - smoothstep(10.0, 24.0, np.abs(points[:, 0])))[:, None]
+
+
+def _below_brow(points: Array, field: Array) -> Array:
+    return field * (1.0 - smoothstep(0.0, 12.0, points[:, 1]))[:, None]
+
+
+def _between_brows(points: Array, field: Array) -> Array:
+    share = 1.0 - smoothstep(5.0, 15.0, np.abs(points[:, 0]))
+    return _without_sideways(field) * share[:, None]
+
+
+def _brow_downwards(points: Array, field: Array) -> Array:
+    inner = 1.0 - smoothstep(22.0, 40.0, np.abs(points[:, 0]))
+    return (_without_sideways(field) - _between_brows(points, field)) * inner[:, None]
+
+
+def _without_sideways(field: Array) -> Array:
+    return np.asarray(field * np.array([0.0, 1.0, 1.0]))
+
+
+PARTS: dict[str, Split] = {
+    "all": lambda _, field: field,
+    "lids to their meeting": lambda _, field: field,
+    "lower lip to the teeth": lambda _, field: field,
+    "upper lip, inner": _upper_lip_inner,
+    "upper lip, outer": lambda points, field: field - _upper_lip_inner(points, field),
+    "below the brow": _below_brow,
+    "between the brows": _between_brows,
+    "brow, downwards": _brow_downwards,
+    "brow, inwards": lambda points, field: (
+        field - _brow_downwards(points, field) - _between_brows(points, field)
+    ),
+}
+
+
+def read_recipes(path: Path) -> dict[str, dict[str, Any]]:
+    """Recipes by muscle; raise ValueError where a muscle is missing, or a part is unknown."""
+    recipes = tomllib.loads(path.read_text(encoding="utf-8"))
+    wanted = {m.base for m in MUSCLES if m.base != "masseter"} | {"lip_tuck"}
+    if set(recipes) != wanted:
+        raise ValueError(f"{path.name} and the table of parameters differ: {sorted(set(recipes) ^ wanted)}")
+    for name, recipe in recipes.items():
+        for key in sorted(set(recipe) - set(_KEYS) - set(_DEFAULTS)):
+            raise ValueError(
+                f"{path.name}: {name}: unknown key '{key}'; expected {', '.join((*_KEYS, *_DEFAULTS))}"
+            )
+        recipes[name] = _DEFAULTS | recipe
+        if recipe["part"] not in PARTS:
+            raise ValueError(f"{path.name}: {name}: unknown part '{recipe['part']}'")
+        if recipes[name]["lips"] not in _LIPS:
+            raise ValueError(f"{path.name}: {name}: lips must be one of {', '.join(_LIPS)}")
+    return recipes
+
+
+def muscle_fields(
+    bust: Bust, rest: Array, seal: LipSeal, recipes: dict[str, dict[str, Any]]
+) -> dict[str, Array]:
+    """Field name → displacement (N0, 3) in mm; left and right are exact mirror images."""
+    paired = {m.base for m in MUSCLES if m.side}
+    fields = {}
+    for name, recipe in recipes.items():
+        if name in paired:
+            left = _field(bust, rest, recipe, "left")
+            left = 0.5 * (left + mirrored(bust, _field(bust, rest, recipe, "right")))
+            change = _lips_change(bust, rest, seal, left + mirrored(bust, left), recipe)
+            left = left + change * _left_share(rest)
+            fields[f"{name}.left"], fields[f"{name}.right"] = left, mirrored(bust, left)
+        else:
+            both = sum((_field(bust, rest, recipe, side) for side in SIDES), np.zeros_like(rest))
+            both = 0.5 * (both + mirrored(bust, both))
+            both = narrowed(bust, rest + both, recipe["narrow"]) - rest
+            fields[name] = both + _lips_change(bust, rest, seal, both, recipe)
+    return fields
+
+
+def _lips_change(bust: Bust, rest: Array, seal: LipSeal, both: Array, recipe: dict[str, Any]) -> Array:
+    """What must be added to the field `both` (N0, 3) of the two sides for the lips to be as the recipe
+    says.
+    """
+    if recipe["lips"] == "free":
+        return np.zeros_like(rest)
+    return seal.together(rest + both, close=recipe["lips"] == "together") - rest - both
+
+
+def _left_share(rest: Array) -> Array:
+    share: Array = smoothstep(-_SEAM, _SEAM, rest[:, 0])[:, None]
+    return share
+
+
+def mirrored(bust: Bust, field: Array) -> Array:
+    """The field (N0, 3) of the other side."""
+    return np.asarray(field[bust.mirror] * np.array([-1.0, 1.0, 1.0]))
+
+
+def _field(bust: Bust, rest: Array, recipe: dict[str, Any], side: str) -> Array:
+    total = sum(
+        (w * _sided(bust, rest, shape, side) for shape, w in recipe["shapes"].items()), np.zeros_like(rest)
+    )
+    field = _ironed(bust, PARTS[recipe["part"]](rest, total), recipe["smooth"])
+    return close_lids(bust, rest, field, side) if recipe["part"] == "lids to their meeting" else field
+
+
+def _ironed(bust: Bust, field: Array, stiffness: float) -> Array:
+    """The field without the sharp folds of the sculpt, by bending energy; lips and lids are held."""
+    if stiffness == 0.0:
+        return field
+    held = np.zeros(len(field))
+    held[np.concatenate([lip_rings(bust), *(lid_pairs(bust, side).ravel() for side in SIDES)])] = 50.0
+    curvature = sp.diags(1.0 / bust.laplacian.diagonal()) @ bust.laplacian
+    system = sp.identity(len(field)) + sp.diags(held) + stiffness * (curvature.T @ curvature)
+    return np.asarray(splu(system.tocsc()).solve((1.0 + held)[:, None] * field))
+
+
+def _sided(bust: Bust, rest: Array, shape: str, side: str) -> Array:
+    if bust.source.has_shape(shape):
+        share = _left_share(rest)
+        return bust.shape(shape) * (share if side == "left" else 1.0 - share)
+    return bust.shape(shape + side.capitalize())

@@ -1,0 +1,67 @@
+"""The tongue: the source's shape, fitted into the dental arch, and its three movements in the frame of the
+jaw.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .arrays import Array
+from .bust import Bust
+from .masks import smoothstep
+
+_PART = "helper-tongue"
+_FIT_SCALE = np.array([0.88, 1.0, 1.0])
+_FIT_SHIFT = np.array([0.0, -2.5, -0.8])
+
+
+def tongue(bust: Bust) -> tuple[Array, Array]:
+    """Vertices (n, 3) mm and quads (q, 4) at rest."""
+    part = bust.source.parts[_PART]
+    ids = part.vertices
+    return bust.body[ids] * _FIT_SCALE + _FIT_SHIFT, np.searchsorted(ids, part.quads)
+
+
+def tongue_fields(rest: Array) -> dict[str, Array]:
+    """Displacement (n, 3) in mm at 1, for jaws that stand a little open (masseter about 0.12).
+
+    Up: the tip touches the ridge behind the upper incisors (t d n l). Out: the tip, flattened, passes between
+    the teeth (th). Back: the body draws back and rises towards the soft palate (k g and back vowels).
+    """
+    tip = float(rest[:, 2].max())
+    return {"tongue_up": _up(rest, tip), "tongue_out": _out(rest, tip), "tongue_back": _back(rest, tip)}
+
+
+def _up(rest: Array, tip: float) -> Array:
+    blade = smoothstep(tip - 24.0, tip + 2.0, rest[:, 2])
+    return _field(-0.10 * blade * rest[:, 0], 12.5 * blade, 2.0 * blade)
+
+
+def _out(rest: Array, tip: float) -> Array:
+    body = smoothstep(tip - 48.0, tip, rest[:, 2])
+    blade = smoothstep(tip - 18.0, tip, rest[:, 2])
+    middle = _middle_height(rest)
+    flat = -0.50 * blade * (rest[:, 1] - middle)
+    return _field(-0.12 * blade * rest[:, 0], 4.5 * body + flat, 16.0 * body)
+
+
+def _back(rest: Array, tip: float) -> Array:
+    front = smoothstep(tip - 55.0, tip - 5.0, rest[:, 2])
+    dorsum = np.exp(-(((rest[:, 2] - (tip - 30.0)) / 16.0) ** 2))
+    upper = smoothstep(-6.0, 4.0, rest[:, 1] - _middle_height(rest))
+    return _field(
+        0.04 * dorsum * rest[:, 0], 8.0 * dorsum * (0.35 + 0.65 * upper) - 1.5 * front, -8.0 * front
+    )
+
+
+def _middle_height(rest: Array) -> Array:
+    """(n,) height of the tongue's middle plane at each vertex's z."""
+    order = np.argsort(rest[:, 2])
+    z, y = rest[order, 2], rest[order, 1]
+    centres = np.linspace(z[0], z[-1], 10)
+    middle = [0.5 * (y[np.abs(z - c) < 8.0].min() + y[np.abs(z - c) < 8.0].max()) for c in centres]
+    return np.asarray(np.interp(rest[:, 2], centres, middle))
+
+
+def _field(x: Array, y: Array, z: Array) -> Array:
+    return np.stack([x, y, z], axis=1)
