@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.contact import Contacts, Facing, find_contacts, hold_narrowest
+from risorius.face.contact import Contacts, Facing, find_contacts, narrowest
 
 NX, NZ = 9, 5
 
@@ -55,9 +55,8 @@ def test_vertices_beside_the_other_sheet_touch_nothing():
     assert find_contacts(facing, points, np.inf, Contacts.room_for(len(points))) == 0
 
 
-def test_the_narrowest_gap_about_each_station_is_bounded():
+def test_the_narrowest_contact_about_each_station_and_between():
     x = np.array([-2.0, -1.9, 0.0, 0.1, 2.0])
     gap = np.array([0.5, 0.3, 0.2, 0.4, 0.9])
-    high = np.full(5, np.inf)
-    hold_narrowest(np.array([-2.0, 0.0, 2.0]), np.array([0.0, 0.1, 0.2]), x, gap, high)
-    assert high.tolist() == [np.inf, 0.0, 0.05, np.inf, 0.2]
+    assert narrowest(np.array([-2.0, 0.0, 2.0]), x, gap).tolist() == [1, 2, 2, 2, 4]
+    assert narrowest(np.array([-2.0, 0.0, 2.0]), x[:2], gap[:2]).tolist() == [1, 1, -1, -1, -1]

@@ -13,6 +13,7 @@ from .mouth import LipSeal
 # The middle line of the left brow: |x| and y in mm, from the inner to the outer end.
 BROW = np.array([[9.5, 12.7], [17.5, 16.1], [26.0, 18.1], [34.5, 17.8], [43.0, 13.4]])
 _VERMILION = (405, 406)  # an edge of the loop along the border of the lips' red, in the base mesh
+_CHIN_FORWARD = 0.6
 _THROAT = -120.0  # y in mm below which no chin is looked for
 _MIRROR = np.array([-1.0, 1.0, 1.0])
 
@@ -92,7 +93,9 @@ def _jaw(bust: Bust, rest: Array) -> Array:
     ears = bust.texture("ears")
     neck = np.interp(rest[:, 1], [-115.0, -20.0], [-12.0, -58.0])
     middle = rest[(np.abs(rest[:, 0]) < 0.5) & (rest[:, 2] > 5.0)]
-    chin = middle[np.argmin(np.where(middle[:, 1] > _THROAT, middle[:, 1], np.inf))]
+    # The chin's edge as it is seen a little from below: farther back the point would hardly drop with the jaw.
+    depth = middle[:, 1] - _CHIN_FORWARD * middle[:, 2]
+    chin = middle[np.argmin(np.where(middle[:, 1] > _THROAT, depth, np.inf))]
     face = (ears < 0.1) & (rest[:, 2] > neck) & (rest[:, 0] > -1e-6) & (rest[:, 1] > chin[1])
     points = rest[face]
     levels = np.linspace(chin[1] + 0.5, 3.0, 160)

@@ -21,6 +21,7 @@ Array = npt.NDArray[np.float64]
 
 NEAR = 0.12  # mm; after closing, wider gaps are left out of the solution
 SHUT = 0.01  # mm that a full seal may leave open
+WIDEST = 20.0  # mm: no narrowest gap is wider, so that a seal that sets in changes nothing at once
 PRESS = 0.05  # mm by which a seal presses the lips together, so that facets do not hold them apart
 SLACK = 0.005  # mm outside its bounds at which a gap is left alone
 PASSES = 3
@@ -75,17 +76,19 @@ class Lips:
         """Move the level-0 `skin` (N0, 3) in place.
 
         The lower lip goes the share `tuck` (0..1) of its way to the upper teeth, the lips the share `seal` of
-        theirs to each other (a full seal leaves nothing to tuck); then they are moved apart where they overlap.
+        theirs to each other (a full seal tucks nothing); then they are moved apart where they overlap.
         """
         if tuck > 0.0 and seal < 1.0:
             self._tuck(skin, tuck * (1.0 - seal))
-        opening = self._close(skin, seal) if seal > 0.0 else None
+        if seal > 0.0:
+            self._close(skin, seal)
+        opening = (1.0 - seal) * WIDEST + seal * SHUT
         for _ in range(PASSES):
             if not self._settle(skin, opening):
                 break
 
     def _tuck(self, skin: Array, tuck: float) -> None:
-        """Bring the lower lip to the upper teeth's edge by the share `tuck`, and the upper lip out of its way."""
+        """Bring the lower lip to the upper teeth by the share `tuck`, and the upper lip out of its way."""
         here = self._tucked.places(self._matrix.times(skin, self._points))
         upper, lower = here[: len(here) // 2], here[len(here) // 2 :]
         goal = here.copy()
@@ -95,31 +98,21 @@ class Lips:
         goal_lower[:, 1], goal_lower[:, 2] = edge_y + TUCK_ABOVE, edge_z + TUCK_BEFORE
         self._tucked.move(skin, tuck * (goal - here))
 
-    def _close(self, skin: Array, seal: float) -> Array:
-        """Bring the points of the line together by the share `seal`; return how wide their gaps may stay.
-
-        The latter (2 s − 1,) mm is at the stations and half way between.
-        """
-        points = self._matrix.times(skin, self._points)
-        apart = self._line.places(points)
-        count = find_contacts(self._facing, points, np.inf, self._contacts)
-        nearest = self._narrowest(points, count)
-        between = np.interp(np.arange(len(nearest)) / 2.0, np.arange(len(apart)), apart[:, 1])
-        gap = np.where(nearest >= 0, self._contacts.gap[nearest], between)
+    def _close(self, skin: Array, seal: float) -> None:
+        """Bring the points of the line together by the share `seal`."""
+        apart = self._line.places(self._matrix.times(skin, self._points))
         apart[:, 1] += PRESS
         self._line.move(skin, -seal * apart)
-        return np.asarray((1.0 - seal) * np.maximum(gap, 0.0) + SHUT)
 
-    def _settle(self, skin: Array, opening: Array | None) -> bool:
-        """Push along y until no gap overlaps or is wider than its `opening` (2 s − 1,); False if none was."""
+    def _settle(self, skin: Array, opening: float) -> bool:
+        """Push along y until no gap overlaps or is wider than `opening` mm; False if none was."""
         points = self._matrix.times(skin, self._points)
         found = self._contacts
-        count = find_contacts(self._facing, points, NEAR if opening is None else np.inf, found)
+        count = find_contacts(self._facing, points, NEAR if opening >= WIDEST else np.inf, found)
         low, high, gap = self._low[:count], self._high[:count], found.gap[:count]
         high[:] = np.inf
-        if opening is not None:
-            nearest = self._narrowest(points, count)
-            np.minimum.at(high, nearest[nearest >= 0], opening[nearest >= 0])
+        if opening < WIDEST:
+            high[self._narrowest(points, count)] = opening
         if not ((gap < low - SLACK) | (gap > high + SLACK)).any():
             return False
         rows = np.flatnonzero((gap < NEAR) | (high < np.inf))
@@ -130,6 +123,7 @@ class Lips:
         return True
 
     def _narrowest(self, points: Array, count: int) -> npt.NDArray[np.int64]:
-        """Return which of the `count` contacts is the narrowest at each station, and between, or −1."""
+        """Return which of the `count` contacts is the narrowest at each station, and between."""
         stations = self._middle.times(points, self._stations)[:, 0]
-        return narrowest(stations, self._contacts.x[:count], self._contacts.gap[:count])
+        found = narrowest(stations, self._contacts.x[:count], self._contacts.gap[:count])
+        return found[found >= 0]
