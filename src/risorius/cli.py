@@ -27,8 +27,11 @@ _CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 def main() -> None:
     """Run the command line: exit code 0, or 2 with one line on what is wrong, or 130 when interrupted."""
+    from .console import interrupt
+
     # Asked to end, we end as when interrupted: what is half-written goes.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    for asked in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(asked, interrupt)
     sys.exit(run(sys.argv[1:]))
 
 
