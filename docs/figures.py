@@ -149,8 +149,8 @@ def smiling(conflict: str) -> Take:
 
 @cache
 def demonstration() -> Take:
-    """Return paper A's demonstration (section 6, Figure 7)."""
-    return speak(str(DEMONSTRATION))
+    """Return paper A's demonstration (section 6, Figure 7), by its policy."""
+    return speak(str(DEMONSTRATION), settings=Settings(blend=BlendSettings(conflict="inhibit")))
 
 
 def finely(take: Take) -> Performance:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +12,7 @@ import pytest
 import risorius
 from risorius.core.movement import Cause
 from risorius.core.parameters import INDEX, NEUTRAL
+from risorius.core.score import BlendSettings
 from risorius.face.measure import Gauge
 from risorius.rules.emotions import emotions
 from risorius.settings import Settings
@@ -17,13 +20,14 @@ from risorius.settings import Settings
 ROOT = Path(__file__).parent.parent
 DEMO = str(ROOT / "examples" / "demo.xml")
 LABIALS = "My baby brother put the map by the beam."
+PAPER_A = Settings(blend=BlendSettings(conflict="inhibit"))
 SMALL = Settings(size=(96, 96))
 SMILE, FUNNELER = "zygomatic_major.left", "orbicularis_oris_funneler"
 
 
 @pytest.fixture(scope="module")
 def demo() -> risorius.Take:
-    return risorius.speak(DEMO)
+    return risorius.speak(DEMO, settings=PAPER_A)
 
 
 def test_the_demonstration_lasts_until_the_smile_has_gone(demo: risorius.Take) -> None:
@@ -32,7 +36,7 @@ def test_the_demonstration_lasts_until_the_smile_has_gone(demo: risorius.Take) -
 
 
 def test_surprise_gives_way_to_the_smile_without_a_jump(demo: risorius.Take) -> None:
-    fine = risorius.speak(DEMO, settings=Settings(fps=240))  # type: ignore[arg-type]
+    fine = risorius.speak(DEMO, settings=replace(PAPER_A, fps=Fraction(240)))
     for name in ("frontalis_medialis.left", SMILE, "masseter"):
         steps = [np.abs(np.diff(take.curves[name])).max() for take in (demo, fine)]
         assert steps[1] < 0.35 * steps[0]
@@ -50,6 +54,17 @@ def test_the_smile_yields_before_the_rounded_lips_of_very_and_returns(demo: riso
     first = np.flatnonzero(during)[0]
     assert smile[first - 3] > smile[first - 1], "the smile gives way over several frames"
     assert smile[demo.times > 2.9].max() > 0.85
+
+
+def test_by_default_the_smile_gives_way_by_degrees_and_returns() -> None:
+    take = risorius.speak("You would love the moon.", emotion={"happiness": 1.0})
+    assert take.score.settings.conflict == "graded"
+    smile, rounded = take.curves[SMILE], take.curves[FUNNELER]
+    level = smile.max()
+    assert smile[np.argmax(rounded)] < 0.1 * level
+    assert np.abs(np.diff(smile)).max() < 0.2
+    love = next(w for w in take.utterance.words if w.text == "love")  # type: ignore[union-attr]
+    assert smile[(take.times > love.start) & (take.times < love.end)].max() > 0.9 * level
 
 
 def test_both_eyes_blink(demo: risorius.Take) -> None:

@@ -85,10 +85,10 @@ def commands() -> None:
 def _settings(**chosen: Any) -> Settings:
     from .core.performance import parse_fps
     from .core.score import BlendSettings
-    from .settings import Settings, parse_size
+    from .settings import SPEAK_POLICY, Settings, parse_size
 
     blend = BlendSettings(
-        conflict=chosen.pop("conflict", None) or BlendSettings().conflict,
+        conflict=chosen.pop("conflict", None) or SPEAK_POLICY,
         lips=chosen.pop("lips", None) or BlendSettings().lips,
         onset_function=chosen.pop("onset_function", None),
         contact=not chosen.pop("without_contact", False),
@@ -144,7 +144,7 @@ def _picture_options(command: Any) -> Any:
 )
 @click.option("--still", is_flag=True, help="No random blinks, head or eye movements.")
 @click.option("--lips", metavar="MODEL", help="Coarticulation model.  [default: dominance]")
-@click.option("--conflict", metavar="POLICY", help="What rival muscles do to each other.  [default: inhibit]")
+@click.option("--conflict", metavar="POLICY", help="What rival muscles do to each other.  [default: graded]")
 @click.option("--without-contact", is_flag=True, help="Drop the lips' contact goals, to see what they do.")
 @click.option("--onset-function", metavar="NAME", help="How all movements rise and fall.")
 @_SAMPLING_OPTION

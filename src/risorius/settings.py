@@ -12,6 +12,8 @@ from .core.score import BlendSettings
 from .errors import InputError
 
 LARGEST_SIDE = 4096
+# The policy that keeps most of a display without on/off flutter or spoilt rounding: docs/combination.md.
+SPEAK_POLICY = "graded"
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +38,7 @@ class Settings:
     without: tuple[str, ...] = ()
     at: float | None = None
     every: int | None = None
-    blend: BlendSettings = field(default_factory=BlendSettings)
+    blend: BlendSettings = field(default_factory=lambda: BlendSettings(conflict=SPEAK_POLICY))
 
     def __post_init__(self) -> None:
         parse_fps(self.fps)

@@ -35,7 +35,11 @@ class Lamp:
 
 @dataclass(frozen=True, slots=True)
 class LightRig:
-    """The lamps, the first of which casts shadows, and the light of the room from above and below."""
+    """The lamps, and the light of the room from above and below.
+
+    The first lamp casts shadows that follow the face; what the head itself keeps from the others is found
+    once, at rest. Eyes and mouth are lit by the first two, which should therefore stand in front.
+    """
 
     lamps: tuple[Lamp, ...]
     sky: Colour
