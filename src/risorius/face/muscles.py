@@ -63,6 +63,18 @@ class MuscleFields:
             np.concatenate([field.displacement for field in fields])[order],
         )
 
+    def at(self, vertices: npt.NDArray[np.intp]) -> MuscleFields:
+        """Return the fields at some `vertices` (n,) only, in their order."""
+        sizes = np.diff(self.start)[vertices]
+        ends = np.concatenate([[0], np.cumsum(sizes)])
+        entries = np.arange(ends[-1]) + np.repeat(self.start[vertices] - ends[:-1], sizes)
+        return MuscleFields(
+            ends.astype(np.int32),
+            self.parameter[entries],
+            self.source[entries],
+            self.displacement[entries],
+        )
+
     def displace(self, values: Array, out: Array) -> None:
         """Write the displacement (N0, 3) in mm for `values` (46,) to `out`."""
         _displace(self.start, self.parameter, self.source, self.displacement, values, out)

@@ -12,7 +12,7 @@ from typing import Annotated
 from ..core.action_units import check_intensity, resolve_targets
 from ..errors import InputError, ParameterError, unknown
 from .load import load_folder
-from .schema import Range
+from ..core.schema import Range
 
 Seconds = Annotated[float, Range(0.0, 10.0)]
 

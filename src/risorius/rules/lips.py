@@ -13,7 +13,7 @@ from ..core.movement import Dominance
 from ..core.parameters import parameters_named
 from ..errors import InputError, unknown
 from .load import load
-from .schema import Range
+from ..core.schema import Range
 
 Share = Annotated[float, Range(0.0, 1.0)]
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]

@@ -11,7 +11,7 @@ from ..core.functions import ONSET_FUNCTIONS
 from ..core.movement import CHANNEL_PRIORITY
 from ..errors import ParameterError, unknown
 from .load import load
-from .schema import Range
+from ..core.schema import Range
 
 Seconds = Annotated[float, Range(0.0, 10.0)]
 
