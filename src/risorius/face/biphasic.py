@@ -84,6 +84,13 @@ class Biphasic:
             if np.abs(self._work).max() < SETTLED:
                 break
 
+    def settle_skin(self, values: Array, displacement: Array) -> None:
+        """Bring in the same way the whole skin's `displacement` (N0, 3) to equilibrium."""
+        place = np.zeros_like(self._work)
+        place[:, :3] = displacement[self._network.free]
+        self.settle(values, place)
+        displacement[self._network.free] = place[:, :3]
+
 
 @compiled
 def _second_phase(ends: IntArray, length: Array, points: Array, factor: float, out: Array) -> None:

@@ -71,10 +71,11 @@ class Head:
     `head_pivot`. `lip_pairs` (P, 2) are upper and lower vertices that touch when the lips close, `lid_pairs`
     the same for the lids of the (left, right) eye; `eye_centre` (2, 3) and `eye_radius` (2,) are in that
     order too. `landmarks` holds 68 iBUG points: level-1 vertices (68, 3) and barycentric weights (68, 3).
-    `skin` is the skin's level 1.
+    `skin` is the skin's level 1. `folder` may hold tables of its own.
     """
 
     name: str
+    folder: Path
     rest: FloatArray
     quads: IntArray
     uv: FloatArray
@@ -98,6 +99,12 @@ class Head:
     landmark_triangles: IntArray
     landmark_weights: FloatArray
     skin: Subdivision
+
+    @property
+    def links_file(self) -> Path | None:
+        """The head's own table of linked muscles, if it has one."""
+        path = self.folder / "links.toml"
+        return path if path.is_file() else None
 
     def landmarks(self, skin: npt.NDArray[np.floating]) -> FloatArray:
         """Positions (68, 3) of the iBUG points on level-1 vertices `skin` (N1, 3)."""
@@ -147,6 +154,7 @@ def _load(path: Path, _changed: int) -> Head:
     skin = catmull_clark(count, quads)
     return Head(
         name=path.parent.name,
+        folder=path.parent,
         rest=rest,
         quads=quads,
         uv=file.array("uv", (count, 2)),

@@ -87,7 +87,7 @@ MOST_SOURCES = 32
 def _displace(
     start: IntArray, parameter: IntArray, source: IntArray, displacement: Array, values: Array, out: Array
 ) -> None:
-    pulls = np.empty((MOST_SOURCES, 3))
+    pulls, lengths = np.empty((MOST_SOURCES, 3)), np.empty(MOST_SOURCES)
     for v in range(len(out)):
         count, last = 0, -1
         for e in range(start[v], start[v + 1]):
@@ -100,26 +100,29 @@ def _displace(
                 count += 1
             for c in range(3):
                 pulls[count - 1, c] += activation * displacement[e, c]
-        _limited_sum(pulls, count, out[v])
+        _limited_sum(pulls, lengths, count, out[v])
 
 
 @compiled
-def _limited_sum(pulls: Array, count: int, out: Array) -> None:
+def _limited_sum(pulls: Array, lengths: Array, count: int, out: Array) -> None:
     """Sum the first `count` pulls D, each times |D|² / (Σ |D'|³ max(0, cos(D, D'))²)^⅔ over all D'.
 
     A pull alone, and pulls at right angles or against each other, are exact; n equal parallel pulls give
-    ∛n times one. Continuous, and the same in every frame of reference.
+    ∛n times one. Continuous, and the same in every frame of reference. `lengths` is scratch, as long as `pulls`.
     """
     out[:] = 0.0
     for m in range(count):
-        own = _dot(pulls[m], pulls[m])
-        shared = 0.0
+        lengths[m] = np.sqrt(_dot(pulls[m], pulls[m]))
+    for m in range(count):
+        own = lengths[m] ** 2
+        shared, alone = 0.0, True
         for n in range(count):
             along = _dot(pulls[m], pulls[n])
             if along > 0.0:
-                shared += along**2 / own * np.sqrt(_dot(pulls[n], pulls[n]))
+                shared += along**2 * lengths[n]
+                alone = alone and n == m
         if shared > 0.0:
-            share = own / np.cbrt(shared) ** 2
+            share = 1.0 if alone else own / np.cbrt(shared / own) ** 2
             for c in range(3):
                 out[c] += share * pulls[m, c]
 
