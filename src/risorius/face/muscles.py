@@ -37,29 +37,33 @@ class MuscleFields:
 
     Entries `start[v]:start[v + 1]` belong to vertex v: `parameter` (k,) index into the values, `source` (k,)
     what they are a part of (the two sides of a muscle, and the heads of a sheet, meet as parts of one shape),
-    `displacement` (k, 3) in mm at activation 1.
+    `muscle` (k,) which muscle they are a side of, `displacement` (k, 3) in mm at activation 1.
     """
 
     start: IntArray
     parameter: IntArray
     source: IntArray
+    muscle: IntArray
     displacement: Array
 
     @classmethod
     def of(cls, head: Head) -> MuscleFields:
         """Gather the fields of `head`."""
         acting = [p for p in PARAMETERS if p.name in head.fields and p.base not in ELSEWHERE]
-        sheets = [SHEETS.get(p.base, p.base) for p in acting]
+        bases = list(dict.fromkeys(p.base for p in acting))
+        sheets = [bases.index(SHEETS.get(p.base, p.base)) for p in acting]
+        muscles = [bases.index(p.base) for p in acting]
         fields = [head.fields[p.name] for p in acting]
         sizes = [len(field.vertices) for field in fields]
         vertex = np.concatenate([field.vertices for field in fields])
         parameter = np.repeat([INDEX[p.name] for p in acting], sizes)
-        source = np.repeat([sheets.index(sheet) for sheet in sheets], sizes)
-        order = np.lexsort((parameter, source, vertex))
+        source, muscle = np.repeat(sheets, sizes), np.repeat(muscles, sizes)
+        order = np.lexsort((parameter, muscle, source, vertex))
         return cls(
             np.searchsorted(vertex[order], np.arange(len(head.rest) + 1)).astype(np.int32),
             parameter[order].astype(np.int32),
             source[order].astype(np.int32),
+            muscle[order].astype(np.int32),
             np.concatenate([field.displacement for field in fields])[order],
         )
 
@@ -72,24 +76,35 @@ class MuscleFields:
             ends.astype(np.int32),
             self.parameter[entries],
             self.source[entries],
+            self.muscle[entries],
             self.displacement[entries],
         )
 
     def displace(self, values: Array, out: Array) -> None:
         """Write the displacement (N0, 3) in mm for `values` (46,) to `out`."""
-        _displace(self.start, self.parameter, self.source, self.displacement, values, out)
+        _displace(self.start, self.parameter, self.source, self.muscle, self.displacement, values, out)
 
 
 MOST_SOURCES = 32
+# mm by which two muscles together may move a vertex further than the larger alone, and up to which freely.
+EXCESS, FREE_EXCESS = 2.2, 1.4
 
 
 @compiled
 def _displace(
-    start: IntArray, parameter: IntArray, source: IntArray, displacement: Array, values: Array, out: Array
+    start: IntArray,
+    parameter: IntArray,
+    source: IntArray,
+    muscle: IntArray,
+    displacement: Array,
+    values: Array,
+    out: Array,
 ) -> None:
-    pulls, lengths = np.empty((MOST_SOURCES, 3)), np.empty(MOST_SOURCES)
+    pulls, lengths, own = np.empty((MOST_SOURCES, 3)), np.empty(MOST_SOURCES), np.zeros(3)
     for v in range(len(out)):
-        count, last = 0, -1
+        count, muscles, last, last_muscle = 0, 0, -1, -1
+        total, largest = 0.0, 0.0
+        own[:] = 0.0
         for e in range(start[v], start[v + 1]):
             activation = values[parameter[e]]
             if activation <= 0.0:
@@ -98,9 +113,35 @@ def _displace(
                 last = source[e]
                 pulls[count] = 0.0
                 count += 1
+            if muscle[e] != last_muscle:
+                length = np.sqrt(_dot(own, own))
+                total, largest = total + length, max(largest, length)
+                last_muscle, muscles = muscle[e], muscles + 1
+                own[:] = 0.0
             for c in range(3):
-                pulls[count - 1, c] += activation * displacement[e, c]
+                pull = activation * displacement[e, c]
+                pulls[count - 1, c] += pull
+                own[c] += pull
         _limited_sum(pulls, lengths, count, out[v])
+        if muscles > 1:
+            length = np.sqrt(_dot(own, own))
+            _cap(out[v], total + length, max(largest, length))
+
+
+@compiled
+def _cap(out: Array, total: float, largest: float) -> None:
+    """Shorten `out` (3,) where it is much longer than the `largest` of the muscles' displacements.
+
+    `total` is the sum of their lengths: of n equal ones the last n − 1 may each add up to EXCESS mm.
+    """
+    length = np.sqrt(_dot(out, out))
+    others = max(total / largest - 1.0, 1.0) if largest > 0.0 else 1.0
+    over = length - largest - others * FREE_EXCESS
+    if over > 0.0:
+        room = others * (EXCESS - FREE_EXCESS)
+        allowed = length - over + room * np.tanh(over / room)
+        for c in range(3):
+            out[c] *= allowed / length
 
 
 @compiled
