@@ -1,8 +1,8 @@
 """How fast faces are made, without drawing: frames a second on one core, and the share of each step.
 
 Run from the repository's root: `NUMBA_NUM_THREADS=1 OMP_NUM_THREADS=1 .venv/bin/python benchmarks/face.py`.
-Targets (issue: the face): 250 frames a second at 30 fps with the skin in motion, 500 without. Times are of the
-processor, so that other work on the machine counts little.
+Targets (issue: the face): 250 frames a second at 30 fps with the skin in motion, 500 without. Times are of
+the processor, so that other work on the machine counts little.
 """
 
 from __future__ import annotations

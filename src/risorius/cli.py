@@ -102,7 +102,10 @@ _PICTURE_OPTIONS = (
     click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]"),
 )
 _SKIN_OPTION = click.option(
-    "--skin", "dynamics", metavar="NAME", help="How the skin moves: springs, biphasic or static.  [default: springs]"
+    "--skin",
+    "dynamics",
+    metavar="NAME",
+    help="How the skin moves: springs, biphasic or static.  [default: springs]",
 )
 _SAMPLING_OPTION = click.option(
     "--fps", metavar="RATE", help="Frames per second; fractions such as 24000/1001 work.  [default: 30]"
@@ -214,7 +217,8 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import mix as combine
 
     check_outputs(outputs)
-    settings = _settings(**{name: v for name, v in chosen.items() if name in ("size", "head", "fps", "dynamics")})
+    shared = ("size", "head", "fps", "dynamics")
+    settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
     take = combine(
         score, settings=settings, conflict=chosen["conflict"], onset_function=chosen["onset_function"]
     )

@@ -8,9 +8,9 @@ from typing import Annotated, Literal
 
 import pytest
 
-from risorius.errors import InputError, ParameterError
-from risorius.core.toml import load_file, parse
 from risorius.core.schema import Range, line_of
+from risorius.core.toml import load_file, parse
+from risorius.errors import InputError, ParameterError
 
 
 class Colour(StrEnum):

@@ -119,7 +119,8 @@ def test_parameters_are_kept_and_cannot_be_changed(face):
 
 
 def test_frames_are_made_one_by_one(solver):
-    frames = animate(Performance(None, Fraction(30), np.stack([NEUTRAL, values_of({"masseter": 0.5})])), solver)
+    values = np.stack([NEUTRAL, values_of({"masseter": 0.5})])
+    frames = animate(Performance(None, Fraction(30), values), solver)
     first = next(frames)
     second = next(frames)
     assert first.jaw_angle == 0.0

@@ -73,7 +73,7 @@ class Biphasic:
                 _add(force, factor * values[column], out)
 
     def settle(self, values: Array, place: Array) -> None:
-        """Bring `place` (r, 4), where the linear springs are in equilibrium, to that with the second phase."""
+        """Bring `place` (r, 4) from the equilibrium of the linear springs to that with the second phase."""
         net, linear = self._network, place.copy()
         for _ in range(MOST):
             self._work[:] = 0.0

@@ -110,7 +110,7 @@ NO_LINKS = Links.of(())
 def load_links(path: Path | None = None) -> Links:
     """Return the links of a file, or of the standard head.
 
-    Raises InputError, or ParameterError for a muscle, with the file and the line, where the file does not fit.
+    Raises InputError, or ParameterError for a muscle, with the file and line where the table does not fit.
     """
     found = path or Path(str(resources.files("risorius") / "heads" / "standard" / FILE))
     return _load(found, found.stat().st_mtime_ns if found.is_file() else 0)

@@ -149,7 +149,7 @@ def _limited_sum(pulls: Array, lengths: Array, count: int, out: Array) -> None:
     """Sum the first `count` pulls D, each times |D|² / (Σ |D'|³ max(0, cos(D, D'))²)^⅔ over all D'.
 
     A pull alone, and pulls at right angles or against each other, are exact; n equal parallel pulls give
-    ∛n times one. Continuous, and the same in every frame of reference. `lengths` is scratch, as long as `pulls`.
+    ∛n times one. Continuous, and the same in every frame of reference. `lengths` is scratch.
     """
     out[:] = 0.0
     for m in range(count):

@@ -22,7 +22,7 @@ from .network import REST, Network, pull
 Array = npt.NDArray[np.float64]
 
 RATE = 120  # steps in a second
-# Hz, and share of the critical damping, of a point on its spring to the rest alone; the implicit step damps too.
+# Hz, and share of the critical damping, of a point on its spring to the rest alone; the step damps too.
 # After a muscle that contracts in 0.1 s the skin overshoots by 3 to 7 %, and lags 3 to 11 ms behind it.
 FREQUENCY, DAMPING = 8.0, 0.35
 MASS = REST / (2.0 * math.pi * FREQUENCY) ** 2
