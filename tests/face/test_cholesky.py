@@ -5,7 +5,7 @@ import pytest
 import scipy.sparse as sp
 
 from risorius.face.cholesky import Factor, sparing_order
-from risorius.face.network import laplacian
+from risorius.face.stiffness import laplacian
 
 
 def grid(side):

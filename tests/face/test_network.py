@@ -3,7 +3,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.network import REST, Network, edges, laplacian, pull
+from risorius.face.network import Network, pull
+from risorius.face.stiffness import REST, edges, laplacian
 
 
 @pytest.fixture(scope="module")

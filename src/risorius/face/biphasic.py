@@ -15,7 +15,8 @@ from ..core.parameters import INDEX, PARAMETERS
 from .head import Head
 from .jit import compiled
 from .muscles import ELSEWHERE, MuscleFields
-from .network import NEIGHBOUR, Network, edges, pull
+from .network import Network, pull
+from .stiffness import NEIGHBOUR, edges
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.uint32]

@@ -112,13 +112,18 @@ def load_links(path: Path | None = None) -> Links:
 
     Raises InputError, or ParameterError for a muscle, with the file and line where the table does not fit.
     """
+    return Links.of(link_rows(path))
+
+
+def link_rows(path: Path | None = None) -> tuple[Link, ...]:
+    """Return the rows of a file of links, or of the standard head's; raises as `load_links`."""
     found = path or Path(str(resources.files("risorius") / "heads" / "standard" / FILE))
     return _load(found, found.stat().st_mtime_ns if found.is_file() else 0)
 
 
 @lru_cache(maxsize=8)
-def _load(path: Path, _changed: int) -> Links:
-    return Links.of(load_file(LinkTable, path).link)
+def _load(path: Path, _changed: int) -> tuple[Link, ...]:
+    return load_file(LinkTable, path).link
 
 
 @compiled

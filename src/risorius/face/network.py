@@ -21,11 +21,11 @@ from .cholesky import Factor, sparing_order
 from .head import Head
 from .jit import compiled_fast
 from .muscles import ELSEWHERE
+from .stiffness import spring_stiffness
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.uint32]
 
-NEIGHBOUR, REST = 1.0, 0.1  # stiffness k of the springs between points, and k₀ of those to the rest
 STILL = 0.02  # mm at full contraction below which a point counts as one that no muscle moves
 LIP = 0.5  # of the lips' masks, above which a point belongs to the lips
 
@@ -48,9 +48,9 @@ class Network:
     def of(cls, head: Head) -> Network:
         """Span the network over the skin of `head`."""
         free = np.flatnonzero(_moved(head) & ~_lips(head))
-        whole = NEIGHBOUR * laplacian(len(head.rest), head.quads) + REST * sp.identity(len(head.rest))
-        free = free[sparing_order(whole.tocsr()[free][:, free].tocsc())]
-        stiffness = whole.tocsr()[free][:, free].tocsr()
+        whole = spring_stiffness(len(head.rest), head.quads).tocsr()
+        free = free[sparing_order(whole[free][:, free].tocsc())]
+        stiffness = whole[free][:, free].tocsr()
         return cls(
             free,
             stiffness.tocsc(),
@@ -62,20 +62,6 @@ class Network:
     def factor(self, stiffness: float, point: float) -> Factor:
         """Factor `stiffness` times K plus `point` times I."""
         return Factor.of((stiffness * self.stiffness + point * sp.identity(len(self.free))).tocsc())
-
-
-def laplacian(count: int, quads: npt.NDArray[np.integer]) -> sp.csr_matrix:
-    """Return L (count, count) over the edges of the mesh `quads` (Q, 4)."""
-    ends = edges(quads)
-    ones = np.ones(2 * len(ends))
-    beside = sp.csr_matrix((ones, (ends.ravel(), ends[:, ::-1].ravel())), shape=(count, count))
-    return sp.diags(np.asarray(beside.sum(axis=1)).ravel()) - beside
-
-
-def edges(quads: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
-    """Return the edges (E, 2) of the mesh `quads` (Q, 4), each once, lower index first."""
-    sides = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
-    return np.unique(np.sort(sides, axis=1), axis=0)
 
 
 def _moved(head: Head) -> npt.NDArray[np.bool_]:

@@ -17,7 +17,8 @@ from .biphasic import Biphasic
 from .jit import compiled_fast
 from .links import NO_LINKS, Links
 from .muscles import MuscleFields
-from .network import REST, Network, pull
+from .network import Network, pull
+from .stiffness import REST
 
 Array = npt.NDArray[np.float64]
 
