@@ -1,7 +1,7 @@
 """Draw the muscles' lines of pull on the standard head to docs/pictures/muscle-lines.png.
 
 Run from the repository's root: `PYTHONPATH=src python docs/muscle_lines.py`. On the subject's left the line from
-origin (ring) to insertion (dot), coloured by type; on the right the calibrated field at full contraction, as
+origin (its number) to insertion (dot), coloured by type; on the right the calibrated field at full contraction, as
 the paths of the skin's points.
 """
 
@@ -16,6 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
+from risorius.core.parameters import MUSCLES
 from risorius.face.head import Head, load_head
 
 PICTURE = Path(__file__).parent / "pictures" / "muscle-lines.png"
@@ -42,19 +43,22 @@ def draw_skin(axes: plt.Axes, head: Head, view: list[int], towards: np.ndarray) 
     axes.add_collection(PolyCollection(corners[order][:, :, view], facecolors=skin, edgecolors=skin, lw=0.3))
 
 
+def numbers() -> dict[str, str]:
+    """Return what each row is marked with: the muscle's number in paper A, Table 1; "t" for the lip's tuck."""
+    return {m.base: f"{m.number:02d}" for m in MUSCLES} | {"lip_tuck": "t"}
+
+
 def draw_lines(axes: plt.Axes, head: Head, view: list[int]) -> None:
-    """Draw each muscle's line of pull with its name."""
+    """Draw each muscle's line of pull with its number at the origin."""
     for name, (row, _) in head.muscles().items():
         origin, insertion = (np.array(point)[view] for point in row.line)
         colour = COLOURS[row.type]
-        axes.plot(*zip(origin, insertion, strict=True), color=colour, lw=2.2, solid_capstyle="round", zorder=5)
-        axes.plot(*origin, "o", mfc="white", mec=colour, ms=6, zorder=6)
-        axes.plot(*insertion, "o", color=colour, ms=5, zorder=6)
-        box = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.75}
-        axes.annotate(
-            name.replace("_", " "), 0.5 * (origin + insertion), xytext=(5, 3), textcoords="offset points",
-            fontsize=6.5, color=colour, zorder=7, bbox=box,
-        )  # fmt: skip
+        axes.plot(
+            *zip(origin, insertion, strict=True), color=colour, lw=2.2, solid_capstyle="round", zorder=5
+        )
+        axes.plot(*insertion, "o", color=colour, ms=4, zorder=6)
+        axes.plot(*origin, "o", mfc="white", mec=colour, mew=1.5, ms=15, zorder=7)
+        axes.annotate(numbers()[name], origin, ha="center", va="center", fontsize=8, color=colour, zorder=8)
 
 
 def draw_fields(axes: plt.Axes, head: Head) -> None:
@@ -67,24 +71,35 @@ def draw_fields(axes: plt.Axes, head: Head) -> None:
         strong = np.flatnonzero(length > 0.35 * length.max())
         start = head.rest[field.vertices[strong]]
         paths = np.stack([start, start + field.displacement[strong]], axis=1)[:, :, :2]
-        axes.add_collection(LineCollection(list(paths), colors=COLOURS[row.type], lw=0.7, alpha=0.8, zorder=4))
+        axes.add_collection(
+            LineCollection(list(paths), colors=COLOURS[row.type], lw=0.7, alpha=0.8, zorder=4)
+        )
 
 
 def main() -> None:
     head = load_head()
-    figure, (front, side) = plt.subplots(1, 2, figsize=(15, 9), width_ratios=[1.15, 1.0])
+    figure, (front, side) = plt.subplots(1, 2, figsize=(18, 9.5), width_ratios=[1.1, 1.0])
+    figure.subplots_adjust(left=0.0, right=0.8, wspace=0.02)
     draw_skin(front, head, [0, 1], np.array([0.0, 0.0, 1.0]))
     draw_lines(front, head, [0, 1])
     draw_fields(front, head)
     draw_skin(side, head, [2, 1], np.array([1.0, 0.0, 0.0]))
     draw_lines(side, head, [2, 1])
-    front.set(xlim=(-90, 90), ylim=(-125, 85), title="front (lines: subject's left; fields: right)")
-    side.set(xlim=(60, -110), ylim=(-125, 85), title="the subject's left side")
+    front.set(xlim=(-88, 88), ylim=(-118, 75), title="front (lines: subject's left; fields: right)")
+    side.set(xlim=(58, -98), ylim=(-118, 75), title="the subject's left side")
     for axes in (front, side):
         axes.set_aspect("equal")
         axes.set_axis_off()
-    handles = [plt.Line2D([], [], color=colour, lw=3, label=name) for name, colour in COLOURS.items()]
-    figure.legend(handles=handles, loc="lower center", ncols=6, frameon=False)
+    types = [plt.Line2D([], [], color=colour, lw=3, label=name) for name, colour in COLOURS.items()]
+    rows = [
+        plt.Line2D(
+            [], [], color=COLOURS[row.type], lw=3, label=f"{numbers()[name]}  {name.replace('_', ' ')}"
+        )
+        for name, (row, _) in head.muscles().items()
+    ]
+    rows.sort(key=lambda line: str(line.get_label()))
+    figure.legend(handles=types, loc="lower center", ncols=6, frameon=False)
+    figure.legend(handles=rows, loc="center right", frameon=False, fontsize=10, labelspacing=0.7)
     PICTURE.parent.mkdir(exist_ok=True)
     figure.savefig(PICTURE, dpi=80, bbox_inches="tight")
 

@@ -48,7 +48,9 @@ def fit(skin: Skin, muscle: Muscle, field: Array) -> Pull:
     forces = np.einsum("nk,ndc->kdnc", share, ways).reshape(-1, *skin.rest.shape)
     moved = np.stack([skin.network.solve(force) for force in forces]).reshape(len(forces), -1)
     gram = moved @ moved.T
-    weights = np.linalg.solve(gram + STIFF * np.trace(gram) / len(gram) * np.eye(len(gram)), moved @ field.ravel())
+    weights = np.linalg.solve(
+        gram + STIFF * np.trace(gram) / len(gram) * np.eye(len(gram)), moved @ field.ravel()
+    )
     return Pull(places, weights.reshape(len(places), -1))
 
 

@@ -107,7 +107,11 @@ def from_line(muscle: Muscle, points: Array) -> Array:
 
 
 def anatomical_fields(
-    skin: Skin, mirror: IntArray, muscles: Mapping[str, Muscle], pulls: Mapping[str, Pull], names: tuple[str, ...]
+    skin: Skin,
+    mirror: IntArray,
+    muscles: Mapping[str, Muscle],
+    pulls: Mapping[str, Pull],
+    names: tuple[str, ...],
 ) -> dict[str, tuple[IntArray, Array]]:
     """Return vertices (k,) and displacements (k, 3) in mm at activation 1 for parameters by name.
 
