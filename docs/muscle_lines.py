@@ -1,8 +1,8 @@
 """Draw the muscles' lines of pull on the standard head to docs/pictures/muscle-lines.png.
 
-Run from the repository's root: `PYTHONPATH=src python docs/muscle_lines.py`. On the subject's left the line from
-origin (its number) to insertion (dot), coloured by type; on the right the calibrated field at full contraction, as
-the paths of the skin's points.
+Run from the repository's root: `PYTHONPATH=src python docs/muscle_lines.py`. On the subject's left the line
+from origin (its number) to insertion (dot), coloured by type; on the right the calibrated field at full
+contraction, as the paths of the skin's points.
 """
 
 from __future__ import annotations
@@ -40,11 +40,12 @@ def draw_skin(axes: plt.Axes, head: Head, view: list[int], towards: np.ndarray) 
     order = order[normals[order] @ towards > 0.0]
     shade = 0.62 + 0.36 * np.clip(normals @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
     skin = np.clip(shade[order, None] * [0.98, 0.94, 0.90], 0.0, 1.0)
-    axes.add_collection(PolyCollection(corners[order][:, :, view], facecolors=skin, edgecolors=skin, lw=0.3))
+    faces = corners[order][:, :, view]
+    axes.add_collection(PolyCollection(faces, facecolors=skin, edgecolors=skin, lw=0.3))
 
 
 def numbers() -> dict[str, str]:
-    """Return what each row is marked with: the muscle's number in paper A, Table 1; "t" for the lip's tuck."""
+    """Return the mark of each row: the muscle's number in paper A, Table 1; "t" for the lip's tuck."""
     return {m.base: f"{m.number:02d}" for m in MUSCLES} | {"lip_tuck": "t"}
 
 
@@ -77,6 +78,7 @@ def draw_fields(axes: plt.Axes, head: Head) -> None:
 
 
 def main() -> None:
+    """Draw both views."""
     head = load_head()
     figure, (front, side) = plt.subplots(1, 2, figsize=(18, 9.5), width_ratios=[1.1, 1.0])
     figure.subplots_adjust(left=0.0, right=0.8, wspace=0.02)

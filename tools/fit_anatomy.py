@@ -29,7 +29,7 @@ def field_of(head: Head, base: str) -> Array:
 
 
 def spread(points: Array) -> Array:
-    """Return indices of points (n, 4) that are SPACING apart, each next one the furthest from those before."""
+    """Return indices of points (n, 4), SPACING apart, each the furthest from those before it."""
     chosen = [0]
     distance = np.linalg.norm(points - points[0], axis=1)
     while distance.max() > SPACING:
@@ -55,6 +55,7 @@ def fit(skin: Skin, muscle: Muscle, field: Array) -> Pull:
 
 
 def main() -> None:
+    """Fit all muscles."""
     head = load_head()
     skin = Skin(head.rest, head.quads, head.jaw_weight)
     arrays = {}
@@ -68,7 +69,7 @@ def main() -> None:
         arrays[f"{name}/weights"] = pull.weights.astype(np.float32)
         left = field - skin.displaced(muscles[name], pull)
         print(f"{name:30s} R² {1.0 - (left**2).sum() / (field**2).sum():.3f}  ({len(pull.places)} places)")
-    np.savez_compressed(head.folder / FILE, **arrays)
+    np.savez_compressed(head.folder / FILE, **arrays)  # type: ignore[arg-type]
 
 
 if __name__ == "__main__":

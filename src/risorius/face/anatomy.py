@@ -112,7 +112,7 @@ def anatomical_fields(
     muscles: Mapping[str, Muscle],
     pulls: Mapping[str, Pull],
     names: tuple[str, ...],
-) -> dict[str, tuple[IntArray, Array]]:
+) -> dict[str, tuple[npt.NDArray[np.int32], Array]]:
     """Return vertices (k,) and displacements (k, 3) in mm at activation 1 for parameters by name.
 
     `mirror` (N,) is the index of each vertex's mirror image; a right muscle mirrors the left one.

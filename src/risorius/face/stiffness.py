@@ -1,4 +1,4 @@
-"""The stiffness of the skin's springs: K = k L + k₀ I over the edges of a mesh (facts: face-model, section 4)."""
+"""The stiffness of the skin's springs: K = k L + k₀ I over a mesh's edges (facts: face-model, section 4)."""
 
 from __future__ import annotations
 
