@@ -19,7 +19,7 @@ VOWEL = {"*": Dominance(1.0, 0.05, 0.05)}
 CONSONANT = {"masseter": Dominance(1.5, 0.035, 0.035), "*": Dominance(0.8, 0.035, 0.035)}
 LABIAL = {"masseter": Dominance(2.0, 0.03, 0.03), "*": Dominance(4.0, 0.03, 0.03)}
 MOUTH = ("depressor_labii.left", "depressor_labii.right", "risorius.left", "risorius.right", "tongue_up")
-OPENERS = {name: (0.0, 0.1) for name in ("masseter", *MOUTH[:2], "levator_labii_superioris.left")}
+OPENERS = dict.fromkeys(("masseter", *MOUTH[:2], "levator_labii_superioris.left"), (0.0, 0.1))
 
 
 def segment(draw: random.Random, start: float, end: float) -> LipSegment:
@@ -44,7 +44,9 @@ def speech(minutes: float, conflict: str, seed: int = 1) -> Score:
         start = end
     smile = {"zygomatic_major.left": 0.8, "zygomatic_major.right": 0.8, "masseter": 0.3}
     blink = {"orbicularis_oculi_palpebralis.left": 1.0, "orbicularis_oculi_palpebralis.right": 1.0}
-    movements = [Movement("emotion", k * 10.0, k * 10.0 + 8.0, 0.45, 0.75, smile) for k in range(int(start / 10))]
+    movements = [
+        Movement("emotion", k * 10.0, k * 10.0 + 8.0, 0.45, 0.75, smile) for k in range(int(start / 10))
+    ]
     movements += [
         Movement("manipulators", k * 3.0, k * 3.0 + 0.25, 0.1, 0.12, blink) for k in range(int(start / 3))
     ]

@@ -77,10 +77,10 @@ print(take.duration, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 
 
 def memory() -> None:
-    """The largest memory of the main process for clips of 1, 5 and 10 minutes: speech, curves, faces."""
+    """The largest memory of the main process for clips of 2 to 20 minutes: speech, curves, faces."""
     found = []
     with tempfile.TemporaryDirectory() as folder:
-        for minutes in (1, 5, 10):
+        for minutes in (2, 5, 10, 20):
             command = [sys.executable, "-c", MEASURE, MINUTE * minutes, folder]
             done = subprocess.run(command, check=True, capture_output=True, text=True)
             duration, kilobytes = done.stdout.split()

@@ -71,7 +71,7 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["speak", "Hello.", "--without", "blinks"], "unknown channel"),
         (["speak", "Hello.", "--conflict", "inhibitt"], "did you mean 'inhibit'"),
         (["speak", "Hello.", "--lips", "dominanc"], "did you mean 'dominance'"),
-        (["speak", "Hello.", "--head", "standart"], "did you mean 'standard'"),
+        (["speak", "Hello.", "--head", "standart", "-o", "x.png"], "did you mean 'standard'"),
         (["speak", "Hello.", "--seed", "-1"], "seed"),
         (["speak", "Hello.", "--bogus"], "bogus"),
         (["mix", "missing.json"], "missing.json"),
@@ -80,6 +80,9 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["pose", "AU34=1", "-o", "x.png"], "cheek puff"),
         (["pose", "masseter=nan", "-o", "x.png"], "expected 0 to 1"),
         (["pose", "masseter=1"], "-o"),
+        (["explain", "missing.performance.json"], "missing.performance.json"),
+        (["explain", "x.performance.json", "--parameter", "masseter"], "--at"),
+        (["explain", "x.performance.json", "--at", "1", "--parameter", "smyle"], "unknown muscle"),
         (["list", "muskles"], "muscles"),
         (["spaek", "Hello."], "spaek"),
     ],
@@ -170,3 +173,12 @@ def test_an_interrupt_leaves_nothing(asked: signal.Signals, folder: Path) -> Non
     assert process.returncode == 130
     assert "Traceback" not in said
     assert list(folder.iterdir()) == []
+
+
+def test_explain_answers_why(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("x.json").write_text(json.dumps(MINIMAL_SCORE))
+    assert run(["mix", "x.json", "-o", "x.performance.json"]) == 0
+    assert run(["explain", "x.performance.json", "--at", "0.5", "--parameter", "zygomatic_major.left"]) == 0
+    assert capsys.readouterr().out.startswith("zygomatic_major.left = 1.000\n    1.000 from emotion")
+    assert run(["explain", "x.performance.json"]) == 0
+    assert "100.0 %" in capsys.readouterr().out

@@ -11,6 +11,7 @@ import pytest
 import risorius
 import risorius.pipeline
 from risorius.core.movement import Cause
+from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.errors import InputError
 from risorius.face.measure import Gauge
 from risorius.rules.emotions import emotions
@@ -165,3 +166,39 @@ def test_faces_at_one_time_agree_at_all_frame_rates(demo: risorius.Take) -> None
 def test_an_unknown_dynamics_is_named() -> None:
     with pytest.raises(InputError, match="unknown dynamics 'spring'; did you mean 'springs'"):
         Settings(dynamics="spring")
+
+
+def test_every_frame_of_the_demonstration_can_be_explained(demo: risorius.Take) -> None:
+    for index, time in enumerate(demo.times):
+        explained = {e.parameter: e for e in demo.explain(float(time))}
+        for name, curve in demo.curves.items():
+            if name in explained:
+                assert explained[name].value == pytest.approx(curve[index], abs=1e-9), (name, time)
+                assert all(part.reason for part in explained[name].losers), (name, time)
+            else:
+                assert curve[index] == NEUTRAL[INDEX[name]], (name, time)
+
+
+def test_the_smile_is_explained_by_the_rounded_r_of_very(demo: risorius.Take) -> None:
+    (explanation,) = demo.explain(1.68, SMILE)
+    assert explanation.winner is not None
+    assert explanation.winner.cause.place.endswith("demo.xml:3:1")
+    assert 'orbicularis_oris_funneler of /R/ of "very"' in explanation.winner.reason
+    assert len(demo.explain(1.68, "zygomatic_major")) == 2
+
+
+@pytest.mark.parametrize(
+    ("time", "name"), [(-1.0, SMILE), (9.0, SMILE), (float("nan"), SMILE), (1.0, "smyle")]
+)
+def test_what_cannot_be_explained_is_refused(demo: risorius.Take, time: float, name: str) -> None:
+    with pytest.raises(risorius.RisoriusError):
+        demo.explain(time, name)
+
+
+def test_a_performance_read_back_is_explained_alike(demo: risorius.Take, tmp_path: Path) -> None:
+    demo.write(tmp_path / "x.performance.json")
+    again = risorius.load(tmp_path / "x.performance.json")
+    np.testing.assert_array_equal(again.performance.values, demo.performance.values)
+    assert again.explain(1.68) == demo.explain(1.68)
+    assert again.summary() == demo.summary()
+    assert 0 < demo.summary()["emotion"].inhibited < demo.summary()["emotion"].active

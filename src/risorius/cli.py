@@ -27,8 +27,11 @@ _CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 def main() -> None:
     """Run the command line: exit code 0, or 2 with one line on what is wrong, or 130 when interrupted."""
+    from .console import interrupt
+
     # Asked to end, we end as when interrupted: what is half-written goes.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    for asked in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(asked, interrupt)
     sys.exit(run(sys.argv[1:]))
 
 
@@ -186,6 +189,7 @@ def speak(
             progress=console.progress,
         )
         take.write(*targets, progress=console.progress)
+        console.say(f"Wrote {', '.join(str(target) for target in targets)}")
 
 
 def _standard_input() -> str:
@@ -264,6 +268,31 @@ def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
         except ValueError:
             raise InputError(f"'{text}' is not NAME=VALUE; expected e.g. zygomatic_major=0.7") from None
     return found
+
+
+@commands.command()
+@click.argument("performance", type=click.Path(path_type=Path, dir_okay=True))
+@click.option(
+    "--at", type=float, metavar="S", help="The second to explain; a summary of the clip without it."
+)
+@click.option("--parameter", metavar="NAME", help="One muscle or other parameter; all that move without it.")
+def explain(performance: Path, at: float | None, parameter: str | None) -> None:
+    """Say why the face does what it does, from a PERFORMANCE (.performance.json).
+
+    Each value goes back to the movement that won and its cause in the script, and each loser has its reason.
+    """
+    from .core.parameters import parameters_named
+    from .narration import narrate, tell
+    from .pipeline import load
+
+    if at is None and parameter is not None:
+        raise InputError("--parameter needs a time; expected --at SECONDS as well")
+    if parameter is not None:
+        parameters_named(parameter)
+    take = load(performance)
+    lines = tell(take.summary()) if at is None else narrate(take.explain(at, parameter), at)
+    for line in lines:
+        click.echo(line)
 
 
 @commands.command(name="list")

@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import sys
+import threading
 from collections.abc import Iterable, Iterator, Sequence
-from types import TracebackType
+from types import FrameType, TracebackType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
+
+
+_interrupted = threading.Event()
+
+
+def interrupt(number: int, frame: FrameType | None) -> None:
+    """Handle a signal: stop here, or at the next step where the exception is lost in foreign code."""
+    _interrupted.set()
+    raise KeyboardInterrupt
 
 
 class Console:
@@ -27,6 +37,8 @@ class Console:
 
     def progress(self, stage: str, done: int = 0, total: int = 0) -> None:
         """Say that `stage` goes on: `done` of `total` steps, or that it began where total is 0."""
+        if _interrupted.is_set():
+            raise KeyboardInterrupt
         if total == 0:
             self.say(stage)
         elif sys.stderr.isatty():

@@ -15,6 +15,7 @@ from .core.movement import Cause, ManualCurve
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
 from .out import check_targets as check_outputs
+from .out.performance_json import read_performance_file
 from .out.score_json import read_score_file
 from .rules.emotions import emotion as find_emotion
 from .script import Script, movements_of, read_script
@@ -22,7 +23,7 @@ from .settings import Settings
 from .speech import say
 from .take import Progress, Take, quiet
 
-__all__ = ["check_outputs", "mix", "perform", "pose", "speak"]
+__all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
 
 Emotions = Mapping[str, float] | Iterable[Display]
 
@@ -85,6 +86,13 @@ def mix(
     changed: dict[str, Any] = {name: value for name, value in chosen.items() if value is not None}
     blend = replace(file.score.settings, **changed)
     return perform(replace(file.score, settings=blend), settings, file.utterance)
+
+
+def load(performance: str | PathLike[str], *, settings: Settings | None = None) -> Take:
+    """Read a `.performance.json` back, with its curves as they were written."""
+    file = read_performance_file(Path(performance))
+    settings = replace(settings or Settings(), fps=file.performance.fps)
+    return Take(file.performance, settings, file.utterance)
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import astuple, dataclass, field
 from functools import cached_property, partial
 from os import PathLike
@@ -11,13 +13,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from .core.parameters import NAMES, parameters_named
 from .core.performance import Performance
 from .core.score import Score
 from .core.utterance import Utterance
 from .settings import Settings
 
 if TYPE_CHECKING:
-    from .blend import Plan
+    from .blend import Explanation, Plan, Tally
     from .face.frame import FaceFrame
     from .face.head import Head
     from .face.measure import Gauge
@@ -31,6 +34,17 @@ Progress = Callable[..., None]
 
 def quiet(stage: str, done: int = 0, total: int = 0) -> None:
     """Say nothing."""
+
+
+@contextmanager
+def _announced_if_slow(progress: Progress) -> Iterator[None]:
+    """Say that code is being compiled if the first frame takes long: only then is it."""
+    timer = threading.Timer(1.5, progress, ["Compiling the face and the renderer (once, about 20 s) …"])
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
 
 
 @dataclass
@@ -65,6 +79,24 @@ class Take:
         """One curve per parameter by name, each of shape (frames,)."""
         return self.performance.curves
 
+    def explain(self, time: float, parameter: str | None = None) -> tuple[Explanation, ...]:
+        """Say why parameters have their values at a time in seconds: winner, losers and reasons.
+
+        `parameter` is a name with or without its side; all that moves at `time` where it is None. Raises
+        ParameterError for an unknown name, InputError for a time outside the performance.
+        """
+        from .blend import explain
+
+        names = NAMES if parameter is None else [p.name for p in parameters_named(parameter)]
+        found = (explain(self._plan, time, name) for name in names)
+        return tuple(e for e in found if parameter is not None or e.winner is not None or e.losers)
+
+    def summary(self) -> dict[str, Tally]:
+        """Say how often each channel won, was inhibited or was limited over the whole clip."""
+        from .blend import summarize
+
+        return summarize(self._plan, self.performance.fps)
+
     def write(self, *paths: str | PathLike[str], progress: Progress = quiet) -> None:
         """Write files, what each holds being said by its suffix; all appear when the last is complete.
 
@@ -89,12 +121,6 @@ class Take:
     def _curves_between_frames(self, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         return self._plan.at(np.minimum(times, self.performance.times[-1]))
 
-    @cached_property
-    def _plan(self) -> Plan:
-        from .blend import Plan
-
-        return Plan(self.score)
-
     def pictures(
         self, size: Size | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet
     ) -> Iterator[Picture]:
@@ -102,10 +128,18 @@ class Take:
         from .render import Renderer
 
         chosen = range(len(self.performance.values)) if indices is None else indices
-        renderer = Renderer(self.head, size or self.settings.size)
+        with _announced_if_slow(progress):
+            renderer = Renderer(self.head, size or self.settings.size)
+            renderer.render(next(self.faces([0])))
         for done, face in enumerate(self.faces(chosen)):
             yield renderer.render(face)
             progress("Drawing", done + 1, len(chosen))
+
+    @cached_property
+    def _plan(self) -> Plan:
+        from .blend import Plan
+
+        return Plan(self.score)
 
     def _material(self, progress: Progress) -> Material:
         from .out import Material

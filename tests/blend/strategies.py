@@ -68,7 +68,9 @@ def movements(
 
 PHONES: dict[str, LipSegment] = {
     "AA": LipSegment("AA", 0, 1, {"masseter": 0.6}, {"orbicularis_oris_presser": (0.0, 0.1)}),
-    "UW": LipSegment("UW", 0, 1, {"orbicularis_oris_funneler": 0.9, "masseter": 0.2}, {"masseter": (0.0, 0.7)}),
+    "UW": LipSegment(
+        "UW", 0, 1, {"orbicularis_oris_funneler": 0.9, "masseter": 0.2}, {"masseter": (0.0, 0.7)},
+    ),
     "M": LipSegment(
         "M", 0, 1, {"lip_seal": 1.0, "masseter": 0.05, "orbicularis_oris_presser": 0.3},
         {"masseter": (0.0, 0.1), "levator_labii_nasi.left": (0.0, 0.1), "depressor_labii.left": (0.0, 0.05)},
@@ -90,9 +92,7 @@ def speech(draw: st.DrawFn) -> tuple[LipSegment, ...]:
     for phone in draw(st.lists(st.sampled_from(tuple(PHONES)), max_size=14)):
         length = draw(st.integers(2, 16)) / 64
         model = PHONES[phone]
-        found.append(
-            LipSegment(phone, start, start + length, model.targets, model.limits, model.dominance)
-        )
+        found.append(LipSegment(phone, start, start + length, model.targets, model.limits, model.dominance))
         start += length + draw(st.sampled_from((0, 0, 0, 1 / 16)))
     return tuple(found)
 

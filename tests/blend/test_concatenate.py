@@ -26,7 +26,7 @@ def move(start: float, end: float, onset: float, offset: float, value: float, **
 
 
 def values(found: list[Movement], times: np.ndarray, name: str = Z) -> np.ndarray:
-    curve = concatenate("", found).curves[name]
+    curve = concatenate(found).curves[name]
     dense = np.zeros(len(times))
     index, sampled = curve.sample(times)
     dense[index] = sampled
@@ -72,6 +72,29 @@ class TestTwoMovements:
         second = Movement("emotion", 5, 12, 2, 2, {"masseter": 0.2})
         times = np.linspace(5, 7, 50)
         assert values([first, second], times) == pytest.approx(values([first], times), abs=1e-14)
+
+    @pytest.mark.parametrize(
+        ("one", "two"),
+        [
+            (move(0, 7, 2, 3, 1.0), move(3, 10, 2, 2, 0.5)),
+            (move(0, 7, 2, 2, 1.0), move(3, 10, 2, 2, 0.0)),
+            (move(0, 7, 2, 3, 1.0), move(5, 12, 2, 2, 0.2)),
+            (move(0, 7, 2, 3, 0.3), move(3, 10, 2, 2, 0.9)),
+            (move(0, 7, 2, 3, 1.0), move(3, 4.5, 0.3, 0.4, 0.5)),
+        ],
+    )
+    def test_cases_of_the_errata(self, one: Movement, two: Movement) -> None:
+        """The printed case (2) starts elsewhere, rises, and jumps; ours starts where movement 1 stands."""
+        times = np.arange(0, 13, 1e-4)
+        got = values([one, two], times)
+        until = times <= two.start
+        assert got[until] == pytest.approx(values([one], times[until]), abs=1e-14)
+        assert np.abs(np.diff(got)).max() < 2.5e-4
+        onset = (times > two.start) & (times <= two.start + two.onset)
+        falls = got[until][-1] >= two.targets[Z]
+        assert (np.diff(got[onset]) <= 0).all() if falls else (np.diff(got[onset]) >= 0).all()
+        settled = (times >= two.start + max(two.onset, one.offset)) & (times <= two.end - two.offset)
+        assert got[settled] == pytest.approx(np.full(settled.sum(), two.targets[Z]), abs=1e-12)
 
     def test_release_longer_than_the_next_onset_has_no_jump(self) -> None:
         found = [move(0, 7, 2, 3, 1.0), move(3, 4.5, 0.3, 0.4, 0.5)]
@@ -152,11 +175,14 @@ class TestSigned:
 def test_agrees_with_the_reference(function: str, found: tuple[Movement, ...]) -> None:
     layer = [reference.with_function(m, function) for m in found if m.layer == ""]
     times = np.arange(0, 9, 0.0371)
-    result = concatenate("", layer)
+    result = concatenate(layer)
     names = sorted({name for m in layer for name in m.targets})
     for name in names:
         signed = name in ("head_pitch", "gaze_distance")
-        shifted = [replace(m, targets={k: v - 0.8 * (k == "gaze_distance") for k, v in m.targets.items()}) for m in layer]
+        shifted = [
+            replace(m, targets={k: v - 0.8 * (k == "gaze_distance") for k, v in m.targets.items()})
+            for m in layer
+        ]
         expected = reference.curve(shifted, name, signed, times)
         got = np.zeros(len(times))
         index, sampled = result.curves[name].sample(times)
@@ -169,7 +195,7 @@ def test_agrees_with_the_reference(function: str, found: tuple[Movement, ...]) -
 def test_above_finds_exactly_the_times_over_the_threshold(
     found: tuple[Movement, ...], threshold: float
 ) -> None:
-    layer = concatenate("", [m for m in found if m.layer == ""])
+    layer = concatenate([m for m in found if m.layer == ""])
     times = np.arange(0.003, 9, 0.0137)
     for name in MUSCLES:
         curve = layer.curves.get(name)

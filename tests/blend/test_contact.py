@@ -75,7 +75,13 @@ class TestCombined:
     SURPRISE = Movement("emotion", 0.0, 3.0, 0.2, 0.2, {"masseter": 1.0, "levator_labii_nasi.left": 1.0})
     WORD = tuple(
         LipSegment(p, a, b, PHONES[p].targets, PHONES[p].limits, PHONES[p].dominance)
-        for p, a, b in (("AA", 0.5, 0.7), ("M", 0.7, 0.8), ("AA", 0.8, 1.0), ("M", 1.0, 1.08), ("F", 1.2, 1.3))
+        for p, a, b in (
+            ("AA", 0.5, 0.7),
+            ("M", 0.7, 0.8),
+            ("AA", 0.8, 1.0),
+            ("M", 1.0, 1.08),
+            ("F", 1.2, 1.3),
+        )
     )
 
     @pytest.mark.parametrize("policy", ["inhibit", "graded", "attenuate", "sum"])

@@ -83,8 +83,16 @@ class TestShape:
 
     def test_dominant_neighbours_win(self) -> None:
         strong, weak = {"*": Dominance(5.0)}, {"*": Dominance(0.2)}
-        between = [segment("AA", 0, 0.2, 0.8), segment("K", 0.2, 0.3, 0.0, dominance=weak), segment("AA", 0.3, 0.5, 0.8)]
-        held = [segment("AA", 0, 0.2, 0.8), segment("B", 0.2, 0.3, 0.0, dominance=strong), segment("AA", 0.3, 0.5, 0.8)]
+        between = [
+            segment("AA", 0, 0.2, 0.8),
+            segment("K", 0.2, 0.3, 0.0, dominance=weak),
+            segment("AA", 0.3, 0.5, 0.8),
+        ]
+        held = [
+            segment("AA", 0, 0.2, 0.8),
+            segment("B", 0.2, 0.3, 0.0, dominance=strong),
+            segment("AA", 0.3, 0.5, 0.8),
+        ]
         middle = np.array([0.25])
         assert curve(between, middle)[0] > 0.4 > 0.2 > curve(held, middle)[0]
 

@@ -19,7 +19,13 @@ from .strategies import DURATION, scores
 
 SMILE, ROUND, JAW = "zygomatic_major.left", "orbicularis_oris_funneler", "masseter"
 HAPPY = Movement(
-    "emotion", 0.0, 4.0, 0.4, 0.4, {SMILE: 0.8, JAW: 0.5}, cause=Cause("emotion.happiness", "happiness 0.8", "a.xml:2:1")
+    "emotion",
+    0.0,
+    4.0,
+    0.4,
+    0.4,
+    {SMILE: 0.8, JAW: 0.5},
+    cause=Cause("emotion.happiness", "happiness 0.8", "a.xml:2:1"),
 )
 WORD = (
     LipSegment("AA", 1.0, 1.3, {JAW: 0.4}, cause=Cause("lips.AA", '/AA/ of "mom"')),
@@ -113,7 +119,12 @@ def test_the_value_is_the_curves_and_follows_from_the_parts(data: st.DataObject,
         parts = [p for p in (found.winner, *found.losers) if p is not None]
         assert all(p.reason for p in found.losers)
         assert all(p.reason for p in parts if abs(p.given) < abs(p.asked) - 1e-9 and p.channel != "lips")
-        if name != JAW and not found.notes and policy != "sum" and name not in ("head_pitch", "gaze_distance"):
+        if (
+            name != JAW
+            and not found.notes
+            and policy != "sum"
+            and name not in ("head_pitch", "gaze_distance")
+        ):
             assert value == pytest.approx(max((p.given for p in parts), default=0.0), abs=1e-8)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from risorius import blend
-from risorius.blend.plan import JAW_SHARE
+from risorius.blend.limits import JAW_SHARE
 from risorius.core.movement import Dominance, LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
@@ -24,7 +24,9 @@ def held(name: str, value: float, channel: str = "emotion", **more: object) -> M
     return Movement(channel, 0.0, 4.0, 0.0, 0.0, {name: value}, **more)  # type: ignore[arg-type]
 
 
-def phone(start: float, end: float, high: float, name: str = UP, low: float = 0.0, **targets: float) -> LipSegment:
+def phone(
+    start: float, end: float, high: float, name: str = UP, low: float = 0.0, **targets: float
+) -> LipSegment:
     return LipSegment("V", start, end, targets, {name: (low, high)})
 
 
@@ -97,6 +99,11 @@ class TestJaw:
         speech = LipSegment("AA", 1.0, 3.0, {JAW: 0.1}, {JAW: (0.0, 0.4)})
         values = curve(Score(4.0, (held(JAW, 0.8, priority=90.0),), (speech,)), JAW)
         assert values[2000] == pytest.approx(0.9, abs=0.01)
+
+
+def test_without_segments_the_jaw_goes_to_the_higher() -> None:
+    chewing = held(JAW, 0.3, channel="lips")
+    assert curve(Score(4.0, (chewing, held(JAW, 0.6))), JAW, np.array([2.0])).tolist() == [0.6]
 
 
 def test_movements_may_stand_in_the_lips_channel_too() -> None:

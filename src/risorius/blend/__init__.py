@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from .explain import Explanation, Part, Tally, explain, summarize
+from .explain import Explanation, Part, explain
 from .plan import Plan, at, combine
+from .summary import Tally, summarize
 
 __all__ = ["Explanation", "Part", "Plan", "Tally", "at", "combine", "explain", "summarize"]

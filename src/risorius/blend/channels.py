@@ -8,17 +8,16 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
-import numpy.typing as npt
 
-from ..core.movement import CHANNEL_PRIORITY, CHANNELS, Movement
+from ..core.movement import CHANNEL_PRIORITY, CHANNELS, LipSegment, ManualCurve, Movement
 from ..core.score import Score
 from .concatenate import Layer, concatenate
-from .intervals import Array, Spans, union
+from .intervals import Array, Indices, Spans, union
 from .levels import Course, Levels, levels_of
 from .lips import LipCurve, Lips
 from .manual import key_curves
 
-Indices = npt.NDArray[np.intp]
+Origin = Movement | LipSegment | ManualCurve
 
 
 class Curve(Protocol):
@@ -30,18 +29,20 @@ class Curve(Protocol):
     def above(self, threshold: float) -> Spans:
         """Return when the curve is higher than `threshold`, shape (n, 2)."""
 
+    def origin(self, time: float) -> Origin:
+        """Return what stands behind the curve at a time."""
+
     def breakpoints(self) -> Array:
         """Return when the curve's parts begin and end, unsorted, shape (n,)."""
 
 
 @dataclass(slots=True)
 class Channel:
-    """A channel: its layers, all curves by parameter, and its priority."""
+    """A channel: its priority, and all curves by parameter, one for each layer that moves it."""
 
     name: str
     levels: Levels
     curves: dict[str, list[Curve]]
-    layers: tuple[Layer, ...] = ()
     _above: dict[tuple[str, float], Spans] = field(default_factory=dict)
 
     def sample(self, parameter: str, times: Array) -> tuple[Indices, Array]:
@@ -74,9 +75,7 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
     function = score.settings.onset_function
     channels = []
     for name in CHANNELS:
-        layers = tuple(
-            concatenate(layer, found, function) for layer, found in sorted(movements[name].items())
-        )
+        layers = [concatenate(found, function) for _, found in sorted(movements[name].items())]
         curves: dict[str, list[Curve]] = defaultdict(list)
         if name == "lips" and lips is not None:
             for parameter in lips.parameters:
@@ -89,7 +88,7 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
                 curves[parameter].append(curve)
         if curves:
             levels = levels_of(_courses(name, layers, lips), CHANNEL_PRIORITY[name])
-            channels.append(Channel(name, levels, dict(sorted(curves.items())), layers))
+            channels.append(Channel(name, levels, dict(sorted(curves.items()))))
     return tuple(channels)
 
 

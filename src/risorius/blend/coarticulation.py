@@ -12,14 +12,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.movement import LipSegment
 from ..core.utterance import SILENCE
 from ..registry import Registry
-from .intervals import Array
-
-Indices = npt.NDArray[np.intp]
+from .intervals import Array, Indices
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from ..core.functions import DEFAULT_FUNCTION
 from ..core.movement import CHANNEL_PRIORITY, Movement
@@ -55,19 +55,18 @@ class Step:
 class Layer:
     """The movements of one layer, concatenated: steps in order and a curve for each parameter."""
 
-    name: str
-    steps: list[Step] = field(default_factory=list)
-    curves: dict[str, StrokeCurve] = field(default_factory=dict)
+    steps: list[Step]
+    curves: dict[str, StrokeCurve]
 
 
-def concatenate(name: str, movements: Iterable[Movement], function: str | None = None) -> Layer:
+def concatenate(movements: Iterable[Movement], function: str | None = None) -> Layer:
     """Return the concatenation of one layer's movements, no two of which start together.
 
     `function` replaces the movements' own onset functions where not None. Values of parameters with a
     neutral other than 0 become deviations from it.
     """
     steps = sequence(movements, function)
-    return Layer(name, steps, _curves(steps))
+    return Layer(steps, _curves(steps))
 
 
 def sequence(movements: Iterable[Movement], function: str | None = None) -> list[Step]:
@@ -109,39 +108,44 @@ def _step(movement: Movement, start: float, function: str | None) -> Step:
 def _curves(steps: list[Step]) -> dict[str, StrokeCurve]:
     strokes: dict[str, list[Stroke]] = {}
     live: dict[str, Stroke] = {}
-    for number, step in enumerate(steps):
-        before = steps[number - 1] if number else None
-        taken_over = _take_over(live, step.start)
+    before: Step | None = None
+    for step in steps:
+        left = _take_over(live, step.start)
         if before is not None:
             before.until = min(before.until, step.start)
-        for name in {**taken_over, **step.targets}:
-            level = taken_over.get(name, 0.0)
-            if level == 0.0 and name not in step.targets:
+        for name in {**left, **step.targets}:
+            level, movement = left.get(name, (0.0, step.movement))
+            if name in step.targets:
+                movement = step.movement
+            elif level == 0.0:
                 continue
-            stroke = _stroke(name, level, step, number, before)
+            stroke = _stroke(name, level, step, movement, before)
             strokes.setdefault(name, []).append(stroke)
             live[name] = stroke
             step.until = max(step.until, stroke.last)
+        before = step
     return {name: StrokeCurve(found) for name, found in strokes.items()}
 
 
-def _take_over(live: dict[str, Stroke], time: float) -> dict[str, float]:
-    """Stop all strokes that are not yet at rest and return the levels they leave."""
-    levels = {name: value_at(stroke, time) for name, stroke in live.items() if stroke.last > time}
-    for name in levels:
-        live[name].stop = time
+def _take_over(live: dict[str, Stroke], time: float) -> dict[str, tuple[float, Movement]]:
+    """Stop all strokes that are not yet at rest and return the levels they leave, and whose they are."""
+    left = {}
+    for name, stroke in live.items():
+        if stroke.last > time:
+            left[name] = (value_at(stroke, time), stroke.movement)
+            stroke.stop = time
     live.clear()
-    return levels
+    return left
 
 
-def _stroke(name: str, level: float, step: Step, number: int, before: Step | None) -> Stroke:
+def _stroke(name: str, level: float, step: Step, movement: Movement, before: Step | None) -> Stroke:
     """What `step` makes of a parameter that stands at `level` when it starts."""
     target = step.targets.get(name, 0.0)
     signed = name in SIGNED
     exponential = step.function == DEFAULT_FUNCTION
     stroke = Stroke(
         step.start, 0.0, target, math.inf, target, step.onset, step.release, step.offset, step.end,
-        step.function, number,
+        step.function, movement,
     )  # fmt: skip
     overlaps = level != 0.0 or (before is not None and step.start < before.end)
     if before is not None and overlaps:

@@ -16,9 +16,8 @@ import numpy as np
 from ..core.parameters import RIVALS
 from ..registry import Registry
 from .channels import Channel
-from .intervals import EMPTY, Array, Spans
-from .levels import Levels, outranking, outranks
-from .mouth import Mouth
+from .intervals import Array
+from .limits import Limits
 from .tuning import Tuning
 
 Settle = Callable[[Channel, str, Array, Array], Array]
@@ -43,7 +42,7 @@ class Effect(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Hindrance:
-    """Why an activity is less than its movement asks: a rival parameter, its channel, and when it is active."""
+    """Why an activity is less than its movement asks: a rival, its channel, and when it is active."""
 
     effect: Effect
     channel: str
@@ -65,15 +64,11 @@ class Policy(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Field:
-    """What a policy is given: the channels, the minimum durations and thresholds, and the mouth's limits.
-
-    `lips`: the priority of speech, which owns the mouth's opening.
-    """
+    """What a policy is given: the channels, minimum durations and thresholds, and the limits of speech."""
 
     channels: Sequence[Channel]
     tuning: Tuning
-    mouth: Mouth | None
-    lips: Levels
+    limits: Limits | None
 
     def rivals(self, channel: Channel, parameter: str, level: float) -> list[tuple[Channel, float, str]]:
         """Return every (other channel, its level, rival parameter) that outranks `level`."""
@@ -86,39 +81,9 @@ class Field:
             if above > level
         ]
 
-    def bound(self, channel: Channel, parameter: str) -> Mouth | None:
-        """Return the mouth if it limits a channel's parameter at some time, else None."""
-        if self.mouth is None or channel.name == LIPS or parameter not in self.mouth.limited:
-            return None
-        return self.mouth
-
-    def limit(self, channel: Channel, parameter: str, times: Array) -> Array | None:
-        """Return the most that a channel may give to a parameter at sorted times, (n,); None: no limit.
-
-        A channel that outranks speech is bound by closures only (DESIGN, section 3, "Lips").
-        """
-        mouth = self.bound(channel, parameter)
-        if mouth is None:
-            return None
-        high = mouth.high_at(parameter, times)
-        free = outranks(channel.levels, self.lips, times)
-        if not free.any():
-            return high
-        return np.minimum(high + free * (1.0 - high), mouth.closed_at(parameter, times))
-
-    def forbidden(self, channel: Channel, parameter: str, threshold: float) -> Spans:
-        """Return when the lips' limits do not let a channel's parameter pass the threshold, shape (n, 2)."""
-        mouth = self.bound(channel, parameter)
-        if mouth is None:
-            return EMPTY
-        free = len(outranking(channel.levels, self.lips)) > 0
-        return mouth.forbidden(parameter, threshold, closures_only=free)
-
     def threshold_time(self, parameter: str, duration: float) -> float:
         """Return how long an activity needs to pass its threshold, given the time that it needs to pass 1."""
         return duration * float(np.log2(1.0 + self.tuning.threshold[parameter]))
 
-
-LIPS = "lips"
 
 POLICIES: Registry[Callable[[Field], Policy]] = Registry("conflict policy")

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.functions import minimum_jerk
 from ..core.movement import LipSegment
-from .intervals import Array
+from .intervals import Array, ranges
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
@@ -108,9 +108,7 @@ class GoalCurve:
         """Return the curve at sorted times, shape (n,), 0 away from all goals."""
         low = np.searchsorted(times, self._start - self._ramp_in, side="left")
         high = np.searchsorted(times, self._end + self._ramp_out, side="right")
-        count = high - low
-        goal = np.repeat(np.arange(len(count)), count)
-        index = np.arange(len(goal)) + np.repeat(low - (np.cumsum(count) - count), count)
+        goal, index = ranges(low, high)
         t = times[index]
         early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
         late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]

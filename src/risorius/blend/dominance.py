@@ -17,7 +17,7 @@ import numpy as np
 from ..core.movement import Dominance, LipSegment
 from ..errors import InputError
 from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, Weights
-from .intervals import Array
+from .intervals import Array, Indices, ranges
 
 MARGIN = 0.08
 """Seconds inside a segment's edge at which dominance begins to fall at the latest."""
@@ -98,9 +98,8 @@ class DominanceModel:
         chosen = np.arange(first, len(starts))[starts[first:] <= times[-1]]
         low = np.searchsorted(times, starts[chosen], side="left")
         high = np.searchsorted(times, (d.centre + d.flat + d.reach_after)[chosen], side="right")
-        count = np.maximum(high - low, 0)
-        segment = np.repeat(chosen, count)
-        time = np.arange(len(segment)) + np.repeat(low - (np.cumsum(count) - count), count)
+        owner, time = ranges(low, high)
+        segment = chosen[owner]
         weight = _dominance(d, segment, times[time])
         total = np.bincount(time, weight, len(times))
         return Weights(segment, time, weight / np.where(total > 0.0, total, 1.0)[time], len(times))
@@ -119,12 +118,10 @@ def _columns(segments: Sequence[LipSegment], dominances: Sequence[Dominance]) ->
     reach_after = np.maximum(REACH * after, least)
     centre = start + half
     felt_until = np.maximum.accumulate(centre + flat + reach_after)
-    return _Columns(
-        centre, flat, magnitude, before, after, exponent, reach_before, reach_after, felt_until
-    )
+    return _Columns(centre, flat, magnitude, before, after, exponent, reach_before, reach_after, felt_until)
 
 
-def _dominance(d: _Columns, segment: np.typing.NDArray[np.intp], times: Array) -> Array:
+def _dominance(d: _Columns, segment: Indices, times: Array) -> Array:
     """Dominance of each segment at its time, shape (n,)."""
     offset = times - d.centre[segment]
     early = offset < 0.0

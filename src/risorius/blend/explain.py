@@ -7,25 +7,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 import numpy as np
 
-from ..core.movement import Cause, LipSegment
+from ..core.movement import Cause, LipSegment, Movement
 from ..core.parameters import INDEX
-from ..core.performance import frame_times
 from ..core.score import Score
 from ..errors import InputError, ParameterError, unknown
-from .channels import Channel, Curve
-from .concatenate import SIGNED, Layer, Step
-from .conflict import LIPS, Hindrance, Join
+from .channels import Channel, Curve, Origin
+from .concatenate import SIGNED
+from .conflict import Hindrance
 from .contact import CONTACTS, SEAL, TUCK
 from .directions import shares_of
-from .lips import LipCurve
-from .manual import KeyCurve
+from .limits import LIPS
 from .mouth import JAW
 from .plan import Moment, Plan
-from .strokes import StrokeCurve
 
 _LEAST = 1e-9
 _FIRST = np.zeros(1, dtype=np.intp)
@@ -81,9 +77,9 @@ def explain(source: Score | Plan, time: float, parameter: str) -> Explanation:
     goal = _goal(plan, time, parameter)
     parts = sorted([*goal, *parts], key=lambda p: -abs(p.given))
     winner = parts[0] if parts and abs(parts[0].given) > _LEAST else None
-    adds = plan.policy.join is Join.SUM or parameter == JAW or parameter in SIGNED
-    losers = tuple(_lost(p, winner, adds) for p in parts if p is not winner)
-    return Explanation(time, parameter, value, winner, losers, tuple(_notes(plan, time, parameter, value) if parts else ()))
+    losers = tuple(_lost(p, winner, plan.adds(parameter)) for p in parts if p is not winner)
+    notes = tuple(_notes(plan, time, parameter, value)) if parts else ()
+    return Explanation(time, parameter, value, winner, losers, notes)
 
 
 def _lost(part: Part, winner: Part | None, adds: bool) -> Part:
@@ -108,7 +104,7 @@ def _parts(plan: Plan, time: float, name: str) -> list[Part]:
                 shared = moment.shared(channel, name, _FIRST, kept)
                 limited = moment.limited(channel, name, _FIRST, shared, own)
             levels = (asked, float(kept[0]), float(shared[0]), float(limited[0]))
-            part = _source(plan, channel, curve, time, name)
+            part = _part(channel.name, curve.origin(time))
             reason = _reason(plan, channel, name, time, levels)
             found.append(replace(part, asked=asked, given=levels[-1], reason=reason))
     return found
@@ -123,7 +119,7 @@ def _directed(plan: Plan, time: float, name: str) -> list[Part]:
         asked, given = float(term[0]), float(share[0])
         if abs(asked) > _LEAST:
             smaller = "added, made smaller by the others" if abs(given) < abs(asked) - _LEAST else ""
-            part = _source(plan, channel, curve, time, name)
+            part = _part(channel.name, curve.origin(time))
             found.append(replace(part, asked=asked, given=given, reason=smaller))
     return found
 
@@ -134,8 +130,7 @@ def _goal(plan: Plan, time: float, name: str) -> list[Part]:
     found = []
     for goal in plan.lips.goals[name].goals:
         if goal.start - goal.ramp_in < time < goal.end + goal.ramp_out:
-            segment = plan.lips.mouth.segments[goal.segment]
-            part = _segment(segment)
+            part = _part(LIPS, plan.lips.mouth.segments[goal.segment])
             found.append(replace(part, asked=goal.value, given=float(goal.at(time))))
     return found
 
@@ -153,7 +148,7 @@ def _reason(plan: Plan, channel: Channel, name: str, time: float, levels: Sequen
     if limited < shared - _LEAST and plan.lips is not None:
         mouth = plan.lips.mouth
         segment = mouth.segments[mouth.block_at(time).limiting(name, time)]
-        reasons.append(f"limited by {_segment(segment).what}")
+        reasons.append(f"limited by {_part(LIPS, segment).what}")
     return "; ".join(reasons)
 
 
@@ -161,7 +156,7 @@ def _because(plan: Plan, hindrance: Hindrance) -> str:
     """A hindrance in words, back to what caused it."""
     channel = next(c for c in plan.channels if c.name == hindrance.channel)
     asked = {
-        _source(plan, channel, curve, hindrance.time, hindrance.parameter).what: _value(curve, hindrance.time)
+        _part(channel.name, curve.origin(hindrance.time)).what: _value(curve, hindrance.time)
         for curve in channel.curves[hindrance.parameter]
     }
     what = max(asked, key=lambda found: asked[found])
@@ -173,29 +168,14 @@ def _value(curve: Curve, time: float) -> float:
     return float(values[0]) if len(values) else 0.0
 
 
-def _source(plan: Plan, channel: Channel, curve: Curve, time: float, name: str) -> Part:
-    """The movement, segment or drawn curve behind a curve at a time."""
-    if isinstance(curve, LipCurve) and plan.lips is not None:
-        return _segment(plan.lips.mouth.segments[curve.leader(time)])
-    if isinstance(curve, KeyCurve):
-        drawn = plan.score.manual[curve.number]
-        return Part(channel.name, "", "drawn by hand", drawn.cause, 0.0, 0.0)
-    layer = next(held for held in channel.layers if held.curves.get(name) is curve)
-    movement = _step_of(layer, curve, time, name).movement
-    return Part(channel.name, layer.name, movement.label, movement.cause, 0.0, 0.0)
-
-
-def _step_of(layer: Layer, curve: StrokeCurve, time: float, name: str) -> Step:
-    """The step behind a stroke; for what is only let go, the earlier one that had asked for it."""
-    k = max(int(np.searchsorted(curve.start, time, side="right")) - 1, 0)
-    while k > 0 and name not in layer.steps[curve.step[k]].targets:
-        k -= 1
-    return layer.steps[curve.step[k]]
-
-
-def _segment(segment: LipSegment) -> Part:
-    label = f"/{segment.phone}/" if segment.phone else "silence"
-    return Part(LIPS, "", label, segment.cause, 0.0, 0.0)
+def _part(channel: str, origin: Origin) -> Part:
+    """A movement, segment or drawn curve as a part, yet without values."""
+    if isinstance(origin, Movement):
+        return Part(channel, origin.layer, origin.label, origin.cause, 0.0, 0.0)
+    if isinstance(origin, LipSegment):
+        label = f"/{origin.phone}/" if origin.phone else "silence"
+        return Part(channel, "", label, origin.cause, 0.0, 0.0)
+    return Part(channel, "", "drawn by hand", origin.cause, 0.0, 0.0)
 
 
 def _notes(plan: Plan, time: float, name: str, value: float) -> Iterator[str]:
@@ -210,45 +190,3 @@ def _notes(plan: Plan, time: float, name: str, value: float) -> Iterator[str]:
         yield "pushed aside by the seal of the lips"
     if name in mouth.limited and value > 0.0 and value <= mouth.low_at(name, at)[0] + _LEAST:
         yield "held up by the lips' lower limit"
-
-
-@dataclass(slots=True)
-class Tally:
-    """How a channel fared in a clip, in frames × parameters.
-
-    `active`: it asked for something; `won`: it showed; `inhibited`: nothing was left of it; `limited`: less
-    than it asked for was left.
-    """
-
-    active: int = 0
-    won: int = 0
-    inhibited: int = 0
-    limited: int = 0
-
-
-def summarize(source: Score | Plan, fps: Fraction) -> dict[str, Tally]:
-    """Return for each channel how often it won, was inhibited or limited, over all frames and muscles."""
-    plan = source if isinstance(source, Plan) else Plan(source)
-    tallies = {channel.name: Tally() for channel in plan.channels}
-    for times in plan.pieces(frame_times(plan.score.duration, fps)):
-        moment = Moment(plan, times)
-        for name in plan.moving:
-            if name not in SIGNED:
-                _count(moment, name, tallies)
-    return tallies
-
-
-def _count(moment: Moment, name: str, tallies: dict[str, Tally]) -> None:
-    own, shown = moment.own(name), moment.value(name)
-    for channel in moment.plan.channels:
-        if name not in channel.curves:
-            continue
-        _, asked = channel.sample(name, moment.times)
-        index, given = moment.settled(channel, name)
-        if channel.name != LIPS:
-            given = moment.bounded(channel, name, index, given, own)
-        tally, active = tallies[channel.name], asked > _LEAST
-        tally.active += int(active.sum())
-        tally.won += int((active & (given > _LEAST) & (given >= shown[index] - _LEAST)).sum())
-        tally.inhibited += int((active & (given <= _LEAST)).sum())
-        tally.limited += int((active & (given > _LEAST) & (given < asked - _LEAST)).sum())

@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 Spans = npt.NDArray[np.float64]
+Indices = npt.NDArray[np.intp]
 
 INSTANT = 1e-9
 """Seconds."""
@@ -57,7 +58,7 @@ def dilated(a: Spans, left: float, right: float) -> Spans:
 
 
 def _covered(sets: Sequence[Spans], needed: int) -> Spans:
-    """Times that at least `needed` of the sets cover; starts come first among equals, so touching ones join."""
+    """Times that at least `needed` sets cover; of equal times starts come first, so touching ones join."""
     starts = np.concatenate([s[:, 0] for s in sets])
     ends = np.concatenate([s[:, 1] for s in sets])
     times = np.concatenate((starts, ends))
@@ -65,8 +66,12 @@ def _covered(sets: Sequence[Spans], needed: int) -> Spans:
     inside = np.cumsum(np.where(order < len(starts), 1, -1)) >= needed
     entered = inside & ~np.concatenate(([False], inside[:-1]))
     left = ~inside & np.concatenate(([False], inside[:-1]))
-    found = np.column_stack((times[order[entered]], times[order[left]]))
-    return found[found[:, 1] - found[:, 0] > INSTANT]
+    return _lasting(times[order[entered]], times[order[left]])
+
+
+def _lasting(starts: Array, ends: Array) -> Spans:
+    lasting = ends - starts > INSTANT
+    return np.column_stack((starts[lasting], ends[lasting]))
 
 
 def neighbours(a: Spans, times: Array) -> tuple[Array, Array]:
@@ -78,6 +83,16 @@ def neighbours(a: Spans, times: Array) -> tuple[Array, Array]:
     ends = np.concatenate(([-np.inf], a[:, 1]))
     starts = np.concatenate((a[:, 0], [np.inf]))
     return times - ends[k], starts[k] - times
+
+
+def ranges(low: Indices, high: Indices) -> tuple[Indices, Indices]:
+    """Return every index from low to high (exclusive) of each range, one range after the other.
+
+    `low`, `high`: shape (n,). Returns the number of the range and the index, both shape (m,).
+    """
+    count = np.maximum(high - low, 0)
+    owner = np.repeat(np.arange(len(count)), count)
+    return owner, np.arange(len(owner)) + np.repeat(low - (np.cumsum(count) - count), count)
 
 
 def share(a: Spans, times: Array, width: float) -> Array:
@@ -97,7 +112,7 @@ def share(a: Spans, times: Array, width: float) -> Array:
 
 
 def above_line(times: Array, values: Array, threshold: float) -> Spans:
-    """Return where the line through (times, values), both shape (n,), lies above `threshold`, shape (m, 2)."""
+    """Return when the line through (times, values), each (n,), lies above `threshold`, shape (m, 2)."""
     high = values > threshold
     edges = np.flatnonzero(high[1:] != high[:-1])
     t0, t1, v0, v1 = times[edges], times[edges + 1], values[edges], values[edges + 1]
@@ -113,5 +128,5 @@ def spans_between(times: Array, high: npt.NDArray[np.bool_], crossings: Array) -
         edges.insert(0, times[:1])
     if high[-1]:
         edges.append(times[-1:])
-    found = np.concatenate(edges).reshape(-1, 2)
-    return found[found[:, 1] - found[:, 0] > INSTANT]
+    found = np.concatenate(edges)
+    return _lasting(found[0::2], found[1::2])

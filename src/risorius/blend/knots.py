@@ -12,7 +12,7 @@ import numpy as np
 
 from .intervals import Array
 
-BLOCK = 120.0
+BLOCK = 60.0
 """Seconds of one block of time: knots are made, and frames worked, block by block, so that memory does not
 grow with the score. Results do not depend on it."""
 
@@ -48,6 +48,29 @@ class Knots:
         part = np.arange(int(counts.sum())) - np.repeat(np.cumsum(counts) - counts, counts)
         width = np.repeat(np.diff(edges) / counts, counts)
         return np.append(np.repeat(edges[:-1], counts) + part * width, edges[-1])
+
+
+STEEPEST = 1.5
+"""The greatest slope of the smoothstep."""
+
+
+def smoothstep(x: Array) -> Array:
+    """Return 3x² - 2x³ for x in [0, 1]: 0 and 1 at the ends, without slope there."""
+    return x * x * (3.0 - 2.0 * x)
+
+
+def inverse_smoothstep(y: Array) -> Array:
+    """Return x in [0, 1] for which the smoothstep is y; exactly 1 for 1."""
+    return np.where(y < 1.0, np.clip(0.5 - np.sin(np.arcsin(1.0 - 2.0 * y) / 3.0), 0.0, 1.0), 1.0)
+
+
+def eased(times: Array, position: Array, rise: float, fall: float) -> Array:
+    """Return the smoothstep of a curve below `position`, 0..1, that changes no faster than given, (n,).
+
+    It rises by at most 1 in `rise` seconds, falls by at most 1 in `fall` seconds, and has no kinks where it
+    leaves 0 and reaches 1.
+    """
+    return smoothstep(envelope(times, position, STEEPEST * rise, STEEPEST * fall))
 
 
 def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:

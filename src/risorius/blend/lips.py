@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.movement import LipSegment
 from ..core.parameters import PARAMETERS, Kind
 from ..core.score import Score
 from ..core.utterance import SILENCE
@@ -12,11 +12,9 @@ from ..errors import InputError
 from .coarticulation import LIP_MODELS, Weights, without_gaps
 from .concatenate import SIGNED
 from .contact import CONTACTS, GoalCurve, contact_goals
-from .intervals import Array, Spans, merged
+from .intervals import Array, Indices, Spans, merged
 from .mouth import Mouth
 from .tuning import Tuning
-
-Indices = npt.NDArray[np.intp]
 
 _MOUTH = frozenset(p.name for p in PARAMETERS if p.kind in (Kind.MUSCLE, Kind.TONGUE, Kind.CONTACT))
 
@@ -71,12 +69,12 @@ class LipCurve:
         """Return when the curve is higher than `threshold`, shape (n, 2)."""
         return self._lips.mouth.above(self._parameter, threshold)
 
-    def leader(self, time: float) -> int:
-        """Return the number of the segment that counts most at a time."""
+    def origin(self, time: float) -> LipSegment:
+        """Return the segment that counts most at a time."""
         model = self._lips.model
         weights = model.weights(model.group(self._parameter), np.array([time]))
         worth = weights.weight * (1e-9 + model.targets(self._parameter)[weights.segment])
-        return int(weights.segment[np.argmax(worth)])
+        return self._lips.mouth.segments[int(weights.segment[np.argmax(worth)])]
 
     def breakpoints(self) -> Array:
         """Return all starts and ends of segments."""

@@ -5,22 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.movement import ManualCurve
 from .concatenate import NEUTRALS
-from .intervals import Array, Spans, above_line
-
-Indices = npt.NDArray[np.intp]
+from .intervals import Array, Indices, Spans, above_line
 
 
 class KeyCurve:
-    """One parameter's keys, as deviations from its neutral. `number`: which of the score's curves it is."""
+    """One parameter's keys in a curve drawn by hand, as deviations from its neutral."""
 
-    def __init__(self, name: str, keys: Iterable[tuple[float, float]], number: int) -> None:
-        table = np.array(tuple(keys), dtype=np.float64)
+    def __init__(self, name: str, drawn: ManualCurve) -> None:
+        table = np.array(drawn.keys[name], dtype=np.float64)
         self.times, self.values = table[:, 0].copy(), table[:, 1] - NEUTRALS[name]
-        self.number = number
+        self._drawn = drawn
 
     def sample(self, times: Array) -> tuple[Indices, Array]:
         """Return where the curve is in force and its values there (see StrokeCurve.sample)."""
@@ -33,6 +30,10 @@ class KeyCurve:
         """Return when the curve is higher than `threshold`, shape (n, 2)."""
         return above_line(self.times, self.values, threshold)
 
+    def origin(self, time: float) -> ManualCurve:
+        """Return the curve as it was drawn."""
+        return self._drawn
+
     def breakpoints(self) -> Array:
         """Return the key times, shape (n,)."""
         return self.times
@@ -41,7 +42,7 @@ class KeyCurve:
 def key_curves(curves: Iterable[ManualCurve]) -> dict[str, list[KeyCurve]]:
     """Return for each parameter all curves drawn for it."""
     found: dict[str, list[KeyCurve]] = {}
-    for number, curve in enumerate(curves):
-        for name, keys in curve.keys.items():
-            found.setdefault(name, []).append(KeyCurve(name, keys, number))
+    for curve in curves:
+        for name in curve.keys:
+            found.setdefault(name, []).append(KeyCurve(name, curve))
     return found

@@ -18,7 +18,7 @@ from ..core.utterance import SILENCE
 from .coarticulation import Coarticulation, Weights
 from .contact import CONTACTS, SEAL, Goal
 from .intervals import EMPTY, Array, Spans, above_line, spans_between, union
-from .knots import BLOCK, Knots, block_knots, block_number, envelope
+from .knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope
 from .roots import find_roots
 from .tuning import Tuning
 
@@ -63,7 +63,7 @@ class Mouth:
         self.block: Callable[[int], Block] = lru_cache(maxsize=3)(self._block)
 
     def limits_on(self, name: str) -> Array:
-        """Return each segment's lower and upper limit on a parameter, 0 and 1 without, shape (2, segments)."""
+        """Return each segment's lower and upper limit on a parameter, else 0 and 1, shape (2, segments)."""
         if name not in self._limits_on:
             rows = [held.get(name, (0.0, 1.0)) for held in self.limits]
             self._limits_on[name] = np.array(rows, dtype=np.float64).T.copy()
@@ -71,25 +71,26 @@ class Mouth:
 
     def speaking_at(self, times: Array) -> Array:
         """Return how much the mouth speaks at sorted times, 0..1, shape (n,)."""
-        return self._at(Block.speaking, times)
+        return self.interpolated(Block.speaking, times)
 
     def low_at(self, name: str, times: Array) -> Array:
         """Return the lower limit of a parameter at sorted times, shape (n,)."""
-        return self._at(lambda block: block.low(name), times)
+        return self.interpolated(lambda block: block.low(name), times)
 
     def high_at(self, name: str, times: Array) -> Array:
         """Return the upper limit for channels that the lips outrank at sorted times, shape (n,)."""
-        return self._at(lambda block: block.high(name), times)
+        return self.interpolated(lambda block: block.high(name), times)
 
     def closed_at(self, name: str, times: Array) -> Array:
         """Return the upper limit that closures set for every channel at sorted times, shape (n,)."""
-        return self._at(lambda block: block.closed(name), times)
+        return self.interpolated(lambda block: block.closed(name), times)
 
     def jaw_at_seal(self, times: Array) -> Array:
         """Return how far the jaw may be open, given the seals, at sorted times, shape (n,)."""
-        return self._at(Block.jaw_at_seal, times)
+        return self.interpolated(Block.jaw_at_seal, times)
 
-    def _at(self, curve: Callable[[Block], Array], times: Array) -> Array:
+    def interpolated(self, curve: Callable[[Block], Array], times: Array) -> Array:
+        """Return a curve given on the knots of each block, at sorted times, shape (n,)."""
         numbers = np.floor(times / BLOCK)
         values = np.empty(len(times))
         for number in np.unique(numbers):
@@ -117,7 +118,7 @@ class Mouth:
     def _scan(
         self, kind: str, name: str, threshold: float, find: Callable[[Block, str, float], Spans]
     ) -> Spans:
-        """Look through all blocks; once, for every parameter that might be asked for, so each is made once."""
+        """Look through all blocks, for every parameter that might be asked for, so that each is made once."""
         if (kind, name, threshold) not in self._found:
             others = self.parameters if kind == "above" else self.limited
             wanted = {(n, self.tuning.threshold[n]) for n in others if RIVALS[n]} | {(name, threshold)}
@@ -133,7 +134,10 @@ class Mouth:
 
 
 class Block:
-    """The knots of one block of time, shape (n,), and curves on them, made when first asked for."""
+    """The knots of one block of time, shape (n,), and curves on them, made when first asked for.
+
+    `kept`: what each channel keeps of each parameter (see `limits`).
+    """
 
     def __init__(self, mouth: Mouth, knots: Array) -> None:
         self.knots = knots
@@ -141,6 +145,7 @@ class Block:
         self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
         self._weights: dict[int, Weights] = {}
         self._curves: dict[tuple[str, str], Array] = {}
+        self.kept: dict[tuple[str, str], Array] = {}
 
     def above(self, name: str, threshold: float) -> Spans:
         """Return when the segments' curve is higher than `threshold`: seen on knots, then refined."""
@@ -174,20 +179,32 @@ class Block:
 
     def high(self, name: str) -> Array:
         """Return the upper limit at the knots for channels that the lips outrank, 1 where there is none."""
+        return self._curve("high", name, lambda: self._envelope(name, self.limit(name)))
+
+    def closed(self, name: str) -> Array:
+        """Return the upper limit at the knots that closures set for every channel, 1 where there is none."""
+        return self._curve("closed", name, lambda: self._envelope(name, self.closures(name)))
+
+    def limit(self, name: str) -> Array:
+        """Return the upper limit at the knots, as it is: not slowed around the phones that set it."""
 
         def make() -> Array:
             missing = 1.0 - self._mouth.limits_on(name)[1]
-            return self._envelope(name, np.minimum(1.0 - self._average(name, missing), self._closures(name)))
+            return np.minimum(1.0 - self._average(name, missing), self.closures(name))
 
-        return self._curve("high", name, make)
+        return self._curve("limit", name, make)
+
+    def own(self, name: str) -> Array:
+        """Return the segments' own curve of a parameter at the knots."""
+        return self._average(name, self._mouth.model.targets(name))
 
     def limiting(self, name: str, time: float) -> int:
         """Return the number of the segment whose upper limit counts most at a time."""
         mouth, tuning = self._mouth, self._mouth.tuning
         missing = 1.0 - mouth.limits_on(name)[1]
-        limit = np.minimum(1.0 - self._average(name, missing), self._closures(name))
+        limit = self.limit(name)
         ahead = self.knots - time
-        pace = np.where(ahead > 0.0, tuning.min_offset[name], tuning.min_onset[name])
+        pace = STEEPEST * np.where(ahead > 0.0, tuning.min_offset[name], tuning.min_onset[name])
         slack = np.divide(np.abs(ahead), pace, out=np.full(len(ahead), np.inf), where=pace > 0.0)
         binding = float(self.knots[np.argmin(limit + slack)])
         for goal in self._goals:
@@ -195,10 +212,6 @@ class Block:
                 return goal.segment
         weights = mouth.model.weights(mouth.model.group(name), np.array([binding]))
         return int(weights.segment[np.argmax(weights.weight * missing[weights.segment])])
-
-    def closed(self, name: str) -> Array:
-        """Return the upper limit at the knots that closures set for every channel, 1 where there is none."""
-        return self._curve("closed", name, lambda: self._envelope(name, self._closures(name)))
 
     def jaw_at_seal(self) -> Array:
         """Return how far the jaw may be open at the knots, given the seals."""
@@ -224,8 +237,8 @@ class Block:
             self._weights[group] = self._mouth.model.weights(group, self.knots)
         return self._weights[group].average(values)
 
-    def _closures(self, name: str) -> Array:
-        """The limits of closures alone, in force for the whole closure and not diluted by neighbours."""
+    def closures(self, name: str) -> Array:
+        """Return the limits of closures alone: for the whole closure, and not diluted by neighbours."""
         limit = np.ones(len(self.knots))
         for goal in self._goals:
             held = self._mouth.limits[goal.segment].get(name)

@@ -11,7 +11,6 @@ from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import INDEX, NAMES, NEUTRAL
@@ -19,21 +18,19 @@ from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import dominance, policies  # noqa: F401 - they register themselves
 from .channels import Channel, Curve, compile_channels
+from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
-from .conflict import LIPS, POLICIES, Field, Join
+from .conflict import POLICIES, Field, Join
 from .contact import CONTACTS, SEAL, TUCK
 from .directions import combine_directions
-from .intervals import Array
+from .intervals import Array, Indices
 from .knots import BLOCK
-from .levels import outranks, steady
+from .levels import steady
+from .limits import LIPS, Limits
 from .lips import Lips
 from .mouth import JAW
 from .tuning import tune
 
-Indices = npt.NDArray[np.intp]
-
-JAW_SHARE = 0.35
-"""The share of another channel's jaw that is added to the lips' own while the mouth speaks."""
 CHUNK = 16_384
 """Times worked at once: memory beyond the result does not grow with its length."""
 
@@ -44,12 +41,14 @@ class Plan:
     def __init__(self, score: Score) -> None:
         check_score(score)
         policy = POLICIES.get(score.settings.conflict)
+        LIP_MODELS.get(score.settings.lips)
         self.score = score
         self.tuning = tune(score.settings)
         self.lips = Lips(score, self.tuning) if score.lips else None
         self.channels = compile_channels(score, self.lips)
         levels = next((c.levels for c in self.channels if c.name == LIPS), steady(CHANNEL_PRIORITY[LIPS]))
-        self.field = Field(self.channels, self.tuning, self.lips.mouth if self.lips else None, levels)
+        self.limits = Limits(self.lips.mouth, levels) if self.lips else None
+        self.field = Field(self.channels, self.tuning, self.limits)
         self.policy = policy(self.field)
         limited = self.lips.mouth.limited if self.lips else frozenset()
         contacts = CONTACTS if self.lips else ()
@@ -63,6 +62,10 @@ class Plan:
         for piece in _chunks(wanted[order]):
             values[order[piece]] = Moment(self, wanted[order[piece]]).values()
         return values
+
+    def adds(self, name: str) -> bool:
+        """Return whether channels add up in a parameter; else the highest wins."""
+        return self.policy.join is Join.SUM or name in SIGNED or (name == JAW and self.lips is not None)
 
     def pieces(self, times: Array) -> Iterator[Array]:
         """Yield sorted times in pieces that lie in one block and are not too long."""
@@ -83,7 +86,8 @@ class Moment:
     def __init__(self, plan: Plan, times: Array) -> None:
         self.plan, self.times = plan, times
         self.settle = plan.policy.at(times)
-        self._mouth = plan.field.mouth
+        self._limits = plan.limits
+        self._mouth = plan.lips.mouth if plan.lips else None
 
     def values(self) -> Array:
         """Return all parameters, shape (n, 46)."""
@@ -123,18 +127,15 @@ class Moment:
 
     def shared(self, channel: Channel, name: str, index: Indices, values: Array) -> Array:
         """Return another channel's values, the jaw's as what it adds to the jaw of speech, shape (m,)."""
-        if name != JAW or self._mouth is None:
+        if name != JAW or self._limits is None:
             return values
-        times = self.times[index]
-        ruled = self._mouth.speaking_at(times) * (1.0 - outranks(channel.levels, self.plan.field.lips, times))
-        return values * (1.0 - (1.0 - JAW_SHARE) * ruled)
+        return values * self._limits.jaw_share(channel, self.times[index])
 
     def limited(self, channel: Channel, name: str, index: Indices, values: Array, own: Array) -> Array:
-        """Return another channel's values within the limits of speech, shape (m,); of the jaw, the total."""
-        limit = self.plan.field.limit(channel, name, self.times[index])
-        if limit is None:
+        """Return another channel's values within the limits of speech, shape (m,)."""
+        if self._limits is None:
             return values
-        return np.minimum(values, np.maximum(limit - own[index], 0.0) if name == JAW else limit)
+        return self._limits.applied(channel, name, self.times[index], values, own[index])
 
     def _join_all(self, name: str, own: Array) -> Array:
         """Speech and all other channels together, 0..1."""
@@ -146,7 +147,7 @@ class Moment:
             index, values = self.settled(channel, name)
             values = self.bounded(channel, name, index, values, own)
             others[index] = others[index] + values if adds else np.maximum(others[index], values)
-        total = own + others if adds or name == JAW else np.maximum(own, others)
+        total = own + others if self.plan.adds(name) else np.maximum(own, others)
         if self._mouth is not None and name in self._mouth.limited:
             total = np.maximum(total, self._mouth.low_at(name, self.times))
         return np.minimum(total, 1.0)

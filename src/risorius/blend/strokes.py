@@ -16,16 +16,16 @@ import numpy as np
 import numpy.typing as npt
 
 from ..core.functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
-from .intervals import Array, Spans, merged
+from ..core.movement import Movement
+from .intervals import Array, Indices, Spans, merged, ranges
 from .roots import find_roots
-
-Indices = npt.NDArray[np.intp]
 
 
 @dataclass(slots=True)
 class Stroke:
     """What one movement makes of one parameter. Seconds; `function` and `fade_function` are names.
 
+    `movement`: the one that asks for it, or had asked for what is here let go.
     Onset: min(begin + rise·f, cap) during `onset`; apex: `level` until `hold`; offset: `level`·f backwards
     to `end`. The residue falls from `excess` with the time constant `fade`. Nothing from `last` on, nor
     from `stop`, where the next stroke takes over.
@@ -41,7 +41,7 @@ class Stroke:
     offset: float
     end: float
     function: str
-    step: int
+    movement: Movement
     excess: float = 0.0
     fade: float = 0.0
     fade_function: str = DEFAULT_FUNCTION
@@ -101,7 +101,7 @@ class StrokeCurve:
         table = np.array([_numbers(s) for s in strokes], dtype=np.float64).T.copy()
         self.start, self.stop, self.begin, self.rise, self.cap, self.level = table[:6]
         self.onset, self.hold, self.offset, self.end, self.excess, self.fade, self.last = table[6:]
-        self.step = np.array([s.step for s in strokes], dtype=np.intp)
+        self._movements = tuple(s.movement for s in strokes)
         self.functions = tuple(sorted({s.function for s in strokes} | {s.fade_function for s in strokes}))
         number = {name: i for i, name in enumerate(self.functions)}
         self.function = np.array([number[s.function] for s in strokes])
@@ -120,15 +120,13 @@ class StrokeCurve:
             np.searchsorted(times, self.last[chosen], side="right"),
             np.searchsorted(times, self.stop[chosen], side="left"),
         )
-        count = np.maximum(high - low, 0)
-        strokes = np.repeat(chosen, count)
-        index = np.arange(len(strokes)) + np.repeat(low - (np.cumsum(count) - count), count)
-        return index, self.evaluate(strokes, times[index])
+        owner, index = ranges(low, high)
+        return index, self.evaluate(chosen[owner], times[index])
 
     def evaluate(self, strokes: Indices, times: Array) -> Array:
         """Return the values of the given strokes, each at its own time (not before its start), shape (n,)."""
         x = times - self.start[strokes]
-        values = self.level[strokes]
+        values: Array = self.level[strokes]
         rising = x < self.onset[strokes]
         i = np.flatnonzero(rising & (self.rise[strokes] != 0.0))
         k = strokes[i]
@@ -157,12 +155,16 @@ class StrokeCurve:
         """f(x) of each element's own function, x cut to [0, 1]; shape (n,)."""
         x = np.minimum(x, 1.0)
         if len(self.functions) == 1:
-            return ONSET_FUNCTIONS.get(self.functions[0])(x)
+            return np.asarray(ONSET_FUNCTIONS.get(self.functions[0])(x))
         values = np.empty(len(x))
         for number, name in enumerate(self.functions):
             mine = numbers == number
             values[mine] = ONSET_FUNCTIONS.get(name)(x[mine])
         return values
+
+    def origin(self, time: float) -> Movement:
+        """Return the movement behind the curve at a time."""
+        return self._movements[max(int(np.searchsorted(self.start, time, side="right")) - 1, 0)]
 
     def breakpoints(self) -> Array:
         """Return when strokes begin and end, unsorted, shape (m,)."""
@@ -194,7 +196,5 @@ class StrokeCurve:
         found = np.zeros(len(strokes))
         k = strokes[wanted]
         if len(k):
-            found[wanted] = find_roots(
-                lambda t: self.evaluate(k, t) - threshold, low[wanted], high[wanted]
-            )
+            found[wanted] = find_roots(lambda t: self.evaluate(k, t) - threshold, low[wanted], high[wanted])
         return found

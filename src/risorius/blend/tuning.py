@@ -34,9 +34,7 @@ def tune(settings: BlendSettings) -> Tuning:
 
     def column(name: str, override: float | None) -> dict[str, float]:
         return {
-            p.name: override
-            if override is not None and p.kind is Kind.MUSCLE
-            else float(getattr(p, name))
+            p.name: override if override is not None and p.kind is Kind.MUSCLE else float(getattr(p, name))
             for p in PARAMETERS
         }
 
@@ -54,7 +52,7 @@ def check_settings(settings: BlendSettings) -> None:
         raise InputError(f"activation_threshold = {threshold} is out of range; expected 0 to 1")
     for name in ("min_onset", "min_offset"):
         seconds = getattr(settings, name)
-        if seconds is not None and not (0.0 <= seconds and math.isfinite(seconds)):
+        if seconds is not None and not (seconds >= 0.0 and math.isfinite(seconds)):
             raise InputError(f"{name} = {seconds} must be 0 or more seconds")
     if settings.onset_function is not None:
         ONSET_FUNCTIONS.get(settings.onset_function)

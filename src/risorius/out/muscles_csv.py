@@ -22,5 +22,8 @@ def write_muscles_csv(material: Material, path: Path, _options: WriteOptions) ->
 
 def rows(performance: Performance) -> Iterator[str]:
     """Yield the lines of the table, the header first."""
-    numbers = np.column_stack([performance.times, performance.values])
+    # Row by row: a second copy of all curves would double the memory of a long clip.
+    numbers = (
+        np.concatenate([[time], row]) for time, row in zip(performance.times, performance.values, strict=True)
+    )
     return table_lines(COLUMNS, numbers, [6] * len(COLUMNS))

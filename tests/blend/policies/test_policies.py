@@ -66,6 +66,8 @@ class TestInhibit:
         near = self.START - 0.1
         assert smile("inhibit", [near], min_offset=0.0)[0] == 1.0
         assert smile("inhibit", [near], min_offset=1.0)[0] == pytest.approx(2**0.1 - 1)
+        assert smile("inhibit", [self.END + 0.1], min_offset=1.0)[0] == pytest.approx(2**0.4 - 1)
+        assert smile("inhibit", [self.END + 0.1], min_onset=1.0)[0] == pytest.approx(2**0.1 - 1)
 
     def test_equal_priorities_do_not_inhibit_each_other(self) -> None:
         pair = (
@@ -101,6 +103,24 @@ class TestInhibit:
         assert values[:, INDEX[SMILE]].tolist() == [0.9, 0.0]
         assert values[:, INDEX[ROUND]].tolist() == [0.0, 0.9]
 
+    def test_what_recovers_after_a_change_of_priority_inhibits_only_when_it_has_risen(self) -> None:
+        recovering = Movement(
+            "emotion", 0.0, 6.0, 0.0, 4.0, {ROUND: 1.0}, priority=80.0, release_priority=10.0
+        )
+        score = Score(
+            6.0,
+            (
+                Movement("signals", 0.0, 2.0, 0.0, 0.0, {"orbicularis_oris_presser": 1.0}, priority=90.0),
+                recovering,
+                Movement("head", 0.0, 6.0, 0.0, 0.0, {SMILE: 0.5}, priority=5.0),
+            ),
+            settings=BlendSettings(min_onset=1.0, min_offset=0.01),
+        )
+        risen = 2 + math.log2(1.1)
+        values = blend.at(score, np.array([1.0, risen - 0.02, risen + 0.02]))
+        assert values[:, INDEX[SMILE]].tolist() == [0.5, 0.5, 0.0]
+        assert values[:, INDEX[ROUND]] == pytest.approx([0, 2 ** (risen - 2.02) - 1, 2 ** (risen - 1.98) - 1])
+
 
 class TestGraded:
     def test_gives_way_by_degrees(self) -> None:
@@ -123,13 +143,27 @@ class TestAttenuate:
         assert smile("attenuate", [4.0], rounding=1.0)[0] == pytest.approx(0.2)
 
 
+@pytest.mark.parametrize("policy", ["graded", "attenuate"])
+def test_who_gives_way_changes_with_the_priority(policy: str) -> None:
+    pair = (
+        Movement("emotion", 0.0, 8.0, 0.1, 0.1, {SMILE: 0.5}),
+        Movement("signals", 1.0, 8.0, 0.1, 5.0, {ROUND: 1.0}, release_priority=5.0),
+    )
+    values = blend.at(Score(8.0, pair, settings=BlendSettings(conflict=policy)), np.array([2.0, 4.0]))
+    asked = 2 ** (4 / 5) - 1
+    kept = {"graded": (0.0, 0.0), "attenuate": (0.2, 0.6)}[policy]
+    assert values[:, INDEX[SMILE]] == pytest.approx([0.5 * kept[0], 0.5])
+    assert values[:, INDEX[ROUND]] == pytest.approx([1.0, asked * kept[1]], abs=1e-12)
+
+
 class TestSum:
     def test_nothing_gives_way(self) -> None:
         assert smile("sum", [4.0])[0] == 1.0
 
     def test_the_same_muscle_adds_and_is_clipped(self) -> None:
         pair = tuple(
-            Movement(channel, 0.0, 2.0, 0.1, 0.1, {SMILE: 0.4, ROUND: 0.7}) for channel in ("emotion", "signals")
+            Movement(channel, 0.0, 2.0, 0.1, 0.1, {SMILE: 0.4, ROUND: 0.7})
+            for channel in ("emotion", "signals")
         )
         values = blend.at(Score(2.0, pair, settings=BlendSettings(conflict="sum")), np.array([1.0]))
         assert values[0, [INDEX[SMILE], INDEX[ROUND]]].tolist() == [0.8, 1.0]

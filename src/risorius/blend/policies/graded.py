@@ -16,13 +16,11 @@ from ...core.parameters import RIVALS
 from ..channels import Channel
 from ..conflict import POLICIES, Field, Hindrance, Join, Settle
 from ..intervals import Array
-from ..knots import Knots, block_knots, block_number, envelope
+from ..knots import STEEPEST, Knots, block_knots, block_number, eased
 from .strength import Strengths
 
 WIDTH = 0.4
 """From a rival's threshold to the activity at which it takes all."""
-STEEPEST = 1.5
-"""The greatest slope of the smoothstep, 3x² - 2x³."""
 STEP = 0.005
 """Seconds between knots at most."""
 
@@ -35,7 +33,9 @@ class Graded:
 
     def __init__(self, field: Field) -> None:
         self._field = field
-        curves = [k for c in field.channels for name, drawn in c.curves.items() if RIVALS[name] for k in drawn]
+        curves = [
+            k for c in field.channels for name, drawn in c.curves.items() if RIVALS[name] for k in drawn
+        ]
         changes = [c.levels.times[1:] for c in field.channels]
         times = np.unique(np.concatenate([*(curve.breakpoints() for curve in curves), *changes, []]))
         self._knots = Knots(times[np.isfinite(times)] if len(times) else np.zeros(1), STEP)
@@ -53,8 +53,7 @@ class Graded:
 
         def kept(parameter: str, strongest: Array) -> Array:
             onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
-            x = envelope(knots, 1.0 - strongest, STEEPEST * onset, STEEPEST * offset)
-            return x * x * (3.0 - 2.0 * x)
+            return eased(knots, 1.0 - strongest, onset, offset)
 
         return Strengths(self._field, knots, strength, kept)
 
@@ -71,4 +70,6 @@ class Graded:
     def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
         """Return the rival that takes most of an activity, or None."""
         block = self._block(block_number(time))
-        return block.strongest(channel, parameter, time)
+        tuning = self._field.tuning
+        onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
+        return block.strongest(channel, parameter, time, STEEPEST * onset, STEEPEST * offset)

@@ -62,7 +62,7 @@ class Inhibit:
         return self._at_level[key]
 
     def active(self, channel: Channel, level: float, parameter: str) -> Spans:
-        """Return when a channel at a level holds a parameter, already settled, above its threshold, (n, 2)."""
+        """Return when a channel at a level has a parameter, settled, above its threshold, shape (n, 2)."""
         key = (channel.name, level, parameter)
         if key not in self._active:
             field = self._field
@@ -71,7 +71,8 @@ class Inhibit:
             right = field.threshold_time(parameter, field.tuning.min_onset[parameter])
             known = dilated(self._known(channel, level, parameter), left, right)
             free = difference(channel.above(parameter, threshold), known)
-            free = difference(free, field.forbidden(channel, parameter, threshold))
+            if field.limits is not None:
+                free = difference(free, field.limits.forbidden(channel, parameter, threshold))
             self._active[key] = self._where(channel, free, level)
         return self._active[key]
 

@@ -16,6 +16,9 @@ Kept = Callable[[str, Array], Array]
 """(parameter, strength of its strongest rival (n,)) -> the share of its activity that is kept, 0..1 (n,)."""
 
 
+_INSTANT = 1e-9
+
+
 class Strengths:
     """Gains of all activities at some sorted times, settled from the highest level down.
 
@@ -55,19 +58,34 @@ class Strengths:
             index, values = channel.sample(parameter, self.times)
             activity[index] = values
             activity *= self._gain_at(channel, level, parameter)
-            limit = self._field.limit(channel, parameter, self.times)
-            if limit is not None:
-                np.minimum(activity, limit, out=activity)
+            limits = self._field.limits
+            if limits is not None and limits.bind(channel, parameter):
+                np.minimum(activity, limits.limit(channel, parameter, self.times), out=activity)
             strength = self._strength(parameter, activity)
             self._strengths[key] = strength * channel.levels.weight(level, self.times)
         return self._strengths[key]
 
-    def strongest(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
-        """Return the rival that takes most at a time among these, or None if none takes anything."""
+    def strongest(
+        self, channel: Channel, parameter: str, time: float, onset: float = 0.0, offset: float = 0.0
+    ) -> Hindrance | None:
+        """Return the rival that takes most at a time, or None if none takes anything.
+
+        A rival is felt before it acts and after, the less the longer: not at all `offset` seconds before
+        and `onset` after.
+        """
+        ahead = self.times - time
+        pace = np.maximum(np.where(ahead > 0.0, offset, onset), _INSTANT)
+        faded = np.abs(ahead) / pace
+        # What lies between two of the times is made of both.
+        nearest = int(np.searchsorted(self.times, time))
+        faded[max(nearest - 1, 0) : nearest + 1] = 0.0
         best, found = 0.0, None
-        level = float(channel.levels.at(np.array([time]))[0])
-        for other, above, rival in self._field.rivals(channel, parameter, level):
-            strength = float(np.interp(time, self.times, self._strength_of(other, above, rival)))
-            if strength > best:
-                best, found = strength, Hindrance(Effect.WEAKENED, other.name, rival, time)
+        for level in channel.levels.distinct:
+            share = float(channel.levels.weight(level, np.array([time]))[0])
+            for other, above, rival in self._field.rivals(channel, parameter, level) if share > 0.0 else ():
+                felt = share * (self._strength_of(other, above, rival) - faded)
+                k = int(np.argmax(felt))
+                if felt[k] > best:
+                    when = float(self.times[k])
+                    best, found = float(felt[k]), Hindrance(Effect.WEAKENED, other.name, rival, when)
         return found

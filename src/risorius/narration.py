@@ -1,0 +1,52 @@
+"""Explanations in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from .blend import Explanation, Part, Tally
+from .console import table
+from .core.parameters import INDEX, PARAMETERS
+
+
+def narrate(explanations: Iterable[Explanation], time: float) -> Iterator[str]:
+    """Yield the lines that say why parameters have their values at `time` seconds; equal sides once."""
+    told: dict[tuple[str, ...], list[str]] = {}
+    for explanation in explanations:
+        base = explanation.parameter.partition(".")[0]
+        told.setdefault((base, *_lines(explanation)), []).append(explanation.parameter)
+    for (base, value, *reasons), names in told.items():
+        yield f"{base if len(names) > 1 else names[0]} = {value}"
+        yield from (f"    {reason}" for reason in reasons)
+    if not told:
+        yield f"at {time:g} s nothing moves"
+
+
+def _lines(explanation: Explanation) -> Iterator[str]:
+    unit = PARAMETERS[INDEX[explanation.parameter]].unit
+    yield f"{explanation.value:.3f}{f' {unit}' if unit else ''}"
+    yield _sentence(explanation.winner) if explanation.winner else "at rest"
+    yield from (f"not {_sentence(loser)}" for loser in explanation.losers)
+    yield from explanation.notes
+
+
+def _sentence(part: Part) -> str:
+    where = f", {part.cause.place}" if part.cause.place else ""
+    amount = (
+        f"{part.given:.3f}"
+        if abs(part.given - part.asked) < 5e-4
+        else f"{part.given:.3f} of {part.asked:.3f}"
+    )
+    reason = f": {part.reason}" if part.reason else ""
+    return f"{amount} from {part.channel}: {part.what} ({part.cause.rule}{where}){reason}"
+
+
+def tell(summary: Mapping[str, Tally]) -> Iterator[str]:
+    """Yield the table of how each channel fared, in percent of the frames in which it moved something."""
+    header = ("channel", "active", "won", "inhibited", "limited")
+    rows = []
+    for channel, tally in summary.items():
+        shares = (tally.won, tally.inhibited, tally.limited)
+        percents = [f"{100.0 * n / tally.active:.1f} %" if tally.active else "" for n in shares]
+        rows.append((channel, str(tally.active), *percents))
+    yield from table(header, rows)
