@@ -61,7 +61,9 @@ def whole() -> None:
         subprocess.run(command, check=True, capture_output=True)
         duration = speak(SENTENCE * 3, text=True).duration
         seconds = best(lambda: subprocess.run(command, check=True, capture_output=True), 3)
-    print(f"whole: {duration / seconds:.2f}x real time ({seconds:.1f} s for {duration:.1f} s, 720x720, 30 fps)")
+    print(
+        f"whole: {duration / seconds:.2f}x real time ({seconds:.1f} s for {duration:.1f} s, 720x720, 30 fps)"
+    )
 
 
 MEASURE = """
@@ -95,4 +97,6 @@ ALL = {"planning": planning, "face": face, "whole": whole, "memory": memory}
 if __name__ == "__main__":
     for name in sys.argv[1:] or ALL:
         ALL[name]()
-    print(f"largest memory of this process: {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB")
+    print(
+        f"largest memory of this process: {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB"
+    )

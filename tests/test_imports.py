@@ -20,7 +20,7 @@ ALLOWED: dict[str, set[str]] = {
     "render": {"core", "face"},
     "out": {"core", "face", "render"},
 }
-BASE = {"errors", "registry"}
+BASE = {"errors", "registry", "compile_cache"}
 
 
 def _packages_imported(path: Path) -> set[str]:

@@ -1,3 +1,5 @@
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -73,7 +75,7 @@ def test_random_blinks_keep_clear_of_marked_ones() -> None:
     blinks = _by_channel(compose(Brief(60.0, marks=marked)))["manipulators"]
     ends = sorted((m.start, m.end) for m in blinks)
     assert len(ends) >= len(marked)
-    assert all(a[1] <= b[0] for a, b in zip(ends, ends[1:], strict=False))
+    assert all(a[1] <= b[0] for a, b in pairwise(ends))
 
 
 def test_blink_intervals_lie_between_one_and_three_waits() -> None:

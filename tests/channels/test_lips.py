@@ -20,7 +20,7 @@ def test_an_unknown_phone_is_named() -> None:
 
 
 def test_sounds_of_other_languages_are_spelled_in_english_ones(utterance_of) -> None:
-    assert [s.phone for s in segments(utterance_of("m yː ts")) if s.phone][0] == "M"
+    assert next(s.phone for s in segments(utterance_of("m yː ts")) if s.phone) == "M"
 
 
 def test_every_english_phone_has_a_shape(utterance_of) -> None:

@@ -7,6 +7,10 @@ from typing import Any, TypeVar, cast
 
 import numba
 
+from ..compile_cache import use_own_folder
+
+use_own_folder()
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 

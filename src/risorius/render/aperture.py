@@ -13,8 +13,8 @@ Array = npt.NDArray[np.float64]
 def lip_edges(pairs: Array) -> tuple[Array, Array]:
     """Return the span (2,) of x and the slit (LIP_STEPS, 4): y and z of the upper and of the lower lip.
 
-    `pairs` (P, 2, 3) mm are points of the upper and lower lip that touch when the mouth is shut. Where several
-    stand over one x the nearer lips to each other count, since they bound the light.
+    `pairs` (P, 2, 3) mm are points of the upper and lower lip that touch when the mouth is shut. Where
+    several stand over one x the nearer lips to each other count, since they bound the light.
     """
     x = pairs[..., 0].mean(axis=1)
     grid = np.linspace(x.min(), x.max(), LIP_STEPS)

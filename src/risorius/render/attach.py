@@ -42,8 +42,16 @@ class Surface:
         normal /= np.linalg.norm(normal, axis=1, keepdims=True)
         return np.einsum("sk,skd->sd", weights, self.points[corners]), normal
 
-    def root(self, triangles: IntArray, weights: Array, curves: Array, widths: Array, colours: Array,
-             depths: Array, gloss: float) -> Strands:
+    def root(
+        self,
+        triangles: IntArray,
+        weights: Array,
+        curves: Array,
+        widths: Array,
+        colours: Array,
+        depths: Array,
+        gloss: float,
+    ) -> Strands:
         """Return hairs whose `curves` (S, P, 3) mm in the head frame begin at weights in triangles."""
         roots = self.triangles[triangles]
         frames = root_frames(self.points, self.normals, roots, weights.astype(np.float32))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import numpy.typing as npt
+from scipy.spatial import cKDTree
 
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat
@@ -40,18 +41,29 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 3
     x, centre, half = brow_line(anatomy, t)
     offset = np.clip(rng.normal(0.0, 0.5, count), -1.05, 1.05)
     # Hairs of the upper edge point down, those of the lower edge up: they meet along the brow's ridge.
-    angle = 66 * (1 - t) ** 2.2 + 10 - 30 * t - 20 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 9, count)
-    length = (6.0 + 2.6 * rng.random(count)) * (1 - 0.30 * t) * (0.65 + 0.35 * smoothstep(0.0, 0.25, t)) * anatomy.unit
+    angle = (
+        66 * (1 - t) ** 2.2 + 10 - 30 * t - 20 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 9, count)
+    )
+    length = (
+        (6.0 + 2.6 * rng.random(count))
+        * (1 - 0.30 * t)
+        * (0.5 + 0.5 * smoothstep(0.0, 0.3, t))
+        * anatomy.unit
+    )
     shade = 0.9 + 0.6 * rng.random(count)
     bend = rng.normal(-14, 8, count)
     sides = []
     for side in (1.0, -1.0):
         place = np.stack([side * x, centre + offset * half], axis=1)
-        sides.append(_side(surface, place, side, np.radians(angle), np.radians(bend), length, shade[:, None] * colour))
+        sides.append(
+            _side(surface, place, side, np.radians(angle), np.radians(bend), length, shade[:, None] * colour)
+        )
     return join(sides)
 
 
-def _side(surface: Surface, place: Array, side: float, angle: Array, bend: Array, length: Array, colour: Array) -> Strands:
+def _side(
+    surface: Surface, place: Array, side: float, angle: Array, bend: Array, length: Array, colour: Array
+) -> Strands:
     triangles, weights = surface.nearest(_on_face(surface, place))
     origin, normal = surface.at(triangles, weights)
     curve = [origin + 0.1 * normal]
@@ -62,15 +74,16 @@ def _side(surface: Surface, place: Array, side: float, angle: Array, bend: Array
         step = flat(ahead, normal) * (length / (POINTS - 1))[:, None]
         lift = 0.42 * (1 - 1.35 * way)
         curve.append(curve[-1] + step + lift * normal * 0.6)
-    way = np.linspace(0.0, 1.0, POINTS)
-    widths = np.tile(0.23 * (1 - 0.85 * way**1.6) * np.minimum(1.0, 0.75 + way), (len(place), 1))
-    return surface.root(triangles, weights, np.stack(curve, axis=1), widths, colour, np.full(len(place), 0.15), 0.25)
+    ways = np.linspace(0.0, 1.0, POINTS)
+    widths = np.tile(0.23 * (1 - 0.85 * ways**1.6) * np.minimum(1.0, 0.75 + ways), (len(place), 1))
+    return surface.root(
+        triangles, weights, np.stack(curve, axis=1), widths, colour, np.full(len(place), 0.15), 0.25
+    )
 
 
 def _on_face(surface: Surface, place: Array) -> Array:
     """Return points (S, 3) of the face's front near (x, y) places (S, 2)."""
     front = np.flatnonzero((surface.normals[:, 2] > 0.1) & (surface.points[:, 2] > -20.0))
-    distance = np.linalg.norm(surface.points[front, None, :2] - place[None], axis=2)
-    nearest = np.argsort(distance, axis=0)[:3]
-    depth = surface.points[front[nearest], 2].mean(axis=0)
+    _, nearest = cKDTree(surface.points[front, :2]).query(place, k=3)
+    depth = surface.points[front[nearest], 2].mean(axis=1)
     return np.concatenate([place, depth[:, None]], axis=1)

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import InputError
-from .jit import exact, exact_kernel, f4, prange
+from .jit import exact, exact_kernel, f4, i4, prange
 from .raster import SUBPIXEL, FloatArray, IntArray
 
 Vector = tuple[float, float, float]
@@ -40,7 +40,7 @@ class Camera:
 
     def axes(self) -> npt.NDArray[np.float64]:
         """Return the camera's axes as rows (3, 3): right, up, and backward (towards the camera)."""
-        backward = np.subtract(self.eye, self.target)
+        backward = np.subtract(self.eye, self.target, dtype=np.float64)
         backward /= np.linalg.norm(backward)
         right = np.cross((0.0, 1.0, 0.0), backward)
         right /= np.linalg.norm(right)
@@ -53,11 +53,13 @@ class Camera:
     def matrix(self, width: int, height: int) -> FloatArray:
         """Return the projection (3, 4) float32: its rows give x·d and y·d in samples, and the distance d."""
         axes, focal = self.axes(), self.focal(height)
-        rows = np.stack([
-            focal * axes[0] - 0.5 * width * axes[2],
-            -focal * axes[1] - 0.5 * height * axes[2],
-            -axes[2],
-        ])
+        rows = np.stack(
+            [
+                focal * axes[0] - 0.5 * width * axes[2],
+                -focal * axes[1] - 0.5 * height * axes[2],
+                -axes[2],
+            ]
+        )
         return np.concatenate([rows, -(rows @ np.asarray(self.eye))[:, None]], axis=1).astype(np.float32)
 
     def millimetres_per_sample(self, height: int) -> float:
@@ -78,7 +80,7 @@ def portrait(top: float, bottom: float, centre: Vector, field_of_view: float = 1
 @exact
 def snap(position: float) -> int:
     """Return a position in samples as the nearest 1/256 sample."""
-    return np.int32(math.floor(max(min(position * f4(SUBPIXEL), _FAR), -_FAR) + f4(0.5)))
+    return i4(math.floor(max(min(position * f4(SUBPIXEL), _FAR), -_FAR) + f4(0.5)))
 
 
 @exact_kernel

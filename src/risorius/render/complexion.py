@@ -21,7 +21,7 @@ Array = npt.NDArray[np.float64]
 class Complexion:
     """Colours as sRGB bytes: of the skin, the lips, the mouth's lining, and the cloth."""
 
-    skin: tuple[int, int, int] = (212, 165, 140)
+    skin: tuple[int, int, int] = (216, 165, 139)
     lips: tuple[int, int, int] = (178, 108, 98)
     lining: tuple[int, int, int] = (160, 84, 80)
     cloth: tuple[int, int, int] = (52, 62, 78)
@@ -60,7 +60,7 @@ def _regions(a: Anatomy) -> dict[str, Array]:
     cheek_height = 0.55 * a.eye_height + 0.45 * a.mouth[1]
     return {
         "cheek": front * _blob(p, (39 * u, cheek_height - 4 * u), (16 * u, 14 * u)),
-        "nose": np.exp(-(np.linalg.norm(p - a.nose_tip, axis=1) / (13 * u)) ** 2),
+        "nose": np.exp(-((np.linalg.norm(p - a.nose_tip, axis=1) / (13 * u)) ** 2)),
         "nostril": front * _blob(p, (14 * u, a.nose_tip[1] - 2 * u), (6 * u, 6 * u)),
         "chin": front * _blob(p, (0.0, 0.3 * a.mouth[1] + 0.7 * a.chin + 2 * u), (15 * u, 9 * u)),
         "under_eye": front * _blob(p, (27 * u, a.eye_height - 12 * u), (13 * u, 5 * u)),
@@ -77,8 +77,8 @@ def _tint(colour: Array, amount: Array, factors: tuple[float, float, float]) -> 
 def _albedo(a: Anatomy, complexion: Complexion) -> Array:
     p, region = a.skin, _regions(a)
     colour = np.tile(linear(complexion.skin), (len(p), 1))
-    colour = _tint(colour, region["cheek"], (1.01, 0.83, 0.82))
-    colour = _tint(colour, region["nose"], (1.0, 0.80, 0.78))
+    colour = _tint(colour, region["cheek"], (1.02, 0.79, 0.79))
+    colour = _tint(colour, region["nose"], (1.01, 0.77, 0.75))
     colour = _tint(colour, region["nostril"], (0.96, 0.82, 0.80))
     colour = _tint(colour, region["chin"], (1.0, 0.91, 0.91))
     colour = _tint(colour, region["under_eye"], (0.97, 0.91, 0.93))
@@ -87,7 +87,7 @@ def _albedo(a: Anatomy, complexion: Complexion) -> Array:
     colour = _tint(colour, a.masks["ears"], (1.0, 0.82, 0.80))
     colour = _tint(colour, a.masks["lids"] * (p[:, 2] > 0), (0.95, 0.87, 0.87))
     uneven = 0.5 * noise_at(p, 26.0) + 0.6 * noise_at(p, 11.0)
-    colour = _tint(colour, 0.020 * uneven, (0.4, 2.0, 1.8))
+    colour = _tint(colour, 0.026 * uneven, (0.4, 2.0, 1.8))
     lips = smoothstep(0.25, 0.75, a.masks["lips"])[:, None]
     colour = colour + lips * (linear(complexion.lips) - colour)
     inner = smoothstep(0.3, 0.9, a.masks["inner_mouth"])[:, None]
@@ -99,8 +99,8 @@ def _gloss(a: Anatomy) -> tuple[Array, Array]:
     """Return roughness squared (N1,) and strength (N1,) of the gloss: oily forehead and nose, wet lips."""
     region = _regions(a)
     oily = np.maximum(region["forehead"], region["nose"])
-    roughness = 0.24 - 0.05 * oily + 0.04 * region["cheek"]
-    strength = 0.9 + 0.25 * oily - 0.15 * region["under_eye"]
+    roughness = 0.22 - 0.06 * oily + 0.04 * region["cheek"]
+    strength = 1.0 + 0.4 * oily - 0.15 * region["under_eye"]
     lips = smoothstep(0.25, 0.75, a.masks["lips"])
     inner = a.masks["inner_mouth"]
     roughness = roughness + lips * (0.085 - roughness)

@@ -12,7 +12,7 @@ def mean_curvature(
     quads: npt.NDArray[np.integer],
     rounds: int = 3,
 ) -> npt.NDArray[np.float64]:
-    """Return the size of the curvature (n,) in 1/mm: the normals' change along the edges, smoothed `rounds` times."""
+    """Return the curvature's size (n,) in 1/mm: the normals' change along edges, smoothed `rounds` times."""
     sides = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
     i, j = np.unique(sides, axis=0).T
     length = np.linalg.norm(points[i] - points[j], axis=1)

@@ -21,11 +21,14 @@ def cap() -> tuple[Array, IntArray]:
     """Return the front of the unit sphere: vertices (n, 3) about +z, triangles (m, 3) wound outwards."""
     polar = _WIDEST * np.arange(1, _RINGS + 1) / _RINGS
     around = 2 * np.pi * np.arange(_SECTORS) / _SECTORS
-    ring = np.stack([
-        np.sin(polar)[:, None] * np.cos(around),
-        np.sin(polar)[:, None] * np.sin(around),
-        np.repeat(np.cos(polar)[:, None], _SECTORS, axis=1),
-    ], axis=-1)
+    ring = np.stack(
+        [
+            np.sin(polar)[:, None] * np.cos(around),
+            np.sin(polar)[:, None] * np.sin(around),
+            np.repeat(np.cos(polar)[:, None], _SECTORS, axis=1),
+        ],
+        axis=-1,
+    )
     vertices = np.concatenate([[[0.0, 0.0, 1.0]], ring.reshape(-1, 3)])
     index = 1 + np.arange(_RINGS * _SECTORS).reshape(_RINGS, _SECTORS)
     following = np.roll(index, -1, axis=1)
@@ -75,4 +78,4 @@ def lid_margins(pairs: Array, centre: Array, radius: float) -> tuple[Array, Arra
 
 def _height(margin: Array, x: Array) -> Array:
     order = np.argsort(margin[:, 0], kind="stable")
-    return np.interp(x, margin[order, 0], margin[order, 1])
+    return np.asarray(np.interp(x, margin[order, 0], margin[order, 1]))

@@ -13,7 +13,7 @@ _THICKNESS = 2.6  # mm
 
 
 def neckline(anatomy: Anatomy) -> Array:
-    """Return mm (N1,) from the neckline into the cloth, negative above it: a round neck, higher at the back."""
+    """Return mm (N1,) from the neckline into the cloth, negative above: a round neck, higher at the back."""
     p, u = anatomy.skin, anatomy.unit
     base = anatomy.chin - 46.0 * u
     height = base - 0.30 * (p[:, 2] + 46.0 * u)
@@ -22,5 +22,7 @@ def neckline(anatomy: Anatomy) -> Array:
 
 def standing_off(depth: Array, normals: Array) -> Array:
     """Return displacements (N1, 3) of the skin under cloth, a thick collar over a thinner body."""
-    amount = smoothstep(-1.5, 3.0, depth) * (1.0 - 0.35 * smoothstep(float(COLLAR), float(COLLAR) + 6.0, depth))
+    amount = smoothstep(-1.5, 3.0, depth) * (
+        1.0 - 0.35 * smoothstep(float(COLLAR), float(COLLAR) + 6.0, depth)
+    )
     return _THICKNESS * amount[:, None] * normals

@@ -1,52 +1,49 @@
-"""What happens to the vertices of a frame: the head's rotation, and the normals of the moved surface."""
+"""What happens to the vertices of a frame: the head's rotation, and the normals of the moved surface.
+
+A fraction of a millisecond each: not worth the time that parallel kernels take to compile.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 import numpy.typing as npt
 
-from .jit import exact_kernel, f4, prange
+from .jit import exact, f4
 from .raster import FloatArray, IntArray
 from .vec import at, cross, sub, unit
 
-_BLOCK = 1024
 
-
-@exact_kernel
-def turn(points: FloatArray, weight: FloatArray, rotation: FloatArray, pivot: FloatArray, out: FloatArray) -> None:
+@exact
+def turn(
+    points: FloatArray, weight: FloatArray, rotation: FloatArray, pivot: FloatArray, out: FloatArray
+) -> None:
     """Rotate points (n, 3) about `pivot` (3,), each by its share `weight` (n,) of `rotation` (3, 3)."""
-    n = len(points)
-    for block in prange((n + _BLOCK - 1) // _BLOCK):
-        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
-            x, y, z = points[i, 0] - pivot[0], points[i, 1] - pivot[1], points[i, 2] - pivot[2]
-            for row in range(3):
-                moved = rotation[row, 0] * x + rotation[row, 1] * y + rotation[row, 2] * z + pivot[row]
-                out[i, row] = points[i, row] + weight[i] * (moved - points[i, row])
+    for i in range(len(points)):
+        x, y, z = points[i, 0] - pivot[0], points[i, 1] - pivot[1], points[i, 2] - pivot[2]
+        for row in range(3):
+            moved = rotation[row, 0] * x + rotation[row, 1] * y + rotation[row, 2] * z + pivot[row]
+            out[i, row] = points[i, row] + weight[i] * (moved - points[i, row])
 
 
-@exact_kernel
+@exact
 def face_normals(points: FloatArray, faces: IntArray, out: FloatArray) -> None:
-    """Write the normals of `faces` (m, 4), as long as twice their areas; a triangle repeats its last corner."""
-    n = len(faces)
-    for block in prange((n + _BLOCK - 1) // _BLOCK):
-        for f in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
-            first = sub(at(points, faces[f, 2]), at(points, faces[f, 0]))
-            second = sub(at(points, faces[f, 3]), at(points, faces[f, 1]))
-            out[f, 0], out[f, 1], out[f, 2] = cross(first, second)
+    """Write the normals of `faces` (m, 4), twice their areas long; a triangle repeats its last corner."""
+    for f in range(len(faces)):
+        first = sub(at(points, faces[f, 2]), at(points, faces[f, 0]))
+        second = sub(at(points, faces[f, 3]), at(points, faces[f, 1]))
+        out[f, 0], out[f, 1], out[f, 2] = cross(first, second)
 
 
-@exact_kernel
+@exact
 def vertex_normals(normals: FloatArray, starts: IntArray, around: IntArray, out: FloatArray) -> None:
-    """Write unit normals of vertices from those of the faces `around[starts[i]:starts[i + 1]]` each of them."""
-    n = len(starts) - 1
-    for block in prange((n + _BLOCK - 1) // _BLOCK):
-        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
-            x, y, z = f4(0), f4(0), f4(0)
-            for k in range(starts[i], starts[i + 1]):
-                x += normals[around[k], 0]
-                y += normals[around[k], 1]
-                z += normals[around[k], 2]
-            out[i, 0], out[i, 1], out[i, 2] = unit((x, y, z))
+    """Write unit normals of vertices from those of the faces at each, `around[starts[i]:starts[i + 1]]`."""
+    for i in range(len(starts) - 1):
+        x, y, z = f4(0), f4(0), f4(0)
+        for k in range(starts[i], starts[i + 1]):
+            x += normals[around[k], 0]
+            y += normals[around[k], 1]
+            z += normals[around[k], 2]
+        out[i, 0], out[i, 1], out[i, 2] = unit((x, y, z))
 
 
 class Normals:

@@ -46,17 +46,24 @@ def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 85
 def _lengths(anatomy: Anatomy, origin: Array, within: Array) -> Array:
     """Return lengths in mm: long on top, short at the sides and neck, shorter at the hairline."""
     u = anatomy.unit
-    high = smoothstep(25.0 * u, 75.0 * u, origin[:, 1] - anatomy.eye_height)
+    high = smoothstep(38.0 * u, 84.0 * u, origin[:, 1] - anatomy.eye_height)
     edge = 0.45 + 0.55 * smoothstep(0.0, 12.0 * u, within)
-    return np.asarray((9.0 + 36.0 * high) * edge * u)
+    return np.asarray((8.0 + 37.0 * high) * edge * u)
 
 
-def _walk(anatomy: Anatomy, surface: Surface, origin: Array, normal: Array, length: Array, layer: Array,
-          rng: np.random.Generator) -> Array:
+def _walk(
+    anatomy: Anatomy,
+    surface: Surface,
+    origin: Array,
+    normal: Array,
+    length: Array,
+    layer: Array,
+    rng: np.random.Generator,
+) -> Array:
     """Return curves (S, POINTS, 3) that leave the skin, bend over and follow it at their layer's height."""
     u = anatomy.unit
     tree = cKDTree(surface.points)
-    high = smoothstep(25.0 * u, 80.0 * u, origin[:, 1] - anatomy.eye_height)
+    high = smoothstep(38.0 * u, 84.0 * u, origin[:, 1] - anatomy.eye_height)
     volume = (1.2 + 16.0 * high * smoothstep(0.0, 25.0 * u, inside_hairline(anatomy, origin) + 14 * high)) * u
     height = volume * (0.25 + 0.75 * layer)
     stray = rng.normal(0.0, 0.10, origin.shape)
@@ -73,14 +80,18 @@ def _walk(anatomy: Anatomy, surface: Surface, origin: Array, normal: Array, leng
     return np.stack(curves, axis=1)
 
 
-def _gather_locks(curves: Array, length: Array, amount: Array, rng: np.random.Generator) -> tuple[Array, Array]:
-    """Draw hairs by `amount` (S,) to the guide of their lock, more at their tips; return curves and each lock's shade."""
+def _gather_locks(
+    curves: Array, length: Array, amount: Array, rng: np.random.Generator
+) -> tuple[Array, Array]:
+    """Draw hairs by `amount` (S,) to the guides of their locks, more at their tips; add each lock's shade."""
     count = len(curves)
     guides = rng.permutation(count)[: min(_LOCKS, count)]
     middle = curves[:, POINTS // 2]
     _, mine = cKDTree(middle[guides]).query(middle)
     way = np.linspace(0.0, 1.0, POINTS)[None, :, None]
     offset = curves - curves[:, :1]
-    wanted = offset[guides][mine] * (length / length[guides][mine])[:, None, None] + curves[guides][mine][:, :1]
+    wanted = (
+        offset[guides][mine] * (length / length[guides][mine])[:, None, None] + curves[guides][mine][:, :1]
+    )
     drawn = curves + 0.6 * amount[:, None, None] * way**1.3 * (wanted - curves)
     return drawn, 0.82 + 0.36 * rng.random(len(guides))[mine]

@@ -22,9 +22,9 @@ class Mesh(NamedTuple):
 
     `attributes` (n, ATTRIBUTES) are albedo (3, linear), free share of the surroundings, roughness squared,
     strength of the gloss, curvature in 1/mm, share of mouth interior, and one of the material's own: cloth on
-    the skin, gum on teeth, the way from root to tip on hairs. `rest` (n, 3) are positions at rest; `reach` (n, lamps) is the
-    share of each lamp that the head at rest lets through; `hair_light` (n, 3) is the
-    light of hairs, found before the picture is.
+    the skin (mm from the neckline), gum on teeth, the way from root to tip on hairs. `rest` (n, 3) are
+    positions at rest; `reach` (n, lamps) is the share of each lamp that the head at rest lets through;
+    `hair_light` (n, 3) is the light of hairs, found before the picture is.
     """
 
     xy: IntArray
@@ -40,7 +40,7 @@ class Mesh(NamedTuple):
 
 
 class Light(NamedTuple):
-    """Lamps (n, 7): direction, colour, softness; room (2, 3) from above and below; the key lamp's shadow map."""
+    """Lamps (n, 7): direction, colour, softness; room (2, 3) from above and below; the key's shadow map."""
 
     lamps: FloatArray
     room: FloatArray
@@ -86,7 +86,7 @@ class Tables(NamedTuple):
 
 
 class Sight(NamedTuple):
-    """The visibility buffer, samples per pixel and side, the camera's place (3,), mm per pixel, the background."""
+    """The visibility buffer, samples per pixel and side, the camera's place (3,), mm a pixel, background."""
 
     ids: IntArray
     depth: FloatArray
@@ -99,20 +99,20 @@ class Sight(NamedTuple):
 class Batch(NamedTuple):
     """What one row of pixels shows, for each band of rows at work: up to `capacity` patches.
 
-    A patch is a set of samples of one pixel on one surface: `triangle`, `column` and `count` (BANDS, capacity)
-    int32 say which triangle, which pixel of the row and how many samples; `weights` and `colour` (BANDS,
-    capacity, 3) where in the triangle, and the scene light that the materials fill in.
+    A patch is a set of samples of one pixel on one surface: `triangle`, `column` and `samples` (BANDS,
+    capacity) int32 say which triangle, which pixel of the row and how many samples; `weights` and `colour`
+    (BANDS, capacity, 3) where in the triangle, and the scene light that the materials fill in.
     """
 
     triangle: IntArray
     column: IntArray
-    count: IntArray
+    samples: IntArray
     weights: FloatArray
     colour: FloatArray
 
 
 def empty_batch(capacity: int) -> Batch:
     """Return room for rows of up to `capacity` patches."""
-    numbers = [np.zeros((BANDS, capacity), np.int32) for _ in range(3)]
-    vectors = [np.zeros((BANDS, capacity, 3), np.float32) for _ in range(2)]
-    return Batch(*numbers, *vectors)
+    triangle, column, samples = (np.zeros((BANDS, capacity), np.int32) for _ in range(3))
+    weights, colour = (np.zeros((BANDS, capacity, 3), np.float32) for _ in range(2))
+    return Batch(triangle, column, samples, weights, colour)

@@ -1,4 +1,4 @@
-"""The two ways in which the renderer compiles its functions, with the types that numba's decorators lose.
+"""The ways in which the renderer compiles its functions, with the types that numba's decorators lose.
 
 Kernels run in one Python thread only: numba's `workqueue` layer aborts the process when two enter at once.
 Loops over bands have a fixed number of turns whatever the number of threads, so that the same instructions
@@ -8,14 +8,26 @@ meet the same data and the bytes do not depend on the machine's cores.
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
 
+from ..compile_cache import use_own_folder
+
+use_own_folder()
+
 F = TypeVar("F", bound=Callable[..., Any])
 
-f4 = np.float32
+# numpy's types, as mypy shall see them: kernels calculate with what Python calls float and int.
+f4 = cast(Callable[[float], float], np.float32)
+f8 = cast(Callable[[float], float], np.float64)
+i4 = cast(Callable[[float], int], np.int32)
+i8 = cast(Callable[[float], int], np.int64)
+# Indices without sign: numba then leaves out the test for negative ones, which counts in inner loops.
+index = cast(Callable[[float], int], np.uint32)
+
 prange: type[range] = numba.prange
 BANDS = 32
 _SPREAD = 13  # coprime to BANDS: neighbouring turns work on distant rows, which evens out the threads
@@ -25,24 +37,55 @@ _SPREAD = 13  # coprime to BANDS: neighbouring turns work on distant rows, which
 _FAST = {"contract", "arcp", "nsz", "afn"}
 
 
+def _source_times() -> tuple[tuple[int, int], ...]:
+    """Return time and size of each source of the renderer."""
+    stats = [file.stat() for file in sorted(Path(__file__).parent.rglob("*.py"))]
+    return tuple((stat.st_mtime_ns, stat.st_size) for stat in stats)
+
+
+_SOURCES = _source_times()
+
+
+def _cached(function: F, **options: Any) -> F:
+    """Compile with numba and keep the machine code on disk.
+
+    numba itself renews what it kept when the function's own file changes, but not when a function that it
+    calls does; so the stamp of the kept code covers all sources of the renderer.
+    """
+    compiled = numba.njit(cache=True, error_model="numpy", **options)(function)
+    file: Any = getattr(getattr(compiled, "_cache", None), "_cache_file", None)
+    if hasattr(file, "_source_stamp"):
+        file._source_stamp = (file._source_stamp, _SOURCES)
+    return cast(F, compiled)
+
+
 def device(function: F) -> F:
     """Compile a function that kernels call."""
-    return cast(F, numba.njit(cache=True, _nrt=False, error_model="numpy", fastmath=_FAST)(function))
+    return _cached(function, _nrt=False, fastmath=_FAST)
 
 
 def exact(function: F) -> F:
-    """Compile a function that kernels call and whose arithmetic must not be rearranged."""
-    return cast(F, numba.njit(cache=True, _nrt=False, error_model="numpy")(function))
+    """Compile a function whose arithmetic must not be rearranged."""
+    return _cached(function, _nrt=False)
+
+
+def inlined(function: F) -> F:
+    """Compile a function into the body of its callers, under their rules of arithmetic.
+
+    For functions of many arrays that are called for every pixel: each array travels as seven or more numbers,
+    and some hundred of them on the stack cost more than the function's own work.
+    """
+    return cast(F, numba.njit(inline="always", _nrt=False, error_model="numpy", fastmath=_FAST)(function))
 
 
 def kernel(function: F) -> F:
     """Compile a function whose `prange` loops run on all threads."""
-    return cast(F, numba.njit(cache=True, parallel=True, error_model="numpy", fastmath=_FAST)(function))
+    return _cached(function, parallel=True, fastmath=_FAST)
 
 
 def exact_kernel(function: F) -> F:
     """Compile a parallel function whose arithmetic must not be rearranged."""
-    return cast(F, numba.njit(cache=True, parallel=True, error_model="numpy")(function))
+    return _cached(function, parallel=True)
 
 
 @exact

@@ -25,12 +25,22 @@ def grow_lashes(head: Head, surface: Surface, colour: Array, upper: int = 46, lo
     return join(groups)
 
 
-def _row(surface: Surface, margin: Array, centre: Array, count: int, longest: float, up: float, colour: Array,
-         rng: np.random.Generator) -> Strands:
-    """Return one row along a margin (P, 3): short at the nose, longest past the middle, fanned out, curled."""
+def _row(
+    surface: Surface,
+    margin: Array,
+    centre: Array,
+    count: int,
+    longest: float,
+    up: float,
+    colour: Array,
+    rng: np.random.Generator,
+) -> Strands:
+    """Return one row along a margin (P, 3): short at the nose, longest past the middle, fanned, curled."""
     outward = 1.0 if centre[0] > 0 else -1.0
     line = margin[np.argsort(margin[:, 0] * outward, kind="stable")]
-    place = np.clip(0.10 + 0.90 * (np.arange(count) + 0.3 * rng.standard_normal(count)) / (count - 1), 0.06, 1.0)
+    place = np.clip(
+        0.10 + 0.90 * (np.arange(count) + 0.3 * rng.standard_normal(count)) / (count - 1), 0.06, 1.0
+    )
     at = place * (len(line) - 1)
     root = np.stack([np.interp(at, np.arange(len(line)), line[:, c]) for c in range(3)], axis=1)
     length = longest * (0.45 + 0.55 * np.sin(np.pi * np.clip(0.12 + 0.62 * place, 0, 1)) ** 1.5)
@@ -46,4 +56,6 @@ def _row(surface: Surface, margin: Array, centre: Array, count: int, longest: fl
     triangles, weights = surface.nearest(root)
     curves += (surface.at(triangles, weights)[0] - root)[:, None, :]
     widths = np.tile((0.17 if up > 0 else 0.10) * (1 - 0.88 * way**1.3), (count, 1))
-    return surface.root(triangles, weights, curves, widths, np.tile(colour, (count, 1)), np.full(count, 0.3), 0.0)
+    return surface.root(
+        triangles, weights, curves, widths, np.tile(colour, (count, 1)), np.full(count, 0.3), 0.0
+    )

@@ -5,24 +5,25 @@ Being solid it has no seams and rides on the skin.
 
 from __future__ import annotations
 
-import math
 from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
 
-from .jit import device, f4
+from .jit import device, f4, index
 from .raster import FloatArray
 from .vec import Vec
 
 SIZE = 64
-_MASK = SIZE - 1
+_MASK = index(SIZE - 1)
+_ONE = index(1)
+_SHIFT = f4(SIZE << 7)  # whole tiles: cells are counted without sign
 _SEED = 20040611
 
 
 @lru_cache(maxsize=1)
 def noise_tile() -> FloatArray:
-    """Return the tile (SIZE, SIZE, SIZE, 4) float32: height of variance 1, and its slope per cell in x, y, z.
+    """Return the tile (SIZE, SIZE, SIZE) float32, indexed z, y, x: heights of variance 1.
 
     Waves of 4 to 10 cells: fine grain without a direction and without visible repetition at that scale.
     """
@@ -31,9 +32,7 @@ def noise_tile() -> FloatArray:
     fz, fy, fx = np.meshgrid(axis, axis, axis, indexing="ij")
     spectrum *= np.exp(-(((np.sqrt(fx**2 + fy**2 + fz**2) - 0.15) / 0.06) ** 2))
     height = np.fft.ifftn(spectrum).real
-    spectrum /= height.std()
-    waves = [spectrum, *(spectrum * (2j * math.pi * f) for f in (fx, fy, fz))]
-    tile: FloatArray = np.stack([np.fft.ifftn(w).real for w in waves], axis=-1).astype(np.float32)
+    tile: FloatArray = (height / height.std()).astype(np.float32)
     tile.setflags(write=False)
     return tile
 
@@ -43,9 +42,9 @@ def noise_at(points: npt.NDArray[np.floating], wavelength: float) -> npt.NDArray
     cell = points * (6.5 / wavelength) + 0.37 * SIZE
     low = np.floor(cell).astype(np.int64)
     fraction = cell - low
-    tile, total = noise_tile()[..., 0], np.zeros(len(points))
+    tile, total = noise_tile(), np.zeros(len(points))
     for corner in np.ndindex(2, 2, 2):
-        x, y, z = ((low + corner) & _MASK).T
+        x, y, z = ((low + corner) % SIZE).T
         total += tile[z, y, x] * np.prod(np.where(corner, fraction, 1 - fraction), axis=1)
     return total
 
@@ -53,16 +52,25 @@ def noise_at(points: npt.NDArray[np.floating], wavelength: float) -> npt.NDArray
 @device
 def grain(tile: FloatArray, point: Vec, cells: float) -> tuple[float, float, float, float]:
     """Return height and slope (per mm) of the tile at a point in mm, with `cells` cells to the millimetre."""
-    x, y, z = point[0] * cells + f4(1024), point[1] * cells + f4(1024), point[2] * cells + f4(1024)
-    i, j, k = int(x), int(y), int(z)
+    x, y, z = point[0] * cells + _SHIFT, point[1] * cells + _SHIFT, point[2] * cells + _SHIFT
+    i, j, k = index(x), index(y), index(z)
     u, v, w = x - f4(i), y - f4(j), z - f4(k)
-    h, gx, gy, gz = f4(0), f4(0), f4(0), f4(0)
-    for corner in range(8):
-        a, b, c = corner & 1, (corner >> 1) & 1, corner >> 2
-        weight = (u if a else f4(1) - u) * (v if b else f4(1) - v) * (w if c else f4(1) - w)
-        c, b, a = (k + c) & _MASK, (j + b) & _MASK, (i + a) & _MASK
-        h += weight * tile[c, b, a, 0]
-        gx += weight * tile[c, b, a, 1]
-        gy += weight * tile[c, b, a, 2]
-        gz += weight * tile[c, b, a, 3]
-    return h, gx * cells, gy * cells, gz * cells
+    i, j, k = i & _MASK, j & _MASK, k & _MASK
+    low, low_x, low_y = _layer(tile, k, i, j, u, v)
+    high, high_x, high_y = _layer(tile, (k + _ONE) & _MASK, i, j, u, v)
+    rise = high - low
+    return (
+        low + rise * w,
+        (low_x + (high_x - low_x) * w) * cells,
+        (low_y + (high_y - low_y) * w) * cells,
+        rise * cells,
+    )
+
+
+@device
+def _layer(tile: FloatArray, k: int, i: int, j: int, u: float, v: float) -> tuple[float, float, float]:
+    """Return height and slopes per cell in x and y within layer k of the tile."""
+    right, down = (i + _ONE) & _MASK, (j + _ONE) & _MASK
+    a, b, c, d = tile[k, j, i], tile[k, j, right], tile[k, down, i], tile[k, down, right]
+    near, far = a + (b - a) * u, c + (d - c) * u
+    return near + (far - near) * v, (b - a) + (d - c - b + a) * v, far - near

@@ -12,7 +12,7 @@ from .shadow import flatten, light_matrix, transform
 _SIZE = 512
 _BLOCK = 512
 _CONE = np.radians(20.0)  # half the angle under which a broad lamp is seen
-_CONE_DIRECTIONS = 400  # over the whole sphere: a dozen within the cone
+_CONE_DIRECTIONS = 260  # over the whole sphere: eight within the cone
 
 
 def sky_directions(count: int) -> npt.NDArray[np.float64]:
@@ -30,13 +30,15 @@ def ambient_occlusion(
     two_sided: ByteArray,
     centre: npt.NDArray[np.float64],
     radius: float,
-    directions: int = 96,
+    directions: int = 64,
 ) -> FloatArray:
-    """Return the share (n,) float32 of the hemisphere above each vertex, weighted by the cosine, that is free.
+    """Return the share (n,) float32 of the hemisphere over each vertex that is free, weighted by the cosine.
 
     Only what lies within `radius` of `centre` (3,) casts shade, in `directions` directions.
     """
-    return _seen(points, normals, triangles, two_sided, centre, radius, sky_directions(directions), cosine=True)
+    return _seen(
+        points, normals, triangles, two_sided, centre, radius, sky_directions(directions), cosine=True
+    )
 
 
 def lamp_reach(
@@ -69,7 +71,7 @@ def _seen(
     buffer = Visibility(_SIZE, _SIZE, len(triangles), keep_ids=False)
     xy, key = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.float32)
     sums = np.zeros((len(points), 2), np.float32)
-    bias = np.float32(3.0 * radius / _SIZE)
+    bias = f4(3.0 * radius / _SIZE)
     for direction in directions:
         matrix = light_matrix(direction, centre, radius, _SIZE)
         flatten(points, matrix, xy, key)

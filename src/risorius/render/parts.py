@@ -17,17 +17,29 @@ from .curvature import mean_curvature
 from .eyeball import cap
 from .garment import neckline
 from .geometry import Normals, triangles_as_faces
-from .inputs import ALBEDO, ATTRIBUTES, EXTRA, EYE_LEFT, INNER, OCCLUSION, ROUGHNESS, SKIN, SPECULAR, TEETH, TONGUE
-from .scalp import hair_density
+from .inputs import (
+    ALBEDO,
+    ATTRIBUTES,
+    EXTRA,
+    EYE_LEFT,
+    INNER,
+    OCCLUSION,
+    ROUGHNESS,
+    SKIN,
+    SPECULAR,
+    TEETH,
+    TONGUE,
+)
 from .raster import FloatArray, IntArray
+from .scalp import hair_density
 
 Array = npt.NDArray[np.float64]
-_TOOTH, _GUM, _TONGUE = (236, 224, 202), (186, 98, 92), (206, 122, 114)
+_TOOTH, _GUM, _TONGUE = (244, 234, 214), (186, 98, 92), (206, 122, 114)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """A piece: vertices (n, 3) mm at rest, faces (f, 4), triangles (m, 3), attributes (n, ATTRIBUTES), surface."""
+    """Vertices (n, 3) mm at rest, faces (f, 4), triangles (m, 3), attributes (n, ATTRIBUTES), and surface."""
 
     vertices: Array
     faces: IntArray
@@ -50,7 +62,10 @@ def skin_part(head: Head, anatomy: Anatomy, surface: Surface, complexion: Comple
     curvature = mean_curvature(surface.points, surface.normals, quads)
     attributes = paint_skin(anatomy, complexion, neckline(anatomy), curvature)
     under = attributes[:, ALBEDO : ALBEDO + 3]
-    for shade in (0.42 * brow_shade(anatomy), 0.9 * hair_density(anatomy, anatomy.skin, anatomy.masks["ears"]) ** 1.5):
+    for shade in (
+        0.42 * brow_shade(anatomy),
+        0.9 * hair_density(anatomy, anatomy.skin, anatomy.masks["ears"]) ** 1.5,
+    ):
         under += shade[:, None].astype(np.float32) * (1.3 * hair.astype(np.float32) - under)
         attributes[:, SPECULAR] *= 1.0 - 0.9 * shade
     return Part(anatomy.skin, quads, head.skin.triangles, attributes, SKIN)
@@ -61,8 +76,13 @@ def eye_parts(head: Head) -> list[Part]:
     sphere, triangles = cap()
     attributes = _attributes(len(sphere), (255, 255, 255), 0.02, 1.0)
     return [
-        Part(head.eye_centre[side] + head.eye_radius[side] * sphere, triangles_as_faces(triangles), triangles,
-             attributes, EYE_LEFT + side)
+        Part(
+            head.eye_centre[side] + head.eye_radius[side] * sphere,
+            triangles_as_faces(triangles),
+            triangles,
+            attributes,
+            EYE_LEFT + side,
+        )
         for side in range(2)
     ]
 
@@ -83,7 +103,13 @@ def tongue_part(head: Head) -> Part:
     vertices = np.asarray(fine.matrix @ head.tongue.rest)
     triangles = _outward(vertices, fine.triangles)
     faces = fine.quads if triangles is fine.triangles else fine.quads[:, ::-1]
-    return Part(vertices, np.ascontiguousarray(faces), triangles, _attributes(len(vertices), _TONGUE, 0.09, 1.0), TONGUE)
+    return Part(
+        vertices,
+        np.ascontiguousarray(faces),
+        triangles,
+        _attributes(len(vertices), _TONGUE, 0.09, 1.0),
+        TONGUE,
+    )
 
 
 def _attributes(count: int, colour: tuple[int, int, int], roughness: float, strength: float) -> FloatArray:
@@ -99,4 +125,8 @@ def _attributes(count: int, colour: tuple[int, int, int], roughness: float, stre
 def _outward(vertices: Array, triangles: IntArray) -> IntArray:
     """Return triangles wound so that they enclose a positive volume."""
     a, b, c = (vertices[triangles[:, k]] - vertices.mean(axis=0) for k in range(3))
-    return triangles if np.einsum("ij,ij->", a, np.cross(b, c)) >= 0 else np.ascontiguousarray(triangles[:, ::-1])
+    return (
+        triangles
+        if np.einsum("ij,ij->", a, np.cross(b, c)) >= 0
+        else np.ascontiguousarray(triangles[:, ::-1])
+    )

@@ -12,7 +12,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from .jit import BANDS, band_rows, exact, exact_kernel, prange
+from .jit import BANDS, band_rows, exact, exact_kernel, f4, f8, i8, index, prange
 
 SUBPIXEL = 256
 _HALF = SUBPIXEL // 2
@@ -52,10 +52,10 @@ class Visibility:
 @exact
 def _area(xy: IntArray, a: int, b: int, c: int) -> int:
     """Twice the signed area: positive where the corners run clockwise in the picture (y down)."""
-    abx = np.int64(xy[b, 0]) - np.int64(xy[a, 0])
-    aby = np.int64(xy[b, 1]) - np.int64(xy[a, 1])
-    acx = np.int64(xy[c, 0]) - np.int64(xy[a, 0])
-    acy = np.int64(xy[c, 1]) - np.int64(xy[a, 1])
+    abx = i8(xy[b, 0]) - i8(xy[a, 0])
+    aby = i8(xy[b, 1]) - i8(xy[a, 1])
+    acx = i8(xy[c, 0]) - i8(xy[a, 0])
+    acy = i8(xy[c, 1]) - i8(xy[a, 1])
     return abx * acy - aby * acx
 
 
@@ -81,7 +81,7 @@ def find_rows(
     for chunk in prange(len(chunks)):
         low, high = height, -1
         for t in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(triangles))):
-            a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+            a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
             area = _area(xy, a, b, c)
             first, last = _extent(xy[a, 1], xy[b, 1], xy[c, 1], height)
             left, right = _extent(xy[a, 0], xy[b, 0], xy[c, 0], width)
@@ -105,8 +105,8 @@ def rasterize(
     """Draw all triangles band by band; a later triangle wins only where it is strictly nearer."""
     keep = ids.shape[0] == depth.shape[0]
     for turn in prange(BANDS):
-        top, bottom = band_rows(np.int64(turn), depth.shape[0])
-        depth[top:bottom] = np.float32(0)
+        top, bottom = band_rows(i8(turn), depth.shape[0])
+        depth[top:bottom] = f4(0)
         if keep:
             ids[top:bottom] = -1
         for chunk in range(len(chunks)):
@@ -132,10 +132,10 @@ def _clip(w: int, step: int, start: int, end: int) -> tuple[int, int]:
     every integer by more than the rounding.
     """
     if step > 0:
-        return max(start, np.int64(math.ceil(-w / np.float64(step)))), end
+        return max(start, i8(math.ceil(-w / f8(step)))), end
     if step < 0:
-        return start, min(end, np.int64(math.floor(w / np.float64(-step))))
-    return start, end if w >= 0 else np.int64(-1)
+        return start, min(end, i8(math.floor(w / f8(-step))))
+    return start, end if w >= 0 else i8(-1)
 
 
 @exact
@@ -151,17 +151,17 @@ def _fill(
     keep: bool,
 ) -> None:
     """Draw the rows from `first` to `last` of triangle t."""
-    a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+    a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
     area = _area(xy, a, b, c)
     if area < 0:
         b, c, area = c, b, -area
-    ax, ay = np.int64(xy[a, 0]), np.int64(xy[a, 1])
-    bx, by = np.int64(xy[b, 0]), np.int64(xy[b, 1])
-    cx, cy = np.int64(xy[c, 0]), np.int64(xy[c, 1])
+    ax, ay = i8(xy[a, 0]), i8(xy[a, 1])
+    bx, by = i8(xy[b, 0]), i8(xy[b, 1])
+    cx, cy = i8(xy[c, 0]), i8(xy[c, 1])
     left, right = _extent(xy[a, 0], xy[b, 0], xy[c, 0], depth.shape[1])
     bias_a, bias_b, bias_c = _bias(cx - bx, cy - by), _bias(ax - cx, ay - cy), _bias(bx - ax, by - ay)
     step_a, step_b, step_c = (by - cy) * SUBPIXEL, (cy - ay) * SUBPIXEL, (ay - by) * SUBPIXEL
-    whole = 1.0 / np.float64(area)
+    whole = 1.0 / f8(area)
     near_b, near_c = (key[b] - key[a]) * whole, (key[c] - key[a]) * whole
     key_step = step_b * near_b + step_c * near_c
     px = left * SUBPIXEL + _HALF
@@ -170,14 +170,14 @@ def _fill(
         wa = (cx - bx) * (py - by) - (cy - by) * (px - bx) + bias_a
         wb = (ax - cx) * (py - cy) - (ay - cy) * (px - cx) + bias_b
         wc = (bx - ax) * (py - ay) - (by - ay) * (px - ax) + bias_c
-        start, end = _clip(wa, step_a, np.int64(0), right - left)
+        start, end = _clip(wa, step_a, i8(0), right - left)
         start, end = _clip(wb, step_b, start, end)
         start, end = _clip(wc, step_c, start, end)
         k = key[a] + (wb - bias_b) * near_b + (wc - bias_c) * near_c + start * key_step
         for x in range(left + start, left + end + 1):
-            near = np.float32(k)  # compared as stored, or a triangle drawn twice would win over itself
-            if near > depth[y, x]:
-                depth[y, x] = near
+            near = f4(k)  # compared as stored, or a triangle drawn twice would win over itself
+            if near > depth[index(y), index(x)]:
+                depth[index(y), index(x)] = near
                 if keep:
-                    ids[y, x] = t
+                    ids[index(y), index(x)] = t
             k += key_step

@@ -13,6 +13,7 @@ from .camera import Camera, portrait, project
 from .complexion import Complexion
 from .eyeball import iris_image
 from .inputs import Light, Mesh, Pose, Sight, Tables, empty_batch
+from .jit import f4
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .noise import noise_tile
@@ -71,30 +72,59 @@ class Renderer:
         self._batch = empty_batch(width * self._samples)
         centre, radius = scene.anatomy.sphere()
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
-        self._tables = Tables(diffuse_table(), noise_tile(), iris_image(*_IRIS), scene.cloth, film_table(), tone_table())
+        self._tables = Tables(
+            diffuse_table(), noise_tile(), iris_image(*_IRIS), scene.cloth, film_table(), tone_table()
+        )
 
     def render(self, frame: FaceFrame, out: ByteArray | None = None) -> ByteArray:
-        """Return the picture (height, width, 3) uint8 sRGB of a frame, written into `out` if given."""
+        """Return the picture (height, width, 3) uint8 sRGB of a frame, written into `out` if given.
+
+        Raises InputError for a frame of another head, and for an `out` that does not fit.
+        """
         width, height = self.size
         if out is None:
             out = np.empty((height, width, 3), np.uint8)
         elif out.shape != (height, width, 3) or out.dtype != np.uint8 or not out.flags.c_contiguous:
-            raise InputError(f"picture buffer {out.shape} {out.dtype}; expected {(height, width, 3)} uint8, contiguous")
+            raise InputError(
+                f"picture buffer {out.shape} {out.dtype}; expected {(height, width, 3)} uint8, contiguous"
+            )
         scene = self.scene
+        scene.check(frame)
         pose = scene.pose(frame, self._eye)
         project(scene.positions, self._matrix, self._xy, self._key)
         self._buffer.draw(self._xy, self._key, scene.triangles, scene.two_sided)
-        self._shadow.update(scene.positions, scene.triangles[: scene.solid], scene.two_sided[: scene.solid])
+        self._shadow.update(
+            scene.positions[: scene.mesh_vertices],
+            scene.triangles[: scene.solid],
+            scene.two_sided[: scene.solid],
+        )
         self._shade(pose, out)
         return out
 
     def _shade(self, pose: Pose, out: ByteArray) -> None:
         scene, shadow, samples = self.scene, self._shadow, self._samples
-        mesh = Mesh(self._xy, self._key, scene.positions, scene.normals, scene.attributes, scene.rest, scene.reach, scene.hair_light,
-                    scene.triangles, scene.surfaces)
-        light = Light(self._lights.lamps, self._lights.room, shadow.depth, shadow.tiles, shadow.matrix, np.float32(shadow.bias))
+        mesh = Mesh(
+            self._xy,
+            self._key,
+            scene.positions,
+            scene.normals,
+            scene.attributes,
+            scene.rest,
+            scene.reach,
+            scene.hair_light,
+            scene.triangles,
+            scene.surfaces,
+        )
+        light = Light(
+            self._lights.lamps,
+            self._lights.room,
+            shadow.depth,
+            shadow.tiles,
+            shadow.matrix,
+            f4(shadow.bias),
+        )
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
-        pixel = np.float32(self.camera.millimetres_per_sample(self.size[1]))
+        pixel = f4(self.camera.millimetres_per_sample(self.size[1]))
         sight = Sight(self._buffer.ids, self._buffer.depth, samples, self._eye, pixel, self._background)
         shade(sight, mesh, light, pose, self._tables, self._batch, out)
 
@@ -124,4 +154,4 @@ def _check_background(background: FloatArray | None, width: int, height: int) ->
         return studio_backdrop(width, height)
     if background.shape != (height, width, 3):
         raise InputError(f"background {background.shape}; expected {(height, width, 3)}")
-    return np.ascontiguousarray(background, np.float32)
+    return np.array(background, np.float32)

@@ -32,20 +32,25 @@ def hair_density(anatomy: Anatomy, points: Array, ears: Array) -> Array:
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
-    """Return unit directions (n, 3) along the skin in which combed hair lies: back from the face, down at the sides."""
+    """Return unit directions (n, 3) along the skin of combed hair: back from the face, down at the sides."""
     u = anatomy.unit
     side = np.sign(points[:, 0]) * smoothstep(0.0, 25.0 * u, np.abs(points[:, 0]))
     high = smoothstep(30.0 * u, 75.0 * u, points[:, 1] - anatomy.eye_height)
     back = smoothstep(-70.0 * u, -150.0 * u, points[:, 2])
     # A parting off the middle: hair leans to the subject's left of it and to the right beyond.
     lean = np.tanh((points[:, 0] + 30.0 * u) / (18.0 * u))
-    combed = np.stack([0.62 * lean * high + 0.25 * side * (1 - high), -0.9 * (1 - high) - 0.6 * back, -1.0 + 0.5 * back], axis=1)
+    combed = np.stack(
+        [0.62 * lean * high + 0.25 * side * (1 - high), -0.9 * (1 - high) - 0.6 * back, -1.0 + 0.5 * back],
+        axis=1,
+    )
     wave = np.stack([noise_at(points + shift, 45.0) for shift in (0.0, 91.0, 57.0)], axis=1)
     return flat(unit(combed) + 0.16 * wave, normals)
 
 
-def grow_roots(anatomy: Anatomy, surface: Surface, density: Array, count: int, seed: int) -> tuple[Array, Array]:
-    """Return `count` triangles and barycentric weights, spread over the skin by area times `density` (N1,)."""
+def grow_roots(
+    anatomy: Anatomy, surface: Surface, density: Array, count: int, seed: int
+) -> tuple[Array, Array]:
+    """Return `count` triangles and weights in them, spread over the skin by area times `density` (N1,)."""
     rng = np.random.default_rng(seed)
     corners = surface.points[surface.triangles]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)

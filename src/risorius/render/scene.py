@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from ..errors import InputError
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from .anatomy import find_anatomy
@@ -20,6 +21,7 @@ from .lashes import grow_lashes
 from .occlusion import ambient_occlusion, lamp_reach
 from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
 from .raster import ByteArray, FloatArray, IntArray
+from .scalp import hair_density
 from .strands import Strands, ribbons
 
 Array = npt.NDArray[np.float64]
@@ -92,12 +94,23 @@ class HeadScene:
         self._normals.update(self._local, self.normals[: self.mesh_vertices])
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
         mesh = (self._local, normals, self.triangles[solid], self.two_sided[solid])
-        self.attributes[:count, OCCLUSION] = ambient_occlusion(
-            *mesh, *self.anatomy.sphere()
-        )[:count]
+        self.attributes[:count, OCCLUSION] = ambient_occlusion(*mesh, *self.anatomy.sphere())[:count]
         self.reach: FloatArray = np.ones((len(self.rest), len(lamps)), np.float32)
         for k, lamp in enumerate(lamps[1:, :3], start=1):
             self.reach[:count, k] = lamp_reach(*mesh, *self.anatomy.sphere(), lamp)[:count]
+        covered = hair_density(self.anatomy, self.anatomy.skin, self.anatomy.masks["ears"])
+        self.reach[:count] *= 1.0 - covered[:, None]
+
+    def check(self, frame: FaceFrame) -> None:
+        """Raise InputError where a frame's vertices are not as many as this head's."""
+        sizes = np.diff(self._starts)
+        for name, points, size in (
+            ("skin", frame.skin, sizes[0]),
+            ("lower teeth", frame.teeth_lower, sizes[4]),
+            ("tongue", frame.tongue, sizes[5]),
+        ):
+            if points.shape != (size, 3):
+                raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
     def pose(self, frame: FaceFrame, eye: FloatArray) -> Pose:
         """Move all vertices to a frame; `eye` (3,) float32 is where the camera stands."""
@@ -108,7 +121,16 @@ class HeadScene:
         turn(self._local, self._weight, rotation, pivot, self.positions[mesh])
         self._normals.update(self.positions[mesh], self.normals[mesh])
         for group, start in zip(self._hairs, self._hair_starts, strict=True):
-            ribbons(self.positions, self.normals, group.roots, group.weights, group.curves, group.widths, eye, start)
+            ribbons(
+                self.positions,
+                self.normals,
+                group.roots,
+                group.weights,
+                group.curves,
+                group.widths,
+                eye,
+                start,
+            )
         return self._read_pose(frame, rotation, pivot)
 
     def _place(self, frame: FaceFrame) -> None:
@@ -123,8 +145,11 @@ class HeadScene:
         head = self.head
         centres = (head.eye_centre - head.head_pivot) @ frame.head_rotation.T + head.head_pivot
         lids = [
-            lid_margins(frame.skin[head.lid_pairs[side]].astype(np.float64), head.eye_centre[side],
-                        float(head.eye_radius[side]))
+            lid_margins(
+                frame.skin[head.lid_pairs[side]].astype(np.float64),
+                head.eye_centre[side],
+                float(head.eye_radius[side]),
+            )
             for side in range(2)
         ]
         span, lips = lip_edges(frame.skin[head.lip_pairs].astype(np.float64))

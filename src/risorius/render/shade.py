@@ -7,16 +7,14 @@ needed. Patches are collected row by row and each material then answers for its 
 
 from __future__ import annotations
 
-import numpy as np
-
 from .inputs import Batch, Light, Mesh, Pose, Sight, Tables
-from .jit import BANDS, band_rows, device, f4, kernel, prange
+from .jit import BANDS, band_rows, device, f4, f8, i8, index, inlined, kernel, prange
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
 from .materials.mouth import shade_mouth
 from .materials.skin import shade_skin
-from .raster import SUBPIXEL, ByteArray
+from .raster import SUBPIXEL, ByteArray, FloatArray, IntArray
 from .tone import exposed, to_byte
 from .vec import Vec, saturate
 
@@ -24,10 +22,12 @@ _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one sur
 
 
 @kernel
-def shade(sight: Sight, mesh: Mesh, light: Light, pose: Pose, tables: Tables, batch: Batch, out: ByteArray) -> None:
+def shade(
+    sight: Sight, mesh: Mesh, light: Light, pose: Pose, tables: Tables, batch: Batch, out: ByteArray
+) -> None:
     """Write the picture (height, width, 3) of sRGB bytes."""
-    for index in prange(BANDS):
-        turn = np.int64(index)  # prange counts without sign, and all below would be compiled a second time
+    for band in prange(BANDS):
+        turn = i8(band)  # prange counts without sign, and all below would be compiled a second time
         top, bottom = band_rows(turn, out.shape[0])
         for y in range(top, bottom):
             n = _collect(turn, y, sight, mesh, batch)
@@ -45,59 +45,79 @@ def _collect(turn: int, y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     side, n = sight.samples, 0
     for x in range(sight.background.shape[1]):
         if _whole(x, y, sight):
-            _put(turn, n, x, side * side, f4(side) * (f4(x) + f4(0.5)), f4(side) * (f4(y) + f4(0.5)),
-                 sight.ids[y * side, x * side], mesh, batch)
+            _put(
+                turn,
+                n,
+                x,
+                side * side,
+                f4(side) * (f4(x) + f4(0.5)),
+                f4(side) * (f4(y) + f4(0.5)),
+                sight.ids[y * side, x * side],
+                mesh,
+                batch,
+            )
             n += 1
             continue
         done, bit = 0, 1
         for row in range(y * side, y * side + side):
             for column in range(x * side, x * side + side):
-                if sight.ids[row, column] >= 0 and done & bit == 0:
+                if sight.ids[index(row), index(column)] >= 0 and done & bit == 0:
                     done |= _gather(turn, n, x, y, row, column, done, sight, mesh, batch)
                     n += 1
                 bit <<= 1
     return n
 
 
-@device
+@inlined
 def _whole(x: int, y: int, sight: Sight) -> bool:
     """Return whether one triangle fills the pixel."""
     side = sight.samples
-    t = sight.ids[y * side, x * side]
+    t: int = sight.ids[y * side, x * side]
     for row in range(y * side, y * side + side):
         for column in range(x * side, x * side + side):
-            if sight.ids[row, column] != t:
+            if sight.ids[index(row), index(column)] != t:
                 return False
     return t >= 0
 
 
-@device
+@inlined
 def _put(turn: int, n: int, x: int, count: int, u: float, v: float, t: int, mesh: Mesh, batch: Batch) -> None:
-    """Write patch n: `count` samples of pixel x that show triangle t, with their middle at (u, v) in samples."""
+    """Write patch n: `count` samples of pixel x that show triangle t, their middle at (u, v) in samples."""
     batch.triangle[turn, n] = t
     batch.column[turn, n] = x
-    batch.count[turn, n] = count
-    a, b, c = _weights(u, v, t, mesh)
+    batch.samples[turn, n] = count
+    a, b, c = _weights(u, v, t, mesh.triangles, mesh.xy, mesh.key)
     batch.weights[turn, n, 0], batch.weights[turn, n, 1], batch.weights[turn, n, 2] = a, b, c
 
 
-@device
-def _gather(turn: int, n: int, x: int, y: int, row: int, column: int, done: int, sight: Sight, mesh: Mesh,
-            batch: Batch) -> int:
-    """Write patch n: all samples of pixel (x, y) not yet `done` that show what this one does; return them as bits."""
+@inlined
+def _gather(
+    turn: int,
+    n: int,
+    x: int,
+    y: int,
+    row: int,
+    column: int,
+    done: int,
+    sight: Sight,
+    mesh: Mesh,
+    batch: Batch,
+) -> int:
+    """Write patch n: all samples of pixel (x, y) not `done` that show what this does; return their bits."""
     side, t = sight.samples, sight.ids[row, column]
     surface, depth = mesh.surfaces[t], sight.depth[row, column]
     nearly = depth * _SAME_DEPTH
     members, bit, count, sum_x, sum_y = 0, 1, 0, 0, 0
     for j in range(y * side, y * side + side):
         for i in range(x * side, x * side + side):
-            other = sight.ids[j, i]
-            if other >= 0 and done & bit == 0 and abs(sight.depth[j, i] - depth) <= nearly:
-                if other == t or mesh.surfaces[other] == surface:
-                    members |= bit
-                    count += 1
-                    sum_x += i
-                    sum_y += j
+            other = sight.ids[index(j), index(i)]
+            free = other >= 0 and done & bit == 0
+            near = abs(sight.depth[index(j), index(i)] - depth) <= nearly
+            if free and near and (other == t or mesh.surfaces[index(other)] == surface):
+                members |= bit
+                count += 1
+                sum_x += i
+                sum_y += j
             bit <<= 1
     share = f4(1) / f4(count)
     _put(turn, n, x, count, f4(sum_x) * share + f4(0.5), f4(sum_y) * share + f4(0.5), t, mesh, batch)
@@ -105,17 +125,18 @@ def _gather(turn: int, n: int, x: int, y: int, row: int, column: int, done: int,
 
 
 @device
-def _weights(x: float, y: float, t: int, mesh: Mesh) -> Vec:
-    """Return where a place in the picture (samples) lies in triangle t, brought into it, in true perspective."""
-    a, b, c = mesh.triangles[t, 0], mesh.triangles[t, 1], mesh.triangles[t, 2]
-    ax, ay = f4(mesh.xy[a, 0]), f4(mesh.xy[a, 1])
-    bx, by = f4(mesh.xy[b, 0]) - ax, f4(mesh.xy[b, 1]) - ay
-    cx, cy = f4(mesh.xy[c, 0]) - ax, f4(mesh.xy[c, 1]) - ay
+def _weights(x: float, y: float, t: int, triangles: IntArray, xy: IntArray, key: FloatArray) -> Vec:
+    """Return where a place (x, y) in samples lies in triangle t, brought into it, in true perspective."""
+    a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
+    # In double precision: the differences of large products decide whether anything is left to divide by.
+    ax, ay = f8(xy[a, 0]), f8(xy[a, 1])
+    bx, by = f8(xy[b, 0]) - ax, f8(xy[b, 1]) - ay
+    cx, cy = f8(xy[c, 0]) - ax, f8(xy[c, 1]) - ay
     px, py = x * f4(SUBPIXEL) - ax, y * f4(SUBPIXEL) - ay
-    area = f4(1) / (bx * cy - by * cx)
-    v = saturate((px * cy - py * cx) * area)
-    w = min(saturate((bx * py - by * px) * area), f4(1) - v)
-    u, v, w = (f4(1) - v - w) * mesh.key[a], v * mesh.key[b], w * mesh.key[c]
+    area = f8(1) / (bx * cy - by * cx)
+    v = saturate(f4((px * cy - py * cx) * area))
+    w = min(saturate(f4((bx * py - by * px) * area)), f4(1) - v)
+    u, v, w = (f4(1) - v - w) * key[a], v * key[b], w * key[c]
     whole = f4(1) / (u + v + w)
     return u * whole, v * whole, w * whole
 
@@ -127,7 +148,7 @@ def _resolve(turn: int, y: int, n: int, sight: Sight, batch: Batch, tables: Tabl
     for x in range(out.shape[1]):
         r, g, b, left = f4(0), f4(0), f4(0), f4(1)
         while k < n and batch.column[turn, k] == x:
-            part = f4(batch.count[turn, k]) * share
+            part = f4(batch.samples[turn, k]) * share
             r += part * exposed(tables.film, batch.colour[turn, k, 0])
             g += part * exposed(tables.film, batch.colour[turn, k, 1])
             b += part * exposed(tables.film, batch.colour[turn, k, 2])

@@ -5,23 +5,28 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from .jit import device, exact_kernel, f4, prange
 from .camera import snap
+from .jit import device, exact, f4, index
 from .raster import ByteArray, FloatArray, IntArray, Visibility
-from .vec import Vec
+from .vec import Vec, at
 
 SIZE = 384
 REACH = 2  # taps on each side
 TILE = 8  # texels
-_BLOCK = 1024
 _RAMP = f4(0.5)  # 1/mm: depths are compared over 2 mm, which hides the steps of the map
 
 
 class ShadowMap:
     """A map of SIZE² texels over a sphere that holds the scene."""
 
-    def __init__(self, direction: npt.NDArray[np.floating], centre: npt.NDArray[np.floating], radius: float,
-                 vertices: int, triangles: int) -> None:
+    def __init__(
+        self,
+        direction: npt.NDArray[np.floating],
+        centre: npt.NDArray[np.floating],
+        radius: float,
+        vertices: int,
+        triangles: int,
+    ) -> None:
         self.matrix = light_matrix(direction, centre, radius, SIZE)
         self.bias = 3.2 * radius / SIZE  # mm: what a texel spans in depth on a slanted surface
         self._xy: IntArray = np.zeros((vertices, 2), np.int32)
@@ -41,8 +46,9 @@ class ShadowMap:
         bound_tiles(self.depth, self.tiles)
 
 
-def light_matrix(direction: npt.NDArray[np.floating], centre: npt.NDArray[np.floating], radius: float,
-                 size: int) -> FloatArray:
+def light_matrix(
+    direction: npt.NDArray[np.floating], centre: npt.NDArray[np.floating], radius: float, size: int
+) -> FloatArray:
     """Return the matrix (3, 4) float32 whose rows give x and y in texels and mm towards the lamp.
 
     The map covers the sphere of this radius about `centre`, whose far side has depth 1 mm.
@@ -66,23 +72,21 @@ def transform(matrix: FloatArray, p: Vec) -> Vec:
     )
 
 
-@exact_kernel
+@exact
 def flatten(points: FloatArray, matrix: FloatArray, xy: IntArray, key: FloatArray) -> None:
     """Write positions in 1/256 texel and depths of points (n, 3) for `light_matrix`."""
-    n = len(points)
-    for block in prange((n + _BLOCK - 1) // _BLOCK):
-        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
-            u, v, d = transform(matrix, (points[i, 0], points[i, 1], points[i, 2]))
-            xy[i, 0] = snap(u)
-            xy[i, 1] = snap(v)
-            key[i] = max(d, f4(0.001))
+    for i in range(len(points)):
+        u, v, d = transform(matrix, at(points, i))
+        xy[i, 0] = snap(u)
+        xy[i, 1] = snap(v)
+        key[i] = max(d, f4(0.001))
 
 
-@exact_kernel
+@exact
 def bound_tiles(depth: FloatArray, tiles: FloatArray) -> None:
     """Write the least and greatest depth that the taps of each tile's texels meet."""
     size = depth.shape[0]
-    for j in prange(tiles.shape[0]):
+    for j in range(tiles.shape[0]):
         for i in range(tiles.shape[1]):
             low, high = f4(1e9), f4(0)
             for row in range(max(j * TILE - REACH, 0), min((j + 1) * TILE + REACH + 1, size)):
@@ -101,9 +105,9 @@ def lit(depth: FloatArray, tiles: FloatArray, matrix: FloatArray, p: Vec, bias: 
     if i < REACH or j < REACH or i >= size - REACH - 1 or j >= size - REACH - 1:
         return f4(1)
     near = d + bias
-    if tiles[j // TILE, i // TILE, 1] <= near:
+    if tiles[index(j // TILE), index(i // TILE), 1] <= near:
         return f4(1)
-    if (tiles[j // TILE, i // TILE, 0] - near) * _RAMP >= f4(1):
+    if (tiles[index(j // TILE), index(i // TILE), 0] - near) * _RAMP >= f4(1):
         return f4(0)
     return _tent(depth, i, j, x - f4(i), y - f4(j), near)
 
@@ -115,7 +119,7 @@ def _tent(depth: FloatArray, i: int, j: int, s: float, t: float, near: float) ->
     for row in range(-REACH, REACH + 2):
         line = f4(0)
         for column in range(-REACH, REACH + 2):
-            blocked = min(max((depth[j + row, i + column] - near) * _RAMP, f4(0)), f4(1))
+            blocked = min(max((depth[index(j + row), index(i + column)] - near) * _RAMP, f4(0)), f4(1))
             line += (f4(1) - blocked) * (f4(REACH + 1) - abs(f4(column) - s))
         total += line * (f4(REACH + 1) - abs(f4(row) - t))
     reach = f4((REACH + 1) * (REACH + 1))

@@ -42,7 +42,8 @@ class Strands:
         """Return the ribbons' triangles (2 S (P − 1), 3), counting vertices from 0, hair by hair."""
         strands, points = self.widths.shape
         pair = 2 * np.arange(strands * points).reshape(strands, points)[:, :-1, None, None]
-        return (pair + np.array([[0, 1, 2], [1, 3, 2]])).reshape(-1, 3).astype(np.int32)
+        corners = (pair + np.array([[0, 1, 2], [1, 3, 2]])).reshape(-1, 3)
+        return np.asarray(corners, np.int32)
 
 
 def join(groups: list[Strands]) -> Strands:
@@ -53,7 +54,10 @@ def join(groups: list[Strands]) -> Strands:
 
 
 def root_frames(
-    positions: npt.NDArray[np.floating], normals: npt.NDArray[np.floating], roots: IntArray, weights: FloatArray
+    positions: npt.NDArray[np.floating],
+    normals: npt.NDArray[np.floating],
+    roots: IntArray,
+    weights: FloatArray,
 ) -> npt.NDArray[np.float64]:
     """Return the frames (S, 3, 3) of roots, as rows: along the first edge, across it, normal."""
     normal = np.einsum("skc,sk->sc", np.asarray(normals, np.float64)[roots], weights)
@@ -65,7 +69,9 @@ def root_frames(
 
 
 @exact
-def _frame(positions: FloatArray, normals: FloatArray, corners: tuple[int, int, int], place: Vec) -> tuple[Vec, Vec, Vec]:
+def _frame(
+    positions: FloatArray, normals: FloatArray, corners: tuple[int, int, int], place: Vec
+) -> tuple[Vec, Vec, Vec]:
     normal = unit(weigh(normals, corners, place, 0))
     edge = sub(at(positions, corners[1]), at(positions, corners[0]))
     edge = unit(along(edge, normal, -dot(edge, normal)))
@@ -100,8 +106,8 @@ def ribbons(
 ) -> None:
     """Write the ribbons' vertices into `positions` and their directions into `normals`, from row `first` on.
 
-    Roots are looked up in the same arrays; `eye` (3,) is where the camera stands. Hairs rooted behind the head
-    are left out.
+    Roots are looked up in the same arrays; `eye` (3,) is where the camera stands. Hairs rooted behind the
+    head are left out.
     """
     strands, points = widths.shape
     camera = (eye[0], eye[1], eye[2])

@@ -1,29 +1,32 @@
 """Light that enters the skin and leaves it elsewhere, precomputed for bent surfaces.
 
-The profile of skin is a sum of Gaussians (d'Eon and Luebke, GPU Gems 3, 2007, table of chapter 14); integrated
-over a ring of the surface's radius it gives the light at each angle (Penner, SIGGRAPH 2011): red travels
-furthest, so the edge of a shadow on the skin is warm.
+The profile of skin is a sum of Gaussians (d'Eon and Luebke, GPU Gems 3, 2007, table of chapter 14);
+integrated over a ring of the surface's radius it gives the light at each angle (Penner, SIGGRAPH 2011): red
+travels furthest, so the edge of a shadow on the skin is warm.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from .jit import device, f4
+from .jit import device, f4, index
 from .raster import FloatArray
-from .vec import Vec
+from .vec import Vec, bounded
 
 _VARIANCES = np.array([0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41])  # mm²
-_WEIGHTS = np.array([
-    [0.233, 0.455, 0.649],
-    [0.100, 0.336, 0.344],
-    [0.118, 0.198, 0.0],
-    [0.113, 0.007, 0.007],
-    [0.358, 0.004, 0.0],
-    [0.078, 0.0, 0.0],
-])
+_WEIGHTS = np.array(
+    [
+        [0.233, 0.455, 0.649],
+        [0.100, 0.336, 0.344],
+        [0.118, 0.198, 0.0],
+        [0.113, 0.007, 0.007],
+        [0.358, 0.004, 0.0],
+        [0.078, 0.0, 0.0],
+    ]
+)
 ANGLES, CURVATURES = 96, 16
 MAX_CURVATURE = 0.2  # 1/mm
+_ONE = index(1)
 
 
 def _profile(distance: np.ndarray) -> np.ndarray:
@@ -52,14 +55,15 @@ def diffuse_table() -> FloatArray:
 @device
 def scattered(table: FloatArray, cosine: float, curvature: float) -> Vec:
     """Look the table up, linearly between its entries."""
-    x = min(max((cosine + f4(1)) * f4(0.5), f4(0)), f4(0.9999)) * f4(ANGLES - 1)
-    y = min(max(curvature * f4(1 / MAX_CURVATURE), f4(0)), f4(0.9999)) * f4(CURVATURES - 1)
-    i, j = int(x), int(y)
+    x = bounded((cosine + f4(1)) * f4(0.5), f4(0.9999)) * f4(ANGLES - 1)
+    y = bounded(curvature * f4(1 / MAX_CURVATURE), f4(0.9999)) * f4(CURVATURES - 1)
+    i, j = index(x), index(y)
+    below, right = i + _ONE, j + _ONE
     u, v = x - f4(i), y - f4(j)
     a, b = (f4(1) - u) * (f4(1) - v), (f4(1) - u) * v
     c, d = u * (f4(1) - v), u * v
     return (
-        a * table[i, j, 0] + b * table[i, j + 1, 0] + c * table[i + 1, j, 0] + d * table[i + 1, j + 1, 0],
-        a * table[i, j, 1] + b * table[i, j + 1, 1] + c * table[i + 1, j, 1] + d * table[i + 1, j + 1, 1],
-        a * table[i, j, 2] + b * table[i, j + 1, 2] + c * table[i + 1, j, 2] + d * table[i + 1, j + 1, 2],
+        a * table[i, j, 0] + b * table[i, right, 0] + c * table[below, j, 0] + d * table[below, right, 0],
+        a * table[i, j, 1] + b * table[i, right, 1] + c * table[below, j, 1] + d * table[below, right, 1],
+        a * table[i, j, 2] + b * table[i, right, 2] + c * table[below, j, 2] + d * table[below, right, 2],
     )

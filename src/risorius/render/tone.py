@@ -7,8 +7,9 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from .jit import device, f4
+from .jit import device, f4, index
 from .raster import ByteArray, FloatArray
+from .vec import bounded
 
 TONES = 4096
 WHITE = 6.0  # scene light that becomes full white
@@ -47,11 +48,13 @@ def tone_table() -> ByteArray:
 @device
 def exposed(table: FloatArray, light: float) -> float:
     """Look up the display light of scene light in `film_table`."""
-    x = math.sqrt(max(light, f4(0))) * f4((TONES - 1) / math.sqrt(WHITE))
-    return table[min(int(x + f4(0.5)), TONES - 1)]
+    x = math.sqrt(bounded(light, f4(WHITE))) * f4((TONES - 1) / math.sqrt(WHITE))
+    display: float = table[index(x + f4(0.5))]
+    return display
 
 
 @device
 def to_byte(table: ByteArray, light: float) -> int:
     """Look up the byte for one channel of display light 0..1."""
-    return table[min(int(math.sqrt(light) * f4(TONES - 1) + f4(0.5)), TONES - 1)]
+    byte: int = table[index(math.sqrt(bounded(light, f4(1))) * f4(TONES - 1) + f4(0.5))]
+    return byte

@@ -110,6 +110,14 @@ def saturate(x: float) -> float:
 
 
 @device
+def bounded(x: float, high: float) -> float:
+    """Clip to 0..high, and take what is no number as 0: safe to make an index of."""
+    if x < high:
+        return x if x > f4(0) else f4(0)
+    return high if x >= high else f4(0)
+
+
+@device
 def smooth(low: float, high: float, x: float) -> float:
     """Return the smooth step: 0 up to `low`, 1 from `high` on."""
     t = saturate((x - low) / (high - low))

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 
 from ..inputs import CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Sight, Tables
-from ..jit import device, f4
+from ..jit import device, f4, inlined
 from ..noise import grain
+from ..raster import FloatArray
 from ..vec import Vec, along, dot, saturate, scale, smooth, times, unit, weigh
 from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light
-from .patch import Corners, corners_of, place_of, put, weights_of
+from .patch import Corners, corners_of, put, towards, weights_of
 
 COLLAR = f4(13)  # mm: width of the collar
 _RIBS = f4(110)  # around the neck
@@ -17,47 +18,63 @@ _UP = (f4(0), f4(1), f4(0))
 
 
 @device
-def shade_cloth(turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables) -> None:
+def shade_cloth(
+    turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables
+) -> None:
     """Colour the patches of cloth among the first n of a row, and blend its edge into the skin's."""
     for k in range(n):
         t = batch.triangle[turn, k]
         if mesh.surfaces[t] != SKIN:
             continue
-        corners, weights = corners_of(mesh, t), weights_of(batch, turn, k)
+        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k)
         depth = weigh(mesh.attributes, corners, weights, CURVATURE)[2]
         if depth < -sight.pixel:
             continue
-        p, normal, view = place_of(mesh, sight, corners, weights)
+        p = weigh(mesh.positions, corners, weights, 0)
+        normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
         r, g, b = _cloth(mesh, light, tables, corners, weights, p, normal, view, depth)
         share = smooth(-sight.pixel, sight.pixel, depth)
         r = batch.colour[turn, k, 0] * (f4(1) - share) + r * share if share < f4(1) else r
         g = batch.colour[turn, k, 1] * (f4(1) - share) + g * share if share < f4(1) else g
         b = batch.colour[turn, k, 2] * (f4(1) - share) + b * share if share < f4(1) else b
-        put(batch, turn, k, (r, g, b))
+        put(batch.colour, turn, k, (r, g, b))
 
 
-@device
-def _cloth(mesh: Mesh, light: Light, tables: Tables, corners: Corners, weights: Vec, p: Vec, normal: Vec, view: Vec,
-           depth: float) -> Vec:
+@inlined
+def _cloth(
+    mesh: Mesh,
+    light: Light,
+    tables: Tables,
+    corners: Corners,
+    weights: Vec,
+    p: Vec,
+    normal: Vec,
+    view: Vec,
+    depth: float,
+) -> Vec:
     """Return the light from rough cloth with a soft sheen along its outline."""
     albedo = (tables.cloth[0], tables.cloth[1], tables.cloth[2])
     free = weigh(mesh.attributes, corners, weights, OCCLUSION)[0]
     rest = weigh(mesh.rest, corners, weights, 0)
-    albedo, normal = _knit(tables, rest, albedo, normal, depth)
+    albedo, normal = _knit(tables.grain, rest, albedo, normal, depth)
     shadow = key_share(light, p)
-    total = times(albedo, room_light(light, normal, free))
+    total = times(albedo, room_light(light.room, normal, free))
     for k in range(len(light.lamps)):
-        lit = saturate((dot(normal, lamp_direction(light, k)) + f4(0.15)) * f4(1 / 1.15))
-        total = along(total, times(albedo, lamp_colour(light, k)), lit * lamp_share(mesh, corners, weights, k, shadow))
+        lit = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.15)) * f4(1 / 1.15))
+        total = along(
+            total,
+            times(albedo, lamp_colour(light.lamps, k)),
+            lit * lamp_share(mesh.reach, corners, weights, k, shadow),
+        )
     fuzz = f4(1) - saturate(dot(normal, view))
     sheen = f4(0.06) * fuzz * fuzz * fuzz
-    return along(total, room_light(light, normal, free), sheen)
+    return along(total, room_light(light.room, normal, free), sheen)
 
 
 @device
-def _knit(tables: Tables, rest: Vec, albedo: Vec, normal: Vec, depth: float) -> tuple[Vec, Vec]:
+def _knit(tile: FloatArray, rest: Vec, albedo: Vec, normal: Vec, depth: float) -> tuple[Vec, Vec]:
     """Return albedo and normal with stitches, and over the collar's width with ribs and a rolled edge."""
-    thread = grain(tables.grain, (rest[0], rest[1] * f4(0.6), rest[2]), f4(3.2))[0]
+    thread = grain(tile, (rest[0], rest[1] * f4(0.6), rest[2]), f4(3.2))[0]
     light = f4(1) + f4(0.09) * thread
     if depth < COLLAR:
         rib = math.sin(math.atan2(rest[0], rest[2] + f4(95)) * _RIBS)

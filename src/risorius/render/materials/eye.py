@@ -6,14 +6,31 @@ import math
 
 from ..brdf import gloss, schlick
 from ..inputs import EYE_LEFT, Batch, Light, Mesh, Pose, Sight, Tables
-from ..jit import device, f4
+from ..jit import device, f4, inlined
 from ..noise import grain
 from ..raster import FloatArray
-from ..vec import Vec, add, along, cross, dot, mix, rotate, saturate, scale, smooth, sub, times, unit, unrotate
+from ..vec import (
+    Vec,
+    add,
+    along,
+    cross,
+    dot,
+    mix,
+    rotate,
+    saturate,
+    scale,
+    smooth,
+    sub,
+    times,
+    unit,
+    unrotate,
+    weigh,
+)
 from .lit import key_share, lamp_colour, lamp_direction, room_light
-from .patch import corners_of, place_of, put, weights_of
+from .patch import corners_of, put, towards, weights_of
 
 LID_STEPS = 32
+_FRONT = 2  # lamps: those further on stand behind the head
 IRIS = f4(0.365)  # radius of the iris in radii of the eye
 _LIMBUS = f4(0.045)  # half the width of its soft edge
 _PUPIL = f4(0.36)  # radius of the pupil in radii of the iris
@@ -25,18 +42,20 @@ _PINK = (f4(0.52), f4(0.27), f4(0.23))
 
 
 @device
-def shade_eyes(turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose,
-               tables: Tables) -> None:
+def shade_eyes(
+    turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+) -> None:
     """Colour the patches of the eyes among the first n of a row."""
     for k in range(n):
         t = batch.triangle[turn, k]
         side = mesh.surfaces[t] - EYE_LEFT
         if side == 0 or side == 1:
-            p, _, view = place_of(mesh, sight, corners_of(mesh, t), weights_of(batch, turn, k))
-            put(batch, turn, k, _eye(light, pose, tables, side, p, view))
+            corners = corners_of(mesh.triangles, t)
+            p = weigh(mesh.positions, corners, weights_of(batch.weights, turn, k), 0)
+            put(batch.colour, turn, k, _eye(light, pose, tables, side, p, towards(sight.eye, p)))
 
 
-@device
+@inlined
 def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec) -> Vec:
     """Return the light from the eye `side` (0 left, 1 right) at p."""
     centre = (pose.eyes[side, 0], pose.eyes[side, 1], pose.eyes[side, 2])
@@ -44,7 +63,7 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
     local = unrotate(pose.eye_axes[side], outward)
     in_head = unrotate(pose.rotation, outward)
     radius = pose.eye_radius[side]
-    below, above = _lid_distances(pose, side, in_head, radius)
+    below, above = _lid_distances(pose.lids, pose.lid_span, side, in_head, radius)
     shade = (f4(1) - f4(0.72) * math.exp(-below * f4(0.62))) * (f4(1) - f4(0.45) * math.exp(-above * f4(1.0)))
     ring = math.sqrt(local[0] * local[0] + local[1] * local[1])
     iris_share = f4(0)
@@ -60,25 +79,36 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
         facing = rotate(pose.eye_axes[side], bulge)
         facing = unit(mix(outward, facing, iris_share))
         total = mix(total, _iris(light, pose, tables, side, local, facing, view, shade, shadow), iris_share)
-    return add(total, _wet(light, facing, outward, view, shade, shadow, above))
+    return add(total, _wet(light.lamps, light.room, facing, outward, view, shade, shadow, above))
 
 
 @device
-def _lid_distances(pose: Pose, side: int, in_head: Vec, radius: float) -> tuple[float, float]:
+def _lid_distances(
+    lids: FloatArray, span: FloatArray, side: int, in_head: Vec, radius: float
+) -> tuple[float, float]:
     """Return mm below the upper and above the lower lid's margin."""
-    low, high = pose.lid_span[side, 0], pose.lid_span[side, 1]
+    low, high = span[side, 0], span[side, 1]
     place = saturate((in_head[0] * radius - low) / (high - low)) * f4(LID_STEPS - 1.001)
     i = int(place)
     s = place - f4(i)
-    upper = pose.lids[side, i, 0] + (pose.lids[side, i + 1, 0] - pose.lids[side, i, 0]) * s
-    lower = pose.lids[side, i, 1] + (pose.lids[side, i + 1, 1] - pose.lids[side, i, 1]) * s
+    upper = lids[side, i, 0] + (lids[side, i + 1, 0] - lids[side, i, 0]) * s
+    lower = lids[side, i, 1] + (lids[side, i + 1, 1] - lids[side, i, 1]) * s
     y = in_head[1] * radius
     return max(upper - y, f4(0)), max(y - lower, f4(0))
 
 
-@device
-def _sclera(light: Light, tables: Tables, local: Vec, in_head: Vec, normal: Vec, side: int, radius: float,
-            shade: float, shadow: float) -> Vec:
+@inlined
+def _sclera(
+    light: Light,
+    tables: Tables,
+    local: Vec,
+    in_head: Vec,
+    normal: Vec,
+    side: int,
+    radius: float,
+    shade: float,
+    shadow: float,
+) -> Vec:
     """Return the light scattered by the white of the eye: pinker towards the corners, with faint veins."""
     inward = -in_head[0] if side == 0 else in_head[0]  # towards the nose
     corner = smooth(f4(0.42), f4(0.86), inward) + f4(0.7) * smooth(f4(0.45), f4(0.95), -inward)
@@ -86,16 +116,27 @@ def _sclera(light: Light, tables: Tables, local: Vec, in_head: Vec, normal: Vec,
     vein = abs(grain(tables.grain, (x * f4(0.5), y, z), f4(3))[0])
     vein = (f4(1) - smooth(f4(0), f4(0.22), vein)) * smooth(f4(0.36), f4(0.8), abs(inward))
     albedo = mix(_WHITE, _PINK, saturate(corner * f4(0.75) + vein * f4(0.22)))
-    total = times(albedo, scale(room_light(light, normal, shade), f4(1.05)))
-    for k in range(2):
-        wrapped = saturate((dot(normal, lamp_direction(light, k)) + f4(0.3)) * f4(1 / 1.3))
-        total = along(total, times(albedo, lamp_colour(light, k)), wrapped * (shadow if k == 0 else shade))
+    total = times(albedo, scale(room_light(light.room, normal, shade), f4(1.05)))
+    for k in range(min(len(light.lamps), _FRONT)):
+        wrapped = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.3)) * f4(1 / 1.3))
+        total = along(
+            total, times(albedo, lamp_colour(light.lamps, k)), wrapped * (shadow if k == 0 else shade)
+        )
     return total
 
 
-@device
-def _iris(light: Light, pose: Pose, tables: Tables, side: int, local: Vec, facing: Vec, view: Vec, shade: float,
-          shadow: float) -> Vec:
+@inlined
+def _iris(
+    light: Light,
+    pose: Pose,
+    tables: Tables,
+    side: int,
+    local: Vec,
+    facing: Vec,
+    view: Vec,
+    shade: float,
+    shadow: float,
+) -> Vec:
     """Return the light from the iris, seen and lit through the cornea, which gathers it opposite the lamp."""
     cosine = dot(facing, view)
     bent = math.sqrt(f4(1) - _REFRACTION * _REFRACTION * (f4(1) - cosine * cosine))
@@ -105,28 +146,28 @@ def _iris(light: Light, pose: Pose, tables: Tables, side: int, local: Vec, facin
     way = (plane - local[2]) / min(ray[2], f4(-0.1))
     x, y = (local[0] + ray[0] * way) / IRIS, (local[1] + ray[1] * way) / IRIS
     distance = math.sqrt(x * x + y * y)
-    albedo = _iris_colour(tables, x, y, distance)
+    albedo = _iris_colour(tables.iris, x, y, distance)
     axis = (pose.eye_axes[side, 0, 2], pose.eye_axes[side, 1, 2], pose.eye_axes[side, 2, 2])
-    total = times(albedo, scale(room_light(light, axis, shade), f4(1.1)))
-    for k in range(2):
-        towards = unrotate(pose.eye_axes[side], lamp_direction(light, k))
-        gathered = saturate(f4(0.62) - f4(0.75) * (x * towards[0] + y * towards[1]) * saturate(distance * f4(1.4)))
-        arriving = (shadow if k == 0 else shade) * saturate(towards[2] + f4(0.2))
-        total = along(total, times(albedo, lamp_colour(light, k)), gathered * arriving * f4(1.35))
+    total = times(albedo, scale(room_light(light.room, axis, shade), f4(1.1)))
+    for k in range(min(len(light.lamps), _FRONT)):
+        lamp = unrotate(pose.eye_axes[side], lamp_direction(light.lamps, k))
+        gathered = saturate(f4(0.62) - f4(0.75) * (x * lamp[0] + y * lamp[1]) * saturate(distance * f4(1.4)))
+        arriving = (shadow if k == 0 else shade) * saturate(lamp[2] + f4(0.2))
+        total = along(total, times(albedo, lamp_colour(light.lamps, k)), gathered * arriving * f4(1.35))
     return total
 
 
 @device
-def _iris_colour(tables: Tables, x: float, y: float, distance: float) -> Vec:
+def _iris_colour(image: FloatArray, x: float, y: float, distance: float) -> Vec:
     """Return the albedo at a place in the iris' plane (radius 1): pupil, fibres, dark limbus."""
-    rings, angles = tables.iris.shape[0], tables.iris.shape[1]
+    rings, angles = image.shape[0], image.shape[1]
     ring = saturate((distance - _PUPIL) / (f4(1) - _PUPIL)) * f4(rings - 1.001)
     turn = (math.atan2(y, x) * f4(0.15915494) + f4(0.5)) * f4(angles)
     i, j = int(ring), int(turn)
     s, t = ring - f4(i), turn - f4(j)
     a, b = j % angles, (j + 1) % angles
-    low = mix(_texel(tables.iris, i, a), _texel(tables.iris, i, b), t)
-    high = mix(_texel(tables.iris, i + 1, a), _texel(tables.iris, i + 1, b), t)
+    low = mix(_texel(image, i, a), _texel(image, i, b), t)
+    high = mix(_texel(image, i + 1, a), _texel(image, i + 1, b), t)
     pupil = smooth(_PUPIL - f4(0.03), _PUPIL + f4(0.05), distance)
     return scale(mix(low, high, s), pupil)
 
@@ -137,23 +178,36 @@ def _texel(image: FloatArray, i: int, j: int) -> Vec:
 
 
 @device
-def _wet(light: Light, facing: Vec, outward: Vec, view: Vec, shade: float, shadow: float, above: float) -> Vec:
-    """Return what the tear film mirrors: windows of light in the cornea, the room, a line on the lower lid."""
-    total = scale(room_light(light, facing, f4(1)), schlick(dot(facing, view), f4(0.03)) * shade * f4(0.7))
+def _wet(
+    lamps: FloatArray,
+    room: FloatArray,
+    facing: Vec,
+    outward: Vec,
+    view: Vec,
+    shade: float,
+    shadow: float,
+    above: float,
+) -> Vec:
+    """Return what the tear film mirrors: lamps in the cornea, the room, and a line on the lower lid."""
+    total = scale(room_light(room, facing, f4(1)), schlick(dot(facing, view), f4(0.03)) * shade * f4(0.7))
     back = along(scale(view, f4(-1)), facing, f4(2) * dot(facing, view))
-    for k in range(2):
-        direction, colour = lamp_direction(light, k), lamp_colour(light, k)
+    for k in range(min(len(lamps), _FRONT)):
+        direction, colour = lamp_direction(lamps, k), lamp_colour(lamps, k)
         arriving = shade if k else max(shadow, f4(0.55) * shade)
         size = f4(0.30) if k == 0 else f4(0.42)
-        total = along(total, colour, _window(back, direction, size) * arriving * (f4(0.9) if k == 0 else f4(0.22)))
+        total = along(
+            total, colour, _window(back, direction, size) * arriving * (f4(0.9) if k == 0 else f4(0.22))
+        )
     line = unit(add(outward, (f4(0), f4(0.75), f4(0))))
-    tears = (f4(1) - smooth(f4(0.15), f4(0.75), above)) * gloss(line, view, lamp_direction(light, 0), f4(0.12), f4(0.04))
-    return along(total, lamp_colour(light, 0), tears * shadow)
+    tears = (f4(1) - smooth(f4(0.15), f4(0.75), above)) * gloss(
+        line, view, lamp_direction(lamps, 0), f4(0.12), f4(0.04)
+    )
+    return along(total, lamp_colour(lamps, 0), tears * shadow)
 
 
 @device
 def _window(back: Vec, direction: Vec, size: float) -> float:
-    """Return 1 where the mirrored ray meets a square lamp of half-width `size` (tangent), with a soft edge."""
+    """Return 1 where the mirrored ray meets a square lamp of half-width `size` (tangent), softly edged."""
     ahead = dot(back, direction)
     if ahead <= f4(0.1):
         return f4(0)

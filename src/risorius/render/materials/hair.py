@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 
 from ..inputs import EXTRA, HAIR, OCCLUSION, SPECULAR, Batch, Light, Mesh
-from ..jit import device, f4, kernel, prange
+from ..jit import device, f4, inlined, kernel, prange
 from ..raster import FloatArray
 from ..vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from .lit import key_share, lamp_colour, lamp_direction, room_light
@@ -22,7 +22,9 @@ def light_hairs(mesh: Mesh, light: Light, eye: FloatArray, first: int) -> None:
     """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.hair_light`."""
     pairs = (len(mesh.positions) - first) // 2
     for block in prange((pairs + _BLOCK - 1) // _BLOCK):
-        _light_pairs(mesh, light, eye, first + 2 * block * _BLOCK, first + 2 * min((block + 1) * _BLOCK, pairs))
+        _light_pairs(
+            mesh, light, eye, first + 2 * block * _BLOCK, first + 2 * min((block + 1) * _BLOCK, pairs)
+        )
 
 
 @device
@@ -44,21 +46,30 @@ def shade_hairs(turn: int, n: int, batch: Batch, mesh: Mesh) -> None:
     for k in range(n):
         t = batch.triangle[turn, k]
         if mesh.surfaces[t] >= HAIR:
-            put(batch, turn, k, weigh(mesh.hair_light, corners_of(mesh, t), weights_of(batch, turn, k), 0))
+            put(
+                batch.colour,
+                turn,
+                k,
+                weigh(mesh.hair_light, corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k), 0),
+            )
 
 
-@device
+@inlined
 def _fibre(mesh: Mesh, light: Light, i: int, p: Vec, direction: Vec, view: Vec) -> Vec:
     """Return the light from a hair at p, vertex i, that runs along `direction`."""
     albedo = at(mesh.attributes, i)
-    free, strength, way = mesh.attributes[i, OCCLUSION], mesh.attributes[i, SPECULAR], mesh.attributes[i, EXTRA]
+    free, strength, way = (
+        mesh.attributes[i, OCCLUSION],
+        mesh.attributes[i, SPECULAR],
+        mesh.attributes[i, EXTRA],
+    )
     # Roots lie in the shade of the hairs above them.
     free *= f4(0.25) + f4(0.75) * way
     across = unit(along(view, direction, -dot(view, direction)))
     shadow = key_share(light, p)
-    total = times(albedo, room_light(light, across, free))
+    total = times(albedo, room_light(light.room, across, free))
     for k in range(len(light.lamps)):
-        lamp, colour = lamp_direction(light, k), lamp_colour(light, k)
+        lamp, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
         share = (shadow if k == 0 else mesh.reach[i, k]) * (f4(0.4) + f4(0.6) * free)
         cosine = dot(direction, lamp)
         sine = math.sqrt(saturate(f4(1) - cosine * cosine))

@@ -2,48 +2,52 @@
 
 from __future__ import annotations
 
-from ..inputs import Light, Mesh
-from ..jit import device, f4
+from ..inputs import Light
+from ..jit import device, f4, inlined
+from ..raster import FloatArray
 from ..shadow import lit
 from ..vec import Vec, mix
 
 
 @device
-def room_light(light: Light, normal: Vec, free: float) -> Vec:
+def room_light(room: FloatArray, normal: Vec, free: float) -> Vec:
     """Return the room's light on a surface that sees the share `free` of it; creases glow warm."""
     up = normal[1] * f4(0.5) + f4(0.5)
-    low = (light.room[1, 0], light.room[1, 1], light.room[1, 2])
-    high = (light.room[0, 0], light.room[0, 1], light.room[0, 2])
+    low = (room[1, 0], room[1, 1], room[1, 2])
+    high = (room[0, 0], room[0, 1], room[0, 2])
     r, g, b = mix(low, high, up)
     warm = free * (f4(1) - free)
     return r * (free + f4(0.35) * warm), g * (free + f4(0.08) * warm), b * free
 
 
-@device
+@inlined
 def key_share(light: Light, p: Vec) -> float:
     """Return the share of the key lamp that reaches p."""
     return lit(light.shadow, light.shadow_tiles, light.shadow_matrix, p, light.bias)
 
 
 @device
-def lamp_direction(light: Light, k: int) -> Vec:
+def lamp_direction(lamps: FloatArray, k: int) -> Vec:
     """Return the unit vector towards lamp k."""
-    return light.lamps[k, 0], light.lamps[k, 1], light.lamps[k, 2]
+    return lamps[k, 0], lamps[k, 1], lamps[k, 2]
 
 
 @device
-def lamp_colour(light: Light, k: int) -> Vec:
+def lamp_colour(lamps: FloatArray, k: int) -> Vec:
     """Return the colour of lamp k."""
-    return light.lamps[k, 3], light.lamps[k, 4], light.lamps[k, 5]
+    return lamps[k, 3], lamps[k, 4], lamps[k, 5]
 
 
 @device
-def lamp_share(mesh: Mesh, corners: tuple[int, int, int], weights: Vec, k: int, shadow: float) -> float:
+def lamp_share(
+    reach: FloatArray, corners: tuple[int, int, int], weights: Vec, k: int, shadow: float
+) -> float:
     """Return how much of lamp k arrives: the key's by its shadow, the others' as baked on the vertices."""
     if k == 0:
         return shadow
     a, b, c = corners
-    return weights[0] * mesh.reach[a, k] + weights[1] * mesh.reach[b, k] + weights[2] * mesh.reach[c, k]
+    share: float = weights[0] * reach[a, k] + weights[1] * reach[b, k] + weights[2] * reach[c, k]
+    return share
 
 
 @device

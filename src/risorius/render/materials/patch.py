@@ -2,34 +2,32 @@
 
 from __future__ import annotations
 
-from ..inputs import Batch, Mesh, Sight
-from ..jit import device
-from ..vec import Vec, sub, unit, weigh
+from ..jit import device, index
+from ..raster import FloatArray, IntArray
+from ..vec import Vec, sub, unit
 
 Corners = tuple[int, int, int]
 
 
 @device
-def corners_of(mesh: Mesh, t: int) -> Corners:
+def corners_of(triangles: IntArray, t: int) -> Corners:
     """Return the vertices of triangle t."""
-    return mesh.triangles[t, 0], mesh.triangles[t, 1], mesh.triangles[t, 2]
+    return index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
 
 
 @device
-def weights_of(batch: Batch, turn: int, k: int) -> Vec:
+def weights_of(weights: FloatArray, turn: int, k: int) -> Vec:
     """Return the place of patch k in its triangle."""
-    return batch.weights[turn, k, 0], batch.weights[turn, k, 1], batch.weights[turn, k, 2]
+    return weights[turn, k, 0], weights[turn, k, 1], weights[turn, k, 2]
 
 
 @device
-def place_of(mesh: Mesh, sight: Sight, corners: Corners, weights: Vec) -> tuple[Vec, Vec, Vec]:
-    """Return position, unit normal and unit direction to the camera."""
-    p = weigh(mesh.positions, corners, weights, 0)
-    view = unit(sub((sight.eye[0], sight.eye[1], sight.eye[2]), p))
-    return p, unit(weigh(mesh.normals, corners, weights, 0)), view
+def towards(eye: FloatArray, p: Vec) -> Vec:
+    """Return the unit direction from p to the camera."""
+    return unit(sub((eye[0], eye[1], eye[2]), p))
 
 
 @device
-def put(batch: Batch, turn: int, k: int, colour: Vec) -> None:
+def put(colours: FloatArray, turn: int, k: int, colour: Vec) -> None:
     """Set the colour of patch k."""
-    batch.colour[turn, k, 0], batch.colour[turn, k, 1], batch.colour[turn, k, 2] = colour
+    colours[turn, k, 0], colours[turn, k, 1], colours[turn, k, 2] = colour

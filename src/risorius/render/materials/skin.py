@@ -4,74 +4,98 @@ from __future__ import annotations
 
 from ..brdf import gloss, schlick
 from ..inputs import ALBEDO, CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Pose, Sight, Tables
-from ..jit import device, f4
+from ..jit import device, f4, inlined
 from ..noise import grain
+from ..raster import FloatArray
 from ..subsurface import scattered
 from ..vec import Vec, add, along, dot, rotate, scale, smooth, times, unit, weigh
 from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light, warm_edge
 from .mouth import past_lips
-from .patch import Corners, corners_of, place_of, put, weights_of
+from .patch import Corners, corners_of, put, towards, weights_of
 
+_DARK = f4(0.004)  # a lamp of which less arrives is left out
 _FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
 _PORES = f4(6.5 / 0.95)  # grain cells to the millimetre: pores 0.95 mm apart
 
 
 @device
-def shade_skin(turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose,
-               tables: Tables) -> None:
+def shade_skin(
+    turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+) -> None:
     """Colour the patches of bare skin among the first n of a row."""
     for k in range(n):
         t = batch.triangle[turn, k]
         if mesh.surfaces[t] != SKIN:
             continue
-        corners, weights = corners_of(mesh, t), weights_of(batch, turn, k)
+        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k)
         curvature, inner, cloth = weigh(mesh.attributes, corners, weights, CURVATURE)
         if cloth > sight.pixel:
             continue
-        p, normal, view = place_of(mesh, sight, corners, weights)
-        colour = _skin(mesh, light, pose, tables, corners, weights, p, normal, view, sight.pixel, curvature, inner, cloth)
-        put(batch, turn, k, colour)
+        p = weigh(mesh.positions, corners, weights, 0)
+        normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
+        colour = _skin(
+            mesh, light, pose, tables, corners, weights, p, normal, view, sight.pixel, curvature, inner, cloth
+        )
+        put(batch.colour, turn, k, colour)
 
 
-@device
-def _skin(mesh: Mesh, light: Light, pose: Pose, tables: Tables, corners: Corners, weights: Vec, p: Vec, normal: Vec,
-          view: Vec, pixel: float, curvature: float, inner: float, cloth: float) -> Vec:
+@inlined
+def _skin(
+    mesh: Mesh,
+    light: Light,
+    pose: Pose,
+    tables: Tables,
+    corners: Corners,
+    weights: Vec,
+    p: Vec,
+    normal: Vec,
+    view: Vec,
+    pixel: float,
+    curvature: float,
+    inner: float,
+    cloth: float,
+) -> Vec:
     """Return the light from skin: scattered below the surface, glossy on it, dark within the mouth."""
     albedo = weigh(mesh.attributes, corners, weights, ALBEDO)
     free, roughness, strength = weigh(mesh.attributes, corners, weights, OCCLUSION)
     rest = weigh(mesh.rest, corners, weights, 0)
     # Close above the collar its edge takes the light away.
     free *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), cloth)
-    fine, soft, bumpy = _relief(tables, pose, rest, normal, pixel, f4(1) - inner)
+    fine, soft, bumpy = _relief(tables.grain, pose.rotation, rest, normal, pixel, f4(1) - inner)
     albedo = scale(albedo, f4(1) + f4(0.02) * fine)
     shadow = key_share(light, p)
     opened = free
     if inner > f4(0.02):
-        seen = past_lips(pose, p)
+        seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
         opened = free + (seen - free) * inner
         shadow *= f4(1) + (seen - f4(1)) * inner
-    total = times(albedo, room_light(light, soft, opened))
+    total = times(albedo, room_light(light.room, soft, opened))
     shine = (f4(0), f4(0), f4(0))
     for k in range(len(light.lamps)):
-        direction, colour = lamp_direction(light, k), lamp_colour(light, k)
-        share = lamp_share(mesh, corners, weights, k, shadow)
+        direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
+        share = lamp_share(mesh.reach, corners, weights, k, shadow)
+        if share < _DARK:
+            continue
         below = scattered(tables.diffuse, dot(soft, direction), curvature)
         total = add(total, times(times(albedo, colour), times(below, warm_edge(share))))
         wide = roughness + light.lamps[k, 6]
-        mirrored = f4(0.7) * gloss(bumpy, view, direction, wide, _FACING)
-        mirrored += f4(0.3) * gloss(bumpy, view, direction, wide * f4(2.2), _FACING)
+        mirrored = gloss(bumpy, view, direction, wide, _FACING)
+        if k == 0:
+            mirrored = f4(0.7) * mirrored + f4(0.3) * gloss(bumpy, view, direction, wide * f4(2.2), _FACING)
         shine = along(shine, colour, mirrored * share * strength)
     edge = schlick(dot(soft, view), _FACING) * opened * strength
-    shine = along(shine, room_light(light, soft, f4(1)), edge * f4(0.8))
+    shine = along(shine, room_light(light.room, soft, f4(1)), edge * f4(0.8))
     return add(total, shine)
 
 
 @device
-def _relief(tables: Tables, pose: Pose, rest: Vec, normal: Vec, pixel: float, amount: float) -> tuple[float, Vec, Vec]:
+def _relief(
+    tile: FloatArray, rotation: FloatArray, rest: Vec, normal: Vec, pixel: float, amount: float
+) -> tuple[float, Vec, Vec]:
     """Return the pores' height and the normal with a little and with all of their slopes."""
-    height, gx, gy, gz = grain(tables.grain, rest, _PORES)
+    height, gx, gy, gz = grain(tile, rest, _PORES)
     # Pores smaller than two pixels would flicker as the head moves.
     depth = f4(0.013) * amount * (f4(1) - smooth(f4(0.35), f4(1.1), pixel))
-    slope = rotate(pose.rotation, (gx, gy, gz))
+    slope = rotate(rotation, (gx, gy, gz))
     slope = along(slope, normal, -dot(slope, normal))
     return height, unit(along(normal, slope, -depth * f4(0.5))), unit(along(normal, slope, -depth))

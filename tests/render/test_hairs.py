@@ -1,0 +1,86 @@
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+
+from risorius.render.attach import unit
+from risorius.render.brows import brow_shade, grow_brows
+from risorius.render.hairstyle import grow_hair
+from risorius.render.lashes import grow_lashes
+from risorius.render.scalp import flow, hair_density, inside_hairline
+from risorius.render.strands import Strands, root_frames
+
+BROWN = np.array([0.04, 0.025, 0.015])
+
+
+def curves_in_head(surface, hairs: Strands):
+    """Curves (S, P, 3) in the head frame at rest, from the roots' frames."""
+    frames = root_frames(surface.points, surface.normals, hairs.roots, hairs.weights)
+    origin = np.einsum("sk,skc->sc", hairs.weights, surface.points[hairs.roots])
+    return origin[:, None] + np.einsum("spf,sfc->spc", hairs.curves, frames)
+
+
+@pytest.fixture(scope="module")
+def density(anatomy):
+    return hair_density(anatomy, anatomy.skin, anatomy.masks["ears"])
+
+
+def test_the_face_is_bare_and_the_crown_is_covered(anatomy, density):
+    p = anatomy.skin
+    face = (p[:, 1] < anatomy.eye_height + 40) & (p[:, 2] > -20)
+    assert density[face].max() == 0
+    assert density[p[:, 1] > anatomy.top - 10].min() > 0.9
+    assert density[anatomy.masks["ears"] > 0.3].max() == 0
+
+
+def test_the_hairline_is_soft(density):
+    assert ((density > 0.05) & (density < 0.95)).sum() > 200
+
+
+def test_combed_hair_lies_along_the_skin_and_back_from_the_face(anatomy, surface, density):
+    ahead = flow(anatomy, surface.points, surface.normals)
+    assert np.abs((ahead * surface.normals).sum(axis=1)).max() < 1e-3
+    top = (density > 0.5) & (surface.points[:, 1] > anatomy.top - 25)
+    assert (ahead[top, 2] < 0).mean() > 0.95
+
+
+def test_hair_grows_from_the_scalp_and_stays_off_the_skull(anatomy, surface):
+    hairs = grow_hair(anatomy, surface, BROWN, count=800)
+    curves = curves_in_head(surface, hairs)
+    assert inside_hairline(anatomy, curves[:, 0]).min() > -10
+    _, near = cKDTree(surface.points).query(curves[:, 2:].reshape(-1, 3))
+    height = ((curves[:, 2:].reshape(-1, 3) - surface.points[near]) * surface.normals[near]).sum(axis=1)
+    assert np.percentile(height, 1) > -1.0
+    assert height.max() < 40
+
+
+def test_brows_are_mirrored_and_lie_over_the_eyes(anatomy, surface):
+    brows = grow_brows(anatomy, surface, BROWN, count=100)
+    curves = curves_in_head(surface, brows)
+    left, right = curves[:100], curves[100:]
+    assert left * [-1, 1, 1] == pytest.approx(right, abs=0.6)
+    assert (left[:, 0, 0] > 0).all()
+    assert left[:, 0, 1].min() > anatomy.eye_height + 5
+    assert left[:, 0, 1].max() < anatomy.eye_height + 35
+
+
+def test_skin_is_darkened_under_the_brows_alone(anatomy):
+    shade = brow_shade(anatomy)
+    assert shade.max() > 0.5
+    assert shade[anatomy.skin[:, 1] < anatomy.eye_height].max() < 0.01
+    assert shade[np.abs(anatomy.skin[:, 0]) < 4].max() < 0.05
+
+
+def test_lashes_point_out_of_the_eye(head, surface):
+    lashes = grow_lashes(head, surface, BROWN, upper=20, lower=10)
+    curves = curves_in_head(surface, lashes)
+    side = np.repeat([0, 1], 30)
+    out = unit(curves[:, 0] - head.eye_centre[side])
+    assert ((unit(curves[:, -1] - curves[:, 0]) * out).sum(axis=1) > 0.25).all()
+    distance = np.linalg.norm(curves[:, 0] - head.eye_centre[side], axis=1)
+    assert np.abs(distance - head.eye_radius[side]).max() < 4
+
+
+def test_the_same_hairs_grow_every_time(anatomy, surface):
+    first, second = (grow_hair(anatomy, surface, BROWN, count=200) for _ in range(2))
+    assert np.array_equal(first.curves, second.curves)
+    assert np.array_equal(first.colours, second.colours)

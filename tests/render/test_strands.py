@@ -1,0 +1,92 @@
+import numpy as np
+import pytest
+
+from risorius.face.rotations import head_rotation
+from risorius.render.attach import Surface, flat, unit
+from risorius.render.strands import join, ribbons
+
+EYE = np.array([0.0, 0.0, 500.0], np.float32)
+
+
+@pytest.fixture
+def sheet():
+    """A flat grid of 5 by 5 vertices, 10 mm apart, that faces the camera."""
+    x, y = np.meshgrid(np.arange(5) * 10.0 - 20, np.arange(5) * 10.0 - 20)
+    points = np.stack([x.ravel(), y.ravel(), np.zeros(25)], axis=1)
+    corner = np.array([r * 5 + c for r in range(4) for c in range(4)])
+    triangles = np.concatenate([corner[:, None] + [0, 1, 6], corner[:, None] + [0, 6, 5]]).astype(np.int32)
+    return Surface(points, np.tile([0.0, 0.0, 1.0], (25, 1)), triangles)
+
+
+@pytest.fixture
+def hairs(sheet):
+    triangles, weights = sheet.nearest(np.array([[3.0, 4.0, 0.0], [-12.0, 7.5, 0.0]]))
+    origin, _ = sheet.at(triangles, weights)
+    curves = origin[:, None, :] + np.array([[0, 0, 0], [1, 2, 1], [2, 5, 1.5]])
+    return sheet.root(triangles, weights, curves, np.full((2, 3), 0.4), np.ones((2, 3)), np.zeros(2), 0.5)
+
+
+def drawn(points, normals, hairs, eye=EYE):
+    positions = np.zeros((len(points) + hairs.vertices, 3), np.float32)
+    directions = np.zeros_like(positions)
+    positions[: len(points)], directions[: len(points)] = points, normals
+    ribbons(positions, directions, hairs.roots, hairs.weights, hairs.curves, hairs.widths, eye, len(points))
+    strands = positions[len(points) :].reshape(len(hairs.widths), -1, 2, 3)
+    return strands, directions[len(points) :].reshape(strands.shape)
+
+
+def test_the_nearest_place_of_a_point_on_the_surface_is_that_point(sheet):
+    places = np.array([[3.3, -7.1, 0.0], [19.0, 19.5, 0.0]])
+    triangles, weights = sheet.nearest(places)
+    assert sheet.at(triangles, weights)[0] == pytest.approx(places, abs=1e-9)
+    assert weights.sum(axis=1) == pytest.approx([1, 1])
+
+
+def test_a_place_off_the_surface_falls_on_its_border(sheet):
+    triangles, weights = sheet.nearest(np.array([[50.0, 0.0, 5.0]]))
+    assert sheet.at(triangles, weights)[0][0] == pytest.approx([20, 0, 0], abs=1e-9)
+
+
+def test_at_rest_a_hair_lies_where_it_was_drawn(sheet, hairs):
+    strands, _ = drawn(sheet.points, sheet.normals, hairs)
+    middle = strands.mean(axis=2)
+    expected = middle[:, :1] + np.array([[0, 0, 0], [1, 2, 1], [2, 5, 1.5]])
+    assert middle == pytest.approx(expected, abs=1e-5)
+    assert middle[0, 0] == pytest.approx([3, 4, 0], abs=1e-5)
+
+
+def test_hairs_ride_rigidly_on_a_moved_surface(sheet, hairs):
+    rotation, shift = head_rotation(20, -30, 10), np.array([4.0, -2.0, 9.0])
+    rest, _ = drawn(sheet.points, sheet.normals, hairs)
+    moved, _ = drawn(sheet.points @ rotation.T + shift, sheet.normals @ rotation.T, hairs)
+    assert moved.mean(axis=2) == pytest.approx(rest.mean(axis=2) @ rotation.T + shift, abs=1e-4)
+
+
+def test_ribbons_face_the_camera_at_full_width(sheet, hairs):
+    strands, directions = drawn(sheet.points, sheet.normals, hairs)
+    across = strands[:, :, 1] - strands[:, :, 0]
+    assert np.linalg.norm(across, axis=-1) == pytest.approx(np.full((2, 3), 0.4), abs=1e-5)
+    view = unit(EYE - strands.mean(axis=2))
+    assert np.abs((unit(across) * view).sum(axis=-1)).max() < 1e-3
+    assert np.abs((across * directions[:, :, 0]).sum(axis=-1)).max() < 1e-4
+
+
+def test_hairs_behind_the_head_are_left_out(sheet, hairs):
+    strands, directions = drawn(sheet.points, -sheet.normals, hairs)
+    assert np.ptp(strands, axis=(1, 2)).max() < 1e-5
+    assert (directions == 0).all()
+
+
+def test_joined_hairs_keep_their_order(hairs):
+    both = join([hairs, hairs])
+    assert both.widths.shape == (4, 3)
+    assert np.array_equal(both.curves[2:], hairs.curves)
+    assert both.triangles().max() == both.vertices - 1
+    assert len(both.triangles()) == 4 * 2 * 2
+
+
+def test_flat_vectors_lie_in_the_plane():
+    normal = unit(np.array([[1.0, 2.0, 3.0]]))
+    found = flat(np.array([[0.3, -0.2, 0.9]]), normal)
+    assert (found * normal).sum() == pytest.approx(0, abs=1e-12)
+    assert np.linalg.norm(found) == pytest.approx(1)

@@ -1,0 +1,39 @@
+import numpy as np
+import pytest
+
+from risorius.render.subsurface import ANGLES, CURVATURES, MAX_CURVATURE, diffuse_table, scattered
+
+
+@pytest.fixture(scope="module")
+def table():
+    return diffuse_table()
+
+
+def test_flat_skin_follows_lambert(table):
+    cosine = np.linspace(-1, 1, ANGLES)
+    assert table[:, 0] == pytest.approx(np.repeat(np.maximum(cosine, 0)[:, None], 3, axis=1), abs=1e-6)
+
+
+def test_light_is_spread_but_not_made(table):
+    angle = np.arccos(np.linspace(-1, 1, ANGLES))
+    for k in range(CURVATURES):
+        around = 2 * np.trapezoid(table[:, k], -angle, axis=0)
+        assert around == pytest.approx(2.0, rel=0.02)
+
+
+def test_red_reaches_furthest_into_the_shade(table):
+    red, green, blue = table[ANGLES // 2 - 3, CURVATURES - 1]
+    assert red > 2 * green > 0
+    assert green >= blue
+
+
+def test_sharper_bends_glow_more(table):
+    assert (np.diff(table[ANGLES // 2, :, 0]) > 0).all()
+
+
+def test_looking_up_is_linear_and_clips(table):
+    step = 2 / (ANGLES - 1)
+    between = scattered(table, np.float32(-1 + 60.5 * step), np.float32(0.0))
+    assert between == pytest.approx(0.5 * (table[60, 0] + table[61, 0]), abs=1e-4)
+    beyond = scattered(table, np.float32(2.0), np.float32(9 * MAX_CURVATURE))
+    assert beyond == pytest.approx(table[-1, -1], abs=1e-3)
