@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 
 import risorius
+import risorius.pipeline
 from risorius.core.movement import Cause
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.core.score import BlendSettings
+from risorius.errors import InputError
 from risorius.face.measure import Gauge
 from risorius.rules.emotions import emotions
 from risorius.settings import Settings
@@ -150,6 +152,34 @@ def test_a_pose_is_held_exactly() -> None:
     assert take.curves["zygomatic_major.right"][0] == 0.0
     assert take.curves["head_yaw"][0] == -10.0
     assert take.curves["frontalis_medialis.left"][0] == pytest.approx(0.5)
+
+
+def test_a_picture_shows_what_the_video_shows(demo: risorius.Take) -> None:
+    some = list(demo.faces([40, 44]))
+    whole = [face for i, face in enumerate(demo.faces()) if i in (40, 44)]
+    assert [face.skin.tobytes() for face in some] == [face.skin.tobytes() for face in whole]
+
+
+def test_the_skin_has_inertia_unless_it_is_static(demo: risorius.Take) -> None:
+    rising = int(np.argmax(np.diff(demo.curves[SMILE]))) + 1
+    still = risorius.Take(demo.performance, Settings(dynamics="static"))
+    (moving,), (static,) = demo.faces([rising]), still.faces([rising])
+    assert 0.05 < np.abs(moving.skin - static.skin).max() < 5.0
+
+
+def test_faces_at_one_time_agree_at_all_frame_rates(demo: risorius.Take) -> None:
+    times = (0.4, 1.2, 2.0)
+    found = []
+    for fps in (25, 30, 60, 120):
+        take = risorius.pipeline.perform(demo.score, Settings(fps=Fraction(fps)))
+        found.append(np.stack([face.skin for face in take.faces([round(t * fps) for t in times])]))
+    for other in found[1:]:
+        assert np.abs(other - found[0]).max() <= 0.1
+
+
+def test_an_unknown_dynamics_is_named() -> None:
+    with pytest.raises(InputError, match="unknown dynamics 'spring'; did you mean 'springs'"):
+        Settings(dynamics="spring")
 
 
 def test_every_frame_of_the_demonstration_can_be_explained(demo: risorius.Take) -> None:

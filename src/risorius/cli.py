@@ -104,6 +104,12 @@ _PICTURE_OPTIONS = (
     click.option("--size", metavar="WxH", help="Size of the picture in pixels.  [default: 720x720]"),
     click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]"),
 )
+_SKIN_OPTION = click.option(
+    "--skin",
+    "dynamics",
+    metavar="NAME",
+    help="How the skin moves: springs, biphasic or static.  [default: springs]",
+)
 _SAMPLING_OPTION = click.option(
     "--fps", metavar="RATE", help="Frames per second; fractions such as 24000/1001 work.  [default: 30]"
 )
@@ -148,6 +154,7 @@ def _picture_options(command: Any) -> Any:
 @click.option("--without-contact", is_flag=True, help="Drop the lips' contact goals, to see what they do.")
 @click.option("--onset-function", metavar="NAME", help="How all movements rise and fall.")
 @_SAMPLING_OPTION
+@_SKIN_OPTION
 @click.option("--seed", type=int, metavar="N", help="Seed of everything random.  [default: 0]")
 @_picture_options
 @click.option("--at", type=float, metavar="S", help="Second that a .png shows.  [default: the middle]")
@@ -201,6 +208,7 @@ def _displays(emotions: tuple[str, ...]) -> tuple[Display, ...]:
 @click.argument("score", type=click.Path(path_type=Path, dir_okay=True))
 @_OUTPUT_OPTION
 @_SAMPLING_OPTION
+@_SKIN_OPTION
 @click.option("--conflict", metavar="POLICY", help="Override the score's conflict policy.")
 @click.option("--onset-function", metavar="NAME", help="Override the movements' onset functions.")
 @_picture_options
@@ -213,7 +221,8 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import mix as combine
 
     check_outputs(outputs)
-    settings = _settings(**{name: v for name, v in chosen.items() if name in ("size", "head", "fps")})
+    shared = ("size", "head", "fps", "dynamics")
+    settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
     take = combine(
         score, settings=settings, conflict=chosen["conflict"], onset_function=chosen["onset_function"]
     )

@@ -9,11 +9,12 @@ from fractions import Fraction
 
 from .core.performance import parse_fps
 from .core.score import BlendSettings
-from .errors import InputError
+from .errors import InputError, unknown
 
 LARGEST_SIDE = 4096
 # The policy that keeps most of a display without on/off flutter or spoilt rounding: docs/combination.md.
 SPEAK_POLICY = "graded"
+DYNAMICS = ("springs", "biphasic", "static")
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +23,8 @@ class Settings:
 
     `lead`, `tail`: seconds of silence around plain text. `articulation`: factor on how wide the mouth opens,
     0 to 2. `at`: second of the frame that a `.png` shows (the middle where None); `every`: a `.png` is a
-    sheet of every n-th frame instead. `lively`: random blinks and small head and eye movements.
+    sheet of every n-th frame instead. `lively`: random blinks and small head and eye movements. `dynamics` of
+    the skin: "springs" (with inertia), "biphasic" (springs that stiffen under strain), "static" (no inertia).
     """
 
     fps: Fraction = Fraction(30)
@@ -35,6 +37,7 @@ class Settings:
     tail: float = 0.7
     articulation: float = 1.0
     lively: bool = True
+    dynamics: str = "springs"
     without: tuple[str, ...] = ()
     at: float | None = None
     every: int | None = None
@@ -42,6 +45,8 @@ class Settings:
 
     def __post_init__(self) -> None:
         parse_fps(self.fps)
+        if self.dynamics not in DYNAMICS:
+            raise InputError(unknown("dynamics", str(self.dynamics), DYNAMICS))
         for what, value, low, high in (
             ("lead", self.lead, 0.0, 60.0),
             ("tail", self.tail, 0.0, 60.0),

@@ -108,9 +108,18 @@ class Take:
         write_targets(self._material(progress), check_targets(paths), options)
 
     def faces(self, indices: Sequence[int] | None = None) -> Iterator[FaceFrame]:
-        """Yield the face of every frame, or of the frames in `indices`, one at a time."""
-        chosen = range(len(self.performance.values)) if indices is None else indices
-        return (self._solver.solve(self.performance.values[i]) for i in chosen)
+        """Yield the face of every frame, or of the frames in `indices`, one at a time.
+
+        A frame is the same whichever others are asked for: with a skin of springs, those before it are gone
+        through.
+        """
+        from .face.motion import animate
+
+        moving = self.settings.dynamics != "static"
+        return animate(self.performance, self._solver, moving, self._curves_between_frames, indices)
+
+    def _curves_between_frames(self, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        return self._plan.at(np.minimum(times, self.performance.times[-1]))
 
     def pictures(
         self, size: Size | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet
@@ -165,4 +174,4 @@ class Take:
     def _solver(self) -> FaceSolver:
         from .face.solve import FaceSolver
 
-        return FaceSolver(self.head)
+        return FaceSolver(self.head, phases="biphasic" if self.settings.dynamics == "biphasic" else "linear")

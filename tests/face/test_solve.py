@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -8,7 +10,8 @@ from hypothesis import strategies as st
 from risorius.core.parameters import INDEX, NEUTRAL, PARAMETERS
 from risorius.core.performance import Performance
 from risorius.errors import ParameterError
-from risorius.face.solve import animate, checked_values
+from risorius.face.motion import animate
+from risorius.face.solve import checked_values
 
 from .conftest import EMOTIONS, values_of
 
@@ -116,7 +119,8 @@ def test_parameters_are_kept_and_cannot_be_changed(face):
 
 
 def test_frames_are_made_one_by_one(solver):
-    frames = animate(Performance(None, None, np.stack([NEUTRAL, values_of({"masseter": 0.5})])), solver)
+    values = np.stack([NEUTRAL, values_of({"masseter": 0.5})])
+    frames = animate(Performance(None, Fraction(30), values), solver)
     first = next(frames)
     second = next(frames)
     assert first.jaw_angle == 0.0

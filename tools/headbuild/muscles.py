@@ -23,6 +23,8 @@ SIDES = ("left", "right")
 _SEAM = 8.0  # half width in mm of the ramp that splits a shape of both sides
 
 _KEYS = ("shapes", "part", "origin", "insertion", "action")
+# The anatomy of a row, which the recipe does not need: `risorius.face.muscle_table` reads it.
+_ANATOMY = ("type", "line", "zone", "source")
 _DEFAULTS = {"lips": "free", "smooth": 0.0, "narrow": 0.0}
 _LIPS = ("free", "together", "no overlap")
 
@@ -69,11 +71,12 @@ PARTS: dict[str, Split] = {
 def read_recipes(path: Path) -> dict[str, dict[str, Any]]:
     """Recipes by muscle; raise ValueError where a muscle is missing, or a part is unknown."""
     recipes = tomllib.loads(path.read_text(encoding="utf-8"))
+    recipes.pop("masseter", None)
     wanted = {m.base for m in MUSCLES if m.base != "masseter"} | {"lip_tuck"}
     if set(recipes) != wanted:
         raise ValueError(f"{path.name} and the table of parameters differ: {sorted(set(recipes) ^ wanted)}")
     for name, recipe in recipes.items():
-        for key in sorted(set(recipe) - set(_KEYS) - set(_DEFAULTS)):
+        for key in sorted(set(recipe) - set(_KEYS) - set(_ANATOMY) - set(_DEFAULTS)):
             raise ValueError(
                 f"{path.name}: {name}: unknown key '{key}'; expected {', '.join((*_KEYS, *_DEFAULTS))}"
             )

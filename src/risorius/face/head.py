@@ -17,7 +17,11 @@ import numpy.typing as npt
 
 from ..core.parameters import MUSCLES
 from ..errors import HeadError, unknown
+from .anatomy import Skin, anatomical_fields, load_pulls
 from .head_file import FORMAT, HeadFile
+from .links import link_rows
+from .muscle_table import FILE as MUSCLE_TABLE
+from .muscle_table import Muscle, links_of, load_muscles
 from .subdivide import FloatArray, IntArray, Subdivision, catmull_clark
 
 EXTRA_FIELDS = ("lip_tuck",)
@@ -71,10 +75,11 @@ class Head:
     `head_pivot`. `lip_pairs` (P, 2) are upper and lower vertices that touch when the lips close, `lid_pairs`
     the same for the lids of the (left, right) eye; `eye_centre` (2, 3) and `eye_radius` (2,) are in that
     order too. `landmarks` holds 68 iBUG points: level-1 vertices (68, 3) and barycentric weights (68, 3).
-    `skin` is the skin's level 1.
+    `skin` is the skin's level 1. `folder` may hold tables of its own.
     """
 
     name: str
+    folder: Path
     rest: FloatArray
     quads: IntArray
     uv: FloatArray
@@ -98,6 +103,21 @@ class Head:
     landmark_triangles: IntArray
     landmark_weights: FloatArray
     skin: Subdivision
+
+    @property
+    def links_file(self) -> Path | None:
+        """The head's own table of linked muscles, if it has one."""
+        path = self.folder / "links.toml"
+        return path if path.is_file() else None
+
+    def muscles(self) -> dict[str, tuple[Muscle, dict[str, float]]]:
+        """The head's table of muscles (the standard head's where it has none): each row and its links.
+
+        Raises InputError where a table does not fit.
+        """
+        folder = self.folder if (self.folder / MUSCLE_TABLE).is_file() else _standard()
+        links = link_rows(self.links_file)
+        return {name: (row, links_of(name, links)) for name, row in load_muscles(folder).items()}
 
     def landmarks(self, skin: npt.NDArray[np.floating]) -> FloatArray:
         """Positions (68, 3) of the iBUG points on level-1 vertices `skin` (N1, 3)."""
@@ -147,12 +167,13 @@ def _load(path: Path, _changed: int) -> Head:
     skin = catmull_clark(count, quads)
     return Head(
         name=path.parent.name,
+        folder=path.parent,
         rest=rest,
         quads=quads,
         uv=file.array("uv", (count, 2)),
         masks=MappingProxyType({m: file.array(f"mask/{m}", (count,), low=0.0, high=1.0) for m in MASKS}),
         mirror=file.indices("mirror", (count,), count),
-        fields=_fields(file, "field", required_fields(), count),
+        fields=_muscle_fields(file, rest, quads),
         jaw_point=file.array("jaw_point", (3,)),
         jaw_axis=file.unit("jaw_axis"),
         jaw_angle=float(file.array("jaw_angle", (), low=0.0, high=1.0)),
@@ -174,6 +195,23 @@ def _load(path: Path, _changed: int) -> Head:
         landmark_weights=file.array("landmark_weights", (LANDMARKS, 3), low=0.0, high=1.0),
         skin=skin,
     )
+
+
+def _muscle_fields(file: HeadFile, rest: FloatArray, quads: IntArray) -> Mapping[str, Field]:
+    """The calibrated fields; of a head that has none at all, those of the anatomical mode."""
+    if any(name.startswith("field/") for name in file.arrays):
+        return _fields(file, "field", required_fields(), len(rest))
+    table = file.path.parent if (file.path.parent / MUSCLE_TABLE).is_file() else _standard()
+    skin = Skin(rest, quads, file.array("jaw_weight", (len(rest),), low=0.0, high=1.0))
+    bases = tuple(dict.fromkeys(name.partition(".")[0] for name in required_fields()))
+    pulls = load_pulls(_standard(), bases)
+    mirror = file.indices("mirror", (len(rest),), len(rest))
+    found = anatomical_fields(skin, mirror, load_muscles(table), pulls, required_fields())
+    return MappingProxyType({name: Field(*field) for name, field in found.items()})
+
+
+def _standard() -> Path:
+    return Path(str(resources.files("risorius") / "heads" / "standard"))
 
 
 def _fields(file: HeadFile, prefix: str, names: tuple[str, ...], count: int) -> Mapping[str, Field]:

@@ -10,9 +10,9 @@ from types import MappingProxyType
 from typing import Annotated
 
 from ..core.action_units import check_intensity, resolve_targets
+from ..core.schema import Range
 from ..errors import InputError, ParameterError, unknown
 from .load import load_folder
-from .schema import Range
 
 Seconds = Annotated[float, Range(0.0, 10.0)]
 

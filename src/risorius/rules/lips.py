@@ -11,9 +11,9 @@ from typing import Annotated
 from ..core.action_units import resolve_targets
 from ..core.movement import Dominance
 from ..core.parameters import parameters_named
+from ..core.schema import Range
 from ..errors import InputError, unknown
 from .load import load
-from .schema import Range
 
 Share = Annotated[float, Range(0.0, 1.0)]
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]

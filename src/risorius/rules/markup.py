@@ -9,8 +9,8 @@ from typing import Annotated
 
 from ..core.action_units import resolve_targets
 from ..core.movement import check_target
+from ..core.schema import Range
 from .load import load
-from .schema import Range
 
 Seconds = Annotated[float, Range(0.01, 60.0)]
 Swings = tuple[Annotated[float, Range(-1.0, 1.0)], ...]

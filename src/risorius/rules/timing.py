@@ -9,9 +9,9 @@ from typing import Annotated
 
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.movement import CHANNEL_PRIORITY
+from ..core.schema import Range
 from ..errors import ParameterError, unknown
 from .load import load
-from .schema import Range
 
 Seconds = Annotated[float, Range(0.0, 10.0)]
 

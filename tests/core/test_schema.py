@@ -8,9 +8,9 @@ from typing import Annotated, Literal
 
 import pytest
 
+from risorius.core.schema import Range, line_of
+from risorius.core.toml import load_file, parse
 from risorius.errors import InputError, ParameterError
-from risorius.rules.load import load_file, parse
-from risorius.rules.schema import Range, line_of
 
 
 class Colour(StrEnum):

@@ -1,0 +1,60 @@
+"""Reading of strict tables from TOML texts and files."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any, TypeVar
+
+from ..errors import InputError, Place
+from .schema import Source, build
+
+T = TypeVar("T")
+
+_TOML_POSITION = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)$", re.DOTALL)
+
+
+def load_file(cls: type[T], path: Path) -> T:
+    """Return a user's file as a `cls`; raise InputError if it cannot be read or does not fit `cls`."""
+    return parse(cls, _text(path), str(path))
+
+
+def load_rows(cls: type[T], path: Path) -> dict[str, T]:
+    """Return a user's file whose tables are all a `cls`, by their names; raise InputError as `load_file`."""
+    source = Source(str(path), _text(path))
+    rows = {}
+    for name, entry in _tables(source.text, source.name).items():
+        if not isinstance(entry, dict):
+            raise source.error((name,), f"{name} = {entry!r} cannot be used; expected a table")
+        rows[name] = build(cls, entry, source, (name,))
+    return rows
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_bytes().decode("utf-8-sig")
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}", Place(str(path))) from None
+    except UnicodeDecodeError:
+        raise InputError("is not UTF-8 text; expected a TOML file", Place(str(path))) from None
+
+
+def parse(cls: type[T], text: str, name: str) -> T:
+    """Return TOML text as a `cls`; raise InputError, with its place in file `name`, if it does not fit."""
+    return build(cls, _tables(text, name), Source(name, text))
+
+
+def _tables(text: str, name: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _toml_error(str(error), name) from None
+
+
+def _toml_error(message: str, name: str) -> InputError:
+    position = _TOML_POSITION.match(message)
+    if position is None:
+        return InputError(f"not a TOML file: {message}", Place(name))
+    line, column = (int(n) if n else None for n in position.group(2, 3))
+    return InputError(f"not a TOML file: {position[1]}", Place(name, line, column))

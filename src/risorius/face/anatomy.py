@@ -1,0 +1,149 @@
+"""The anatomical mode: fields of displacement from lines of pull, for heads that have no sculpted shapes.
+
+A muscle pulls the points of its zone along its line (and, where its type says so, out of the skin), each with
+a weight that varies smoothly over the zone; the spring network at rest turns these forces into displacements
+(facts: face-model, section 1, column 3). The weights are fitted once to the sculpts of the standard head by
+`tools/fit_anatomy.py` and kept with it: they belong to places on a face, not to vertices of a mesh.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+from scipy.sparse.linalg import splu
+from scipy.spatial.distance import cdist
+
+from ..errors import HeadError, Place
+from .muscle_table import ForceType, Muscle
+from .stiffness import spring_stiffness
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.integer]
+
+FILE = "anatomy.npz"
+REACH = 5.5  # mm over which the weights vary
+JAW = 30.0  # mm that stand for the whole of the jaw's share: keeps the lips apart where they touch
+MIRROR = np.array([-1.0, 1.0, 1.0])
+# A field is left out where it is less than this share of its greatest displacement.
+NEGLIGIBLE = 0.002
+
+
+@dataclass(frozen=True, slots=True)
+class Pull:
+    """How strongly one muscle pulls: weights (k, directions) at `places` (k, 4), mm and the jaw's share."""
+
+    places: Array
+    weights: Array
+
+
+@dataclass(frozen=True)
+class Skin:
+    """What the anatomical mode needs of a head: `rest` (N, 3) mm, `quads` (Q, 4), `jaw_weight` (N,)."""
+
+    rest: Array
+    quads: IntArray
+    jaw_weight: Array
+
+    @cached_property
+    def places(self) -> Array:
+        """The points as (N, 4), mm and the jaw's share."""
+        return np.column_stack([self.rest, JAW * self.jaw_weight])
+
+    @cached_property
+    def normals(self) -> Array:
+        """Unit normals (N, 3) of the points."""
+        a, b, c, d = (self.rest[self.quads[:, k]] for k in range(4))
+        normals = np.zeros_like(self.rest)
+        for k in range(4):
+            np.add.at(normals, self.quads[:, k], np.cross(c - a, d - b))
+        return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12))
+
+    @cached_property
+    def network(self) -> splu:
+        """The factored stiffness of the whole skin."""
+        stiffness = spring_stiffness(len(self.rest), self.quads)
+        symmetric = {"SymmetricMode": True}
+        return splu(stiffness, permc_spec="MMD_AT_PLUS_A", options=symmetric, diag_pivot_thresh=0.0)
+
+    def displaced(self, muscle: Muscle, pull: Pull) -> Array:
+        """Return the displacement (N, 3) in mm of the left muscle (or the only one) at activation 1."""
+        share = influence(self.places, pull.places) @ pull.weights
+        force = np.einsum("nd,ndc->nc", share, directions(muscle, self.rest, self.normals))
+        return np.asarray(self.network.solve(force))
+
+
+def influence(points: Array, places: Array) -> Array:
+    """Return the share (n, k) that points (n, 4) take of the weights at places (k, 4)."""
+    return np.asarray(np.exp(-0.5 * (cdist(points, places) / REACH) ** 2))
+
+
+def directions(muscle: Muscle, points: Array, normals: Array) -> Array:
+    """Return the unit directions (n, d, 3) in which a muscle's type pulls `points` (n, 3): its own first."""
+    origin, insertion = (np.array(p) for p in muscle.line)
+    along = np.broadcast_to((origin - insertion) / np.linalg.norm(origin - insertion), points.shape)
+    towards = _unit(origin - points)
+    around = _unit(np.cross([1.0, 0.0, 0.0], points - origin))
+    chosen: Mapping[ForceType, tuple[Array, ...]] = {
+        "linear": (towards, normals),
+        "sheet": (along, normals),
+        "sphincter": (towards, normals),
+        "rotation": (around, normals),
+        "bulge": (along, normals),
+        "protrusion": (-along, towards, normals),
+    }
+    return np.stack(chosen[muscle.type], axis=1)
+
+
+def from_line(muscle: Muscle, points: Array) -> Array:
+    """Return the distances (n,) in mm of `points` (n, 3) from a muscle's line of pull."""
+    start, end = (np.array(p) for p in muscle.line)
+    share = np.clip((points - start) @ (end - start) / ((end - start) @ (end - start)), 0.0, 1.0)
+    return np.asarray(np.linalg.norm(points - start - share[:, None] * (end - start), axis=1))
+
+
+def anatomical_fields(
+    skin: Skin,
+    mirror: IntArray,
+    muscles: Mapping[str, Muscle],
+    pulls: Mapping[str, Pull],
+    names: tuple[str, ...],
+) -> dict[str, tuple[npt.NDArray[np.int32], Array]]:
+    """Return vertices (k,) and displacements (k, 3) in mm at activation 1 for parameters by name.
+
+    `mirror` (N,) is the index of each vertex's mirror image; a right muscle mirrors the left one.
+    """
+    fields = {}
+    for name in names:
+        base, _, side = name.partition(".")
+        field = skin.displaced(muscles[base], pulls[base])
+        if side == "right":
+            field = field[mirror] * MIRROR
+        length = np.linalg.norm(field, axis=1)
+        vertices = np.flatnonzero(length > NEGLIGIBLE * length.max()).astype(np.int32)
+        fields[name] = (vertices, field[vertices])
+    return fields
+
+
+def load_pulls(folder: Path, names: tuple[str, ...]) -> dict[str, Pull]:
+    """Return the weights kept in a head's `folder` for muscles by name.
+
+    Raises HeadError where one is missing.
+    """
+    path = folder / FILE
+    try:
+        with np.load(path, allow_pickle=False) as archive:
+            return {
+                name: Pull(*(archive[f"{name}/{part}"].astype(np.float64) for part in ("places", "weights")))
+                for name in names
+            }
+    except (OSError, ValueError, KeyError) as error:
+        raise HeadError(f"not a file of muscle weights: {error}", Place(str(path))) from error
+
+
+def _unit(vectors: Array) -> Array:
+    return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-9))

@@ -1,0 +1,123 @@
+"""Biphasic springs: beyond a strain the skin stiffens, as collagen does (facts: science/09).
+
+Besides the linear network, each spring between neighbours that is longer or shorter than at rest by more than
+the strain s₀ pulls with k₂ (|s| − s₀) times its length at rest. A muscle's force holds the share that its own
+field at full contraction needs, so that a muscle alone is still exact there; several together move the skin
+less than with linear springs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import INDEX, PARAMETERS
+from .head import Head
+from .jit import compiled
+from .muscles import ELSEWHERE, MuscleFields
+from .network import Network, pull
+from .stiffness import NEIGHBOUR, edges
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.uint32]
+
+YIELD = 0.15  # strain s₀ at which the second phase begins
+SECOND = 1.0  # stiffness k₂ of the second phase, added to the first
+SETTLED, MOST = 1e-3, 60  # mm of change below which an equilibrium is found, and the most iterations
+
+
+class Biphasic:
+    """The second phase of the springs about a network's free points, with the workspace of one state."""
+
+    stiffest = 1.0 + SECOND / NEIGHBOUR
+    """The most that springs in their second phase are stiffer than in their first."""
+
+    def __init__(self, network: Network, fields: MuscleFields, head: Head) -> None:
+        local = np.full(len(head.rest), -1)
+        local[network.free] = np.arange(len(network.free))
+        ends = edges(head.quads)
+        ends = ends[(local[ends] >= 0).any(axis=1)]
+        border = np.unique(ends[local[ends] < 0])
+        local[border] = len(network.free) + np.arange(len(border))
+        points = np.concatenate([network.free, border])
+        self._network = network
+        self._ends = local[ends].astype(np.uint32)
+        self._length = head.rest[ends[:, 1]] - head.rest[ends[:, 0]]
+        self._border = fields.at(border)
+        self._points = np.zeros((len(points), 4))
+        self._edge = np.zeros((len(border), 3))
+        self._factor = network.factor(self.stiffest, 0.0)
+        self._work = np.zeros((len(network.free), 4))
+        acting = [p.name for p in PARAMETERS if p.name in head.fields and p.base not in ELSEWHERE]
+        self._columns = np.array([INDEX[name] for name in acting])
+        self._forces = np.stack([self._force_of(head, name, points) for name in acting])
+
+    def _force_of(self, head: Head, name: str, points: npt.NDArray[np.intp]) -> Array:
+        """Return the force (r, 4) of the second phase that holds the field of a muscle at 1."""
+        whole = np.zeros((len(head.rest), 4))
+        whole[head.fields[name].vertices, :3] = head.fields[name].displacement
+        out = np.zeros_like(self._work)
+        _second_phase(self._ends, self._length, whole[points], -1.0, out)
+        return out
+
+    def pull(self, values: Array, place: Array, factor: float, out: Array) -> None:
+        """Add `factor` times the second phase's forces to `out` (r, 4).
+
+        `place` (r, 4) mm is where the free points are, `values` (46,) the activations.
+        """
+        self._border.displace(values, self._edge)
+        self._points[: len(place)] = place
+        self._points[len(place) :, :3] = self._edge
+        _second_phase(self._ends, self._length, self._points, factor, out)
+        for column, force in zip(self._columns, self._forces, strict=True):
+            if values[column] > 0.0:
+                _add(force, factor * values[column], out)
+
+    def settle(self, values: Array, place: Array) -> None:
+        """Bring `place` (r, 4) from the equilibrium of the linear springs to that with the second phase."""
+        net, linear = self._network, place.copy()
+        for _ in range(MOST):
+            self._work[:] = 0.0
+            pull(net.start, net.column, net.weight, linear - place, 1.0, self._work)
+            self.pull(values, place, 1.0, self._work)
+            self._factor.solve(self._work)
+            place += self._work
+            if np.abs(self._work).max() < SETTLED:
+                break
+
+    def settle_skin(self, values: Array, displacement: Array) -> None:
+        """Bring in the same way the whole skin's `displacement` (N0, 3) to equilibrium."""
+        place = np.zeros_like(self._work)
+        place[:, :3] = displacement[self._network.free]
+        self.settle(values, place)
+        displacement[self._network.free] = place[:, :3]
+
+
+@compiled
+def _second_phase(ends: IntArray, length: Array, points: Array, factor: float, out: Array) -> None:
+    for e in range(len(ends)):
+        i, j = ends[e, 0], ends[e, 1]
+        ax, ay, az = length[e, 0], length[e, 1], length[e, 2]
+        bx = ax + points[j, 0] - points[i, 0]
+        by = ay + points[j, 1] - points[i, 1]
+        bz = az + points[j, 2] - points[i, 2]
+        rest, now = np.sqrt(ax * ax + ay * ay + az * az), np.sqrt(bx * bx + by * by + bz * bz)
+        over = abs(now - rest) - YIELD * rest
+        if over <= 0.0 or now <= 0.0:
+            continue
+        force = factor * SECOND * np.copysign(over, now - rest) / now
+        if i < len(out):
+            out[i, 0] += force * bx
+            out[i, 1] += force * by
+            out[i, 2] += force * bz
+        if j < len(out):
+            out[j, 0] -= force * bx
+            out[j, 1] -= force * by
+            out[j, 2] -= force * bz
+
+
+@compiled
+def _add(force: Array, factor: float, out: Array) -> None:
+    for i in range(len(out)):
+        for c in range(3):
+            out[i, c] += factor * force[i, c]

@@ -1,0 +1,133 @@
+"""Links between muscles: fibres that interleave pull each other along (paper B, section 6.3).
+
+A table gives each ordered pair of muscles a weight from 0 (no link) to 1 (fully linked); a linked muscle
+contracts at least by the weight times the other. Links do not pass through: what a link adds pulls nothing
+along in turn. They act on the activations before the skin is displaced; parameters keep the values they had.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import lru_cache
+from importlib import resources
+from pathlib import Path
+from typing import Annotated, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import INDEX, MUSCLES, RIVALS, Parameter
+from ..core.schema import Range
+from ..core.toml import load_file
+from ..errors import ParameterError, unknown
+from .jit import compiled
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.uint32]
+
+FILE = "links.toml"
+_BASES = tuple(dict.fromkeys(m.base for m in MUSCLES))
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """One row: `linked` contracts at least `weight` times as much as `muscle`.
+
+    Muscles are named without a side: `sides` says whether the link holds on the same side or with the other
+    side. Raises ParameterError for an unknown muscle, for one linked to itself, and for muscles that conflict
+    (paper A, Table 2).
+    """
+
+    muscle: str
+    linked: str
+    weight: Annotated[float, Range(0.0, 1.0)]
+    source: str
+    sides: Literal["same", "other"] = "same"
+
+    def __post_init__(self) -> None:
+        for name in (self.muscle, self.linked):
+            if name not in _BASES:
+                raise ParameterError(unknown("muscle", name, _BASES))
+        if not 0.0 <= self.weight <= 1.0:
+            raise ParameterError(f"weight = {self.weight} is out of range; expected 0 to 1")
+        pairs = self.pairs()
+        if not pairs or any(a is b for a, b in pairs):
+            raise ParameterError(
+                f"'{self.muscle}' cannot be linked with '{self.linked}' on the {self.sides} side; "
+                "expected two different muscles"
+            )
+        for a, b in pairs:
+            if b.name in RIVALS[a.name]:
+                raise ParameterError(f"'{a.name}' and '{b.name}' conflict; expected muscles that do not")
+
+    def pairs(self) -> list[tuple[Parameter, Parameter]]:
+        """Return the parameters (from, to) that the row links."""
+        return [(a, b) for a in _of(self.muscle) for b in _of(self.linked) if self._meets(a.side, b.side)]
+
+    def _meets(self, one: str, other: str) -> bool:
+        if not one or not other:
+            return self.sides == "same"
+        return (one == other) == (self.sides == "same")
+
+
+def _of(base: str) -> list[Parameter]:
+    return [m for m in MUSCLES if m.base == base]
+
+
+@dataclass(frozen=True, slots=True)
+class LinkTable:
+    """A file of links."""
+
+    link: tuple[Link, ...] = field(default=())
+
+
+@dataclass(frozen=True, slots=True)
+class Links:
+    """A table of links made ready: `first`, `second` (k,) columns of the parameters, `weight` (k,) 0..1."""
+
+    first: IntArray
+    second: IntArray
+    weight: Array
+
+    @classmethod
+    def of(cls, links: Iterable[Link]) -> Links:
+        """Take the rows `links`; of two rows for one pair the later holds."""
+        weights = {(INDEX[a.name], INDEX[b.name]): row.weight for row in links for a, b in row.pairs()}
+        pairs = np.array(list(weights), np.uint32).reshape(-1, 2)
+        first, second = (np.ascontiguousarray(column) for column in pairs.T)
+        return cls(first, second, np.array(list(weights.values()), np.float64))
+
+    def apply(self, values: Array, out: Array) -> Array:
+        """Write the activations (46,) that follow from `values` (46,) to `out` and return it."""
+        _apply(self.first, self.second, self.weight, values, out)
+        return out
+
+
+NO_LINKS = Links.of(())
+
+
+def load_links(path: Path | None = None) -> Links:
+    """Return the links of a file, or of the standard head.
+
+    Raises InputError, or ParameterError for a muscle, with the file and line where the table does not fit.
+    """
+    return Links.of(link_rows(path))
+
+
+def link_rows(path: Path | None = None) -> tuple[Link, ...]:
+    """Return the rows of a file of links, or of the standard head's; raises as `load_links`."""
+    found = path or Path(str(resources.files("risorius") / "heads" / "standard" / FILE))
+    return _load(found, found.stat().st_mtime_ns if found.is_file() else 0)
+
+
+@lru_cache(maxsize=8)
+def _load(path: Path, _changed: int) -> tuple[Link, ...]:
+    return load_file(LinkTable, path).link
+
+
+@compiled
+def _apply(first: IntArray, second: IntArray, weight: Array, values: Array, out: Array) -> None:
+    out[:] = values
+    for k in range(len(weight)):
+        out[second[k]] = max(out[second[k]], weight[k] * values[first[k]])

@@ -1,0 +1,98 @@
+"""The face in time: frames from curves, through the spring skin or without it.
+
+The skin moves in steps of its own, driven by the curves at the times of those steps, so that a performance is
+the same at every frame rate; a frame lies between two steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.performance import Performance
+from .frame import FaceFrame
+from .solve import FaceSolver, checked_values
+from .springs import RATE
+
+Array = npt.NDArray[np.float64]
+Drive = Callable[[Array], Array]
+"""All parameters (n, 46) at ascending times (n,) in seconds."""
+
+BLOCK = RATE  # steps whose activations are asked for at once
+
+
+def between_frames(performance: Performance) -> Drive:
+    """Return the curves of `performance` between its frames: straight lines, the ends held."""
+    values, times = performance.values, performance.times
+
+    def drive(wanted: Array) -> Array:
+        after = np.clip(np.searchsorted(times, wanted, side="right"), 1, max(len(times) - 1, 1))
+        if len(times) == 1:
+            return np.repeat(values, len(wanted), axis=0)
+        share = np.clip((wanted - times[after - 1]) / (times[after] - times[after - 1]), 0.0, 1.0)[:, None]
+        return np.asarray((1.0 - share) * values[after - 1] + share * values[after])
+
+    return drive
+
+
+def animate(
+    performance: Performance,
+    solver: FaceSolver,
+    dynamics: bool = True,
+    drive: Drive | None = None,
+    indices: Sequence[int] | None = None,
+) -> Iterator[FaceFrame]:
+    """Yield the face at every frame of `performance`, or at those in `indices`, one at a time.
+
+    With `dynamics` the skin moves with its inertia, starting at rest in the first frame; frames that are left
+    out are gone through all the same, so that the others do not depend on it. `drive` gives the curves
+    between frames (straight lines where None); with the score's own, faces at one time agree at all frame
+    rates. Raises ParameterError for a value that is not a number or out of range.
+    """
+    chosen = range(len(performance.values)) if indices is None else indices
+    if not dynamics:
+        yield from (solver.solve(performance.values[i]) for i in chosen)
+        return
+    motion = Motion(solver, drive or between_frames(performance))
+    for i in chosen:
+        values = performance.values[i]
+        motion.go_to(Fraction(int(i)) / performance.fps)
+        yield solver.solve_moving(values, motion.write)
+
+
+class Motion:
+    """Moves the skin of `solver` along the curves of `drive`, from time 0 on."""
+
+    def __init__(self, solver: FaceSolver, drive: Drive) -> None:
+        self._springs, self._drive = solver.springs(), drive
+        self._step, self._share = -1, 1.0
+        self._block, self._first = np.empty((0, 0)), 0
+
+    def go_to(self, time: Fraction) -> None:
+        """Go to `time` ≥ 0 in seconds; where that is in the past, from the start again."""
+        exact = time * RATE
+        last = -(-exact.numerator // exact.denominator)
+        if self._step < 0 or last < self._step:
+            self._first, self._step = 0, 0
+            self._block = self._values_from(0)
+            self._springs.settle(self._block[0])
+        while self._step < last:
+            self._step += 1
+            self._springs.step(self._values(self._step))
+        self._share = float(1 - (last - exact))
+
+    def write(self, displacement: Array) -> None:
+        """Write where the free points of the skin are to `displacement` (N0, 3)."""
+        self._springs.place(self._share, displacement)
+
+    def _values(self, step: int) -> Array:
+        if step - self._first >= len(self._block):
+            self._first, self._block = step, self._values_from(step)
+        return np.asarray(self._block[step - self._first])
+
+    def _values_from(self, step: int) -> Array:
+        values = self._drive(np.arange(step, step + BLOCK) / RATE)
+        return np.stack([checked_values(row) for row in values])

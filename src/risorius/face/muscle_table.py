@@ -1,0 +1,72 @@
+"""The table of muscles of a head: one row each, with type, line of pull, zone, source and links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated, Literal
+
+from ..core.parameters import MUSCLES
+from ..core.schema import Range
+from ..core.toml import load_rows
+from ..errors import HeadError, ParameterError, Place, unknown
+from .links import Link
+
+FILE = "muscles.toml"
+NAMES = (*dict.fromkeys(m.base for m in MUSCLES), "lip_tuck")
+Point = tuple[float, float, float]
+ForceType = Literal["linear", "sheet", "sphincter", "rotation", "bulge", "protrusion"]
+"""The six types of force (paper B, section 6.1, names six without saying which; the choice is ours)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Muscle:
+    """One row. Points are mm in the head frame, on the subject's left; `zone` mm from the line.
+
+    The recipe of the calibrated field (`shapes`, `part`, `lips`, `smooth`, `narrow`) is read by the builder
+    of heads.
+    """
+
+    origin: str
+    insertion: str
+    action: str
+    type: ForceType
+    line: tuple[Point, Point]
+    zone: Annotated[float, Range(0.0, 200.0)]
+    source: str
+    shapes: Mapping[str, float] = field(default_factory=dict)
+    part: str = "all"
+    lips: Literal["free", "together", "no overlap"] = "free"
+    smooth: float = 0.0
+    narrow: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.line[0] == self.line[1]:
+            raise ParameterError("line has no length; expected two different points")
+
+
+def load_muscles(folder: Path) -> dict[str, Muscle]:
+    """Return the rows of the table in a head's `folder` by the muscle's name without side, and `lip_tuck`.
+
+    Raises InputError with the file and the line where a row does not fit, and HeadError where a muscle is
+    missing or unknown.
+    """
+    path = folder / FILE
+    rows = load_rows(Muscle, path)
+    for name in rows:
+        if name not in NAMES:
+            raise HeadError(unknown("muscle", name, NAMES), Place(str(path)))
+    for name in NAMES:
+        if name not in rows:
+            raise HeadError(f"muscle '{name}' is missing", Place(str(path)))
+    return rows
+
+
+def links_of(muscle: str, links: Iterable[Link]) -> dict[str, float]:
+    """Return the weights, 0..1, of the muscles that a muscle pulls along; across: "… (other side)"."""
+    return {
+        link.linked + (" (other side)" if link.sides == "other" else ""): link.weight
+        for link in links
+        if link.muscle == muscle
+    }

@@ -1,0 +1,92 @@
+"""The skin as a network of masses and springs (paper B, section 6.1; facts: face-model, section 4).
+
+Every point has springs to its neighbours and one to its place at rest: K = k L + k₀ I over the edges of level
+0. What the muscles ask for is a displacement d; their force is f = K d, so that at equilibrium a muscle alone
+gives its calibrated field exactly.
+
+Points that no muscle moves stand still, and the lips are quasi-static: they are where the muscles want them
+at once, so that what the mouth must close is never late. Both are the border of the network.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+from ..core.parameters import PARAMETERS
+from .cholesky import Factor, sparing_order
+from .head import Head
+from .jit import compiled_fast
+from .muscles import ELSEWHERE
+from .stiffness import spring_stiffness
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.uint32]
+
+STILL = 0.02  # mm at full contraction below which a point counts as one that no muscle moves
+LIP = 0.5  # of the lips' masks, above which a point belongs to the lips
+
+
+@dataclass(frozen=True, slots=True)
+class Network:
+    """The free points of a head's skin and the springs between them.
+
+    `free` (r,) level-0 vertices in the order of the factor; row i of the stiffness (r, r) is
+    `weight[start[i]:start[i + 1]]` at `column[…]`. `stiffness` is the same as a matrix.
+    """
+
+    free: npt.NDArray[np.intp]
+    stiffness: sp.csc_matrix
+    start: IntArray
+    column: IntArray
+    weight: Array
+
+    @classmethod
+    def of(cls, head: Head) -> Network:
+        """Span the network over the skin of `head`."""
+        free = np.flatnonzero(_moved(head) & ~_lips(head))
+        whole = spring_stiffness(len(head.rest), head.quads).tocsr()
+        free = free[sparing_order(whole[free][:, free].tocsc())]
+        stiffness = whole[free][:, free].tocsr()
+        return cls(
+            free,
+            stiffness.tocsc(),
+            stiffness.indptr.astype(np.uint32),
+            stiffness.indices.astype(np.uint32),
+            stiffness.data.astype(np.float64),
+        )
+
+    def factor(self, stiffness: float, point: float) -> Factor:
+        """Factor `stiffness` times K plus `point` times I."""
+        return Factor.of((stiffness * self.stiffness + point * sp.identity(len(self.free))).tocsc())
+
+
+def _moved(head: Head) -> npt.NDArray[np.bool_]:
+    moved = np.zeros(len(head.rest), bool)
+    for p in PARAMETERS:
+        if p.name in head.fields and p.base not in ELSEWHERE:
+            field = head.fields[p.name]
+            moved[field.vertices[np.linalg.norm(field.displacement, axis=1) > STILL]] = True
+    return moved
+
+
+def _lips(head: Head) -> npt.NDArray[np.bool_]:
+    return np.asarray(np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > LIP)
+
+
+@compiled_fast
+def pull(start: IntArray, column: IntArray, weight: Array, points: Array, factor: float, out: Array) -> None:
+    """Add `factor` K times `points` (r, 4) to `out` (r, 4); the first three arguments as in `Network`."""
+    for i in range(len(out)):
+        a, b, c = 0.0, 0.0, 0.0
+        for e in range(start[i], start[i + 1]):
+            w, j = weight[e], column[e]
+            a += w * points[j, 0]
+            b += w * points[j, 1]
+            c += w * points[j, 2]
+        out[i, 0] += factor * a
+        out[i, 1] += factor * b
+        out[i, 2] += factor * c

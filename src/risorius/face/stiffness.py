@@ -1,0 +1,28 @@
+"""The stiffness of the skin's springs: K = k L + k₀ I over a mesh's edges (facts: face-model, section 4)."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+NEIGHBOUR, REST = 1.0, 0.1  # stiffness k of the springs between points, and k₀ of those to the rest
+
+
+def spring_stiffness(count: int, quads: npt.NDArray[np.integer]) -> sp.csc_matrix:
+    """Return K (count, count) of the mesh `quads` (Q, 4)."""
+    return (NEIGHBOUR * laplacian(count, quads) + REST * sp.identity(count)).tocsc()
+
+
+def laplacian(count: int, quads: npt.NDArray[np.integer]) -> sp.csr_matrix:
+    """Return L (count, count) over the edges of the mesh `quads` (Q, 4)."""
+    ends = edges(quads)
+    ones = np.ones(2 * len(ends))
+    beside = sp.csr_matrix((ones, (ends.ravel(), ends[:, ::-1].ravel())), shape=(count, count))
+    return sp.diags(np.asarray(beside.sum(axis=1)).ravel()) - beside
+
+
+def edges(quads: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
+    """Return the edges (E, 2) of the mesh `quads` (Q, 4), each once, lower index first."""
+    sides = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
+    return np.unique(np.sort(sides, axis=1), axis=0)

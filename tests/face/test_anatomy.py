@@ -1,0 +1,102 @@
+"""The anatomical mode: fields from lines of pull, as near to the sculpts as what was tried before."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from risorius.errors import HeadError
+from risorius.face.anatomy import FILE, Skin, anatomical_fields, from_line, load_pulls
+from risorius.face.head import load_head, required_fields
+from risorius.face.muscle_table import load_muscles
+from risorius.face.solve import FaceSolver
+
+from .conftest import EMOTIONS, values_of
+
+BASES = tuple(dict.fromkeys(name.partition(".")[0] for name in required_fields()))
+# R² against the calibrated fields, as tools/fit_anatomy.py prints them, and a little less.
+FLOORS = {
+    "zygomatic_major": 0.96,
+    "zygomatic_minor": 0.89,
+    "triangularis": 0.96,
+    "risorius": 0.95,
+    "depressor_labii": 0.89,
+    "mentalis": 0.89,
+    "orbicularis_oris_funneler": 0.98,
+    "orbicularis_oris_presser": 0.91,
+    "frontalis_medialis": 0.89,
+    "frontalis_lateralis": 0.94,
+    "levator_labii_nasi": 0.89,
+    "levator_labii_superioris": 0.93,
+    "depressor_supercilii": 0.90,
+    "corrugator_supercilii": 0.83,
+    "depressor_glabellae": 0.83,
+    "levator_palpebrae": 0.92,
+    "orbicularis_oculi_palpebralis": 0.87,
+    "orbicularis_oculi_orbitalis": 0.95,
+    "lip_tuck": 0.95,
+}
+
+
+@pytest.fixture(scope="module")
+def fields(head):
+    skin = Skin(head.rest, head.quads, head.jaw_weight)
+    muscles, pulls = load_muscles(head.folder), load_pulls(head.folder, BASES)
+    return anatomical_fields(skin, head.mirror, muscles, pulls, required_fields())
+
+
+def dense(head, field):
+    whole = np.zeros_like(head.rest)
+    whole[field[0]] = field[1]
+    return whole
+
+
+def test_a_file_of_weights_that_is_not_there_or_lacks_a_muscle(head, tmp_path):
+    with pytest.raises(HeadError, match=r"anatomy\.npz: not a file of muscle weights"):
+        load_pulls(tmp_path, BASES)
+    with pytest.raises(HeadError, match="platysma"):
+        load_pulls(head.folder, ("platysma",))
+    (tmp_path / FILE).write_bytes(b"nonsense")
+    with pytest.raises(HeadError, match="not a file of muscle weights"):
+        load_pulls(tmp_path, BASES)
+
+
+@pytest.mark.parametrize("base", BASES)
+def test_fields_are_near_the_calibrated_ones(head, fields, base):
+    name = base if base in fields else f"{base}.left"
+    sculpt, found = dense(head, head.fields[name]), dense(head, fields[name])
+    assert 1.0 - ((sculpt - found) ** 2).sum() / (sculpt**2).sum() >= FLOORS[base]
+
+
+def test_left_and_right_are_mirror_images(head, fields):
+    left, right = (dense(head, fields[f"zygomatic_major.{side}"]) for side in ("left", "right"))
+    np.testing.assert_allclose(right[head.mirror] * [-1.0, 1.0, 1.0], left, atol=0.05)
+
+
+def test_distance_from_a_line(head):
+    row = load_muscles(head.folder)["zygomatic_major"]
+    ends = np.array(row.line)
+    np.testing.assert_allclose(from_line(row, ends), 0.0, atol=1e-12)
+    beyond = ends[1] + 7.0 * (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
+    np.testing.assert_allclose(from_line(row, beyond[None]), 7.0)
+
+
+def test_a_head_without_sculpts_performs(head, tmp_path):
+    with np.load(head.folder / "head.npz") as archive:
+        arrays = {name: archive[name] for name in archive.files if not name.startswith("field/")}
+    np.savez(tmp_path / "head.npz", **arrays)
+    plain = load_head(tmp_path)
+    assert set(plain.fields) == set(head.fields)
+    one, other = FaceSolver(head), FaceSolver(plain)
+    rest = head.skin.matrix @ head.rest
+    for targets in EMOTIONS.values():
+        wanted, found = (s.solve(values_of(targets)).skin - rest for s in (one, other))
+        assert ((wanted - found) ** 2).sum() < 0.2 * (wanted**2).sum()
+
+
+def test_a_head_that_lacks_one_field_only_is_refused(head, tmp_path):
+    with np.load(head.folder / "head.npz") as archive:
+        arrays = {name: archive[name] for name in archive.files if not name.startswith("field/mentalis.left")}
+    np.savez(tmp_path / "head.npz", **arrays)
+    with pytest.raises(HeadError, match=r"field/mentalis\.left/vertices' is missing"):
+        load_head(tmp_path)
