@@ -91,7 +91,7 @@ class Renderer:
     def _shade(self, pose: Pose, out: ByteArray) -> None:
         scene, shadow, samples = self.scene, self._shadow, self._samples
         mesh = Mesh(self._xy, self._key, scene.positions, scene.normals, scene.attributes, scene.rest, scene.reach, scene.hair_light,
-                    scene.triangles, scene.surfaces)
+                    scene.triangles, scene.surfaces, *scene.creases)
         light = Light(self._lights.lamps, self._lights.room, shadow.depth, shadow.tiles, shadow.matrix, np.float32(shadow.bias))
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
         pixel = np.float32(self.camera.millimetres_per_sample(self.size[1]))

@@ -8,11 +8,13 @@ from ..jit import device, f4
 from ..noise import grain
 from ..subsurface import scattered
 from ..vec import Vec, add, along, dot, rotate, scale, smooth, times, unit, weigh
+from .folds import bent, creased
 from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light, warm_edge
 from .mouth import past_lips
 from .patch import Corners, corners_of, place_of, put, weights_of
 
 _FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
+_FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
 _PORES = f4(6.5 / 0.95)  # grain cells to the millimetre: pores 0.95 mm apart
 
 
@@ -29,12 +31,12 @@ def shade_skin(turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light:
         if cloth > sight.pixel:
             continue
         p, normal, view = place_of(mesh, sight, corners, weights)
-        colour = _skin(mesh, light, pose, tables, corners, weights, p, normal, view, sight.pixel, curvature, inner, cloth)
+        colour = _skin(mesh, light, pose, tables, t, corners, weights, p, normal, view, sight.pixel, curvature, inner, cloth)
         put(batch, turn, k, colour)
 
 
 @device
-def _skin(mesh: Mesh, light: Light, pose: Pose, tables: Tables, corners: Corners, weights: Vec, p: Vec, normal: Vec,
+def _skin(mesh: Mesh, light: Light, pose: Pose, tables: Tables, t: int, corners: Corners, weights: Vec, p: Vec, normal: Vec,
           view: Vec, pixel: float, curvature: float, inner: float, cloth: float) -> Vec:
     """Return the light from skin: scattered below the surface, glossy on it, dark within the mouth."""
     albedo = weigh(mesh.attributes, corners, weights, ALBEDO)
@@ -44,6 +46,12 @@ def _skin(mesh: Mesh, light: Light, pose: Pose, tables: Tables, corners: Corners
     free *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), cloth)
     fine, soft, bumpy = _relief(tables, pose, rest, normal, pixel, f4(1) - inner)
     albedo = scale(albedo, f4(1) + f4(0.02) * fine)
+    if mesh.crease_regions[t]:
+        folds, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, dot(normal, view), pixel)
+        soft, bumpy = bent(soft, folds, _FLESH), bent(bumpy, folds, f4(1))
+        free *= f4(1) - f4(0.6) * deep
+        strength *= f4(1) - f4(0.6) * deep
+        albedo = times(albedo, (f4(1) - f4(0.18) * deep, f4(1) - f4(0.30) * deep, f4(1) - f4(0.32) * deep))
     shadow = key_share(light, p)
     opened = free
     if inner > f4(0.02):
