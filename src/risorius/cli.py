@@ -100,6 +100,7 @@ def _settings(**chosen: Any) -> Settings:
 _PICTURE_OPTIONS = (
     click.option("--size", metavar="WxH", help="Size of the picture in pixels.  [default: 720x720]"),
     click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]"),
+    click.option("--age", type=float, metavar="YEARS", help="Age of the skin, 0 to 100.  [default: 30]"),
 )
 _SAMPLING_OPTION = click.option(
     "--fps", metavar="RATE", help="Frames per second; fractions such as 24000/1001 work.  [default: 30]"
@@ -209,7 +210,7 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import mix as combine
 
     check_outputs(outputs)
-    settings = _settings(**{name: v for name, v in chosen.items() if name in ("size", "head", "fps")})
+    settings = _settings(**{name: v for name, v in chosen.items() if name in ("size", "head", "age", "fps")})
     take = combine(
         score, settings=settings, conflict=chosen["conflict"], onset_function=chosen["onset_function"]
     )

@@ -124,4 +124,4 @@ class Take:
     def _solver(self) -> FaceSolver:
         from .face.solve import FaceSolver
 
-        return FaceSolver(self.head)
+        return FaceSolver(self.head, age=self.settings.age, wrinkles=self.settings.wrinkles)

@@ -92,7 +92,9 @@ def test_without_goals_open_lips_are_left_as_the_muscles_put_them(face, solver, 
         ),
         np.zeros(len(head.rest)),
     )
-    np.testing.assert_allclose(frame.skin[:, 1] - rest[:, 1], head.skin.matrix @ field, atol=1e-3)
+    lips = head.skin.matrix @ head.masks["lips"] > 0.999  # beyond them the skin bulges and folds besides
+    assert lips.sum() > 100
+    np.testing.assert_allclose((frame.skin[:, 1] - rest[:, 1])[lips], (head.skin.matrix @ field)[lips], atol=1e-3)
 
 
 @pytest.mark.parametrize("emotion", [None, "happiness", "disgust", "fear"])

@@ -18,6 +18,7 @@ Array = npt.NDArray[np.float64]
 Range = tuple[float, float, float, float]
 
 _BREAK_LENGTH = 15.0  # mm along a crease over which it fades and returns
+_BEHIND = (-55.0, -40.0)  # mm behind the anchor where the front of the face has ended
 _CURVE_STEPS = 12  # straight pieces between two points of a fold
 
 
@@ -60,6 +61,7 @@ class Lines:
         bent = across + self.bow * along**2 + self.wave * ripple(places[:, :2], 30.0, 1)
         phase = (bent - self.first) / self.spacing
         mask = plateau(self.across_range, across) * plateau(self.along_range, along)
+        mask *= smooth(*_BEHIND, offset[:, 2])
         mask *= _strength(self.strengths, phase, along, self.breaks)
         return Chart(phase, mask, np.tile(_unit(self.across), (len(places), 1)))
 

@@ -26,7 +26,8 @@ IntArray = npt.NDArray[np.int32]
 
 # Excess length that lies flat before a fold rises: a square root alone would start infinitely steep, and the
 # least tremor would show.
-FLAT = 0.004
+FLAT = 0.012
+OPENED = 0.25  # stretch, beyond 1, that opens a crease kept at rest
 
 
 class Wrinkles:
@@ -124,7 +125,8 @@ def _fold(stretch: Array, vertex: IntArray, zone: IntArray, mask: Array, relief:
     for r in range(len(stretch)):
         width, give, gain, static, cap = law[zone[r]]
         moving = gain * fold_height(width, stretch[r], give)
-        heights[vertex[r], zone[r]] = mask[r] * cap * np.tanh((moving + static) / cap)
+        kept = static * min(1.0, max(0.0, 1.0 - (stretch[r] - 1.0) / OPENED))
+        heights[vertex[r], zone[r]] = mask[r] * cap * np.tanh((moving + kept) / cap)
         lift[vertex[r]] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
 
 
