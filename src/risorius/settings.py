@@ -22,8 +22,8 @@ class Settings:
     `lead`, `tail`: seconds of silence around plain text. `articulation`: factor on how wide the mouth opens,
     0 to 2. `at`: second of the frame that a `.png` shows (the middle where None); `every`: a `.png` is a
     sheet of every n-th frame instead. `lively`: random blinks and small head and eye movements. `age`: years,
-    0 to 100, of the skin that wrinkles; `wrinkles`: factors 0 to 2 on the wrinkles of a region by its name, which a
-    speaker shows more or less than others of that age.
+    0 to 100, of the skin that wrinkles; `wrinkles`: factors 0 to 2 by region of the face, for a speaker
+    who shows some wrinkles more or less than others of that age.
     """
 
     fps: Fraction = Fraction(30)

@@ -14,7 +14,7 @@ from risorius.face.ageing import skin_at
 
 @pytest.mark.parametrize("age", [-1.0, 100.5, math.nan, math.inf])
 def test_ages_out_of_range_are_named(age):
-    with pytest.raises(InputError, match="age = .* expected 0 to 100"):
+    with pytest.raises(InputError, match=r"age = .* expected 0 to 100"):
         skin_at(age)
 
 

@@ -58,7 +58,7 @@ def test_nothing_swells_at_rest(lift):
 @pytest.mark.parametrize("name", SWELL)
 def test_each_bulge_swells_under_its_muscles(name, lift, head, rest):
     marks, bulge = Marks.of(head), bulges()[name]
-    centre = (marks.mean(bulge.anchor) + (*bulge.offset, 0.0)) * marks.unit
+    centre = (marks.mean(bulge.anchor) + np.array([*bulge.offset, 0.0])) * marks.unit
     near = np.linalg.norm(rest[:, :2] - centre[:2], axis=1) < max(bulge.size)
     heights = [lift({m: a * v for m, v in SWELL[name].items()})[near].max() for a in (0.25, 0.5, 1.0)]
     assert LEAST[name] < heights[2] <= bulge.cap * marks.unit

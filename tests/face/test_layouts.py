@@ -9,7 +9,9 @@ from risorius.face.layouts import Dimples, Fan, Fold, Lines
 from risorius.face.marks import Marks, plateau, ripple
 
 MARKS = Marks(np.zeros((68, 3)), 1.0)
-LINES = Lines((0,), (0, 2, 0), (1, 0, 0), 3.0, 5.0, (1.0, 1.0, 1.0), (0, 1, 20, 21), (-20, -10, 10, 20), 0, 0, 0)
+LINES = Lines(
+    (0,), (0, 2, 0), (1, 0, 0), 3.0, 5.0, (1.0, 1.0, 1.0), (0, 1, 20, 21), (-20, -10, 10, 20), 0, 0, 0
+)
 FAN = Fan((0,), (1, 0, 0), (0, 1, 0), -20.0, 20.0, (1.0,) * 3, (-40, -30, 30, 40), (2, 4, 10, 20), 0, 0)
 FOLD = Fold(((0, 5, 10), (0, 8, 0), (0, 5, -10)), (4.0, 8.0), (0.0, 0.1, 0.9, 1.0), (0, 0, 0))
 
@@ -44,7 +46,9 @@ def test_a_fold_tells_its_sides_apart_and_tapers():
 
 
 def test_dimples_fill_an_ellipse():
-    chart = Dimples((0,), -2.0, 3.0, (10.0, 5.0), (1, 0, 0)).chart(MARKS, at((0, -2, 0), (11, -2, 0), (0, 4, 0)))
+    chart = Dimples((0,), -2.0, 3.0, (10.0, 5.0), (1, 0, 0)).chart(
+        MARKS, at((0, -2, 0), (11, -2, 0), (0, 4, 0))
+    )
     np.testing.assert_allclose(chart.mask, [1.0, 0.0, 0.0])
 
 

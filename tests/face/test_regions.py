@@ -51,7 +51,15 @@ def test_factors_default_to_one():
 
 def test_every_region_has_a_source_and_the_issue_s_nine_are_there():
     assert region_names() == (
-        "forehead", "glabella", "nose_root", "bunny", "crows_feet", "under_eye", "nasolabial", "marionette", "chin",
+        "forehead",
+        "glabella",
+        "nose_root",
+        "bunny",
+        "crows_feet",
+        "under_eye",
+        "nasolabial",
+        "marionette",
+        "chin",
     )
     assert all(len(region.sizes.source) > 20 for region in regions())
 

@@ -1,7 +1,7 @@
 """Bulges: flesh that loses area gains height (paper A, section 3; paper B, section 6).
 
-A column of flesh of depth T over an area that shrinks by the factor J keeps its volume if it grows to T / J; the
-skin over it rises by T·(1/J − 1).
+A column of flesh of depth T over an area that shrinks by the factor J keeps its volume if it grows to T / J;
+the skin over it rises by T·(1/J − 1).
 """
 
 from __future__ import annotations
@@ -73,7 +73,8 @@ class Bulges:
 
 
 def _mask(bulge: Bulge, marks: Marks, fine: Array) -> Array:
-    mask = spot(marks.left_half(fine), marks.mean(bulge.anchor) + (*bulge.offset, 0.0), bulge.size)
+    centre = marks.mean(bulge.anchor) + np.array([*bulge.offset, 0.0])
+    mask = spot(marks.left_half(fine), centre, bulge.size)
     mask[mask < 1e-3] = 0.0
     return mask
 
@@ -87,14 +88,19 @@ def _pull(bulge: Bulge, head: Head) -> Array:
 
 @compiled
 def bulge_height(area: float, depth: float, cap: float) -> float:
-    """Return by how many mm flesh of `depth` mm swells when its area shrinks to the share `area`, at most `cap`."""
+    """Return by how many mm flesh of `depth` mm swells when its area shrinks to the share `area`.
+
+    It is at most `cap`.
+    """
     if area >= 1.0:
         return 0.0
     lost = 1.0 / area - 1.0
-    return cap * np.tanh(depth * lost * lost / (lost + TAKEN_UP) / cap)
+    return float(cap * np.tanh(depth * lost * lost / (lost + TAKEN_UP) / cap))
 
 
 @compiled
-def _swell(area: Array, vertex: npt.NDArray[np.int32], mask: Array, depth: Array, cap: Array, out: Array) -> None:
+def _swell(
+    area: Array, vertex: npt.NDArray[np.int32], mask: Array, depth: Array, cap: Array, out: Array
+) -> None:
     for r in range(len(area)):
         out[vertex[r]] += mask[r] * bulge_height(area[r], depth[r], cap[r])

@@ -29,8 +29,8 @@ _NEGLIGIBLE = 4e-3  # share of a vertex's strain below which a quad is left out
 
 
 class Zone(NamedTuple):
-    """A region at level 1: `mask` (N1,) 0..1, and at the quads of level 0 the unit direction `pull` (Q0, 3) along
-    which the skin is measured; where that is 0 the area is measured.
+    """A region at level 1: `mask` (N1,) 0..1, and at the quads of level 0 the unit direction `pull` (Q0, 3)
+    along which the skin is measured; where that is 0 the area is measured.
     """
 
     mask: Array
@@ -42,8 +42,9 @@ class Compression:
     """Rows of (vertex, zone) with the quads that each reads.
 
     `quad` (e, 4) and `frame` (e, 3) are the quads in use, one entry per zone, with the coefficients of the
-    zone's direction on their diagonals, or the area at rest where area is measured; `side` (e, 2) their 
-    in the means of the left and right half of their zone `zone` (e,); `start` (r + 1,), `column`, `weight` the entries that each row averages; `row_zone` (r,), `row_vertex` (r,), `row_side` (r,) share of
+    zone's direction on their diagonals, or the area at rest where area is measured; `side` (e, 2) their
+    shares in the means of the left and right half of their zone `zone` (e,); `start` (r + 1,), `column`,
+    `weight` the entries that each row averages; `row_zone` (r,), `row_vertex` (r,), `row_side` (r,) share of
     the left half.
     """
 
@@ -88,8 +89,20 @@ class Compression:
 
         Half of it is the row's own and half the mean of its side of the zone: skin slides on the fat below.
         """
-        _measure(self.zones, self.quad, self.frame, self.zone, self.side, self.start, self.column, self.weight,
-                 self.row_zone, self.row_side, skin, out)
+        _measure(
+            self.zones,
+            self.quad,
+            self.frame,
+            self.zone,
+            self.side,
+            self.start,
+            self.column,
+            self.weight,
+            self.row_zone,
+            self.row_side,
+            skin,
+            out,
+        )
         return out
 
 
@@ -112,7 +125,9 @@ def _part(head: Head, spread: sp.csr_matrix, zone: Zone, left: Array) -> _Part:
     corners = head.rest[head.quads[quads]]
     share = _at_quads(head, zone.mask)[quads] * _areas(corners)
     sides = np.stack([share * left[quads], share * (1.0 - left[quads])], axis=1)
-    return _Part(quads, _frames(corners, zone.pull[quads]), sides / sides.sum(axis=0), rows[:, quads], vertices)
+    return _Part(
+        quads, _frames(corners, zone.pull[quads]), sides / sides.sum(axis=0), rows[:, quads], vertices
+    )
 
 
 def _quads_to_fine(head: Head) -> sp.csr_matrix:
@@ -141,7 +156,7 @@ def _at_quads(head: Head, mask: Array) -> Array:
 
 
 def _areas(corners: Array) -> Array:
-    return np.linalg.norm(np.cross(*_diagonals(corners)), axis=1)
+    return np.asarray(np.linalg.norm(np.cross(*_diagonals(corners)), axis=1))
 
 
 def _diagonals(corners: Array) -> tuple[Array, Array]:
@@ -181,8 +196,20 @@ def _stretch(skin: Array, quad: IntArray, frame: Array) -> float:
 
 
 @compiled
-def _measure(zones: int, quad: IntArray, frame: Array, zone: IntArray, side: Array, start: IntArray,
-             column: IntArray, weight: Array, row_zone: IntArray, row_side: Array, skin: Array, out: Array) -> None:
+def _measure(
+    zones: int,
+    quad: IntArray,
+    frame: Array,
+    zone: IntArray,
+    side: Array,
+    start: IntArray,
+    column: IntArray,
+    weight: Array,
+    row_zone: IntArray,
+    row_side: Array,
+    skin: Array,
+    out: Array,
+) -> None:
     strain = np.empty(len(quad))
     mean = np.zeros((zones, 2))
     for e in range(len(quad)):

@@ -1,7 +1,7 @@
 """Layouts of creases: where on the face a wrinkle region lies, and how its creases run through it.
 
-A layout gives each point of the skin a phase, whose integers are the creases (paper B's isolines), a mask, and
-the direction in which the skin must shorten for it to fold.
+A layout gives each point of the skin a phase, whose integers are the creases (paper B's isolines), a mask,
+and the direction in which the skin must shorten for it to fold.
 """
 
 from __future__ import annotations
@@ -90,7 +90,9 @@ class Fan:
         wavy = angle + np.degrees(self.wave * ripple(places, 14.0, 3)) / np.maximum(radius, 4.0)
         phase = (wavy - self.first) / self.spacing
         mask = plateau(self.angle_range, angle) * plateau(self.radius_range, radius)
-        mask *= smooth(14.0, 9.0, np.linalg.norm(offset - np.outer(out, outward) - np.outer(up, upward), axis=1))
+        mask *= smooth(
+            14.0, 9.0, np.linalg.norm(offset - np.outer(out, outward) - np.outer(up, upward), axis=1)
+        )
         mask *= _strength(self.strengths, phase, radius, self.breaks)
         ring = np.outer(out, upward) - np.outer(up, outward)
         return Chart(phase, mask, ring / np.maximum(radius, 1e-6)[:, None])
@@ -106,7 +108,7 @@ class Fold:
     compression: tuple[float, float, float]
 
     def chart(self, marks: Marks, places: Array) -> Chart:
-        """Return the region on `places` (n, 3); its phase is 0 on the crease and 1 where the far side ends."""
+        """Return the region on `places` (n, 3); its phase is 0 on the crease, 1 where the far side ends."""
         knots = np.array([marks.landmarks[int(k), :2] + (x, y) for k, x, y in self.points])
         side, way = _beside(_curve(knots), places[:, :2])
         before, beyond = self.sides
@@ -127,9 +129,10 @@ class Dimples:
 
     def chart(self, marks: Marks, places: Array) -> Chart:
         """Return the region on `places` (n, 3); its phase is 0."""
+        centre = marks.mean(self.anchor) + np.array([0.0, self.offset, 0.0])
         return Chart(
             np.zeros(len(places)),
-            spot(places, marks.mean(self.anchor) + (0.0, self.offset, 0.0), self.size),
+            spot(places, centre, self.size),
             np.tile(_unit(self.compression), (len(places), 1)),
         )
 
@@ -158,7 +161,9 @@ def _strength(strengths: tuple[float, ...], phase: Array, along: Array, breaks: 
     """Return the strength (n,) of the nearest creases at a phase, with gaps along each of them."""
     low = np.floor(phase)
     share = phase - low
-    return (1.0 - share) * _one(strengths, low, along, breaks) + share * _one(strengths, low + 1.0, along, breaks)
+    return (1.0 - share) * _one(strengths, low, along, breaks) + share * _one(
+        strengths, low + 1.0, along, breaks
+    )
 
 
 def _one(strengths: tuple[float, ...], number: Array, along: Array, breaks: float) -> Array:
@@ -192,5 +197,7 @@ def _beside(curve: Array, places: Array) -> tuple[Array, Array]:
     rows = np.arange(len(places))
     apart, along = apart[rows, nearest], step[nearest]
     sign = np.sign(along[:, 0] * apart[:, 1] - along[:, 1] * apart[:, 0])
-    way = (np.concatenate([[0.0], np.cumsum(length)])[nearest] + share[rows, nearest] * length[nearest]) / length.sum()
+    way = (
+        np.concatenate([[0.0], np.cumsum(length)])[nearest] + share[rows, nearest] * length[nearest]
+    ) / length.sum()
     return sign * np.linalg.norm(apart, axis=1), way

@@ -33,7 +33,7 @@ class Marks:
         """Return points (n, 3) in mm of the tables, those of the right half mirrored."""
         places = points / self.unit
         places[:, 0] = np.abs(places[:, 0])
-        return places
+        return np.asarray(places)
 
     def mean(self, landmarks: Sequence[int]) -> Array:
         """Return the mean (3,) of some landmarks."""
@@ -52,10 +52,10 @@ def plateau(edges: Sequence[float], x: npt.NDArray[np.floating]) -> Array:
 
 
 def ripple(points: Array, wavelength: float, seed: int) -> Array:
-    """Return smooth random heights (n,) of variance 1/2 at `points` (n, k): a sum of waves, the same for a seed."""
+    """Return smooth random heights (n,) of variance 1/2 at `points` (n, k): the same waves for a seed."""
     generator = np.random.default_rng(seed)
     total = np.zeros(len(points))
     for _ in range(_RIPPLES):
         way = generator.normal(size=points.shape[1]) * 2.0 / wavelength
         total += np.sin(points @ way + generator.uniform(0.0, 2.0 * np.pi))
-    return total / np.sqrt(_RIPPLES)
+    return np.asarray(total / np.sqrt(_RIPPLES))

@@ -1,8 +1,8 @@
 """The face solver: parameter values to vertices.
 
 The static chain: muscles displace the skin, the jaw carries it, the lids slide over the eyeballs, the lips
-come into contact, the skin is subdivided, what would lie within an eyeball is pushed out, and the skin bulges and
-wrinkles where it is compressed.
+come into contact, the skin is subdivided, what would lie within an eyeball is pushed out, and the skin bulges
+and wrinkles where it is compressed.
 """
 
 from __future__ import annotations
@@ -58,8 +58,8 @@ class FaceSolver:
     """Solves frames of one head. It keeps a workspace: one solver must not be used by two threads at once.
 
     Building it factors the head's plates (about a second); the first frame compiles the kernels, once for a
-    machine. `age` (years, 0 to 100) and `wrinkles` (factors by region) say how the skin folds: InputError where they
-    are out of range.
+    machine. `age` (years, 0 to 100) and `wrinkles` (factors by region) say how the skin folds: InputError
+    where they are out of range.
     """
 
     def __init__(

@@ -33,11 +33,13 @@ OPENED = 0.25  # stretch, beyond 1, that opens a crease kept at rest
 class Wrinkles:
     """The wrinkles and bulges of one head at one age; keeps a workspace.
 
-    `factors` are by region name, 0 to 2, 1 where none is given: which wrinkles a speaker shows. Raises InputError
-    for an age or factor out of range, and for a region that does not exist.
+    `factors` are by region name, 0 to 2, 1 where none is given: which wrinkles a speaker shows. Raises
+    InputError for an age or factor out of range, and for a region that does not exist.
     """
 
-    def __init__(self, head: Head, age: float = DEFAULT_AGE, factors: Mapping[str, float] | None = None) -> None:
+    def __init__(
+        self, head: Head, age: float = DEFAULT_AGE, factors: Mapping[str, float] | None = None
+    ) -> None:
         self.age = age
         factor, skin = check_factors(factors or {}), skin_at(age)
         placed = place_regions(head)
@@ -61,7 +63,16 @@ class Wrinkles:
         self._lift[:] = 0.0
         rows = self._compression
         rows.measure(skin, self._stretch)
-        _fold(self._stretch, rows.row_vertex, rows.row_zone, self._mask, self._relief, self._law, heights, self._lift)
+        _fold(
+            self._stretch,
+            rows.row_vertex,
+            rows.row_zone,
+            self._mask,
+            self._relief,
+            self._law,
+            heights,
+            self._lift,
+        )
         self._bulges.lift(skin, self._lift)
         self._raised.move(self._lift, fine)
         return heights
@@ -89,15 +100,22 @@ class _Raised:
 
 def _law(placed: list[Placed], skin: SkinAge, factor: Array, unit: float) -> Array:
     """Return one row per region: width, give, gain, depth at rest, cap."""
-    return np.array([
-        (p.region.sizes.width * unit, skin.give, skin.gain * f, skin.static * f * p.region.sizes.static * unit,
-         p.region.sizes.cap * unit)
-        for p, f in zip(placed, factor, strict=True)
-    ])
+    return np.array(
+        [
+            (
+                p.region.sizes.width * unit,
+                skin.give,
+                skin.gain * f,
+                skin.static * f * p.region.sizes.static * unit,
+                p.region.sizes.cap * unit,
+            )
+            for p, f in zip(placed, factor, strict=True)
+        ]
+    )
 
 
 def _relief(placed: Placed) -> Array:
-    """Return the share (N1,) of a region's height by which the mesh moves: creases down, their shoulders up."""
+    """Return the share (N1,) of a region's height by which the mesh moves: creases down, shoulders up."""
     phase, share = placed.phase, placed.region.sizes.relief
     if isinstance(placed.region.layout, Fold):
         beyond = np.maximum(phase, 0.0) / 0.35
@@ -109,19 +127,28 @@ def _relief(placed: Placed) -> Array:
 def fold_height(width: float, stretch: float, give: float) -> float:
     """Return the height in mm of the fold in which skin keeps its length.
 
-    Skin `width` mm long gives way to the share 1 − `give` of its length; its ground shortens to `stretch` of it,
-    d mm, and a raised cosine over d keeps the length at h = (2d/π)·√(excess), excess = (1 − give)/stretch − 1.
+    Skin `width` mm long gives way to the share 1 − `give` of its length; its ground shortens to `stretch` of
+    it, d mm, and a raised cosine over d keeps the length at h = (2d/π)·√e, e = (1 − give)/stretch − 1, to
+    second order in h/d; √e is taken as e/√(e + FLAT).
     """
     chord = width * stretch
     excess = (1.0 - give) / stretch - 1.0
     if excess <= 0.0:
         return 0.0
-    return 2.0 * chord / np.pi * excess / np.sqrt(excess + FLAT)
+    return float(2.0 * chord / np.pi * excess / np.sqrt(excess + FLAT))
 
 
 @compiled
-def _fold(stretch: Array, vertex: IntArray, zone: IntArray, mask: Array, relief: Array, law: Array,
-          heights: Array32, lift: Array) -> None:
+def _fold(
+    stretch: Array,
+    vertex: IntArray,
+    zone: IntArray,
+    mask: Array,
+    relief: Array,
+    law: Array,
+    heights: Array32,
+    lift: Array,
+) -> None:
     for r in range(len(stretch)):
         width, give, gain, static, cap = law[zone[r]]
         moving = gain * fold_height(width, stretch[r], give)
@@ -131,7 +158,9 @@ def _fold(stretch: Array, vertex: IntArray, zone: IntArray, mask: Array, relief:
 
 
 @compiled
-def _steps(vertices: IntArray, start: IntArray, around: IntArray, lift: Array, fine: Array, out: Array) -> None:
+def _steps(
+    vertices: IntArray, start: IntArray, around: IntArray, lift: Array, fine: Array, out: Array
+) -> None:
     for k in range(len(vertices)):
         x, y, z = 0.0, 0.0, 0.0
         for f in range(start[k], start[k + 1]):

@@ -25,8 +25,8 @@ class Creases(NamedTuple):
     """Wrinkle regions on the skin.
 
     `regions` (m,) int32 has bit r set on the triangles that region r covers; `place` (N1, R, 4) phase and its
-    slope (1/mm) in x, y, z at rest; `height` (N1, R) mm in this frame; `style` (R, 4) kind, width of the furrow in
-    mm, shadow, and the share of the height that is shaded.
+    slope (1/mm) in x, y, z at rest; `height` (N1, R) mm in this frame; `style` (R, 4) kind, width of the
+    furrow in mm, shadow, and the share of the height that is shaded.
     """
 
     regions: IntArray
@@ -36,7 +36,7 @@ class Creases(NamedTuple):
 
 
 def lay_creases(head: Head, triangles: int) -> Creases:
-    """Lay a head's wrinkle regions out for a scene of so many `triangles`, of which the skin's are the first."""
+    """Lay a head's wrinkle regions out for a scene of so many `triangles`, the skin's first."""
     placed, unit = place_regions(head), Marks.of(head).unit
     fine, faces = np.asarray(head.skin.matrix @ head.rest), head.skin.triangles
     covered = np.zeros(triangles, np.int32)

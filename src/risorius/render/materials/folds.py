@@ -18,8 +18,18 @@ _STEEPEST = f4(1.1)
 
 
 @device
-def creased(tables: Tables, mesh: Mesh, pose: Pose, t: int, corners: Corners, weights: Vec, rest: Vec, normal: Vec,
-            facing: float, pixel: float) -> tuple[Vec, float]:
+def creased(
+    tables: Tables,
+    mesh: Mesh,
+    pose: Pose,
+    t: int,
+    corners: Corners,
+    weights: Vec,
+    rest: Vec,
+    normal: Vec,
+    facing: float,
+    pixel: float,
+) -> tuple[Vec, float]:
     """Return the slope of the folds at a point, in the world, and how deep it lies in creases, 0..1."""
     total, dark = (f4(0), f4(0), f4(0)), f4(0)
     # One pixel covers more of the skin where it turns away.
@@ -64,8 +74,17 @@ def _place(mesh: Mesh, corners: Corners, weights: Vec, r: int) -> tuple[float, V
 
 
 @device
-def _fold(tables: Tables, mesh: Mesh, corners: Corners, weights: Vec, r: int, rest: Vec, height: float, blur: float,
-          stray: float) -> tuple[Vec, float]:
+def _fold(
+    tables: Tables,
+    mesh: Mesh,
+    corners: Corners,
+    weights: Vec,
+    r: int,
+    rest: Vec,
+    height: float,
+    blur: float,
+    stray: float,
+) -> tuple[Vec, float]:
     """Return the slope at rest of region r, and how dark its crease is."""
     style = mesh.crease_style
     furrow, shadow = style[r, FURROW], style[r, SHADOW]
@@ -115,7 +134,9 @@ def _overhang(d: float, furrow: float, blur: float) -> tuple[float, float]:
 
 
 @device
-def _dimple(tables: Tables, rest: Vec, height: float, spacing: float, shadow: float, blur: float) -> tuple[Vec, float]:
+def _dimple(
+    tables: Tables, rest: Vec, height: float, spacing: float, shadow: float, blur: float
+) -> tuple[Vec, float]:
     """Return the slope at rest of pits, and how dark they are."""
     h, gx, gy, gz = grain(tables.grain, rest, _CELLS / spacing)
     seen = f4(1) - saturate((blur / spacing - f4(0.25)) * f4(3))

@@ -49,9 +49,9 @@ def _skin(mesh: Mesh, light: Light, pose: Pose, tables: Tables, t: int, corners:
     if mesh.crease_regions[t]:
         folds, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, dot(normal, view), pixel)
         soft, bumpy = bent(soft, folds, _FLESH), bent(bumpy, folds, f4(1))
-        free *= f4(1) - f4(0.6) * deep
+        free *= f4(1) - f4(0.7) * deep
         strength *= f4(1) - f4(0.6) * deep
-        albedo = times(albedo, (f4(1) - f4(0.18) * deep, f4(1) - f4(0.30) * deep, f4(1) - f4(0.32) * deep))
+        albedo = times(albedo, (f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep))
     shadow = key_share(light, p)
     opened = free
     if inner > f4(0.02):
