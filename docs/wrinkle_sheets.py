@@ -18,7 +18,7 @@ from risorius.render.renderer import Renderer
 EMOTIONS = ("surprise", "anger", "disgust", "happiness", "sadness", "fear")
 AGES = (25, 45, 70)
 SIDE = 560
-FACE = (164, 108, 396, 414)  # left, top, right, bottom of what is kept of a picture, in pixels
+FACE = (164, 112, 396, 452)  # left, top, right, bottom of what is kept of a picture, in pixels
 CAPTION = 18
 TARGET = Path(__file__).parent / "pictures" / "emotions-ages.png"
 
