@@ -11,6 +11,7 @@ from ..face.head import Head
 from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
 from ..face.regions import Placed, place_regions
+from .noise import noise_at
 from .raster import FloatArray, IntArray
 
 Array = npt.NDArray[np.float64]
@@ -18,6 +19,7 @@ Array = npt.NDArray[np.float64]
 LINES, FOLD, DIMPLES = 0, 1, 2
 # Columns of `style`.
 KIND, FURROW, SHADOW, SHARE = 0, 1, 2, 3
+RAGGED, WANDERING = 0.18, 9.0  # mm by which creases stray, and over what length
 MESH_CARRIES = 0.6  # of what the mesh was moved, this much need not be shaded again
 
 
@@ -42,7 +44,8 @@ def lay_creases(head: Head, triangles: int) -> Creases:
     covered = np.zeros(triangles, np.int32)
     for number, region in enumerate(placed):
         covered[: len(faces)] |= (region.zone.mask[faces] > 0.0).any(axis=1).astype(np.int32) << number
-    place = np.stack([np.column_stack([p.phase, _slope(fine, faces, p.phase)]) for p in placed], axis=1)
+    stray = RAGGED * noise_at(fine, WANDERING)
+    place = np.stack([_place(p.phase, stray, fine, faces) for p in placed], axis=1)
     return Creases(
         covered,
         np.ascontiguousarray(place, np.float32),
@@ -56,6 +59,15 @@ def _style(placed: Placed, unit: float) -> tuple[float, float, float, float]:
     kind = FOLD if isinstance(layout, Fold) else DIMPLES if isinstance(layout, Dimples) else LINES
     furrow = layout.spacing * unit if isinstance(layout, Dimples) else sizes.furrow * unit
     return kind, furrow, sizes.shadow, 1.0 - MESH_CARRIES * sizes.relief
+
+
+def _place(phase: Array, stray: Array, points: Array, faces: npt.NDArray[np.integer]) -> Array:
+    """Return phase and slope (N1, 4) of a region whose creases stray by so many mm (N1,).
+
+    Unlike the regions, the straying is not alike on both sides of the face.
+    """
+    ragged = phase + stray * np.linalg.norm(_slope(points, faces, phase), axis=1)
+    return np.column_stack([ragged, _slope(points, faces, ragged)])
 
 
 def _slope(points: Array, faces: npt.NDArray[np.integer], values: Array) -> Array:

@@ -13,7 +13,6 @@ from .patch import Corners
 
 _FAINT = f4(0.004)  # mm: folds lower than this are not looked at
 _CELLS = f4(6.5)  # cells of the grain to one of its waves
-_RAGGED = f4(0.16)  # mm by which creases stray at a few mm's length
 _STEEPEST = f4(1.1)
 
 
@@ -34,13 +33,12 @@ def creased(
     total, dark = (f4(0), f4(0), f4(0)), f4(0)
     # One pixel covers more of the skin where it turns away.
     blur = pixel / max(facing, f4(0.25))
-    stray, _, _, _ = grain(tables.grain, rest, _CELLS / f4(9.0))
     bits, r = mesh.crease_regions[t], 0
     while bits:
         if bits & 1:
             height = _height(mesh, corners, weights, r)
             if height > _FAINT:
-                slope, deep = _fold(tables, mesh, corners, weights, r, rest, height, blur, stray)
+                slope, deep = _fold(tables, mesh, corners, weights, r, rest, height, blur)
                 total = along(total, slope, f4(1))
                 dark += deep
         bits >>= 1
@@ -83,7 +81,6 @@ def _fold(
     rest: Vec,
     height: float,
     blur: float,
-    stray: float,
 ) -> tuple[Vec, float]:
     """Return the slope at rest of region r, and how dark its crease is."""
     style = mesh.crease_style
@@ -94,9 +91,8 @@ def _fold(
     steep = math.sqrt(dot(way, way)) + f4(1e-6)
     # Distance in mm from the nearest crease, on skin that has none of its own beyond a fold.
     if style[r, KIND] == FOLD:
-        rise, deep = _overhang(phase / steep + f4(2) * _RAGGED * stray, furrow, blur)
+        rise, deep = _overhang(phase / steep, furrow, blur)
     else:
-        phase += _RAGGED * stray * steep
         rise, deep = _ridge((phase - math.floor(phase + f4(0.5))) / steep, f4(1) / steep, furrow, blur)
     scale = height * rise / steep
     return (way[0] * scale, way[1] * scale, way[2] * scale), deep * shadow * saturate(height * f4(1.6))
@@ -106,8 +102,8 @@ def _fold(
 def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) `d` mm from a crease of unit height with round shoulders, and its darkness.
 
-    h = 0.6·(1 − exp(−|d|/furrow)) + 0.4·sin²(πd/spacing): the tangent breaks at the crease, as in paper B, and is
-    softened over a pixel's width, so that no crease is thinner than what the picture can show.
+    h = 0.6·(1 − exp(−|d|/furrow)) + 0.4·sin²(πd/spacing): the tangent breaks at the crease, as in paper B, and
+    is softened over a pixel's width, so that no crease is thinner than what the picture can show.
     """
     sharp = math.sqrt(d * d + f4(0.35) * blur * blur + f4(0.01))
     wide = furrow * f4(0.45) + f4(0.4) * blur
