@@ -102,7 +102,7 @@ def _fold(
 def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) `d` mm from a crease of unit height with round shoulders, and its darkness.
 
-    h = 0.6·(1 − exp(−|d|/furrow)) + 0.4·sin²(πd/spacing): the tangent breaks at the crease, as in paper B, and
+    h = 0.6·(1 − exp(−|d|/furrow)) + 0.4·sin²(πd/spacing): the tangent breaks at the crease (paper B) and
     is softened over a pixel's width, so that no crease is thinner than what the picture can show.
     """
     sharp = math.sqrt(d * d + f4(0.35) * blur * blur + f4(0.01))
