@@ -103,6 +103,7 @@ def _settings(**chosen: Any) -> Settings:
 _PICTURE_OPTIONS = (
     click.option("--size", metavar="WxH", help="Size of the picture in pixels.  [default: 720x720]"),
     click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]"),
+    click.option("--age", type=float, metavar="YEARS", help="Age of the skin, 0 to 100.  [default: 30]"),
 )
 _SKIN_OPTION = click.option(
     "--skin",
@@ -221,7 +222,7 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import mix as combine
 
     check_outputs(outputs)
-    shared = ("size", "head", "fps", "dynamics")
+    shared = ("size", "head", "age", "fps", "dynamics")
     settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
     take = combine(
         score, settings=settings, conflict=chosen["conflict"], onset_function=chosen["onset_function"]

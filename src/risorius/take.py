@@ -39,7 +39,7 @@ def quiet(stage: str, done: int = 0, total: int = 0) -> None:
 @contextmanager
 def _announced_if_slow(progress: Progress) -> Iterator[None]:
     """Say that code is being compiled if the first frame takes long: only then is it."""
-    timer = threading.Timer(1.5, progress, ["Compiling the face and the renderer (once, about 20 s) …"])
+    timer = threading.Timer(4.0, progress, ["Compiling the face and the renderer (once, about 20 s) …"])
     timer.start()
     try:
         yield
@@ -174,4 +174,9 @@ class Take:
     def _solver(self) -> FaceSolver:
         from .face.solve import FaceSolver
 
-        return FaceSolver(self.head, phases="biphasic" if self.settings.dynamics == "biphasic" else "linear")
+        return FaceSolver(
+            self.head,
+            phases="biphasic" if self.settings.dynamics == "biphasic" else "linear",
+            age=self.settings.age,
+            wrinkles=self.settings.wrinkles,
+        )

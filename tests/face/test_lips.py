@@ -92,7 +92,10 @@ def test_without_goals_open_lips_are_left_as_the_muscles_put_them(face, solver, 
         ),
         np.zeros(len(head.rest)),
     )
-    np.testing.assert_allclose(frame.skin[:, 1] - rest[:, 1], head.skin.matrix @ field, atol=1e-3)
+    lips = head.skin.matrix @ head.masks["lips"] > 0.999  # beyond them the skin bulges and folds besides
+    assert lips.sum() > 100
+    moved, expected = frame.skin[:, 1] - rest[:, 1], head.skin.matrix @ field
+    np.testing.assert_allclose(moved[lips], expected[lips], atol=1e-3)
 
 
 @pytest.mark.parametrize("emotion", [None, "happiness", "disgust", "fear"])

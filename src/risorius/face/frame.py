@@ -21,6 +21,7 @@ class FaceFrame:
     eye_rotation    (2, 3, 3) eye in head, left and right
     head_rotation   (3, 3), about the head's pivot
     jaw_angle       radians, 0 at rest
+    wrinkles        (N1, R) float32, heights of folds in mm by region (`face.regions.region_names`)
     parameters      (46,) the values in the parameter table's order that the frame was solved from
     """
 
@@ -30,4 +31,5 @@ class FaceFrame:
     eye_rotation: Array
     head_rotation: Array
     jaw_angle: float
+    wrinkles: Array32
     parameters: Array

@@ -1,13 +1,14 @@
 """The face solver: parameter values to vertices.
 
 The chain: linked muscles displace the skin, at its equilibrium or in motion; the jaw carries it, the lids
-slide over the eyeballs, the lips come into contact, the skin is subdivided, and what would lie within an
-eyeball is pushed out. All that closes comes after the motion, so that no closure is late.
+slide over the eyeballs, the lips come into contact, the skin is subdivided, what would lie within an eyeball
+is pushed out, and the skin bulges and wrinkles where it is compressed. All that closes comes after the
+motion, so that no closure is late.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Literal
 
 import numpy as np
@@ -15,9 +16,10 @@ import numpy.typing as npt
 
 from ..core.parameters import INDEX, PARAMETERS, check_value
 from ..errors import ParameterError
+from .ageing import DEFAULT_AGE
 from .biphasic import Biphasic
 from .eyes import eye_rotations, pitch_and_yaw
-from .frame import FaceFrame
+from .frame import Array32, FaceFrame
 from .head import Head
 from .jaw import Jaw
 from .lids import both_lids
@@ -29,6 +31,7 @@ from .products import Rows
 from .rotations import head_rotation
 from .springs import Springs
 from .tongue import TongueShapes
+from .wrinkles import Wrinkles
 
 Array = npt.NDArray[np.float64]
 
@@ -63,12 +66,19 @@ class FaceSolver:
     """Solves frames of one head. It keeps a workspace: one solver must not be used by two threads at once.
 
     `links` is the table of linked muscles (the head's own where None), `phases` of the skin's springs
-    "linear" or "biphasic". Building it factors the head's plates (about a second); the first frame compiles
-    the kernels, once for a machine. Raises InputError where the head's table of links does not fit.
+    "linear" or "biphasic", `age` (years, 0 to 100) and `wrinkles` (factors by region) say how the skin folds.
+    Building it factors the head's plates (about a second); the first frame compiles the kernels, once for a
+    machine. Raises InputError where the table of links does not fit or age or wrinkles are out of range.
     """
 
     def __init__(
-        self, head: Head, links: Links | None = None, phases: Literal["linear", "biphasic"] = "linear"
+        self,
+        head: Head,
+        links: Links | None = None,
+        phases: Literal["linear", "biphasic"] = "linear",
+        *,
+        age: float = DEFAULT_AGE,
+        wrinkles: Mapping[str, float] | None = None,
     ) -> None:
         self.head = head
         self.jaw = Jaw.of(head)
@@ -80,6 +90,7 @@ class FaceSolver:
         self._lids = both_lids(head)
         self._lips = Lips(head)
         self._tongue = TongueShapes.of(head)
+        self._wrinkles = Wrinkles(head, age, wrinkles)
         self._refine = Rows.of(head.skin.matrix)
         self._linked = np.zeros(len(PARAMETERS))
         self._displacement = np.zeros_like(head.rest)
@@ -113,13 +124,15 @@ class FaceSolver:
         eyes = eye_rotations(self.head.eye_centre, *checked[_GAZE].tolist())
         self._muscles.displace(self._links.apply(checked, self._linked), self._displacement)
         move(self._displacement)
+        skin, wrinkles = self._solve_skin(checked, eyes)
         return FaceFrame(
-            skin=self._solve_skin(checked, eyes),
+            skin=skin,
             teeth_lower=self.jaw.carry(self.head.teeth_lower.vertices, opening).astype(np.float32),
             tongue=self._tongue.place(checked, self.jaw, opening).astype(np.float32),
             eye_rotation=eyes,
             head_rotation=head_rotation(*checked[_HEAD].tolist()),
             jaw_angle=opening * self.jaw.angle,
+            wrinkles=wrinkles,
             parameters=checked,
         )
 
@@ -128,7 +141,7 @@ class FaceSolver:
         if self._stiffening is not None:
             self._stiffening.settle_skin(self._linked, displacement)
 
-    def _solve_skin(self, values: Array, eyes: Array) -> npt.NDArray[np.float32]:
+    def _solve_skin(self, values: Array, eyes: Array) -> tuple[Array32, Array32]:
         skin = self._skin
         self.jaw.carry_skin(self.head.rest, self._displacement, values[_JAW], skin)
         for lids, eye in zip(self._lids, eyes, strict=True):
@@ -137,4 +150,5 @@ class FaceSolver:
         self._refine.times(skin, self._fine)
         for lids in self._lids:
             lids.keep_off(self._fine)
-        return self._fine.astype(np.float32)
+        wrinkles = self._wrinkles.fold(skin, self._fine)
+        return self._fine.astype(np.float32), wrinkles

@@ -24,7 +24,8 @@ class Mesh(NamedTuple):
     strength of the gloss, curvature in 1/mm, share of mouth interior, and one of the material's own: cloth on
     the skin (mm from the neckline), gum on teeth, the way from root to tip on hairs. `rest` (n, 3) are
     positions at rest; `reach` (n, lamps) is the share of each lamp that the head at rest lets through;
-    `hair_light` (n, 3) is the light of hairs, found before the picture is.
+    `hair_light` (n, 3) is the light of hairs, found before the picture is; `crease_…` are those of
+    `creases.Creases`, the skin's wrinkles.
     """
 
     xy: IntArray
@@ -37,6 +38,10 @@ class Mesh(NamedTuple):
     hair_light: FloatArray
     triangles: IntArray
     surfaces: IntArray
+    crease_regions: IntArray
+    crease_place: FloatArray
+    crease_height: FloatArray
+    crease_style: FloatArray
 
 
 class Light(NamedTuple):

@@ -8,7 +8,6 @@ meet the same data and the bytes do not depend on the machine's cores.
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
@@ -37,26 +36,9 @@ _SPREAD = 13  # coprime to BANDS: neighbouring turns work on distant rows, which
 _FAST = {"contract", "arcp", "nsz", "afn"}
 
 
-def _source_times() -> tuple[tuple[int, int], ...]:
-    """Return time and size of each source of the renderer."""
-    stats = [file.stat() for file in sorted(Path(__file__).parent.rglob("*.py"))]
-    return tuple((stat.st_mtime_ns, stat.st_size) for stat in stats)
-
-
-_SOURCES = _source_times()
-
-
 def _cached(function: F, **options: Any) -> F:
-    """Compile with numba and keep the machine code on disk.
-
-    numba itself renews what it kept when the function's own file changes, but not when a function that it
-    calls does; so the stamp of the kept code covers all sources of the renderer.
-    """
-    compiled = numba.njit(cache=True, error_model="numpy", **options)(function)
-    file: Any = getattr(getattr(compiled, "_cache", None), "_cache_file", None)
-    if hasattr(file, "_source_stamp"):
-        file._source_stamp = (file._source_stamp, _SOURCES)
-    return cast(F, compiled)
+    """Compile with numba and keep the machine code on disk."""
+    return cast(F, numba.njit(cache=True, error_model="numpy", **options)(function))
 
 
 def device(function: F) -> F:

@@ -114,6 +114,7 @@ class Renderer:
             scene.hair_light,
             scene.triangles,
             scene.surfaces,
+            *scene.creases,
         )
         light = Light(
             self._lights.lamps,

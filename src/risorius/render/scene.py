@@ -12,6 +12,7 @@ from .anatomy import find_anatomy
 from .aperture import lip_edges
 from .brows import grow_brows
 from .complexion import Complexion, linear
+from .creases import lay_creases
 from .eyeball import lid_margins
 from .garment import neckline, standing_off
 from .geometry import Normals, turn
@@ -54,6 +55,7 @@ class HeadScene:
         self._offset = standing_off(neckline(self.anatomy), surface.normals).astype(np.float32)
         self._starts = np.concatenate([[0], np.cumsum([len(part.vertices) for part in parts])])
         self._gather(parts)
+        self.creases = lay_creases(head, len(self.triangles))
         self._bake(lamps)
 
     def _gather(self, parts: list[Part]) -> None:
@@ -137,6 +139,7 @@ class HeadScene:
         """Copy what moves within the head: skin, lower teeth, tongue."""
         starts = self._starts
         np.add(frame.skin, self._offset, out=self._local[: starts[1]])
+        self.creases.height[:] = frame.wrinkles
         self._local[starts[4] : starts[5]] = frame.teeth_lower
         self._local[starts[5] : starts[6]] = frame.tongue
 

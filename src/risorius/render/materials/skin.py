@@ -9,12 +9,14 @@ from ..noise import grain
 from ..raster import FloatArray
 from ..subsurface import scattered
 from ..vec import Vec, add, along, dot, rotate, scale, smooth, times, unit, weigh
+from .folds import bent, creased
 from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light, warm_edge
 from .mouth import past_lips
 from .patch import Corners, corners_of, put, towards, weights_of
 
 _DARK = f4(0.004)  # a lamp of which less arrives is left out
 _FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
+_FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
 _PORES = f4(6.5 / 0.95)  # grain cells to the millimetre: pores 0.95 mm apart
 
 
@@ -34,7 +36,20 @@ def shade_skin(
         p = weigh(mesh.positions, corners, weights, 0)
         normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
         colour = _skin(
-            mesh, light, pose, tables, corners, weights, p, normal, view, sight.pixel, curvature, inner, cloth
+            mesh,
+            light,
+            pose,
+            tables,
+            t,
+            corners,
+            weights,
+            p,
+            normal,
+            view,
+            sight.pixel,
+            curvature,
+            inner,
+            cloth,
         )
         put(batch.colour, turn, k, colour)
 
@@ -45,6 +60,7 @@ def _skin(
     light: Light,
     pose: Pose,
     tables: Tables,
+    t: int,
     corners: Corners,
     weights: Vec,
     p: Vec,
@@ -63,6 +79,12 @@ def _skin(
     free *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), cloth)
     fine, soft, bumpy = _relief(tables.grain, pose.rotation, rest, normal, pixel, f4(1) - inner)
     albedo = scale(albedo, f4(1) + f4(0.02) * fine)
+    if mesh.crease_regions[t]:
+        folds, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, dot(normal, view), pixel)
+        soft, bumpy = bent(soft, folds, _FLESH), bent(bumpy, folds, f4(1))
+        free *= f4(1) - f4(0.7) * deep
+        strength *= f4(1) - f4(0.6) * deep
+        albedo = times(albedo, (f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep))
     shadow = key_share(light, p)
     opened = free
     if inner > f4(0.02):

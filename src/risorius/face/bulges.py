@@ -1,0 +1,106 @@
+"""Bulges: flesh that loses area gains height (paper A, section 3; paper B, section 6).
+
+A column of flesh of depth T over an area that shrinks by the factor J keeps its volume if it grows to T / J;
+the skin over it rises by T·(1/J − 1).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+
+from .compression import Compression, Zone
+from .head import Head
+from .jit import compiled
+from .layouts import spot
+from .marks import Marks
+from .tables import build, read_table
+
+Array = npt.NDArray[np.float64]
+
+# Loss of area that the flesh takes up before it shows: without it a bulge would begin with a jerk.
+TAKEN_UP = 0.02
+_HIDDEN = ("lips", "inner_mouth", "lids", "ears", "garment")
+
+
+@dataclass(frozen=True, slots=True)
+class Bulge:
+    """Where flesh swells, in mm of the tables; see `bulges.toml`."""
+
+    source: str
+    anchor: tuple[int, ...]
+    offset: tuple[float, float]
+    size: tuple[float, float]
+    compression: tuple[float, float, float]
+    depth: float
+    cap: float
+
+
+@lru_cache(maxsize=1)
+def bulges() -> dict[str, Bulge]:
+    """Return all bulges by name."""
+    table = read_table("bulges.toml")
+    return {name: build(Bulge, values, f"bulges.toml: {name}") for name, values in table.items()}
+
+
+class Bulges:
+    """The bulges of one head; keeps a workspace."""
+
+    def __init__(self, head: Head) -> None:
+        marks = Marks.of(head)
+        fine = head.skin.matrix @ head.rest
+        shown = np.ones(len(fine))
+        for name in _HIDDEN:
+            shown *= 1.0 - np.clip(head.skin.matrix @ head.masks[name], 0.0, 1.0)
+        zones = [Zone(_mask(b, marks, fine) * shown, _pull(b, head)) for b in bulges().values()]
+        self._compression = Compression.of(head, zones)
+        rows = self._compression
+        self._mask = np.concatenate([zone.mask[zone.mask > 0.0] for zone in zones])
+        self._depth, self._cap = (
+            np.array([getattr(b, key) for b in bulges().values()])[rows.row_zone] * marks.unit
+            for key in ("depth", "cap")
+        )
+        self._area = np.empty(len(rows.row_vertex))
+        self.vertices = np.unique(rows.row_vertex)
+
+    def lift(self, skin: Array, out: Array) -> None:
+        """Add to `out` (N1,) by how many mm the skin swells, given the level-0 skin (N0, 3)."""
+        self._compression.measure(skin, self._area)
+        _swell(self._area, self._compression.row_vertex, self._mask, self._depth, self._cap, out)
+
+
+def _mask(bulge: Bulge, marks: Marks, fine: Array) -> Array:
+    centre = marks.mean(bulge.anchor) + np.array([*bulge.offset, 0.0])
+    mask = spot(marks.left_half(fine), centre, bulge.size)
+    mask[mask < 1e-3] = 0.0
+    return mask
+
+
+def _pull(bulge: Bulge, head: Head) -> Array:
+    middles = head.rest[head.quads].mean(axis=1)
+    pull = np.tile(np.asarray(bulge.compression), (len(middles), 1))
+    pull[:, 0] *= np.where(middles[:, 0] < 0.0, -1.0, 1.0)
+    return pull
+
+
+@compiled
+def bulge_height(area: float, depth: float, cap: float) -> float:
+    """Return by how many mm flesh of `depth` mm swells when its area shrinks to the share `area`.
+
+    It is at most `cap`.
+    """
+    if area >= 1.0:
+        return 0.0
+    lost = 1.0 / area - 1.0
+    return float(cap * np.tanh(depth * lost * lost / (lost + TAKEN_UP) / cap))
+
+
+@compiled
+def _swell(
+    area: Array, vertex: npt.NDArray[np.int32], mask: Array, depth: Array, cap: Array, out: Array
+) -> None:
+    for r in range(len(area)):
+        out[vertex[r]] += mask[r] * bulge_height(area[r], depth[r], cap[r])

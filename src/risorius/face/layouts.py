@@ -1,0 +1,203 @@
+"""Layouts of creases: where on the face a wrinkle region lies, and how its creases run through it.
+
+A layout gives each point of the skin a phase, whose integers are the creases (paper B's isolines), a mask,
+and the direction in which the skin must shorten for it to fold.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from .marks import Marks, plateau, ripple, smooth
+
+Array = npt.NDArray[np.float64]
+Range = tuple[float, float, float, float]
+
+_BREAK_LENGTH = 15.0  # mm along a crease over which it fades and returns
+_BEHIND = (-55.0, -40.0)  # mm behind the anchor where the front of the face has ended
+_CURVE_STEPS = 12  # straight pieces between two points of a fold
+
+
+class Chart(NamedTuple):
+    """A region on points (n,): phase in creases, mask 0..1, and the unit direction of compression (n, 3)."""
+
+    phase: Array
+    mask: Array
+    pull: Array
+
+
+class Layout(Protocol):
+    """A way to lay creases on a face."""
+
+    def chart(self, marks: Marks, places: Array) -> Chart:
+        """Return the region on `places` (n, 3), points of the left half in the tables' mm."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Lines:
+    """Parallel creases, each with a strength; keys as in `wrinkles.toml`."""
+
+    anchor: tuple[int, ...]
+    across: tuple[float, float, float]
+    along: tuple[float, float, float]
+    first: float
+    spacing: float
+    strengths: tuple[float, ...]
+    across_range: Range
+    along_range: Range
+    bow: float
+    wave: float
+    breaks: float
+
+    def chart(self, marks: Marks, places: Array) -> Chart:
+        """Return the region on `places` (n, 3)."""
+        offset = places - marks.mean(self.anchor)
+        across, along = offset @ _unit(self.across), offset @ _unit(self.along)
+        bent = across + self.bow * along**2 + self.wave * ripple(places[:, :2], 30.0, 1)
+        phase = (bent - self.first) / self.spacing
+        mask = plateau(self.across_range, across) * plateau(self.along_range, along)
+        mask *= smooth(*_BEHIND, offset[:, 2])
+        mask *= _strength(self.strengths, phase, along, self.breaks)
+        return Chart(phase, mask, np.tile(_unit(self.across), (len(places), 1)))
+
+
+@dataclass(frozen=True, slots=True)
+class Fan:
+    """Creases that radiate from a point, `spacing` degrees apart; keys as in `wrinkles.toml`."""
+
+    anchor: tuple[int, ...]
+    outward: tuple[float, float, float]
+    upward: tuple[float, float, float]
+    first: float
+    spacing: float
+    strengths: tuple[float, ...]
+    angle_range: Range
+    radius_range: Range
+    wave: float
+    breaks: float
+
+    def chart(self, marks: Marks, places: Array) -> Chart:
+        """Return the region on `places` (n, 3)."""
+        offset = places - marks.mean(self.anchor)
+        outward, upward = _unit(self.outward), _unit(self.upward)
+        out, up = offset @ outward, offset @ upward
+        radius, angle = np.hypot(out, up), np.degrees(np.arctan2(up, out))
+        wavy = angle + np.degrees(self.wave * ripple(places, 14.0, 3)) / np.maximum(radius, 4.0)
+        phase = (wavy - self.first) / self.spacing
+        mask = plateau(self.angle_range, angle) * plateau(self.radius_range, radius)
+        mask *= smooth(
+            14.0, 9.0, np.linalg.norm(offset - np.outer(out, outward) - np.outer(up, upward), axis=1)
+        )
+        mask *= _strength(self.strengths, phase, radius, self.breaks)
+        ring = np.outer(out, upward) - np.outer(up, outward)
+        return Chart(phase, mask, ring / np.maximum(radius, 1e-6)[:, None])
+
+
+@dataclass(frozen=True, slots=True)
+class Fold:
+    """One crease along a curve, with the fuller side beyond it; keys as in `wrinkles.toml`."""
+
+    points: tuple[tuple[float, float, float], ...]
+    sides: tuple[float, float]
+    ends: Range
+    compression: tuple[float, float, float]
+
+    def chart(self, marks: Marks, places: Array) -> Chart:
+        """Return the region on `places` (n, 3); its phase is 0 on the crease, 1 where the far side ends."""
+        knots = np.array([marks.landmarks[int(k), :2] + (x, y) for k, x, y in self.points])
+        side, way = _beside(_curve(knots), places[:, :2])
+        before, beyond = self.sides
+        front = smooth(-25.0, -5.0, places[:, 2])
+        mask = plateau(self.ends, way) * plateau((-before, -0.4 * before, 0.5 * beyond, beyond), side) * front
+        return Chart(side / beyond, mask, np.tile(_unit(self.compression), (len(places), 1)))
+
+
+@dataclass(frozen=True, slots=True)
+class Dimples:
+    """Pits in an ellipse; keys as in `wrinkles.toml`."""
+
+    anchor: tuple[int, ...]
+    offset: float
+    spacing: float
+    size: tuple[float, float]
+    compression: tuple[float, float, float]
+
+    def chart(self, marks: Marks, places: Array) -> Chart:
+        """Return the region on `places` (n, 3); its phase is 0."""
+        centre = marks.mean(self.anchor) + np.array([0.0, self.offset, 0.0])
+        return Chart(
+            np.zeros(len(places)),
+            spot(places, centre, self.size),
+            np.tile(_unit(self.compression), (len(places), 1)),
+        )
+
+
+LAYOUTS: dict[str, type[Lines] | type[Fan] | type[Fold] | type[Dimples]] = {
+    "lines": Lines,
+    "fan": Fan,
+    "fold": Fold,
+    "dimples": Dimples,
+}
+
+
+def spot(places: Array, centre: Array, size: tuple[float, float]) -> Array:
+    """Return a soft ellipse (n,), 1 at its centre and 0 from `size` mm on, on the front of the face."""
+    offset = places - centre
+    radius = np.hypot(offset[:, 0] / size[0], offset[:, 1] / size[1])
+    return (1.0 - smooth(0.15, 1.0, radius)) * (1.0 - smooth(20.0, 35.0, np.abs(offset[:, 2])))
+
+
+def _unit(vector: tuple[float, float, float]) -> Array:
+    """Return a vector at length 1; a null vector stays null."""
+    return np.asarray(vector) / max(float(np.linalg.norm(vector)), 1e-12)
+
+
+def _strength(strengths: tuple[float, ...], phase: Array, along: Array, breaks: float) -> Array:
+    """Return the strength (n,) of the nearest creases at a phase, with gaps along each of them."""
+    low = np.floor(phase)
+    share = phase - low
+    return (1.0 - share) * _one(strengths, low, along, breaks) + share * _one(
+        strengths, low + 1.0, along, breaks
+    )
+
+
+def _one(strengths: tuple[float, ...], number: Array, along: Array, breaks: float) -> Array:
+    index = number.astype(int)
+    exists = (index >= 0) & (index < len(strengths))
+    strength = np.where(exists, np.asarray(strengths)[np.clip(index, 0, len(strengths) - 1)], 0.0)
+    # Each crease reads the ripple at a place of its own.
+    gaps = ripple(np.stack([along, 41.0 * number], axis=1), _BREAK_LENGTH, 5)
+    return strength * np.clip(1.0 + breaks * (gaps - 0.35), 0.0, 1.0)
+
+
+def _curve(knots: Array) -> Array:
+    """Return points (m, 2) on the Catmull-Rom spline through `knots` (k, 2)."""
+    ends = np.vstack([2.0 * knots[0] - knots[1], knots, 2.0 * knots[-1] - knots[-2]])
+    t = np.linspace(0.0, 1.0, _CURVE_STEPS, endpoint=False)[:, None]
+    pieces = []
+    for a, b, c, d in zip(ends, ends[1:], ends[2:], ends[3:], strict=False):
+        cubic = (3.0 * (b - c) + d - a) * t**3 + (2.0 * a - 5.0 * b + 4.0 * c - d) * t**2
+        pieces.append(b + 0.5 * (cubic + (c - a) * t))
+    return np.vstack([*pieces, knots[-1:]])
+
+
+def _beside(curve: Array, places: Array) -> tuple[Array, Array]:
+    """Return how far `places` (n, 2) lie beyond a curve that runs downwards, and their way 0..1 along it."""
+    start, step = curve[:-1], np.diff(curve, axis=0)
+    length = np.linalg.norm(step, axis=1)
+    offset = places[:, None] - start
+    share = np.clip((offset * step).sum(axis=2) / length**2, 0.0, 1.0)
+    apart = offset - share[..., None] * step
+    nearest = np.linalg.norm(apart, axis=2).argmin(axis=1)
+    rows = np.arange(len(places))
+    apart, along = apart[rows, nearest], step[nearest]
+    sign = np.sign(along[:, 0] * apart[:, 1] - along[:, 1] * apart[:, 0])
+    way = (
+        np.concatenate([[0.0], np.cumsum(length)])[nearest] + share[rows, nearest] * length[nearest]
+    ) / length.sum()
+    return sign * np.linalg.norm(apart, axis=1), way

@@ -1,0 +1,121 @@
+"""The wrinkle regions of the table `face/data/wrinkles.toml`, laid out on a head."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import InputError, unknown
+from .compression import Zone
+from .head import Head
+from .layouts import LAYOUTS, Dimples, Fan, Fold, Layout, Lines
+from .marks import Marks
+from .tables import build, parse_table, read_table
+
+Array = npt.NDArray[np.float64]
+
+TABLE = "wrinkles.toml"
+_HIDDEN = ("lips", "inner_mouth", "lids", "ears", "garment")
+
+
+@dataclass(frozen=True, slots=True)
+class Sizes:
+    """What a region's table says beside its layout, in mm; see `wrinkles.toml`."""
+
+    source: str
+    cap: float
+    static: float
+    width: float
+    furrow: float
+    shadow: float
+    relief: float
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """One region of wrinkles: its name, sizes and layout."""
+
+    name: str
+    sizes: Sizes
+    layout: Lines | Fan | Fold | Dimples
+
+
+class Placed(NamedTuple):
+    """A region on a head at level 1: phases (N1,) whose integers are creases, and the zone that drives it."""
+
+    region: Region
+    phase: Array
+    zone: Zone
+
+
+@lru_cache(maxsize=1)
+def regions() -> tuple[Region, ...]:
+    """Return the regions in the order of `FaceFrame.wrinkles`."""
+    return _regions(read_table(TABLE), TABLE)
+
+
+def parse_regions(text: str, name: str) -> tuple[Region, ...]:
+    """Return the regions of a table's text; raise InputError, naming the file, where it does not fit."""
+    return _regions(parse_table(text, name), name)
+
+
+def region_names() -> tuple[str, ...]:
+    """Return the names of the regions, in order."""
+    return tuple(region.name for region in regions())
+
+
+def check_factors(factors: Mapping[str, float]) -> Array:
+    """Return one factor (R,) per region, 1 where none is given.
+
+    Raises InputError for a region that does not exist, and for a factor outside 0 to 2.
+    """
+    names = region_names()
+    result = np.ones(len(names))
+    for name, factor in factors.items():
+        if name not in names:
+            raise InputError(unknown("wrinkle region", name, names))
+        if not 0.0 <= factor <= 2.0:
+            raise InputError(f"wrinkles '{name}' = {factor} is out of range; expected 0 to 2")
+        result[names.index(name)] = factor
+    return result
+
+
+def place_regions(head: Head) -> list[Placed]:
+    """Lay all regions out on a head; a mirrored vertex gets the same phase and mask."""
+    marks = Marks.of(head)
+    fine = head.skin.matrix @ head.rest
+    middles = head.rest[head.quads].mean(axis=1)
+    seen = np.ones(len(fine))
+    for name in _HIDDEN:
+        seen *= 1.0 - np.clip(head.skin.matrix @ head.masks[name], 0.0, 1.0)
+    return [_place(region, marks, fine, middles, seen) for region in regions()]
+
+
+def _place(region: Region, marks: Marks, fine: Array, middles: Array, seen: Array) -> Placed:
+    layout: Layout = region.layout
+    chart = layout.chart(marks, marks.left_half(fine))
+    pull = layout.chart(marks, marks.left_half(middles)).pull
+    pull[:, 0] *= np.where(middles[:, 0] < 0.0, -1.0, 1.0)
+    mask = chart.mask * seen
+    mask[mask < 1e-3] = 0.0
+    return Placed(region, chart.phase, Zone(mask, pull))
+
+
+def _regions(table: Mapping[str, Any], name: str) -> tuple[Region, ...]:
+    return tuple(_region(key, values, f"{name}: {key}") for key, values in table.items())
+
+
+def _region(name: str, values: Any, what: str) -> Region:
+    if not isinstance(values, dict):
+        raise InputError(f"{what} is no table; expected one per region")
+    given = [key for key in values if key in LAYOUTS]
+    if len(given) != 1:
+        raise InputError(f"{what} has {len(given)} layouts; expected one of {', '.join(LAYOUTS)}")
+    rest = {key: value for key, value in values.items() if key != given[0]}
+    sizes = build(Sizes, rest, what)
+    return Region(name, sizes, build(LAYOUTS[given[0]], values[given[0]], f"{what}.{given[0]}"))

@@ -1,0 +1,181 @@
+"""Expressive wrinkles (paper B, section 6.2): folds of skin that keeps its length while its ground shortens.
+
+Paper B looks the tangents of a spline surface up in a table, by age and by the distance between two isolines;
+a fold of a known shape has its height in closed form instead (docs/wrinkles.md says why).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from .ageing import DEFAULT_AGE, SkinAge, skin_at
+from .bulges import Bulges
+from .compression import Compression
+from .head import Head
+from .jit import compiled
+from .layouts import Fold
+from .marks import Marks
+from .regions import Placed, check_factors, place_regions
+
+Array = npt.NDArray[np.float64]
+Array32 = npt.NDArray[np.float32]
+IntArray = npt.NDArray[np.int32]
+
+# Excess length that lies flat before a fold rises: a square root alone would start infinitely steep, and the
+# least tremor would show.
+FLAT = 0.012
+OPENED = 0.25  # stretch, beyond 1, that opens a crease kept at rest
+
+
+class Wrinkles:
+    """The wrinkles and bulges of one head at one age; keeps a workspace.
+
+    `factors` are by region name, 0 to 2, 1 where none is given: which wrinkles a speaker shows. Raises
+    InputError for an age or factor out of range, and for a region that does not exist.
+    """
+
+    def __init__(
+        self, head: Head, age: float = DEFAULT_AGE, factors: Mapping[str, float] | None = None
+    ) -> None:
+        self.age = age
+        factor, skin = check_factors(factors or {}), skin_at(age)
+        placed = place_regions(head)
+        self._bulges = Bulges(head)
+        self._compression = Compression.of(head, [p.zone for p in placed])
+        rows = self._compression
+        self._mask = np.concatenate([p.zone.mask[p.zone.mask > 0.0] for p in placed])
+        self._law = _law(placed, skin, factor, Marks.of(head).unit)
+        self._relief = np.concatenate([_relief(p)[p.zone.mask > 0.0] for p in placed])
+        self._stretch = np.empty(len(rows.row_vertex))
+        self._lift = np.zeros(head.skin.matrix.shape[0])
+        self._shape = (head.skin.matrix.shape[0], len(placed))
+        self._raised = _Raised(head, np.union1d(rows.row_vertex[self._relief != 0.0], self._bulges.vertices))
+
+    def fold(self, skin: Array, fine: Array) -> Array32:
+        """Return the heights of folds (N1, R) in mm on the level-0 skin (N0, 3), and raise `fine` (N1, 3).
+
+        `fine` is moved along its normals by the bulges and by the part of the folds that the mesh can carry.
+        """
+        heights = np.zeros(self._shape, np.float32)
+        self._lift[:] = 0.0
+        rows = self._compression
+        rows.measure(skin, self._stretch)
+        _fold(
+            self._stretch,
+            rows.row_vertex,
+            rows.row_zone,
+            self._mask,
+            self._relief,
+            self._law,
+            heights,
+            self._lift,
+        )
+        self._bulges.lift(skin, self._lift)
+        self._raised.move(self._lift, fine)
+        return heights
+
+
+class _Raised:
+    """Vertices (k,) that move along their normals, each with the quads `around` it."""
+
+    def __init__(self, head: Head, vertices: npt.NDArray[np.integer]) -> None:
+        quads = head.skin.quads
+        owner = np.repeat(np.arange(len(quads)), 4)
+        order = np.argsort(quads.ravel(), kind="stable")
+        starts = np.searchsorted(quads.ravel()[order], np.arange(head.skin.matrix.shape[0] + 1))
+        around = [quads[owner[order[starts[v] : starts[v + 1]]]] for v in vertices]
+        self._vertices = vertices.astype(np.int32)
+        self._start = np.concatenate([[0], np.cumsum([len(a) for a in around])]).astype(np.int32)
+        self._around = np.concatenate(around).astype(np.int32)
+        self._step = np.zeros((len(vertices), 3))
+
+    def move(self, lift: Array, fine: Array) -> None:
+        """Move `fine` (N1, 3) by `lift` (N1,) mm along its normals."""
+        _steps(self._vertices, self._start, self._around, lift, fine, self._step)
+        _step(self._vertices, self._step, fine)
+
+
+def _law(placed: list[Placed], skin: SkinAge, factor: Array, unit: float) -> Array:
+    """Return one row per region: width, give, gain, depth at rest, cap."""
+    return np.array(
+        [
+            (
+                p.region.sizes.width * unit,
+                skin.give,
+                skin.gain * f,
+                skin.static * f * p.region.sizes.static * unit,
+                p.region.sizes.cap * unit,
+            )
+            for p, f in zip(placed, factor, strict=True)
+        ]
+    )
+
+
+def _relief(placed: Placed) -> Array:
+    """Return the share (N1,) of a region's height by which the mesh moves: creases down, shoulders up."""
+    phase, share = placed.phase, placed.region.sizes.relief
+    if isinstance(placed.region.layout, Fold):
+        beyond = np.maximum(phase, 0.0) / 0.35
+        return share * (beyond * np.exp(1.0 - beyond) - 0.25 * np.exp(-((phase / 0.16) ** 2)))
+    return -0.5 * share * np.cos(2.0 * np.pi * phase)
+
+
+@compiled
+def fold_height(width: float, stretch: float, give: float) -> float:
+    """Return the height in mm of the fold in which skin keeps its length.
+
+    Skin `width` mm long gives way to the share 1 − `give` of its length; its ground shortens to `stretch` of
+    it, d mm, and a raised cosine over d keeps the length at h = (2d/π)·√e, e = (1 − give)/stretch − 1, to
+    second order in h/d; √e is taken as e/√(e + FLAT).
+    """
+    chord = width * stretch
+    excess = (1.0 - give) / stretch - 1.0
+    if excess <= 0.0:
+        return 0.0
+    return float(2.0 * chord / np.pi * excess / np.sqrt(excess + FLAT))
+
+
+@compiled
+def _fold(
+    stretch: Array,
+    vertex: IntArray,
+    zone: IntArray,
+    mask: Array,
+    relief: Array,
+    law: Array,
+    heights: Array32,
+    lift: Array,
+) -> None:
+    for r in range(len(stretch)):
+        width, give, gain, static, cap = law[zone[r]]
+        moving = gain * fold_height(width, stretch[r], give)
+        kept = static * min(1.0, max(0.0, 1.0 - (stretch[r] - 1.0) / OPENED))
+        heights[vertex[r], zone[r]] = mask[r] * cap * np.tanh((moving + kept) / cap)
+        lift[vertex[r]] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
+
+
+@compiled
+def _steps(
+    vertices: IntArray, start: IntArray, around: IntArray, lift: Array, fine: Array, out: Array
+) -> None:
+    for k in range(len(vertices)):
+        x, y, z = 0.0, 0.0, 0.0
+        for f in range(start[k], start[k + 1]):
+            p, q, r, s = around[f, 0], around[f, 1], around[f, 2], around[f, 3]
+            ax, ay, az = fine[r, 0] - fine[p, 0], fine[r, 1] - fine[p, 1], fine[r, 2] - fine[p, 2]
+            bx, by, bz = fine[s, 0] - fine[q, 0], fine[s, 1] - fine[q, 1], fine[s, 2] - fine[q, 2]
+            x += ay * bz - az * by
+            y += az * bx - ax * bz
+            z += ax * by - ay * bx
+        far = lift[vertices[k]] / np.sqrt(x * x + y * y + z * z + 1e-12)
+        out[k, 0], out[k, 1], out[k, 2] = far * x, far * y, far * z
+
+
+@compiled
+def _step(vertices: IntArray, step: Array, fine: Array) -> None:
+    for k in range(len(vertices)):
+        for c in range(3):
+            fine[vertices[k], c] += step[k, c]

@@ -1,0 +1,84 @@
+"""The wrinkle regions as the skin's shader reads them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ..face.head import Head
+from ..face.layouts import Dimples, Fold
+from ..face.marks import Marks
+from ..face.regions import Placed, place_regions
+from .noise import noise_at
+from .raster import FloatArray, IntArray
+
+Array = npt.NDArray[np.float64]
+
+LINES, FOLD, DIMPLES = 0, 1, 2
+# Columns of `style`.
+KIND, FURROW, SHADOW, SHARE = 0, 1, 2, 3
+RAGGED, WANDERING = 0.18, 9.0  # mm by which creases stray, and over what length
+MESH_CARRIES = 0.6  # of what the mesh was moved, this much need not be shaded again
+
+
+class Creases(NamedTuple):
+    """Wrinkle regions on the skin.
+
+    `regions` (m,) int32 has bit r set on the triangles that region r covers; `place` (N1, R, 4) phase and its
+    slope (1/mm) in x, y, z at rest; `height` (N1, R) mm in this frame; `style` (R, 4) kind, width of the
+    furrow in mm, shadow, and the share of the height that is shaded.
+    """
+
+    regions: IntArray
+    place: FloatArray
+    height: FloatArray
+    style: FloatArray
+
+
+def lay_creases(head: Head, triangles: int) -> Creases:
+    """Lay a head's wrinkle regions out for a scene of so many `triangles`, the skin's first."""
+    placed, unit = place_regions(head), Marks.of(head).unit
+    fine, faces = np.asarray(head.skin.matrix @ head.rest), head.skin.triangles
+    covered = np.zeros(triangles, np.int32)
+    for number, region in enumerate(placed):
+        covered[: len(faces)] |= (region.zone.mask[faces] > 0.0).any(axis=1).astype(np.int32) << number
+    stray = RAGGED * noise_at(fine, WANDERING)
+    place = np.stack([_place(p.phase, stray, fine, faces) for p in placed], axis=1)
+    return Creases(
+        covered,
+        np.ascontiguousarray(place, np.float32),
+        np.zeros((len(fine), len(placed)), np.float32),
+        np.array([_style(p, unit) for p in placed], np.float32),
+    )
+
+
+def _style(placed: Placed, unit: float) -> tuple[float, float, float, float]:
+    sizes, layout = placed.region.sizes, placed.region.layout
+    kind = FOLD if isinstance(layout, Fold) else DIMPLES if isinstance(layout, Dimples) else LINES
+    furrow = layout.spacing * unit if isinstance(layout, Dimples) else sizes.furrow * unit
+    return kind, furrow, sizes.shadow, 1.0 - MESH_CARRIES * sizes.relief
+
+
+def _place(phase: Array, stray: Array, points: Array, faces: npt.NDArray[np.integer]) -> Array:
+    """Return phase and slope (N1, 4) of a region whose creases stray by so many mm (N1,).
+
+    Unlike the regions, the straying is not alike on both sides of the face.
+    """
+    ragged = phase + stray * np.linalg.norm(_slope(points, faces, phase), axis=1)
+    return np.column_stack([ragged, _slope(points, faces, ragged)])
+
+
+def _slope(points: Array, faces: npt.NDArray[np.integer], values: Array) -> Array:
+    """Return the slope (N1, 3) of `values` (N1,) along the surface: the triangles' own, averaged by area."""
+    a, b, c = (points[faces[:, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    twice = np.linalg.norm(normal, axis=1, keepdims=True)
+    edges = (c - b, a - c, b - a)
+    own = sum(values[faces[:, k], None] * np.cross(normal / twice, edges[k]) for k in range(3))
+    total, weight = np.zeros_like(points), np.zeros((len(points), 1))
+    for k in range(3):
+        np.add.at(total, faces[:, k], own)
+        np.add.at(weight, faces[:, k], twice)
+    return np.asarray(total / np.maximum(weight, 1e-12))
