@@ -18,16 +18,28 @@ _THROAT = -120.0  # y in mm below which no chin is looked for
 _MIRROR = np.array([-1.0, 1.0, 1.0])
 
 
+INNER_LIPS = slice(60, 68)
+
+
 def landmarks(bust: Bust, rest: Array, seal: LipSeal) -> tuple[Array, Array]:
-    """Level-1 vertices (68, 3) and barycentric weights (68, 3) of the points on the skin at rest."""
+    """Level-1 vertices (68, 3) and barycentric weights (68, 3) of the points on the template's skin at
+    rest.
+    """
     surface = Surface(seal.sections.skin.matrix @ rest, seal.sections.skin.triangles)
     jaw, brow, nose = _jaw(bust, rest), _brow(surface), _nose(rest, surface)
     eye, outer = _eye(bust, rest), _outer_lips(bust, rest, seal)
     points = np.vstack([_both(jaw[::-1], jaw[1:]), brow[::-1] * _MIRROR, brow, nose])
     points = np.vstack([points, eye[[3, 2, 1, 0, 5, 4]] * _MIRROR, eye, outer])
     triangles, weights = surface.project(points)
-    inner = [_inner_lips(rest, seal, surface, side) for side in ("upper", "lower")]
-    return np.vstack([triangles, *(t for t, _ in inner)]), np.vstack([weights, *(w for _, w in inner)])
+    inner_triangles, inner_weights = inner_lips(rest, seal)
+    return np.vstack([triangles, inner_triangles]), np.vstack([weights, inner_weights])
+
+
+def inner_lips(rest: Array, seal: LipSeal) -> tuple[Array, Array]:
+    """The points 60 to 67 (8, 3) on any head: they depend on where its lips meet."""
+    surface = Surface(seal.sections.skin.matrix @ rest, seal.sections.skin.triangles)
+    found = [_inner_lips(rest, seal, surface, side) for side in ("upper", "lower")]
+    return np.vstack([t for t, _ in found]), np.vstack([w for _, w in found])
 
 
 class Surface:
