@@ -13,7 +13,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "src"), str(ROOT / "tools")]
 
-from headbuild.build import Shape, build, build_ages  # noqa: E402
+from headbuild.ages import build_ages  # noqa: E402
+from headbuild.build import Shape, build  # noqa: E402
 from headbuild.pack import write_npz  # noqa: E402
 from headbuild.source import Source, open_source  # noqa: E402
 

@@ -1,4 +1,4 @@
-"""Put the parts of a head together into the arrays of `head.npz` and `ages.npz`."""
+"""Put the parts of a head together into the arrays of `head.npz`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from risorius.face.head_file import FORMAT
-from risorius.face.identity import OLD, YOUNG, Identity
+from risorius.face.identity import Identity
 
 from .arrays import Array
 from .bite import Bite, find_bite
@@ -17,6 +17,7 @@ from .bust import Bust, cut_bust
 from .jaw import Jaw, fit_jaw
 from .landmarks import INNER_LIPS, inner_lips, landmarks
 from .lids import lid_pairs
+from .lining import lining
 from .masks import masks, neck_weight
 from .mouth import LipSeal, lip_pairs
 from .muscles import muscle_fields, read_recipes
@@ -40,8 +41,9 @@ class Shape:
 
     @classmethod
     def of(cls, source: Source, identity: Identity, template: Shape | None = None) -> Shape:
-        """Blend and cut the identity."""
-        return cls(cut_bust(source, identity, template and template.bust), template)
+        """Blend and cut the identity, and hang the template's mouth into its lips."""
+        bust = cut_bust(source, identity, template and template.bust)
+        return cls(bust.reshaped(lining(bust)) if template else bust, template)
 
     @cached_property
     def seal(self) -> LipSeal:
@@ -92,27 +94,10 @@ def build(shape: Shape, recipes: Path) -> dict[str, Array]:
         "format": np.array(FORMAT, np.int32),
         **_skin(shape),
         **_jaw(shape.jaw),
-        **_packed({f"field/{name}": field for name, field in fields.items()}),
+        **packed({f"field/{name}": field for name, field in fields.items()}),
         **_teeth(template.bite.line, bite),
         **_tongue(template.bust, bite),
         **_landmarks(shape),
-    }
-
-
-def build_ages(source: Source, identity: Identity, shape: Shape) -> dict[str, Array]:
-    """All arrays of the ages file: the identity when young, as it is, and when old."""
-    template = shape.template or shape
-    years = sorted({YOUNG, identity.age, OLD})
-    shapes = [shape if y == identity.age else Shape.of(source, identity.at(y), template) for y in years]
-    return {
-        "format": np.array(FORMAT, np.int32),
-        "years": np.array(years),
-        **_packed({f"rest/{k}": s.rest - shape.rest for k, s in enumerate(shapes) if s is not shape}),
-        "eye_centre": np.array([other.bust.eye_centre for other in shapes]),
-        "eye_radius": np.array([other.bust.eye_radius for other in shapes]),
-        "jaw_point": np.array([other.jaw.point for other in shapes]),
-        "head_pivot": np.array([other.pivot for other in shapes]),
-        "mouth": np.array([other.bite.shift - shape.bite.shift for other in shapes]),
     }
 
 
@@ -140,7 +125,7 @@ def _jaw(jaw: Jaw) -> dict[str, Array]:
         "jaw_axis": jaw.axis,
         "jaw_angle": np.array(jaw.angle),
         "jaw_weight": _short(jaw.weight),
-        **_packed({"jaw/corrective": jaw.corrective}),
+        **packed({"jaw/corrective": jaw.corrective}),
     }
 
 
@@ -156,7 +141,7 @@ def _teeth(line: float, bite: Bite) -> dict[str, Array]:
 def _tongue(template: Bust, bite: Bite) -> dict[str, Array]:
     rest, quads = tongue(template)
     fields = {f"tongue/{name}": field for name, field in tongue_fields(rest).items()}
-    return {"tongue/rest": _short(bite.place(rest)), "tongue/quads": _index(quads), **_packed(fields)}
+    return {"tongue/rest": _short(bite.place(rest)), "tongue/quads": _index(quads), **packed(fields)}
 
 
 def _landmarks(shape: Shape) -> dict[str, Array]:
@@ -164,7 +149,8 @@ def _landmarks(shape: Shape) -> dict[str, Array]:
     return {"landmark_triangles": _index(triangles), "landmark_weights": _short(weights)}
 
 
-def _packed(fields: dict[str, Array]) -> dict[str, Array]:
+def packed(fields: dict[str, Array]) -> dict[str, Array]:
+    """The arrays in which fields (n, 3) mm are kept, by name."""
     return {
         f"{name}/{key}": value for name, field in fields.items() for key, value in quantized(field).items()
     }

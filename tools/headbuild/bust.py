@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -44,6 +44,12 @@ class Bust:
     def places(self) -> Array:
         """Positions (N0, 3) by which vertices are told apart: on the template, the same for every identity."""
         return self.rest if self.template is None else self.template.rest
+
+    def reshaped(self, points: Array) -> Bust:
+        """The same bust with the skin at `points` (N0, 3)."""
+        whole = self.body.copy()
+        whole[self.ids] = points
+        return replace(self, body=whole)
 
     @cached_property
     def rest(self) -> Array:
@@ -94,10 +100,11 @@ class Bust:
         sculpt = self.source.shape(name)[self.ids]
         if self.template is None:
             return sculpt
-        return np.asarray(np.einsum("nij,nj->ni", self._maps, sculpt))
+        return np.asarray(np.einsum("nij,nj->ni", self.maps, sculpt))
 
     @cached_property
-    def _maps(self) -> Array:
+    def maps(self) -> Array:
+        """Linear maps (N0, 3, 3) from the template's surroundings of a vertex to those on this face."""
         return local_maps(self.places, self.rest, self.edges, self.laplacian)
 
     def moved(self, part: str) -> Array:

@@ -8,11 +8,10 @@ from scipy.spatial import cKDTree
 from .arrays import Array
 from .bust import Bust
 from .lids import lid_pairs, margin
-from .mouth import LipSeal
+from .mouth import VERMILION, LipSeal
 
 # The middle line of the left brow: |x| and y in mm, from the inner to the outer end.
 BROW = np.array([[9.5, 12.7], [17.5, 16.1], [26.0, 18.1], [34.5, 17.8], [43.0, 13.4]])
-_VERMILION = (405, 406)  # an edge of the loop along the border of the lips' red, in the base mesh
 _CHIN_FORWARD = 0.6
 _THROAT = -120.0  # y in mm below which no chin is looked for
 _MIRROR = np.array([-1.0, 1.0, 1.0])
@@ -154,7 +153,7 @@ def _outer_lips(bust: Bust, rest: Array, seal: LipSeal) -> Array:
     """(12, 3) along the border of the lips' red: right corner, upper lip, left corner, lower lip back to
     the right.
     """
-    ring = np.array(bust.loop(*_VERMILION))
+    ring = np.array(bust.loop(*VERMILION))
     corner = rest[seal.corner]
     upper = rest[ring[rest[ring, 1] > corner[1]]]
     lower = rest[ring[rest[ring, 1] <= corner[1]]]

@@ -20,7 +20,7 @@ def margin(bust: Bust) -> list[int]:
 
 def lid_pairs(bust: Bust, side: str) -> Array:
     """(14, 2) upper and lower vertices of the lids' margins that meet, left or right eye."""
-    left = columns(margin(bust), bust.rest)
+    left = columns(margin(bust), bust.places)
     return left if side == "left" else bust.mirror[left]
 
 

@@ -26,6 +26,7 @@ RINGS = (
     (535, 536),
     (552, 553),
 )
+VERMILION = RINGS[0]  # along the border of the lips' red
 _LINE = (418, 419)  # of them, the one nearest the line where the lips meet
 _TOUCHING = 0.05  # mm left between lips that are together
 _REACH = 2.1
@@ -43,10 +44,10 @@ def lip_sides(bust: Bust) -> Array:
     sides = np.zeros(len(bust.ids))
     for a, b in RINGS:
         ring = np.array(bust.loop(a, b))
-        ring = np.roll(ring, -int(np.argmin(bust.rest[ring, 0])))
-        right = int(np.argmax(bust.rest[ring, 0]))
+        ring = np.roll(ring, -int(np.argmin(bust.places[ring, 0])))
+        right = int(np.argmax(bust.places[ring, 0]))
         arcs = [ring[1:right], ring[right + 1 :]]
-        arcs.sort(key=lambda arc: float(bust.rest[arc, 1].mean()))
+        arcs.sort(key=lambda arc: float(bust.places[arc, 1].mean()))
         sides[arcs[0]], sides[arcs[1]] = -1.0, 1.0
     return sides
 
@@ -84,7 +85,7 @@ class LipSeal:
         sides = lip_sides(bust)
         skin = catmull_clark(len(bust.ids), bust.quads)
         ring = np.array(bust.loop(*_LINE))
-        corner = int(ring[np.argmax(bust.rest[ring, 0])])
+        corner = int(ring[np.argmax(bust.places[ring, 0])])
         return cls(MouthSections.of(skin, sides, float((bust.rest - bust.places)[corner, 2])), _share(bust, sides), corner)
 
     def together(self, points: Array, *, close: bool = True) -> Array:
