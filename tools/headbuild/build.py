@@ -16,7 +16,7 @@ from .bite import Bite, find_bite
 from .bust import Bust, cut_bust
 from .jaw import Jaw, fit_jaw
 from .landmarks import INNER_LIPS, inner_lips, landmarks
-from .lids import lid_pairs
+from .lids import clear_of_eyes, lid_pairs
 from .lining import lining
 from .masks import masks, neck_weight
 from .mouth import LipSeal, lip_pairs
@@ -41,9 +41,12 @@ class Shape:
 
     @classmethod
     def of(cls, source: Source, identity: Identity, template: Shape | None = None) -> Shape:
-        """Blend and cut the identity, and hang the template's mouth into its lips."""
+        """Blend and cut the identity, hang the template's mouth into its lips and clear its eyes of the lids."""
         bust = cut_bust(source, identity, template and template.bust)
-        return cls(bust.reshaped(lining(bust)) if template else bust, template)
+        if template:
+            bust = bust.reshaped(lining(bust))
+            bust = bust.reshaped(clear_of_eyes(bust))
+        return cls(bust, template)
 
     @cached_property
     def seal(self) -> LipSeal:
