@@ -21,7 +21,6 @@ sys.path.insert(0, str(ROOT / "tests"))
 
 from face.conftest import EMOTIONS, MOUTH_MUSCLES  # noqa: E402
 from face.laws import Laws  # noqa: E402
-
 from risorius.face.head import load_head, shipped_heads  # noqa: E402
 
 AGES = (25, 50, 75)

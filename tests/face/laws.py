@@ -66,7 +66,9 @@ class Laws:
         apart = []
         for company in COMPANY:
             skin = self.face(company | {BLINK: 1.0}).skin
-            apart += [np.linalg.norm(skin[upper] - skin[lower], axis=1).max() for upper, lower in self._margins]
+            apart += [
+                np.linalg.norm(skin[upper] - skin[lower], axis=1).max() for upper, lower in self._margins
+            ]
         return max(apart)
 
     def lid_clearance(self):
@@ -137,5 +139,7 @@ def margins(head, eye):
     result = []
     for chain in head.lid_pairs[eye].T.tolist():
         between = [min(found[a] & found[b]) for a, b in itertools.pairwise(chain)]
-        result.append([v for pair in zip(chain, [*between, None], strict=True) for v in pair if v is not None])
+        result.append(
+            [v for pair in zip(chain, [*between, None], strict=True) for v in pair if v is not None]
+        )
     return result

@@ -32,8 +32,8 @@ HEAD_PIVOT = np.array([0.0, -45.0, -74.0])  # between the ears' lobes: about whe
 
 @dataclass(frozen=True)
 class Shape:
-    """An identity at one age: its bust, and what is measured on it; `template` is the shape that the builder's
-    distances were drawn for, None for itself.
+    """An identity at one age: its bust, and what is measured on it; `template` is the shape that the
+    builder's distances were drawn for, None for itself.
     """
 
     bust: Bust
@@ -41,8 +41,8 @@ class Shape:
 
     @classmethod
     def of(cls, source: Source, identity: Identity, template: Shape | None = None) -> Shape:
-        """Blend and cut the identity, hang the template's mouth into its lips and clear its eyes of the lids."""
-        bust = cut_bust(source, identity, template and template.bust)
+        """Blend and cut the identity, hang the template's mouth into its lips, clear its eyes of the lids."""
+        bust = cut_bust(source, identity, template.bust if template else None)
         if template:
             bust = bust.reshaped(lining(bust))
             bust = bust.reshaped(clear_of_eyes(bust))
@@ -66,7 +66,7 @@ class Shape:
     @cached_property
     def bite(self) -> Bite:
         """Where its teeth stand."""
-        there = self.template and (self.template.seal, self.template.rest)
+        there = (self.template.seal, self.template.rest) if self.template else None
         return find_bite(self.bust, self.seal, self.rest, there)
 
     @cached_property

@@ -42,7 +42,7 @@ class Bust:
 
     @cached_property
     def places(self) -> Array:
-        """Positions (N0, 3) by which vertices are told apart: on the template, the same for every identity."""
+        """Positions (N0, 3) by which vertices are told apart: the template's, for every identity."""
         return self.rest if self.template is None else self.template.rest
 
     def reshaped(self, points: Array) -> Bust:

@@ -104,7 +104,7 @@ def _jaw(bust: Bust, rest: Array) -> Array:
     ears = bust.texture("ears")
     neck = np.interp(rest[:, 1], [-115.0, -20.0], [-12.0, -58.0])
     middle = rest[(np.abs(rest[:, 0]) < 0.5) & (rest[:, 2] > 5.0)]
-    # The chin's edge as it is seen a little from below: farther back the point would hardly drop with the jaw.
+    # The chin's edge as it is seen a little from below: farther back it would hardly drop with the jaw.
     depth = middle[:, 1] - _CHIN_FORWARD * middle[:, 2]
     chin = middle[np.argmin(np.where(middle[:, 1] > _THROAT, depth, np.inf))]
     face = (ears < 0.1) & (rest[:, 2] > neck) & (rest[:, 0] > -1e-6) & (rest[:, 1] > chin[1])

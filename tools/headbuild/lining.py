@@ -16,8 +16,8 @@ INSIDE = 535  # a vertex of the mouth's lining
 def lining(bust: Bust) -> Array:
     """Positions (N0, 3) of a bust whose mouth, from the lips' crest inwards, is shaped as the template's.
 
-    It is hung into the lips by its Laplacian coordinates, turned and scaled to the face (Sorkine et al. 2004),
-    so that upper and lower lip stand above each other wherever they do on the template.
+    It is hung into the lips by its Laplacian coordinates, turned and scaled to the face (Sorkine et al.
+    2004), so that upper and lower lip stand above each other wherever they do on the template.
     """
     border = bust.loop(*_BORDER)
     seed = int(bust.local(np.array([INSIDE]))[0])

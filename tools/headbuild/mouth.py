@@ -86,7 +86,11 @@ class LipSeal:
         skin = catmull_clark(len(bust.ids), bust.quads)
         ring = np.array(bust.loop(*_LINE))
         corner = int(ring[np.argmax(bust.places[ring, 0])])
-        return cls(MouthSections.of(skin, sides, float((bust.rest - bust.places)[corner, 2])), _share(bust, sides), corner)
+        return cls(
+            MouthSections.of(skin, sides, float((bust.rest - bust.places)[corner, 2])),
+            _share(bust, sides),
+            corner,
+        )
 
     def together(self, points: Array, *, close: bool = True) -> Array:
         """Positions (N0, 3), mirror symmetric as given, whose lips touch without overlap.

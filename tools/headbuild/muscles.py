@@ -126,9 +126,7 @@ def mirrored(bust: Bust, field: Array) -> Array:
 
 
 def _field(bust: Bust, rest: Array, recipe: dict[str, Any], side: str) -> Array:
-    total = sum(
-        (w * _sided(bust, shape, side) for shape, w in recipe["shapes"].items()), np.zeros_like(rest)
-    )
+    total = sum((w * _sided(bust, shape, side) for shape, w in recipe["shapes"].items()), np.zeros_like(rest))
     field = _ironed(bust, PARTS[recipe["part"]](bust.places, total), recipe["smooth"])
     return close_lids(bust, rest, field, side) if recipe["part"] == "lids to their meeting" else field
 

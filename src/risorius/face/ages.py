@@ -52,7 +52,8 @@ def check_age(age: float) -> None:
 def read_ages(path: Path, rest: FloatArray, own: float) -> AgeShapes:
     """Read the anchors of the head whose skin at rest is `rest` (N0, 3), at its `own` age in years.
 
-    Raises HeadError where an array is missing, misshapen or out of range, or no anchor has the head's own age.
+    Raises HeadError where an array is missing, misshapen or out of range, or no anchor has the
+    head's own age.
     """
     file = HeadFile.read(path)
     years = file.array("years", ("k",), *YEARS)

@@ -21,7 +21,7 @@ from . import ages as age_file
 from . import identity as identity_file
 from .ages import AgeShapes, check_age, read_ages
 from .head_file import FORMAT, HeadFile
-from .identity import Identity, read_identity
+from .identity import UNNAMED, Identity, read_identity
 from .subdivide import FloatArray, IntArray, Subdivision, catmull_clark
 
 EXTRA_FIELDS = ("lip_tuck",)
@@ -103,7 +103,7 @@ class Head:
     landmark_triangles: IntArray
     landmark_weights: FloatArray
     skin: Subdivision
-    identity: Identity = Identity()
+    identity: Identity = UNNAMED
     ages: AgeShapes | None = None
 
     def landmarks(self, skin: npt.NDArray[np.floating]) -> FloatArray:
@@ -123,7 +123,9 @@ class Head:
             return self
         shapes = self.ages
         if shapes is None:
-            raise HeadError(f"head '{self.name}' has no other ages ({age_file.FILE} is missing in its folder)")
+            raise HeadError(
+                f"head '{self.name}' has no other ages ({age_file.FILE} is missing in its folder)"
+            )
         share = shapes.weights(age)
 
         def between(anchors: FloatArray) -> FloatArray:

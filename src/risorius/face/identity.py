@@ -62,6 +62,9 @@ class Identity:
         return replace(self, age=age)
 
 
+UNNAMED = Identity()  # of a head whose folder does not say who it is
+
+
 def read_identity(path: Path) -> Identity:
     """Read an `identity.toml`.
 
