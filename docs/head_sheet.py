@@ -16,7 +16,7 @@ from risorius.face.solve import FaceSolver
 from risorius.render.renderer import Renderer
 
 PICTURES = Path(__file__).parent / "pictures"
-SIZE = 360
+SIZE = 300
 SMILE = {"AU6": 0.7, "AU12": 0.75, "AU25": 0.3, "masseter": 0.08}
 TURNED = {"head_yaw": 38.0}
 AGED = ("standard", "amara", "kenji", "olaf")
@@ -25,7 +25,7 @@ AGES = (25.0, 50.0, 75.0)
 
 def pictures(head: Head, *poses: dict[str, float]) -> np.ndarray:
     """Return the poses of one head, one below the other."""
-    solver, renderer = FaceSolver(head), Renderer(head, (SIZE, SIZE), "high")
+    solver, renderer = FaceSolver(head), Renderer(head, (SIZE, SIZE), "normal")
     rows = []
     for pose in poses:
         values = np.array(NEUTRAL)

@@ -15,7 +15,7 @@ from .laws import Laws
 # The contract allows 0.05 mm for a seal; the heads but the standard one keep up to twice that in some poses.
 OVERLAP, SEALED, LIDS, CLEAR = 0.32, 0.11, 0.01, 0.25
 HEADS = shipped_heads()
-AGED = [(HEADS[k % len(HEADS)], age) for k, age in enumerate((50, 75, 75, 25, 50, 25, 75))]
+AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("olaf", 25)]
 POSES = [
     {"zygomatic_major": 1.0, "levator_labii_nasi": 1.0},
     {"triangularis": 1.0, "mentalis": 1.0},
@@ -76,7 +76,7 @@ def test_heads_share_one_topology(name):
     assert np.abs(head.eye_centre.mean(axis=0)).max() < 1e-6
 
 
-@pytest.mark.parametrize(("a", "b"), itertools.combinations(HEADS, 2))
+@pytest.mark.parametrize(("a", "b"), list(itertools.combinations(HEADS, 2)))
 def test_heads_differ_clearly(a, b):
     apart = load_head(a).landmarks(load_head(a).skin.matrix @ load_head(a).rest)
     apart = apart - load_head(b).landmarks(load_head(b).skin.matrix @ load_head(b).rest)
