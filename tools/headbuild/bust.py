@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
+from risorius.face.identity import Identity
+
 from .arrays import Array
-from .identity import identity
+from .identity import body
+from .local import local_maps
 from .loops import Loops
 from .source import Source
 
@@ -35,6 +38,18 @@ class Bust:
     body: Array
     eye_centre: Array
     eye_radius: Array
+    template: Bust | None = None
+
+    @cached_property
+    def places(self) -> Array:
+        """Positions (N0, 3) by which vertices are told apart: the template's, for every identity."""
+        return self.rest if self.template is None else self.template.rest
+
+    def reshaped(self, points: Array) -> Bust:
+        """The same bust with the skin at `points` (N0, 3)."""
+        whole = self.body.copy()
+        whole[self.ids] = points
+        return replace(self, body=whole)
 
     @cached_property
     def rest(self) -> Array:
@@ -81,8 +96,23 @@ class Bust:
         return self.loops.walk(int(start), int(end))
 
     def shape(self, name: str) -> Array:
-        """Displacement (N0, 3) of a sculpted shape on the bust."""
-        return self.source.shape(name)[self.ids]
+        """Displacement (N0, 3) of a sculpted shape, turned and scaled from the template to this face."""
+        sculpt = self.source.shape(name)[self.ids]
+        if self.template is None:
+            return sculpt
+        return np.asarray(np.einsum("nij,nj->ni", self.maps, sculpt))
+
+    @cached_property
+    def maps(self) -> Array:
+        """Linear maps (N0, 3, 3) from the template's surroundings of a vertex to those on this face."""
+        return local_maps(self.places, self.rest, self.edges, self.laplacian)
+
+    def moved(self, part: str) -> Array:
+        """How far (3,) the middle of a part of the body stands from its place on the template."""
+        if self.template is None:
+            return np.zeros(3)
+        ids = self.source.parts[part].vertices
+        return np.asarray((self.body[ids] - self.template.body[ids]).mean(axis=0))
 
     def texture(self, name: str) -> Array:
         """A mask image sampled at the vertices (N0,), averaged over the faces' corners and the two sides."""
@@ -104,23 +134,24 @@ class Bust:
         return result
 
 
-def cut_bust(source: Source) -> Bust:
+def cut_bust(source: Source, identity: Identity, template: Bust | None = None) -> Bust:
     """Build the identity and cut the bust out of its body."""
     part = source.parts["body"]
     loops = Loops(part.quads)
     faces = loops.fill(_SEED, [loops.walk(a, b) for a, b in _CUTS])
     ids = np.unique(part.quads[faces])
-    body = identity(source)
-    eyes = [_sphere(body[source.parts[f"helper-{side}-eye"].vertices]) for side in "lr"]
+    whole = body(source, identity)
+    eyes = [_sphere(whole[source.parts[f"helper-{side}-eye"].vertices]) for side in "lr"]
     origin = (eyes[0][0] + eyes[1][0]) / 2.0
     return Bust(
         source=source,
         ids=ids,
         quads=np.searchsorted(ids, part.quads[faces]),
         uv_quads=part.uv_quads[faces],
-        body=body - origin,
+        body=whole - origin,
         eye_centre=np.array([centre - origin for centre, _ in eyes]),
         eye_radius=np.array([radius for _, radius in eyes]),
+        template=template,
     )
 
 

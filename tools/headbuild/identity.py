@@ -1,49 +1,55 @@
-"""Who the standard head is: a blend of the source's identities, and a few sliders."""
+"""The body of an identity: a blend of the source's sexes, origins and ages, and a few sliders."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from risorius.errors import HeadError, unknown
+from risorius.face.identity import OLD, YOUNG, Identity
+
 from .arrays import Array
 from .source import Source
 
 _MACRO = "mpfb2/targets/macrodetails/"
-_GENDER = {"female": 0.62, "male": 0.38}
-_AGE = "young"
-_ANCESTRY = {"caucasian": 0.7, "asian": 0.15, "african": 0.15}
-# Target file → amount; `{}` stands for both sides.
-_SLIDERS = {
-    "chin/chin-prominent-incr": 0.2,
-    "cheek/{}-cheek-bones-incr": 0.3,
-    "ears/{}-ear-scale-decr": 0.35,
-    "ears/{}-ear-wing-decr": 0.5,
-    "eyebrows/eyebrows-trans-up": 0.2,
-    "eyes/{}-eye-corner2-up": 0.2,
-    "eyes/{}-eye-scale-incr": 0.35,
-    "forehead/forehead-scale-vert-decr": 0.3,
-    "head/head-invertedtriangular": 0.45,
-    "head/head-scale-horiz-decr": 0.2,
-    "mouth/mouth-angles-up": 0.35,
-    "mouth/mouth-scale-horiz-incr": 0.25,
-    "mouth/mouth-upperlip-volume-incr": 0.2,
-    "nose/nose-hump-decr": 0.3,
-    "nose/nose-point-up": 0.25,
-    "nose/nose-scale-horiz-decr": 0.2,
-    "nose/nose-volume-decr": 0.25,
-    "nose/nose-width3-decr": 0.35,
-}
+_UNIVERSAL = _MACRO + "universal-{sex}-{age}-{muscle}muscle-{weight}weight.target.gz"
+_ORIGIN = _MACRO + "{origin}-{sex}-{age}.target.gz"
+_SLIDERS = "mpfb2/targets/"
 
 
-def identity(source: Source) -> Array:
-    """The body (19158, 3) in mm, in the source's frame, made exactly symmetric."""
-    body = source.base.copy()
-    for gender, share in _GENDER.items():
-        for ancestry, part in _ANCESTRY.items():
-            body += share * part * source.target(f"{_MACRO}{ancestry}-{gender}-{_AGE}.target.gz")
-        body += share * source.target(
-            f"{_MACRO}universal-{gender}-{_AGE}-averagemuscle-averageweight.target.gz"
-        )
-    for pattern, amount in _SLIDERS.items():
-        for path in sorted({pattern.format("l"), pattern.format("r")}):
-            body += amount * source.target(f"mpfb2/targets/{path}.target.gz")
-    return np.asarray(0.5 * (body + body[source.mirror()] * np.array([-1.0, 1.0, 1.0])))
+def body(source: Source, identity: Identity) -> Array:
+    """The body (19158, 3) in mm, in the source's frame, made exactly symmetric; raise HeadError where the
+    source has no such slider.
+    """
+    result = source.base.copy()
+    for age, time in _ages(identity.age).items():
+        for sex, share in identity.sex.items():
+            for origin, part in identity.origin.items():
+                path = _ORIGIN.format(origin=origin, sex=sex, age=age)
+                result += share * time * part * source.target(path)
+            for muscle, strength in _levels(identity.build.get("muscle", 0.0)).items():
+                for weight, amount in _levels(identity.build.get("weight", 0.0)).items():
+                    path = _UNIVERSAL.format(sex=sex, age=age, muscle=muscle, weight=weight)
+                    result += share * time * strength * amount * source.target(path)
+    for slider, amount in identity.sliders.items():
+        for path in _slider_paths(source, slider):
+            result += amount * source.target(path)
+    return np.asarray(0.5 * (result + result[source.mirror()] * np.array([-1.0, 1.0, 1.0])))
+
+
+def _ages(years: float) -> dict[str, float]:
+    old = float(np.clip((years - YOUNG) / (OLD - YOUNG), 0.0, 1.0))
+    return {name: share for name, share in (("young", 1.0 - old), ("old", old)) if share > 0.0}
+
+
+def _levels(value: float) -> dict[str, float]:
+    end = "max" if value > 0.0 else "min"
+    shares = {"average": 1.0 - abs(value), end: abs(value)}
+    return {name: share for name, share in shares.items() if share > 0.0}
+
+
+def _slider_paths(source: Source, slider: str) -> list[str]:
+    paths = sorted({f"{_SLIDERS}{slider.format(side)}.target.gz" for side in "lr"})
+    if not all(source.has(path) for path in paths):
+        known = [name.removesuffix(".target.gz").replace("/l-", "/{}-") for name in source.names(_SLIDERS)]
+        raise HeadError(unknown("slider", slider, known))
+    return paths

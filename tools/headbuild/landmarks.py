@@ -8,26 +8,37 @@ from scipy.spatial import cKDTree
 from .arrays import Array
 from .bust import Bust
 from .lids import lid_pairs, margin
-from .mouth import LipSeal
+from .mouth import VERMILION, LipSeal
 
 # The middle line of the left brow: |x| and y in mm, from the inner to the outer end.
 BROW = np.array([[9.5, 12.7], [17.5, 16.1], [26.0, 18.1], [34.5, 17.8], [43.0, 13.4]])
-_VERMILION = (405, 406)  # an edge of the loop along the border of the lips' red, in the base mesh
 _CHIN_FORWARD = 0.6
 _THROAT = -120.0  # y in mm below which no chin is looked for
 _MIRROR = np.array([-1.0, 1.0, 1.0])
 
 
+INNER_LIPS = slice(60, 68)
+
+
 def landmarks(bust: Bust, rest: Array, seal: LipSeal) -> tuple[Array, Array]:
-    """Level-1 vertices (68, 3) and barycentric weights (68, 3) of the points on the skin at rest."""
+    """Level-1 vertices (68, 3) and barycentric weights (68, 3) of the points on the template's skin at
+    rest.
+    """
     surface = Surface(seal.sections.skin.matrix @ rest, seal.sections.skin.triangles)
     jaw, brow, nose = _jaw(bust, rest), _brow(surface), _nose(rest, surface)
     eye, outer = _eye(bust, rest), _outer_lips(bust, rest, seal)
     points = np.vstack([_both(jaw[::-1], jaw[1:]), brow[::-1] * _MIRROR, brow, nose])
     points = np.vstack([points, eye[[3, 2, 1, 0, 5, 4]] * _MIRROR, eye, outer])
     triangles, weights = surface.project(points)
-    inner = [_inner_lips(rest, seal, surface, side) for side in ("upper", "lower")]
-    return np.vstack([triangles, *(t for t, _ in inner)]), np.vstack([weights, *(w for _, w in inner)])
+    inner_triangles, inner_weights = inner_lips(rest, seal)
+    return np.vstack([triangles, inner_triangles]), np.vstack([weights, inner_weights])
+
+
+def inner_lips(rest: Array, seal: LipSeal) -> tuple[Array, Array]:
+    """The points 60 to 67 (8, 3) on any head: they depend on where its lips meet."""
+    surface = Surface(seal.sections.skin.matrix @ rest, seal.sections.skin.triangles)
+    found = [_inner_lips(rest, seal, surface, side) for side in ("upper", "lower")]
+    return np.vstack([t for t, _ in found]), np.vstack([w for _, w in found])
 
 
 class Surface:
@@ -142,7 +153,7 @@ def _outer_lips(bust: Bust, rest: Array, seal: LipSeal) -> Array:
     """(12, 3) along the border of the lips' red: right corner, upper lip, left corner, lower lip back to
     the right.
     """
-    ring = np.array(bust.loop(*_VERMILION))
+    ring = np.array(bust.loop(*VERMILION))
     corner = rest[seal.corner]
     upper = rest[ring[rest[ring, 1] > corner[1]]]
     lower = rest[ring[rest[ring, 1] <= corner[1]]]

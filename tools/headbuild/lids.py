@@ -10,6 +10,7 @@ from .loops import columns
 
 # An edge of the loop along the lids' margin (left eye), in the base mesh.
 _MARGIN = (6784, 6785)
+_CLEAR = 0.42
 _SCALES = (0.45, 0.75)  # least and greatest share of the sculpt that is used
 
 
@@ -20,7 +21,7 @@ def margin(bust: Bust) -> list[int]:
 
 def lid_pairs(bust: Bust, side: str) -> Array:
     """(14, 2) upper and lower vertices of the lids' margins that meet, left or right eye."""
-    left = columns(margin(bust), bust.rest)
+    left = columns(margin(bust), bust.places)
     return left if side == "left" else bust.mirror[left]
 
 
@@ -47,3 +48,18 @@ def close_lids(bust: Bust, rest: Array, field: Array, side: str) -> Array:
 
 def _gap(points: Array, pairs: Array) -> Array:
     return np.asarray(points[pairs[:, 0], 1] - points[pairs[:, 1], 1])
+
+
+def clear_of_eyes(bust: Bust) -> Array:
+    """Positions (N0, 3) of the bust with its lids' margins at least `_CLEAR` mm before the eyeballs."""
+    points = bust.rest.copy()
+    for side, centre, radius in zip(("left", "right"), bust.eye_centre, bust.eye_radius, strict=True):
+        ring = np.unique(lid_pairs(bust, side))
+        ahead = points - centre
+        distance = np.linalg.norm(ahead, axis=1)
+        short, held = np.zeros(len(points)), np.zeros(len(points))
+        short[ring], held[ring] = np.maximum(_CLEAR + radius - distance[ring], 0.0), 1.0
+        if short.any():
+            push = np.maximum(bust.spread(held, short, hold=50.0, fade=0.2), 0.0)
+            points += (push / distance)[:, None] * ahead
+    return points

@@ -56,6 +56,11 @@ class Loops:
         return np.array(sorted(reached))
 
 
+def fill_inside(loops: Loops, quads: Array, seed: int, border: list[int]) -> Array:
+    """Sorted vertices of `quads` (n, 4) that are reached from `seed` within the loop `border`, without it."""
+    return np.setdiff1d(np.unique(quads[loops.fill(seed, [border])]), border)
+
+
 def columns(loop: list[int], points: Array) -> Array:
     """Pairs (k, 2) of upper and lower vertices of an even loop about a slit, by ascending x; ``points`` is
     (n, 3).

@@ -26,6 +26,7 @@ RINGS = (
     (535, 536),
     (552, 553),
 )
+VERMILION = RINGS[0]  # along the border of the lips' red
 _LINE = (418, 419)  # of them, the one nearest the line where the lips meet
 _TOUCHING = 0.05  # mm left between lips that are together
 _REACH = 2.1
@@ -43,10 +44,10 @@ def lip_sides(bust: Bust) -> Array:
     sides = np.zeros(len(bust.ids))
     for a, b in RINGS:
         ring = np.array(bust.loop(a, b))
-        ring = np.roll(ring, -int(np.argmin(bust.rest[ring, 0])))
-        right = int(np.argmax(bust.rest[ring, 0]))
+        ring = np.roll(ring, -int(np.argmin(bust.places[ring, 0])))
+        right = int(np.argmax(bust.places[ring, 0]))
         arcs = [ring[1:right], ring[right + 1 :]]
-        arcs.sort(key=lambda arc: float(bust.rest[arc, 1].mean()))
+        arcs.sort(key=lambda arc: float(bust.places[arc, 1].mean()))
         sides[arcs[0]], sides[arcs[1]] = -1.0, 1.0
     return sides
 
@@ -58,7 +59,7 @@ def lip_pairs(bust: Bust, rest: Array) -> Array:
     Every vertex of the lower lip that has an upper one within reach stands in one pair, with the nearest.
     """
     sides = lip_sides(bust)
-    half = (rest[:, 0] < _WIDTH) & (rest[:, 0] > -1e-6)
+    half = (bust.places[:, 0] < _WIDTH) & (rest[:, 0] > -1e-6)
     lower, upper = np.flatnonzero(half & (sides < 0)), np.flatnonzero(half & (sides > 0))
     distance, nearest = cKDTree(rest[upper]).query(rest[lower])
     pairs = np.stack([upper[nearest], lower], axis=1)[distance < _REACH]
@@ -84,8 +85,12 @@ class LipSeal:
         sides = lip_sides(bust)
         skin = catmull_clark(len(bust.ids), bust.quads)
         ring = np.array(bust.loop(*_LINE))
-        corner = int(ring[np.argmax(bust.rest[ring, 0])])
-        return cls(MouthSections.of(skin, sides), _share(bust, sides), corner)
+        corner = int(ring[np.argmax(bust.places[ring, 0])])
+        return cls(
+            MouthSections.of(skin, sides, float((bust.rest - bust.places)[corner, 2])),
+            _share(bust, sides),
+            corner,
+        )
 
     def together(self, points: Array, *, close: bool = True) -> Array:
         """Positions (N0, 3), mirror symmetric as given, whose lips touch without overlap.
@@ -121,17 +126,17 @@ def narrowed(bust: Bust, points: Array, amount: float) -> Array:
     """
     lips = np.zeros(len(points))
     lips[lip_rings(bust)] = 1.0
-    front = smoothstep(0.0, 14.0, bust.rest[:, 2])  # the cheeks' inside stays off the molars
+    front = smoothstep(0.0, 14.0, bust.places[:, 2])  # the cheeks' inside stays off the molars
     pull = amount * front * bust.spread(lips, lips) * _near(bust, 20.0, 45.0, 30.0, 50.0)
     return points + np.stack([-pull * points[:, 0], 0.0 * pull, 0.12 * pull * np.abs(points[:, 0])], axis=1)
 
 
 def _share(bust: Bust, sides: Array) -> Array:
-    front = (sides != 0.0) & (bust.rest[:, 2] > 10.0)
+    front = (sides != 0.0) & (bust.places[:, 2] > 10.0)
     return 0.5 * bust.spread(np.where(front, 1.0, 0.0), sides) * _near(bust, 25.0, 45.0, 24.0, 32.0)
 
 
 def _near(bust: Bust, y_full: float, y_none: float, x_full: float, x_none: float) -> Array:
     """(N0,) 1 near the mouth, 0 beyond `y_none` above and below it and `x_none` to either side."""
-    across, away = np.abs(bust.rest[:, 0]), np.abs(bust.rest[:, 1] - _MIDDLE)
+    across, away = np.abs(bust.places[:, 0]), np.abs(bust.places[:, 1] - _MIDDLE)
     return (1.0 - smoothstep(y_full, y_none, away)) * (1.0 - smoothstep(x_full, x_none, across))

@@ -99,7 +99,7 @@ def muscle_fields(
             left = _field(bust, rest, recipe, "left")
             left = 0.5 * (left + mirrored(bust, _field(bust, rest, recipe, "right")))
             change = _lips_change(bust, rest, seal, left + mirrored(bust, left), recipe)
-            left = left + change * _left_share(rest)
+            left = left + change * _left_share(bust.places)
             fields[f"{name}.left"], fields[f"{name}.right"] = left, mirrored(bust, left)
         else:
             both = sum((_field(bust, rest, recipe, side) for side in SIDES), np.zeros_like(rest))
@@ -118,8 +118,8 @@ def _lips_change(bust: Bust, rest: Array, seal: LipSeal, both: Array, recipe: di
     return seal.together(rest + both, close=recipe["lips"] == "together") - rest - both
 
 
-def _left_share(rest: Array) -> Array:
-    share: Array = smoothstep(-_SEAM, _SEAM, rest[:, 0])[:, None]
+def _left_share(places: Array) -> Array:
+    share: Array = smoothstep(-_SEAM, _SEAM, places[:, 0])[:, None]
     return share
 
 
@@ -129,10 +129,8 @@ def mirrored(bust: Bust, field: Array) -> Array:
 
 
 def _field(bust: Bust, rest: Array, recipe: dict[str, Any], side: str) -> Array:
-    total = sum(
-        (w * _sided(bust, rest, shape, side) for shape, w in recipe["shapes"].items()), np.zeros_like(rest)
-    )
-    field = _ironed(bust, PARTS[recipe["part"]](rest, total), recipe["smooth"])
+    total = sum((w * _sided(bust, shape, side) for shape, w in recipe["shapes"].items()), np.zeros_like(rest))
+    field = _ironed(bust, PARTS[recipe["part"]](bust.places, total), recipe["smooth"])
     return close_lids(bust, rest, field, side) if recipe["part"] == "lids to their meeting" else field
 
 
@@ -147,8 +145,8 @@ def _ironed(bust: Bust, field: Array, stiffness: float) -> Array:
     return np.asarray(splu(system.tocsc()).solve((1.0 + held)[:, None] * field))
 
 
-def _sided(bust: Bust, rest: Array, shape: str, side: str) -> Array:
+def _sided(bust: Bust, shape: str, side: str) -> Array:
     if bust.source.has_shape(shape):
-        share = _left_share(rest)
+        share = _left_share(bust.places)
         return bust.shape(shape) * (share if side == "left" else 1.0 - share)
     return bust.shape(shape + side.capitalize())

@@ -11,25 +11,30 @@ from risorius.face.subdivide import Subdivision
 from .arrays import Array
 
 _STEP = 0.2  # mm between samples along z
-_FRONT = 12.0  # z in mm behind which no lip is looked for
+_FRONT, _TIP = 12.0, 50.0  # z in mm between which lips are looked for
 
 
 @dataclass(frozen=True)
 class MouthSections:
     """Measures the gap between the lips on level 1, in planes of constant x.
 
-    `upper` and `lower` are the level-1 triangles (n, 3) of either lip.
+    `upper` and `lower` are the level-1 triangles (n, 3) of either lip; `depths` (k,) are the z at which it
+    looks.
     """
 
     skin: Subdivision
     upper: Array
     lower: Array
+    depths: Array
 
     @classmethod
-    def of(cls, skin: Subdivision, sides: Array) -> MouthSections:
-        """Take the triangles of the lips, told apart by `sides` (N0,): 1 upper, -1 lower, 0 elsewhere."""
+    def of(cls, skin: Subdivision, sides: Array, forward: float = 0.0) -> MouthSections:
+        """Take the triangles of the lips, told apart by `sides` (N0,): 1 upper, -1 lower, 0 elsewhere; they
+        stand `forward` mm before their place on the template.
+        """
         side = (skin.matrix @ sides)[skin.triangles].mean(axis=1)
-        return cls(skin, skin.triangles[side > 0.5], skin.triangles[side < -0.5])
+        depths = np.arange(_FRONT, _TIP, _STEP) + forward
+        return cls(skin, skin.triangles[side > 0.5], skin.triangles[side < -0.5], depths)
 
     def gap(self, points: Array, x: float) -> float:
         """Least height in mm of the upper lip above the lower one at `x`; negative where they overlap, inf
@@ -46,7 +51,7 @@ class MouthSections:
 
     def crest(self, points: Array, x: float) -> Array:
         """The highest point (3,) of the lower lip at `x`."""
-        z = np.arange(_FRONT, 50.0, _STEP)
+        z = self.depths
         below = _envelope(self.skin.matrix @ points, self.lower, x, z)
         highest = int(np.argmax(below))
         return np.array([x, below[highest], z[highest]])
@@ -56,7 +61,7 @@ class MouthSections:
         there.
         """
         fine = self.skin.matrix @ points
-        z = np.arange(_FRONT, 50.0, _STEP)
+        z = self.depths
         above = -_envelope(fine * np.array([1.0, -1.0, 1.0]), self.upper, x, z)
         below = _envelope(fine, self.lower, x, z)
         both = np.isfinite(above) & np.isfinite(below)

@@ -70,7 +70,16 @@ class Source:
 
     def has_shape(self, name: str) -> bool:
         """Whether the shape stands in the source under this very name."""
-        return _DATA + _SHAPES.format(name) in self.archive.NameToInfo
+        return self.has(_SHAPES.format(name))
+
+    def has(self, path: str) -> bool:
+        """Whether a file stands at `path` below the data folder."""
+        return _DATA + path in self.archive.NameToInfo
+
+    def names(self, folder: str) -> list[str]:
+        """Paths of the files below `folder` of the data folder, relative to it, sorted."""
+        start = _DATA + folder
+        return sorted(name.removeprefix(start) for name in self.archive.NameToInfo if name.startswith(start))
 
     def mirror(self) -> Array:
         """(19158,) index of each vertex's mirror image."""

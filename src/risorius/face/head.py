@@ -5,7 +5,7 @@ checked.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib import resources
 from pathlib import Path
@@ -17,8 +17,12 @@ import numpy.typing as npt
 
 from ..core.parameters import MUSCLES
 from ..errors import HeadError, unknown
+from . import ages as age_file
+from . import identity as identity_file
+from .ages import AgeShapes, check_age, read_ages
 from .anatomy import Skin, anatomical_fields, load_pulls
 from .head_file import FORMAT, HeadFile
+from .identity import UNNAMED, Identity, read_identity
 from .links import link_rows
 from .muscle_table import FILE as MUSCLE_TABLE
 from .muscle_table import Muscle, links_of, load_muscles
@@ -75,7 +79,8 @@ class Head:
     `head_pivot`. `lip_pairs` (P, 2) are upper and lower vertices that touch when the lips close, `lid_pairs`
     the same for the lids of the (left, right) eye; `eye_centre` (2, 3) and `eye_radius` (2,) are in that
     order too. `landmarks` holds 68 iBUG points: level-1 vertices (68, 3) and barycentric weights (68, 3).
-    `skin` is the skin's level 1. `folder` may hold tables of its own.
+    `skin` is the skin's level 1. `folder` may hold tables of its own. `identity` says who it is, how old and
+    how coloured; `ages` are its shapes at other ages, None where the folder has none.
     """
 
     name: str
@@ -103,6 +108,8 @@ class Head:
     landmark_triangles: IntArray
     landmark_weights: FloatArray
     skin: Subdivision
+    identity: Identity = UNNAMED
+    ages: AgeShapes | None = None
 
     @property
     def links_file(self) -> Path | None:
@@ -124,20 +131,71 @@ class Head:
         corners = np.asarray(skin, dtype=np.float64)[self.landmark_triangles]
         return np.asarray(np.einsum("kcd,kc->kd", corners, self.landmark_weights))
 
+    def aged(self, age: float) -> Head:
+        """Return this head at `age` in years, 0 to 100; below its youngest and above its oldest shape it is
+        that one.
+
+        Skull, skin, eyes and jaw take the place of that age, teeth and tongue go with the mouth; muscles act
+        as they do on this head. Raises HeadError where the age is out of range or the head has no ages.
+        """
+        check_age(age)
+        if age == self.identity.age:
+            return self
+        shapes = self.ages
+        if shapes is None:
+            raise HeadError(
+                f"head '{self.name}' has no other ages ({age_file.FILE} is missing in its folder)"
+            )
+        share = shapes.weights(age)
+
+        def between(anchors: FloatArray) -> FloatArray:
+            return _frozen(np.tensordot(share, anchors, axes=1))
+
+        shift = between(shapes.mouth) - shapes.weights(self.identity.age) @ shapes.mouth
+        return replace(
+            self,
+            rest=between(shapes.rest),
+            eye_centre=between(shapes.eye_centre),
+            eye_radius=between(shapes.eye_radius),
+            jaw_point=between(shapes.jaw_point),
+            head_pivot=between(shapes.head_pivot),
+            teeth_upper=_shifted(self.teeth_upper, shift),
+            teeth_lower=_shifted(self.teeth_lower, shift),
+            tongue=replace(self.tongue, rest=_frozen(self.tongue.rest + shift)),
+            identity=self.identity.at(age),
+        )
+
+
+def _frozen(values: FloatArray) -> FloatArray:
+    values.setflags(write=False)
+    return values
+
+
+def _shifted(mesh: Mesh, shift: FloatArray) -> Mesh:
+    return replace(mesh, vertices=_frozen(mesh.vertices + shift))
+
 
 def required_fields() -> tuple[str, ...]:
     """Names of the fields that every head must have: all muscles but the masseter, and `lip_tuck`."""
     return (*(p.name for p in MUSCLES if p.base != "masseter"), *EXTRA_FIELDS)
 
 
-def load_head(name_or_path: str | Path = "standard") -> Head:
+def load_head(name_or_path: str | Path = "standard", *, age: float | None = None) -> Head:
     """Load a head that comes with Risorius by its name, or any head from its folder or `.npz` file.
 
-    The same unchanged file gives the same object again. Raises HeadError where there is no such head, or its
-    file lacks an array, holds one of the wrong shape or range, or lacks a muscle.
+    `age` in years, 0 to 100, changes its shape as `Head.aged` does; None is the age it was made at. The same
+    unchanged files give the same object again. Raises HeadError where there is no such head, where a file in
+    its folder lacks an array, holds one of the wrong shape or range, or lacks a muscle, and as `Head.aged`.
     """
     path = _locate(name_or_path)
-    return _load(path, path.stat().st_mtime_ns)
+    beside = [path, *(path.with_name(name) for name in (identity_file.FILE, age_file.FILE))]
+    changed = tuple(file.stat().st_mtime_ns if file.is_file() else 0 for file in beside)
+    return _load(path, changed) if age is None else _load_aged(path, changed, float(age))
+
+
+def shipped_heads() -> tuple[str, ...]:
+    """Return the names of the heads that come with Risorius."""
+    return tuple(entry.name for entry in _shipped())
 
 
 def _locate(name_or_path: str | Path) -> Path:
@@ -158,7 +216,22 @@ def _shipped() -> list[Path]:
 
 
 @lru_cache(maxsize=4)
-def _load(path: Path, _changed: int) -> Head:
+def _load_aged(path: Path, changed: tuple[int, ...], age: float) -> Head:
+    return _load(path, changed).aged(age)
+
+
+@lru_cache(maxsize=8)
+def _load(path: Path, changed: tuple[int, ...]) -> Head:
+    head = _read(path)
+    _, has_identity, has_ages = changed
+    if has_identity:
+        head = replace(head, identity=read_identity(path.with_name(identity_file.FILE)))
+    if has_ages:
+        head = replace(head, ages=read_ages(path.with_name(age_file.FILE), head.rest, head.identity.age))
+    return head
+
+
+def _read(path: Path) -> Head:
     file = HeadFile.read(path)
     rest = file.array("rest", ("N", 3))
     count = len(rest)
@@ -236,4 +309,4 @@ def _tongue(file: HeadFile) -> Tongue:
     return Tongue(rest, quads, fields, catmull_clark(len(rest), quads))
 
 
-__all__ = ["FORMAT", "Field", "Head", "Mesh", "Tongue", "load_head", "required_fields"]
+__all__ = ["FORMAT", "Field", "Head", "Mesh", "Tongue", "load_head", "required_fields", "shipped_heads"]

@@ -43,9 +43,11 @@ class Mouth:
         patch = np.flatnonzero(inside & near)
         matrix: sp.csr_matrix = head.skin.matrix[patch].tocsr()
         points = matrix @ head.rest
-        facing = _without_overlap(_facing(patch, head.skin.triangles, matrix @ head.jaw_weight < 0.5), points)
+        above = matrix @ head.jaw_weight < 0.5
+        facing = _without_overlap(_facing(patch, head.skin.triangles, above), points)
         half = float(np.abs(meeting[:, 0]).max())
-        return cls(patch, matrix, facing, _line(facing, points, np.linspace(-half, half, STATIONS)))
+        line = _line(facing, above, points, np.linspace(-half, half, STATIONS))
+        return cls(patch, matrix, facing, line)
 
     def lip(self, upper: bool) -> npt.NDArray[np.intp]:
         """Return the level-1 vertices (k,) of the upper or of the lower lip that may touch the other."""
@@ -70,9 +72,12 @@ def _without_overlap(facing: Facing, points: Array) -> Facing:
     return facing._replace(vertices=facing.vertices[free], above=facing.above[free])
 
 
-def _line(facing: Facing, points: Array, stations: Array) -> Array:
-    """Return rows (s, n): about each station (s,) mm in x, the contact whose gap at rest is least."""
-    upper, lower = facing.above[facing.upper].all(axis=1), facing.above[facing.lower].any(axis=1)
+def _line(facing: Facing, above: npt.NDArray[np.bool_], points: Array, stations: Array) -> Array:
+    """Return rows (s, n): about each station (s,) mm in x, the contact whose gap at rest is least.
+
+    `above` (n,) tells the points of the upper lip.
+    """
+    upper, lower = above[facing.upper].all(axis=1), above[facing.lower].any(axis=1)
     facing = facing._replace(upper=facing.upper[upper], lower=facing.lower[~lower])
     found = Contacts.room_for(len(facing.vertices))
     count = find_contacts(facing, points, np.inf, found)

@@ -48,7 +48,9 @@ def find_anatomy(head: Head) -> Anatomy:
     middle = np.abs(skin[:, 0]) < 3.0
     between = middle & (skin[:, 1] > mouth[1] + 8.0) & (skin[:, 1] < eyes[:, 1].mean())
     nose = skin[between][np.argmax(skin[between, 2])]
-    below = middle & (skin[:, 1] < mouth[1] - 12.0) & (skin[:, 2] > 0.0)
+    # A chest that stands forward is no chin: the chin is within three quarters of the way from eyes to mouth.
+    lowest = mouth[1] - 0.75 * (eyes[:, 1].mean() - mouth[1])
+    below = middle & (skin[:, 1] < mouth[1] - 12.0) & (skin[:, 1] > lowest) & (skin[:, 2] > 0.0)
     return Anatomy(
         skin=skin,
         masks=masks,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from ..face.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .inputs import ALBEDO, ATTRIBUTES, CURVATURE, EXTRA, INNER, ROUGHNESS, SPECULAR
 from .noise import noise_at
@@ -25,6 +26,11 @@ class Complexion:
     lips: tuple[int, int, int] = (178, 108, 98)
     lining: tuple[int, int, int] = (160, 84, 80)
     cloth: tuple[int, int, int] = (52, 62, 78)
+
+    @classmethod
+    def of(cls, looks: Looks) -> Complexion:
+        """Return the colours that a head has of its own."""
+        return cls(looks.skin, looks.lips, looks.lining, looks.cloth)
 
 
 def linear(colour: tuple[int, int, int]) -> Array:

@@ -26,7 +26,6 @@ from .tone import film_table, tone_table
 
 QUALITIES = {"draft": 1, "normal": 2, "high": 4}  # samples per pixel and side
 SMALLEST, LARGEST = 16, 4096
-_IRIS = ((132, 112, 74), (74, 94, 104))
 
 
 class Renderer:
@@ -72,9 +71,8 @@ class Renderer:
         self._batch = empty_batch(width * self._samples)
         centre, radius = scene.anatomy.sphere()
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
-        self._tables = Tables(
-            diffuse_table(), noise_tile(), iris_image(*_IRIS), scene.cloth, film_table(), tone_table()
-        )
+        iris = iris_image(*scene.head.identity.looks.iris)
+        self._tables = Tables(diffuse_table(), noise_tile(), iris, scene.cloth, film_table(), tone_table())
 
     def render(self, frame: FaceFrame, out: ByteArray | None = None) -> ByteArray:
         """Return the picture (height, width, 3) uint8 sRGB of a frame, written into `out` if given.

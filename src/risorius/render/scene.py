@@ -26,7 +26,6 @@ from .scalp import hair_density
 from .strands import Strands, ribbons
 
 Array = npt.NDArray[np.float64]
-_HAIR_COLOUR = (58, 42, 32)
 
 
 class HeadScene:
@@ -41,16 +40,17 @@ class HeadScene:
         self.head = head
         self.anatomy = find_anatomy(head)
         surface = skin_surface(head, self.anatomy)
-        complexion = complexion or Complexion()
-        hair = linear(_HAIR_COLOUR)
+        looks = head.identity.looks
+        complexion = complexion or Complexion.of(looks)
+        hair = linear(looks.hair)
         self.cloth: FloatArray = linear(complexion.cloth).astype(np.float32)
         skin = skin_part(head, self.anatomy, surface, complexion, hair)
         teeth = [teeth_part(head.teeth_upper), teeth_part(head.teeth_lower)]
         parts = [skin, *eye_parts(head), *teeth, tongue_part(head)]
         self._hairs = [
-            grow_brows(self.anatomy, surface, hair),
+            grow_brows(self.anatomy, surface, hair, looks.brow_hairs),
             grow_lashes(head, surface, 0.35 * hair),
-            grow_hair(self.anatomy, surface, hair),
+            grow_hair(self.anatomy, surface, hair, looks.hairs),
         ]
         self._offset = standing_off(neckline(self.anatomy), surface.normals).astype(np.float32)
         self._starts = np.concatenate([[0], np.cumsum([len(part.vertices) for part in parts])])

@@ -1,0 +1,48 @@
+"""Draw the heads at rest and smiling into `docs/pictures/heads.png`, one above at 25, 50 and 75 years into
+`heads-ages.png`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from risorius.core.action_units import resolve_targets
+from risorius.core.parameters import INDEX, NEUTRAL
+from risorius.face.head import Head, load_head, shipped_heads
+from risorius.face.solve import FaceSolver
+from risorius.render.renderer import Renderer
+
+PICTURES = Path(__file__).parent / "pictures"
+SIZE = 300
+SMILE = {"AU6": 0.7, "AU12": 0.75, "AU25": 0.3, "masseter": 0.08}
+TURNED = {"head_yaw": 38.0}
+AGED = ("standard", "amara", "kenji", "olaf")
+AGES = (25.0, 50.0, 75.0)
+
+
+def pictures(head: Head, *poses: dict[str, float]) -> np.ndarray:
+    """Return the poses of one head, one below the other."""
+    solver, renderer = FaceSolver(head), Renderer(head, (SIZE, SIZE), "normal")
+    rows = []
+    for pose in poses:
+        values = np.array(NEUTRAL)
+        for name, value in resolve_targets(pose).items():
+            values[INDEX[name]] = value
+        rows.append(renderer.render(solver.solve(values)))
+    return np.vstack(rows)
+
+
+def main() -> None:
+    """Write both sheets."""
+    PICTURES.mkdir(exist_ok=True)
+    columns = [pictures(load_head(name), {}, SMILE, TURNED) for name in shipped_heads() if name != "standard"]
+    Image.fromarray(np.hstack(columns)).save(PICTURES / "heads.png", optimize=True)
+    aged = [np.vstack([pictures(load_head(name, age=age), {}) for age in AGES]) for name in AGED]
+    Image.fromarray(np.hstack(aged)).save(PICTURES / "heads-ages.png", optimize=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,78 @@
+"""The shapes of one head at several ages, between which it is interpolated."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import HeadError
+from .head_file import HeadFile
+from .subdivide import FloatArray
+
+FILE = "ages.npz"
+YEARS = (0.0, 100.0)
+
+
+@dataclass(frozen=True, slots=True)
+class AgeShapes:
+    """Anchors of a head's shape, by ascending age; mm.
+
+    `years` (k,); `rest` (k, N0, 3) of the skin; `eye_centre` (k, 2, 3), `eye_radius` (k, 2), `jaw_point` and
+    `head_pivot` (k, 3); `mouth` (k, 3) where the teeth and the tongue stand, beside their place in the head
+    file.
+    """
+
+    years: FloatArray
+    rest: FloatArray
+    eye_centre: FloatArray
+    eye_radius: FloatArray
+    jaw_point: FloatArray
+    head_pivot: FloatArray
+    mouth: FloatArray
+
+    def weights(self, age: float) -> FloatArray:
+        """Return the anchors' shares (k,) at `age` in years; before the first and after the last one it is
+        theirs.
+
+        Raises HeadError where the age is no number from 0 to 100.
+        """
+        check_age(age)
+        anchors = np.eye(len(self.years))
+        return np.array([np.interp(age, self.years, anchor) for anchor in anchors])
+
+
+def check_age(age: float) -> None:
+    """Raise HeadError where `age` is no number of years from 0 to 100."""
+    if not YEARS[0] <= age <= YEARS[1]:
+        raise HeadError(f"age is {age:g}; expected {YEARS[0]:g} to {YEARS[1]:g} years")
+
+
+def read_ages(path: Path, rest: FloatArray, own: float) -> AgeShapes:
+    """Read the anchors of the head whose skin at rest is `rest` (N0, 3), at its `own` age in years.
+
+    Raises HeadError where an array is missing, misshapen or out of range, or no anchor has the
+    head's own age.
+    """
+    file = HeadFile.read(path)
+    years = file.array("years", ("k",), *YEARS)
+    if (np.diff(years) <= 0.0).any():
+        raise file.error("years", "does not ascend")
+    if own not in years:
+        raise file.error("years", f"lacks the head's own age {own:g}")
+    count = len(years)
+    skins = np.repeat(rest[None], count, axis=0)
+    for k in np.flatnonzero(years != own):
+        vertices, displacement = file.field(f"rest/{k}", len(rest))
+        skins[k, vertices] += displacement
+    skins.setflags(write=False)
+    return AgeShapes(
+        years,
+        skins,
+        file.array("eye_centre", (count, 2, 3)),
+        file.array("eye_radius", (count, 2), low=1.0),
+        file.array("jaw_point", (count, 3)),
+        file.array("head_pivot", (count, 3)),
+        file.array("mouth", (count, 3)),
+    )

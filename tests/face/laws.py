@@ -1,0 +1,145 @@
+"""The numbers that must hold on every head: what its lips, lids and skin do in a pose, in mm."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+
+from risorius.face.contact import Contacts, find_contacts
+from risorius.face.mouth import Mouth, TeethEdge
+from risorius.face.solve import FaceSolver
+
+from .conftest import values_of
+from .winding import LipTester
+
+BLINK = "orbicularis_oculi_palpebralis"
+COMPANY = (
+    {},
+    {"levator_palpebrae": 1.0},
+    {"AU6": 1.0, "AU9": 1.0, "AU12": 1.0, "AU4": 1.0},
+    {"AU1": 1.0, "AU2": 1.0},
+    {"gaze_pitch": 30.0},
+    {"gaze_pitch": -30.0},
+)
+CLOSURES = (0.0, 0.3, 0.6, 0.9, 1.0)
+FLAT = 0.05  # of a face's area at rest: thinner slivers have no side
+
+
+class Laws:
+    """Measures one head; poses are targets by action unit, muscle or parameter."""
+
+    def __init__(self, head):
+        self.head = head
+        self.solver = FaceSolver(head)
+        self.rest = head.skin.matrix @ head.rest
+        self._tester = LipTester.of(head)
+        self._mouth = Mouth.of(head)
+        self._found = Contacts.room_for(len(self._mouth.facing.vertices))
+        self._margins = [margins(head, eye) for eye in (0, 1)]
+
+    def face(self, targets):
+        return self.solver.solve(values_of(targets))
+
+    def overlap(self, targets):
+        """Greatest depth of one lip in the other."""
+        return self._tester.overlap(self.face(targets).skin)
+
+    def rest_gap(self):
+        return self._widest(self.rest)
+
+    def opening(self, targets):
+        """The widest of the narrowest openings along the mouth."""
+        return self._widest(self.face(targets).skin)
+
+    def _widest(self, skin):
+        points = skin[self._mouth.vertices].astype(np.float64)
+        count = find_contacts(self._mouth.facing, points, np.inf, self._found)
+        stations = 0.5 * np.abs(self._mouth.line) @ points[:, 0]
+        x, gap = self._found.x[:count], self._found.gap[:count]
+        places = np.linspace(stations[0], stations[-1], 40)
+        about = [np.abs(x - place) < 0.03 * (stations[-1] - stations[0]) for place in places]
+        return max(gap[near].min() for near in about if near.any())
+
+    def lids_apart(self):
+        """Greatest distance between closed lids, whatever else acts."""
+        apart = []
+        for company in COMPANY:
+            skin = self.face(company | {BLINK: 1.0}).skin
+            apart += [
+                np.linalg.norm(skin[upper] - skin[lower], axis=1).max() for upper, lower in self._margins
+            ]
+        return max(apart)
+
+    def lid_clearance(self):
+        """Least height of the lids' skin above the eyeball on the way of a blink."""
+        least = []
+        outside = [self._outside(eye) for eye in (0, 1)]
+        for company, closure in itertools.product(COMPANY, CLOSURES):
+            skin = self.face(company | {BLINK: closure}).skin
+            least += [self._height(skin[outside[eye]], eye).min() for eye in (0, 1)]
+        return min(least)
+
+    def _height(self, points, eye):
+        return np.linalg.norm(points - self.head.eye_centre[eye], axis=1) - self.head.eye_radius[eye]
+
+    def _outside(self, eye):
+        height = self._height(self.rest, eye)
+        before = self.rest[:, 2] > 0.2 * self.head.eye_radius[eye]
+        return np.flatnonzero((height > 0.3) & (height < 6.0) & before)
+
+    def tuck(self, targets):
+        """Greatest distance in y and in z of the tucked lower lip from the edge of the upper teeth."""
+        skin = self.face({**targets, "masseter": 0.08, "lip_tuck": 1.0}).skin
+        lip = np.maximum(-self._mouth.line, 0.0) @ skin[self._mouth.vertices]
+        lip = lip[np.abs(lip[:, 0]) < 8.0]
+        assert len(lip) >= 5
+        y, z = TeethEdge.of(self.head.teeth_upper, 15.0, 16).at(lip[:, 0])
+        return np.abs(lip[:, 1] - y).max(), np.abs(lip[:, 2] - z).max()
+
+    def turned(self, targets):
+        """How many faces outside the mouth and the eyes' sockets turn over by more than a right angle."""
+        before, area = self._normals(self.rest)
+        now, _ = self._normals(self.face(targets).skin)
+        seen = self._seen() & (np.linalg.norm(now, axis=1) > FLAT * area)
+        return int((((before * now).sum(axis=1) < 0.0) & seen).sum())
+
+    def _normals(self, skin):
+        corners = np.asarray(skin, np.float64)[self.head.skin.quads]
+        normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+        return normal, np.linalg.norm(normal, axis=1)
+
+    def _seen(self):
+        """Faces of the outer skin, which are not rolled in by lips or lids."""
+        hidden = np.max([self.head.masks[name] for name in ("inner_mouth", "lips", "lids")], axis=0)
+        return (self.head.skin.matrix @ hidden)[self.head.skin.quads].max(axis=1) < 0.3
+
+    def teeth_in_lips(self):
+        """Greatest height of a front tooth before the lips' inner skin at rest; negative where all are
+        behind it.
+        """
+        lining = self.rest[self.head.skin.matrix @ self.head.masks["inner_mouth"] > 0.5]
+        depths = []
+        for mesh in (self.head.teeth_upper, self.head.teeth_lower):
+            teeth = mesh.vertices[(np.abs(mesh.vertices[:, 0]) < 8.0) & (mesh.material < 0.5)]
+            for tooth in teeth[teeth[:, 2] > teeth[:, 2].max() - 2.0]:
+                near = lining[np.linalg.norm(lining[:, :2] - tooth[:2], axis=1) < 2.5]
+                near = near[near[:, 2] > tooth[2] - 6.0]
+                if len(near):
+                    depths.append(tooth[2] - near[:, 2].max())
+        return max(depths)
+
+
+def margins(head, eye):
+    """Level-1 vertices (k,) along the upper and the lower margin of one eye, with those between."""
+    found = {}
+    for a, b in np.vstack([head.skin.quads[:, [k, (k + 1) % 4]] for k in range(4)]).tolist():
+        found.setdefault(a, set()).add(b)
+        found.setdefault(b, set()).add(a)
+    result = []
+    for chain in head.lid_pairs[eye].T.tolist():
+        between = [min(found[a] & found[b]) for a, b in itertools.pairwise(chain)]
+        result.append(
+            [v for pair in zip(chain, [*between, None], strict=True) for v in pair if v is not None]
+        )
+    return result

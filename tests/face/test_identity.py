@@ -1,0 +1,71 @@
+from __future__ import annotations
+
+import pytest
+
+from risorius.errors import HeadError
+from risorius.face.head import load_head, shipped_heads
+from risorius.face.identity import OLD, YOUNG, Looks, read_identity
+
+GOOD = """
+title = "someone"
+age = 40
+[sex]
+female = 1.0
+[origin]
+asian = 0.5
+african = 0.5
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("title", "titel", "unknown key 'titel'; did you mean 'title'"),
+        ('"someone"', "3", "title is 3; expected text"),
+        ("age = 40", "age = 12", "age is 12; expected a number from 25 to 90"),
+        ("age = 40", "age = true", "age is True; expected a number"),
+        ("female", "femal", "unknown key of sex 'femal'; did you mean 'female'"),
+        ("female = 1.0", "female = 0.7", "sex adds up to 0.7"),
+        ("asian = 0.5", "asian = -0.5", "origin adds up to 0; expected shares"),
+        ("[sex]", "[[sex]]", r"sex is \[.*\]; expected a table"),
+        ("[origin]", "[looks]\nhare = 3\n[origin]", "unknown key of looks 'hare'; did you mean 'hair'"),
+        ("[origin]", "[looks]\nhair = [1, 2]\n[origin]", r"looks.hair is \[1, 2\]; expected a colour"),
+        ("[origin]", "[looks]\nskin = [1, 2, 300]\n[origin]", "expected a colour"),
+        ("[origin]", "[looks]\niris = [[1, 2, 3]]\n[origin]", "expected two colours"),
+        ("[origin]", "[looks]\nhairs = 0\n[origin]", "looks.hairs is 0; expected a number from 100"),
+        ("[origin]", '[sliders]\n"nose/x" = 2.0\n[origin]', "sliders.nose/x is 2.0; expected a number"),
+        ("[origin]", "[build]\nheight = 0.1\n[origin]", "unknown key of build 'height'"),
+        ("[sex]", "[sex", "not an identity"),
+    ],
+)
+def test_a_wrong_identity(tmp_path, old, new, message):
+    file = tmp_path / "identity.toml"
+    file.write_text(GOOD.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(HeadError, match=message) as caught:
+        read_identity(file)
+    assert "identity.toml" in str(caught.value)
+
+
+def test_a_right_one(tmp_path):
+    file = tmp_path / "identity.toml"
+    file.write_text(GOOD, encoding="utf-8")
+    who = read_identity(file)
+    assert (who.title, who.age, dict(who.sex)) == ("someone", 40.0, {"female": 1.0})
+    assert who.looks == Looks()
+    assert who.at(60.0).age == 60.0
+
+
+@pytest.mark.parametrize("name", shipped_heads())
+def test_the_shipped_ones_say_who_they_are(name):
+    who = load_head(name).identity
+    assert who.title
+    assert YOUNG <= who.age <= OLD
+
+
+def test_the_shipped_ones_differ_in_sex_origin_and_age():
+    known = [load_head(name).identity for name in shipped_heads()]
+    assert len(known) >= 7
+    assert {max(who.sex, key=who.sex.get) for who in known} == {"female", "male"}
+    assert {max(who.origin, key=who.origin.get) for who in known} == {"african", "asian", "caucasian"}
+    assert min(who.age for who in known) < 30 < 65 < max(who.age for who in known)
+    assert len({who.looks.skin for who in known}) == len(known)
