@@ -45,4 +45,4 @@ def draw() -> Image.Image:
 
 if __name__ == "__main__":
     TARGET.parent.mkdir(exist_ok=True)
-    draw().save(TARGET, optimize=True)
+    draw().quantize(256).save(TARGET, optimize=True)

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius.errors import InputError
+from risorius.face.links import NO_LINKS
 from risorius.face.regions import region_names, regions
 from risorius.face.solve import FaceSolver
 from risorius.face.wrinkles import FLAT, Wrinkles, fold_height
@@ -129,7 +130,8 @@ def test_mirrored_pulls_make_mirrored_folds(old, fine_mirror):
     np.testing.assert_allclose(left.wrinkles, right.wrinkles[fine_mirror], atol=5e-3)
 
 
-def test_one_brow_wrinkles_its_own_side(old, rest):
+def test_one_brow_wrinkles_its_own_side(head, rest):
+    old = FaceSolver(head, NO_LINKS, age=70.0)
     wrinkles = old.solve(values_of({"AU1.left": 1.0, "AU2.left": 1.0})).wrinkles[:, INDEX["forehead"]]
     still = old.solve(values_of({})).wrinkles[:, INDEX["forehead"]]
     gained = wrinkles - still

@@ -29,7 +29,7 @@ PROTOTYPES = {
         "risorius",
         "masseter",
     },
-    "disgust": {"levator_labii_nasi", "levator_labii_superioris", "mentalis"},
+    "disgust": {"levator_labii_nasi", "levator_labii_superioris", "triangularis"},
     "surprise": {"frontalis_medialis", "frontalis_lateralis", "levator_palpebrae", "masseter"},
 }
 # Anger's stare widens the eye and tenses its lower lid (AU5 with AU7): the one pair of Table 2 in a display.

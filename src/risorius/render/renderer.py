@@ -141,7 +141,7 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
 def frame_head(anatomy: Anatomy, aspect: float) -> Camera:
     """Return the portrait camera: from above the hair to the collar, wider where the picture is narrow."""
     u = anatomy.unit
-    top, bottom = anatomy.top + 32.0 * u, anatomy.chin - 64.0 * u
+    top, bottom = anatomy.top + 22.0 * u, anatomy.chin - 44.0 * u
     if aspect < 0.9:
         middle, half = 0.5 * (top + bottom), 0.5 * (top - bottom) * 0.9 / aspect
         top, bottom = middle + half, middle - half
