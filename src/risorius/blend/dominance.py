@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from ..core.movement import Dominance, LipSegment
 from ..errors import InputError
@@ -50,11 +51,14 @@ class DominanceModel:
 
     def __init__(self, segments: Sequence[LipSegment]) -> None:
         self._segments = tuple(segments)
-        self._groups: dict[tuple[int, ...], int] = {}
+        self._groups: dict[bytes, int] = {}
         self._numbers: dict[Dominance, int] = {}
         self._known: dict[int, int] = {}
         self._group_of: dict[str, int] = {}
-        self._columns: list[_Columns] = []
+        # Of each group only the number of every segment's dominance is kept, so that long clips stay small.
+        self._rows: list[npt.NDArray[np.uint32]] = []
+        spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
+        self._centre, self._half = spans.mean(axis=1), np.diff(spans, axis=1)[:, 0] / 2.0
         self._targets: dict[str, Array] = {}
         for segment in segments:
             for dominance in segment.dominance.values():
@@ -66,11 +70,12 @@ class DominanceModel:
     def group(self, parameter: str) -> int:
         """Return the number of the parameters that every segment dominates alike."""
         if parameter not in self._group_of:
-            held = [s.dominance_of(parameter) for s in self._segments]
-            key = tuple(map(self._number, held))
+            held = (self._number(s.dominance_of(parameter)) for s in self._segments)
+            rows = np.fromiter(held, dtype=np.uint32, count=len(self._segments))
+            key = rows.tobytes()
             if key not in self._groups:
-                self._groups[key] = len(self._columns)
-                self._columns.append(_columns(self._segments, held))
+                self._groups[key] = len(self._rows)
+                self._rows.append(rows)
             self._group_of[parameter] = self._groups[key]
         return self._group_of[parameter]
 
@@ -92,7 +97,8 @@ class DominanceModel:
 
     def weights(self, group: int, times: Array) -> Weights:
         """Return the dominance of each segment, divided by their sum, at sorted times."""
-        d = self._columns[group]
+        table = np.array([(d.magnitude, d.before, d.after, d.exponent, d.plateau) for d in self._numbers])
+        d = _columns(self._centre, self._half, table[self._rows[group]])
         first = int(np.searchsorted(d.felt_until, times[0], side="left"))
         starts = d.centre - d.flat - d.reach_before
         chosen = np.arange(first, len(starts))[starts[first:] <= times[-1]]
@@ -105,18 +111,15 @@ class DominanceModel:
         return Weights(segment, time, weight / np.where(total > 0.0, total, 1.0)[time], len(times))
 
 
-def _columns(segments: Sequence[LipSegment], dominances: Sequence[Dominance]) -> _Columns:
-    start, end = np.array([(s.start, s.end) for s in segments], dtype=np.float64).T
-    half = (end - start) / 2.0
-    rows = [(d.magnitude, d.before, d.after, d.exponent, d.plateau) for d in dominances]
-    magnitude, before, after, exponent, plateau = np.array(rows, dtype=np.float64).T
+def _columns(centre: Array, half: Array, dominances: Array) -> _Columns:
+    """Return the columns for segments of these centres and half lengths; `dominances` is (segments, 5)."""
+    magnitude, before, after, exponent, plateau = dominances.T
     before, after = np.maximum(before, SHORTEST), np.maximum(after, SHORTEST)
     flat = np.maximum(half * plateau, half - MARGIN)
     # Wide enough to cover the segment itself and a gap, so that some segment has weight at every time.
     least = 2.0 * (half - flat) + SHORTEST_SILENCE
     reach_before = np.maximum(REACH * before, least)
     reach_after = np.maximum(REACH * after, least)
-    centre = start + half
     felt_until = np.maximum.accumulate(centre + flat + reach_after)
     return _Columns(centre, flat, magnitude, before, after, exponent, reach_before, reach_after, felt_until)
 
