@@ -39,9 +39,9 @@ def main() -> None:
     """Write both sheets."""
     PICTURES.mkdir(exist_ok=True)
     columns = [pictures(load_head(name), {}, SMILE, TURNED) for name in shipped_heads() if name != "standard"]
-    Image.fromarray(np.hstack(columns)).save(PICTURES / "heads.png", optimize=True)
+    Image.fromarray(np.hstack(columns)).quantize(256).save(PICTURES / "heads.png", optimize=True)
     aged = [np.vstack([pictures(load_head(name, age=age), {}) for age in AGES]) for name in AGED]
-    Image.fromarray(np.hstack(aged)).save(PICTURES / "heads-ages.png", optimize=True)
+    Image.fromarray(np.hstack(aged)).quantize(256).save(PICTURES / "heads-ages.png", optimize=True)
 
 
 if __name__ == "__main__":
