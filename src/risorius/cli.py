@@ -103,7 +103,9 @@ def _settings(**chosen: Any) -> Settings:
 _PICTURE_OPTIONS = (
     click.option("--size", metavar="WxH", help="Size of the picture in pixels.  [default: 720x720]"),
     click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]"),
-    click.option("--age", type=float, metavar="YEARS", help="Age of the skin, 0 to 100.  [default: 30]"),
+    click.option(
+        "--age", type=float, metavar="YEARS", help="How old the head is, 0 to 100.  [default: its own age]"
+    ),
 )
 _SKIN_OPTION = click.option(
     "--skin",

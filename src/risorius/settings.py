@@ -26,15 +26,15 @@ class Settings:
     0 to 2. `at`: second of the frame that a `.png` shows (the middle where None); `every`: a `.png` is a
     sheet of every n-th frame instead. `lively`: random blinks and small head and eye movements. `dynamics` of
     the skin: "springs" (with inertia), "biphasic" (springs that stiffen under strain), "static" (no inertia).
-    `age`: years, 0 to 100; `wrinkles`: factors 0 to 2 by region of the face, for a speaker who shows some
-    wrinkles more or less than others of that age.
+    `age`: years, 0 to 100, the head's own where None; `wrinkles`: factors 0 to 2 by region of the face, for a
+    speaker who shows some wrinkles more or less than others of that age.
     """
 
     fps: Fraction = Fraction(30)
     size: tuple[int, int] = (720, 720)
     seed: int = 0
     head: str = "standard"
-    age: float = 30.0
+    age: float | None = None
     wrinkles: Mapping[str, float] = field(default_factory=dict)
     voice: str | None = None
     rate: int | None = None
@@ -56,7 +56,7 @@ class Settings:
             ("lead", self.lead, 0.0, 60.0),
             ("tail", self.tail, 0.0, 60.0),
             ("articulation", self.articulation, 0.0, 2.0),
-            ("age", self.age, 0.0, 100.0),
+            ("age", self.age if self.age is not None else 0.0, 0.0, 100.0),
             ("at", self.at if self.at is not None else 0.0, 0.0, math.inf),
             ("every", self.every if self.every is not None else 1, 1, 1_000_000),
             ("seed", self.seed, 0, 2**63 - 1),

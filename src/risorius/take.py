@@ -168,7 +168,7 @@ class Take:
         """The head that performs; raises HeadError if it cannot be loaded."""
         from .face.head import load_head
 
-        return load_head(self.settings.head)
+        return load_head(self.settings.head, age=self.settings.age)
 
     @cached_property
     def _solver(self) -> FaceSolver:
@@ -177,6 +177,6 @@ class Take:
         return FaceSolver(
             self.head,
             phases="biphasic" if self.settings.dynamics == "biphasic" else "linear",
-            age=self.settings.age,
+            age=self.head.identity.age,
             wrinkles=self.settings.wrinkles,
         )
