@@ -20,7 +20,7 @@ from .out.score_json import read_score_file
 from .rules.emotions import emotion as find_emotion
 from .script import Script, movements_of, read_script
 from .settings import Settings
-from .speech import say
+from .speech import feelings, say
 from .take import Progress, Take, quiet
 
 __all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
@@ -47,8 +47,17 @@ def speak(
         return mix(given, settings=settings)
     script = read_script(given, text=text, source=source)
     progress("Speaking …")
-    utterance = say(script, voice=settings.voice, rate=settings.rate, lead=settings.lead, tail=settings.tail)
-    score = plan(script, utterance, _displays(emotion), settings)
+    displays = _displays(emotion)
+    utterance = say(
+        script,
+        voice=settings.voice,
+        language=settings.language,
+        rate=settings.rate,
+        lead=settings.lead,
+        tail=settings.tail,
+        felt=feelings(script, displays) if settings.voice_emotion else (),
+    )
+    score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from ..errors import Place
 from .anchor import Anchor, Base
+from .directions import UNDIRECTED, Directions
 
 
 class MarkKind(StrEnum):
@@ -47,7 +48,8 @@ class Mark:
 
     `targets` maps parameter names to values. `onset`, `offset` in seconds and `function` are None where the
     channel's own holds, `priority` and `release_priority` likewise. `strokes`: the movements that the mark
-    consists of, one for all but gestures of the head. `label`: how the user wrote it.
+    consists of, one for all but gestures of the head. `label`: how the user wrote it. `emotions`: those felt,
+    by name, with their intensities 0..1.
     """
 
     kind: MarkKind
@@ -64,6 +66,7 @@ class Mark:
     layer: str = ""
     function: str | None = None
     strokes: tuple[Stroke, ...] = WHOLE
+    emotions: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,12 +74,14 @@ class SpokenLine:
     """Words spoken in one go, from `start` seconds on, or after the line before where it is None.
 
     `source_offset`: where the line begins in the script's text. `place`: where it stands in the source.
+    `directions` count the line's own characters.
     """
 
     text: str
     start: float | None
     place: Place
     source_offset: int = 0
+    directions: Directions = UNDIRECTED
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +118,7 @@ def script_of(
     placed: list[SpokenLine] = []
     offset = 0
     for line in lines:
-        placed.append(SpokenLine(line.text, line.start, line.place, offset))
+        placed.append(replace(line, source_offset=offset))
         offset += len(line.text) + len(LINE_END)
     text = LINE_END.join(line.text for line in lines)
     return Script(text, tuple(placed), marks, timed, source, language)
