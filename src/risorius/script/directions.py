@@ -26,8 +26,9 @@ FOCUSED = (Emphasis.STRONG, Emphasis.MODERATE)
 class Span:
     """Characters [start, end) of a line, spoken so.
 
-    `phones`: ARPAbet with stress digits, or IPA with stress marks, that replace the dictionary's. `voice`:
-    another voice's name; `language`: one in the language (BCP 47).
+    `phones`: ARPAbet with stress digits, or IPA with stress marks, that replace the dictionary's, and
+    `seconds`: how long each lasts, none where it is free. `voice`: another voice's name; `language`: one in
+    the language (BCP 47).
     """
 
     start: int
@@ -36,6 +37,7 @@ class Span:
     manner: Manner = PLAIN
     emphasis: Emphasis | None = None
     phones: tuple[str, ...] = ()
+    seconds: tuple[float, ...] = ()
     voice: str | None = None
     language: str | None = None
 
@@ -76,6 +78,26 @@ class Directions:
     accents: tuple[Tone, ...] = ()
     boundaries: tuple[Tone, ...] = ()
     syncs: tuple[Sync, ...] = ()
+
+    def moved(self, characters: int) -> Directions:
+        """Return the same for a text that begins so many characters later."""
+        return Directions(
+            tuple(replace(s, start=s.start + characters, end=s.end + characters) for s in self.spans),
+            tuple(replace(b, at=b.at + characters) for b in self.breaks),
+            tuple(replace(t, at=t.at + characters) for t in self.accents),
+            tuple(replace(t, at=t.at + characters) for t in self.boundaries),
+            tuple(replace(s, at=s.at + characters) for s in self.syncs),
+        )
+
+    def joined(self, other: Directions) -> Directions:
+        """Return both, those of `other` last."""
+        return Directions(
+            (*self.spans, *other.spans),
+            (*self.breaks, *other.breaks),
+            (*self.accents, *other.accents),
+            (*self.boundaries, *other.boundaries),
+            (*self.syncs, *other.syncs),
+        )
 
     def focused(self, start: int, end: int) -> bool:
         """Tell whether characters [start, end) are emphasised."""

@@ -15,12 +15,14 @@ from .markup import parse_markup
 from .model import Script
 from .plain import parse_plain
 from .quote import LONGEST_PATH, one_line
+from .utt import parse_utterance
 
 Reader = Callable[[str, str], Script]
 
 READERS: Registry[Reader] = Registry("suffix")
 READERS.register(".txt")(parse_plain)
 READERS.register(".xml")(parse_markup)
+READERS.register(".utt")(parse_utterance)
 
 # What is named like an input is a file, never words to speak, even where there is no reader for it.
 INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")

@@ -85,7 +85,8 @@ def encode(request: SpeechRequest, language: str, find: FindVoice) -> Encoded:
         put(opening, start)
         dictated = mnemonics(style.dictated.phones, language) if style.dictated else None
         if dictated is not None:
-            put(f"[[{dictated}]]", start)
+            # Without a blank, what follows would be read aloud.
+            put(f"[[{dictated}]] ", start)
         else:
             for index in range(start, end):
                 put(escape(request.text[index]), index)
