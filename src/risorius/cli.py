@@ -177,7 +177,7 @@ def speak(
     still: bool,
     **chosen: Any,
 ) -> None:
-    """Perform INPUT: a text, a file (.txt, .xml, .score.json), or - for standard input."""
+    """Perform INPUT: a text, a file (.txt, .xml, .utt, .ssml, .bml, .score.json), or - for standard input."""
     settings = _settings(lively=not still, **chosen)
     targets = outputs or (Path(DEFAULT_OUTPUT),)
     from .console import Console

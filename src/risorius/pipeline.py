@@ -25,6 +25,8 @@ from .take import Progress, Take, quiet
 
 __all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
 
+# Seconds that a script without speech lasts at least.
+SILENT_DURATION = 1.0
 Emotions = Mapping[str, float] | Iterable[Display]
 
 
@@ -48,7 +50,13 @@ def speak(
     script = read_script(given, text=text, source=source)
     progress("Speaking …")
     displays = _displays(emotion)
-    utterance = say(
+    utterance = _spoken(script, displays, settings) if script.lines else None
+    score = plan(script, utterance, displays, settings)
+    return perform(score, settings, utterance)
+
+
+def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
+    return say(
         script,
         voice=settings.voice,
         language=settings.language,
@@ -57,15 +65,17 @@ def speak(
         tail=settings.tail,
         felt=feelings(script, displays) if settings.voice_emotion else (),
     )
-    score = plan(script, utterance, displays, settings)
-    return perform(score, settings, utterance)
 
 
-def plan(script: Script, utterance: Utterance, emotions: tuple[Display, ...], settings: Settings) -> Score:
-    """Derive all movements from what is said and marked."""
-    marks = movements_of(script, utterance.words, max(utterance.duration, script.latest))
+def plan(
+    script: Script, utterance: Utterance | None, emotions: tuple[Display, ...], settings: Settings
+) -> Score:
+    """Derive all movements from what is said, if anything is, and marked."""
+    words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
+    duration = script.lasting(words, spoken)
+    marks = movements_of(script, words, duration)
     brief = Brief(
-        duration=max([utterance.duration, script.latest, *(m.end for m in marks)]),
+        duration=max([duration, *(m.end for m in marks)]),
         utterance=utterance,
         marks=marks,
         emotions=emotions,

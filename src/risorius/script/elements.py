@@ -59,6 +59,9 @@ def read_elements(text: str, source: str) -> list[Element]:
 class Reader:
     """One reading of XML: how positions are counted, and what is open. What is found is kept by its kinds."""
 
+    # What messages give as what was expected.
+    example = EXAMPLE
+
     def __init__(self, text: str, source: str) -> None:
         self.text = self._without_declaration(text, source)
         self.source = source
@@ -137,7 +140,7 @@ class Reader:
         tag = max(self.text.rfind("<", 0, index + 1), 0)
         if self.text.startswith("<!", tag) and not self.text.startswith(("<!--", "<![CDATA["), tag):
             return InputError(
-                f"document types and entity declarations are not allowed; expected {EXAMPLE}",
+                f"document types and entity declarations are not allowed; expected {self.example}",
                 self._place(tag),
             )
         if code == expat.errors.codes[expat.errors.XML_ERROR_TAG_MISMATCH] and self.open:
@@ -158,7 +161,7 @@ class Reader:
         invalid = code == expat.errors.codes[expat.errors.XML_ERROR_INVALID_TOKEN]
         if invalid and self.text[index : index + 1] == "<":
             return "a '<' inside an element; expected &lt;, or a closing quotation mark before it"
-        return f"{expat.ErrorString(code)}; expected e.g. {EXAMPLE}"
+        return f"{expat.ErrorString(code)}; expected e.g. {self.example}"
 
 
 class _ElementReader(Reader):

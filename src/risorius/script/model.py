@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
+from ..core.utterance import Word
 from ..errors import Place
 from .anchor import Anchor, Base
 from .directions import UNDIRECTED, Directions
+
+# Seconds that a mark to the end is held at least, where it has no onset of its own.
+SHORTEST_HOLD = 0.3
 
 
 class MarkKind(StrEnum):
@@ -71,10 +75,10 @@ class Mark:
 
 @dataclass(frozen=True, slots=True)
 class SpokenLine:
-    """Words spoken in one go, from `start` seconds on, or after the line before where it is None.
+    """Words spoken in one go, from `start` seconds on; where it is None, `gap` seconds after the line before.
 
     `source_offset`: where the line begins in the script's text. `place`: where it stands in the source.
-    `directions` count the line's own characters.
+    `directions` count the line's own characters. `gap` is the usual one where it is None.
     """
 
     text: str
@@ -82,6 +86,7 @@ class SpokenLine:
     place: Place
     source_offset: int = 0
     directions: Directions = UNDIRECTED
+    gap: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,11 +104,17 @@ class Script:
     source: str = "text"
     language: str | None = None
 
-    @property
-    def latest(self) -> float:
-        """The last moment in seconds that a mark names: the performance lasts at least so long."""
-        moments = (a.seconds for mark in self.marks for a in (mark.start, mark.end) if a.base is Base.START)
-        return max(moments, default=0.0)
+    def lasting(self, words: Sequence[Word], spoken: float) -> float:
+        """Return how many seconds the performance lasts at least; `words` fill `spoken` seconds.
+
+        A mark that holds to the end has time to appear. Raises InputError for a word that does not exist.
+        """
+        moments = [spoken]
+        for mark in self.marks:
+            for anchor, more in ((mark.start, mark.onset or SHORTEST_HOLD), (mark.end, 0.0)):
+                if anchor.base is not Base.END:
+                    moments.append(anchor.resolve(words, spoken) + more)
+        return max(moments)
 
 
 def script_of(

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from ..errors import InputError, Place, unknown
 from ..registry import Registry
+from .bml import parse_bml
 from .files import names_something, read_text
 from .markup import parse_markup
 from .model import Script
@@ -25,6 +26,7 @@ READERS.register(".txt")(parse_plain)
 READERS.register(".xml")(parse_markup)
 READERS.register(".utt")(parse_utterance)
 READERS.register(".ssml")(parse_ssml)
+READERS.register(".bml")(parse_bml)
 
 # What is named like an input is a file, never words to speak, even where there is no reader for it.
 INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")

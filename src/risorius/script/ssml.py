@@ -29,6 +29,8 @@ LONGEST_BREAK = 60.0
 _SECONDS = re.compile(rf"({NUMBER})(ms|s)", re.ASCII)
 _AMOUNT = re.compile(rf"([+-]?)({NUMBER})(%|st|Hz|dB)?", re.ASCII | re.IGNORECASE)
 _STRESS = "ˈˌ"
+# The second part of English diphthongs.
+_GLIDES = "ɪʊ"
 _ARPABET_NAMES = ("x-arpabet", "arpabet", "cmu-arpabet", "x-cmu-arpabet")
 _ENDS = tuple(".!?…:;。！？।")
 
@@ -83,7 +85,7 @@ class Writer:
             except RisoriusError as error:
                 raise error.at(node.place) from None
         else:
-            self.unknowns.tell(f"<{one_line(node.name)}>", node.place, "its words are spoken plainly")
+            self.unknowns.tell(f"<{one_line(node.written)}>", node.place, "its words are spoken plainly")
             self.write(node)
 
     def within(self, node: Node, **asked: object) -> None:
@@ -245,6 +247,9 @@ def read_ipa(attribute: Attribute) -> tuple[str, ...]:
         try:
             for letter, marks in table.letters(part):
                 vowel = letter in table.vowel
+                if letter in _GLIDES and not stress and phones and phones[-1][-1] in table.vowel:
+                    phones[-1] += letter + marks
+                    continue
                 phones.append((stress if vowel else "") + letter + marks)
                 stress = "" if vowel else stress
         except ParameterError as error:

@@ -26,12 +26,16 @@ class Text:
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """An element: its name without the namespace's prefix, its attributes, what stands in it, its place."""
+    """An element: its name without the namespace's prefix, its attributes, its place, what stands in it.
+
+    `written`: the name with its prefix.
+    """
 
     name: str
     attributes: tuple[Attribute, ...]
     place: Place
     children: list[Node | Text] = field(default_factory=list)
+    written: str = ""
 
     def get(self, *names: str) -> Attribute | None:
         """Return the first of the attributes `names` that is given, whatever its prefix."""
@@ -96,17 +100,19 @@ def read_tree(text: str, source: str, root: str) -> Node:
     reader = _TreeReader(text.replace("\r\n", "\n").replace("\r", "\n"), source)
     reader.parse()
     roots = list(reader.top.elements())
-    if len(roots) != 1 or roots[0].name != root:
-        at = next((r.place for r in roots if r.name != root), roots[1].place if roots else Place(source, 1))
-        found = (
-            f"<{one_line(roots[0].name)}> where" if roots and roots[0].name != root else "a document whose"
-        )
-        raise InputError(f"{found} the root should be one <{root}>; expected it around everything", at)
+    wrong = next((r for r in roots if r.name != root), roots[1] if len(roots) > 1 else None)
+    if wrong is not None:
+        shown = one_line(wrong.name)
+        raise InputError(f"<{shown}> stands outside; expected one <{root}> around everything", wrong.place)
+    if not roots:
+        raise InputError(f"there is no element; expected <{root}>", Place(source, 1))
     return roots[0]
 
 
 class _TreeReader(Reader):
     """Builds the tree."""
+
+    example = "one element around everything"
 
     def __init__(self, text: str, source: str) -> None:
         super().__init__(text, source)
@@ -117,7 +123,7 @@ class _TreeReader(Reader):
         if self.parser.CurrentByteIndex == 0:
             return
         element = self._element(name, values)
-        node = Node(name.rpartition(":")[2], element.attributes, element.place)
+        node = Node(name.rpartition(":")[2], element.attributes, element.place, written=name)
         self.open.append(element)
         self._stack[-1].children.append(node)
         self._stack.append(node)

@@ -80,7 +80,8 @@ def _place(lines: Sequence[SpokenLine], speak: Speaker) -> Iterator[_Placed]:
     for line in lines:
         utterance = _located(line, speak)
         sample_rate = utterance.audio.sample_rate
-        follows = end + round(LINE_PAUSE * sample_rate) if end else 0
+        gap = LINE_PAUSE if line.gap is None else line.gap
+        follows = end + round(gap * sample_rate) if end else 0
         first = follows if line.start is None else round(line.start * sample_rate)
         if first < end:
             raise InputError(
