@@ -17,8 +17,10 @@ from .core.utterance import Utterance
 from .out import check_targets as check_outputs
 from .out.performance_json import read_performance_file
 from .out.score_json import read_score_file
+from .rules.book import Book, book_of
 from .rules.emotions import emotion as find_emotion
-from .script import Script, movements_of, read_script
+from .rules.profiles import Profile, attitude, profile_of
+from .script import Script, felt_in, listening_in, movements_of, read_script
 from .settings import Settings
 from .speech import feelings, say
 from .take import Progress, Take, quiet
@@ -47,12 +49,20 @@ def speak(
     settings = settings or Settings()
     if given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
+    speaker, book = profile_of(settings.profile), book_of(settings.rules)
+    settings = _looking_like(speaker, settings)
     script = read_script(given, text=text, source=source)
     progress("Speaking …")
     displays = _displays(emotion)
     utterance = _spoken(script, displays, settings) if script.lines else None
-    score = plan(script, utterance, displays, settings)
+    score = plan(script, utterance, displays, settings, speaker, book)
     return perform(score, settings, utterance)
+
+
+def _looking_like(speaker: Profile, settings: Settings) -> Settings:
+    """Return settings with the speaker's skin where they leave it open."""
+    age = speaker.age if settings.age is None else settings.age
+    return replace(settings, age=age, wrinkles={**speaker.wrinkles, **settings.wrinkles})
 
 
 def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
@@ -68,7 +78,12 @@ def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -
 
 
 def plan(
-    script: Script, utterance: Utterance | None, emotions: tuple[Display, ...], settings: Settings
+    script: Script,
+    utterance: Utterance | None,
+    emotions: tuple[Display, ...],
+    settings: Settings,
+    speaker: Profile,
+    book: Book,
 ) -> Score:
     """Derive all movements from what is said, if anything is, and marked."""
     words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
@@ -79,9 +94,14 @@ def plan(
         utterance=utterance,
         marks=marks,
         emotions=emotions,
+        felt=felt_in(script, words, duration),
+        listening=listening_in(script, words, duration),
         opens=not script.timed,
         articulation=settings.articulation,
         lively=settings.lively,
+        profile=speaker,
+        attitudes=tuple(attitude(name) for name in settings.attitudes),
+        book=book,
     )
     return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend)
 

@@ -12,9 +12,15 @@ from typing import Annotated
 from ..core.action_units import check_intensity, resolve_targets
 from ..core.schema import Range
 from ..errors import InputError, ParameterError, unknown
+from .conduct import Conduct
+from .fuzzy_sets import concluded
 from .load import load_folder
 
 Seconds = Annotated[float, Range(0.0, 10.0)]
+Share = Annotated[float, Range(0.0, 1.0)]
+# What share of its full contraction belongs to each of five intensities.
+Degrees = tuple[Share, Share, Share, Share, Share]
+INTENSITIES = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +38,11 @@ class Emblem:
 
 @dataclass(frozen=True, slots=True)
 class Emotion:
-    """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds."""
+    """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds.
+
+    `degrees`: for units that do not grow with the intensity in proportion, their shares of full contraction
+    at no, low, medium, high and full intensity. `conduct`: what one who feels it does more or less of.
+    """
 
     name: str
     aliases: tuple[str, ...]
@@ -42,14 +52,28 @@ class Emotion:
     offset: Seconds
     units: Mapping[str, float] = field(metadata={"key": "targets"})
     emblem: Emblem
+    conduct: Conduct = field(default_factory=Conduct)
+    degrees: Mapping[str, Degrees] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         resolve_targets(self.units)
         resolve_targets(self.emblem.units)
+        for unit in self.degrees:
+            if unit not in self.units:
+                raise ParameterError(unknown("target with degrees", unit, self.units))
 
     def targets(self, intensity: float) -> dict[str, float]:
-        """Return the parameters' values in a display of `intensity` 0..1; they are linear in it."""
-        return self._scaled(self.units, intensity)
+        """Return the parameters' values in a display of `intensity` 0..1, by fuzzy rules.
+
+        They are continuous and never fall as it rises: linear but for units with degrees of their own.
+        """
+        check_intensity(self.name, intensity)
+        return resolve_targets(
+            {unit: value * self._share(unit, intensity) for unit, value in self.units.items()}
+        )
+
+    def _share(self, unit: str, intensity: float) -> float:
+        return concluded(intensity, INTENSITIES, self.degrees.get(unit, INTENSITIES))
 
     def emblem_targets(self, intensity: float) -> dict[str, float]:
         """Return the parameters' values in an emblem of `intensity` 0..1; they are linear in it."""

@@ -96,6 +96,7 @@ class Questions:
 
     wh: tuple[str, ...]
     alternative: tuple[str, ...]
+    auxiliaries: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
