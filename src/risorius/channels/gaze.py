@@ -115,6 +115,9 @@ def _averted(brief: Brief, looks: Sequence[Look], rng: np.random.Generator) -> l
         if rival is None and end < brief.duration:
             found.append(Look(time, end, direction, Cause(AVERSION, "habit")))
         last = end if rival is None else rival.end
+        if rival is not None and rival.direction == LISTENER:
+            time = last + _SHORTEST
+            continue
         often = max(rate_of(AVERSION, brief.conduct_at(last)), 1e-3)
         time = last + max(_size(habit.gap, rng), _SHORTEST) / often
     return sorted(found, key=lambda k: k.start)

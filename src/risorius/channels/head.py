@@ -73,18 +73,18 @@ def _melody(brief: Brief) -> Iterator[Movement]:
 
 
 def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
-    """Yield a chain of smooth movements to random targets, smaller in pauses."""
+    """Yield a chain of smooth movements to random targets; in pauses they go only a part of the way."""
     habits = brief.profile.head
     deviations = dict(zip(_HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
     calm = _Calm(brief)
+    targets = dict.fromkeys(_HEAD, 0.0)
     times = _times(habits.dwell, calm.edges, brief.duration, rng)
     for start, end in pairwise(times):
-        left = calm.at(start) * size_of(NOISE, brief.conduct_at(start))
-        targets = {
-            name: left * sd * float(np.clip(rng.standard_normal(), -2.0, 2.0))
-            for name, sd in deviations.items()
-        }
-        yield _link(start, end, targets, "noise", Cause(NOISE, "a living head"))
+        left, size = calm.at(start), size_of(NOISE, brief.conduct_at(start))
+        for name, sd in deviations.items():
+            drawn = size * sd * float(np.clip(rng.standard_normal(), -2.0, 2.0))
+            targets[name] += left * (drawn - targets[name])
+        yield _link(start, end, dict(targets), "noise", Cause(NOISE, "a living head"))
 
 
 def _times(
