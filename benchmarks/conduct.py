@@ -1,7 +1,7 @@
 """Ten minutes of speech per profile, measured as studies measure people, beside what they published.
 
-Also a shuffle test: where accents are permuted among the words, brows and head meet them by chance alone. Run from the
-repository:
+Also a shuffle test: where accents are permuted among the words, brows and head meet them by chance alone. Run from
+the repository:
     PYTHONPATH=src python benchmarks/conduct.py [--minutes 10] [--profile neutral …]
 """
 
@@ -78,7 +78,7 @@ def measured(found: list[Clip]) -> dict[str, float]:
     seconds = sum(clip.said.duration for clip in found)
     shut = [blink for clip in found for blink in blinks(clip)]
     gaps = np.concatenate([np.diff([b[0] for b in blinks(clip)]) for clip in found])
-    mutual, away = (sum((visits(clip)[i] for clip in found), []) for i in (0, 1))
+    mutual, away = ([s for clip in found for s in visits(clip)[i]] for i in (0, 1))
     jumps = np.concatenate([saccades(clip) for clip in found])
     slope, base = np.polyfit(jumps[:, 0], jumps[:, 1], 1)
     still = [head_speed(clip) < STILL for clip in found]
