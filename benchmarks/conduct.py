@@ -1,7 +1,7 @@
 """Ten minutes of speech per profile, measured as studies measure people, beside what they published.
 
-Also a shuffle test: where accents are permuted among the words, brows and head meet them by chance alone. Run from
-the repository:
+Also a shuffle test: where accents are permuted among the words, brows and head meet them by chance alone. Run
+from the repository:
     PYTHONPATH=src python benchmarks/conduct.py [--minutes 10] [--profile neutral …]
 """
 

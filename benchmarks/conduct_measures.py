@@ -1,4 +1,4 @@
-"""What the conduct benchmark measures on a performance: blinks, gaze, head and brows, as studies of people do."""
+"""What the conduct benchmark measures on a performance: blinks, gaze, head, brows, as studies do."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from risorius.core.utterance import PauseKind, Utterance
 
 Array = npt.NDArray[np.float64]
 FPS = 200
-# Looking within so many degrees of straight ahead is looking at the listener's face; shorter visits are not counted.
+# Looking so near straight ahead is looking at the listener's face; looks away that are shorter do not count.
 FACE, SHORTEST = 6.0, 0.15
 # A head that turns slower than this stands still, degrees a second.
 STILL = 1.0

@@ -179,7 +179,7 @@ def test_contractions_are_continuous_and_never_fall_as_the_intensity_rises(
     assert less.keys() == more.keys()
     for p in less:
         assert abs(less[p]) <= abs(more[p]) + 1e-12
-        # No share rises more than twice as fast as the intensity, nor a full contraction above its parameter's range.
+        # No share rises more than twice as fast as the intensity.
         assert abs(more[p] - less[p]) <= 2.0 * step * max(abs(emotion(name).targets(1.0)[p]), 1e-9) + 1e-12
 
 

@@ -83,7 +83,7 @@ def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
         left, size = calm.at(start), size_of(NOISE, brief.conduct_at(start))
         for name, sd in deviations.items():
             drawn = size * sd * float(np.clip(rng.standard_normal(), -2.0, 2.0))
-            targets[name] += left * (drawn - targets[name])
+            targets[name] = left * drawn + (0.0 if calm.rests(start) else (1.0 - left) * targets[name])
         yield _link(start, end, dict(targets), "noise", Cause(NOISE, "a living head"))
 
 
@@ -116,6 +116,7 @@ class _Calm:
         still = {PauseKind.COMMA: habits.comma, PauseKind.HESITATION: habits.comma}
         self._situation, self._listening = brief.situation, habits.listening
         pauses = brief.utterance.pauses if brief.utterance else ()
+        self._last = [p.start for p in pauses if p.kind is PauseKind.FINAL]
         self._spans = [(p.start, p.end, still.get(p.kind, habits.final)) for p in pauses]
         self.edges = sorted({t for start, end, _ in self._spans for t in (start, end)})
 
@@ -124,3 +125,7 @@ class _Calm:
         if self._situation.turn_at(time) is TurnState.LISTENING:
             return self._listening
         return next((left for start, end, left in self._spans if start <= time < end), 1.0)
+
+    def rests(self, time: float) -> bool:
+        """Tell whether nothing more is to be said, so that the head goes back to rest (paper B, 5.2)."""
+        return any(start <= time for start in self._last)
