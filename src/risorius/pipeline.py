@@ -18,7 +18,8 @@ from .out import check_targets as check_outputs
 from .out.performance_json import read_performance_file
 from .out.score_json import read_score_file
 from .rules.book import Book, book_of
-from .rules.emotions import emotion as find_emotion
+from .rules.emotions import emotion_key
+from .rules.fuzzy import blended
 from .rules.profiles import Profile, attitude, profile_of
 from .script import Script, felt_in, listening_in, movements_of, read_script
 from .settings import Settings
@@ -137,9 +138,9 @@ def load(performance: str | PathLike[str], *, settings: Settings | None = None) 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
     """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top."""
     units = dict(targets)
-    for display in _displays(emotion):
-        for name, value in find_emotion(display.emotion).targets(display.intensity).items():
-            units[name] = max(units.get(name, 0.0), value)
+    shown = {emotion_key(display.emotion): display.intensity for display in _displays(emotion)}
+    for name, value in blended(shown).items():
+        units[name] = max(units.get(name, 0.0), value, key=abs)
     keys = {name: ((0.0, value),) for name, value in resolve_targets(units).items()}
     held = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))

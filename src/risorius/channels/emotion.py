@@ -11,7 +11,7 @@ from ..core.action_units import check_intensity
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import InputError
-from ..rules.emotions import Display
+from ..rules.emotions import Display, emotion_key
 from ..rules.emotions import emotion as find_emotion
 from ..rules.fuzzy import blend_targets
 from .head import posture
@@ -51,7 +51,7 @@ def _placed(display: Display, duration: float) -> Display:
         raise InputError(
             f"emotion {found.name}: from {start:g} to {end:g} s is not a span; expected 0 <= start < end"
         )
-    return Display(found.name, check_intensity(found.name, display.intensity), start, end)
+    return Display(emotion_key(display.emotion), check_intensity(found.name, display.intensity), start, end)
 
 
 def _movements(display: Display, number: int, displays: Sequence[Display]) -> Iterator[Movement]:
@@ -68,7 +68,7 @@ def _movements(display: Display, number: int, displays: Sequence[Display]) -> It
             end if end == last else end + _OVERLAP,
             found.onset,
             found.offset if end == last else _OVERLAP,
-            blend_targets(found.name, company),
+            blend_targets(display.emotion, company),
             id=f"emotion.{number}.{found.name}" + (f"@{start:.3f}" if start > first else ""),
             layer=f"{number}.{found.name}",
             cause=Cause("emotion.display", f"{found.name} {display.intensity:g}", "option"),

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated
 
@@ -14,7 +15,7 @@ from ..core.schema import Range
 from ..errors import InputError, ParameterError, unknown
 from .conduct import Conduct
 from .fuzzy_sets import concluded
-from .load import load_folder
+from .load import load_file, load_folder
 
 Seconds = Annotated[float, Range(0.0, 10.0)]
 Share = Annotated[float, Range(0.0, 1.0)]
@@ -111,20 +112,40 @@ def emotion_names() -> Mapping[str, str]:
 
 
 def emotion(name: str) -> Emotion:
-    """Return the emotion of that name or alias, in any case; raise ParameterError naming the nearest one."""
+    """Return the emotion of that name or alias, in any case, or of that file (`.toml`).
+
+    Raises ParameterError, naming the nearest, for an unknown name, InputError for a file that does not fit.
+    """
+    key = emotion_key(name)
+    return _from_file(key) if key.endswith(_FILE) else emotions()[key]
+
+
+def emotion_key(name: str) -> str:
+    """Return by what `emotion` finds the emotion called `name`: its own name, or its file's path.
+
+    Raises ParameterError, naming the nearest one, for an unknown name.
+    """
+    if name.endswith(_FILE):
+        return name
     known = emotion_names()
     key = name.strip().lower()
     if key not in known:
         raise ParameterError(unknown("emotion", name, known))
-    return emotions()[known[key]]
+    return known[key]
+
+
+@cache
+def _from_file(path: str) -> Emotion:
+    return load_file(Emotion, Path(path))
 
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)"
-_DISPLAY = re.compile(rf"([\w -]+):({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?", re.ASCII)
+_FILE = ".toml"
+_DISPLAY = re.compile(rf"([\w -]+|.+\.toml):({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?", re.ASCII)
 
 
 def parse_display(text: str) -> Display:
-    """Return the display that an option such as `joy:0.7` or `fear:1@0.5-2` asks for.
+    """Return the display that an option such as `joy:0.7`, `fear:1@0.5-2` or `mine.toml:1` asks for.
 
     Raises InputError if it is not of that form, ParameterError for an unknown emotion or intensity above 1.
     """
@@ -133,15 +154,16 @@ def parse_display(text: str) -> Display:
         shown = "".join(c if c.isprintable() else " " for c in text)
         raise InputError(f"emotion '{shown}' is not understood; expected e.g. joy:0.7 or joy:0.7@1-2.5")
     found = emotion(match[1])
+    key = emotion_key(match[1])
     intensity = check_intensity(found.name, float(match[2]))
     if match[3] is None:
-        return Display(found.name, intensity)
+        return Display(key, intensity)
     start, end = float(match[3]), float(match[4])
     if not start < end:
         raise InputError(
             f"emotion {found.name}: from {start:g} to {end:g} s is no span; expected start < end"
         )
-    return Display(found.name, intensity, start, end)
+    return Display(key, intensity, start, end)
 
 
 def _by_any_name(table: Mapping[str, Emotion]) -> dict[str, str]:

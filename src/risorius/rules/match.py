@@ -11,7 +11,7 @@ import numpy as np
 from ..core.action_units import resolve_targets
 from ..core.parameters import INDEX, PARAMETERS, parameters_named
 from .conduct import Conduct, is_under, rate_of, size_of
-from .emotions import emotion
+from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .rule import ANY, NOTHING_FELT, Anchor, Rule, When
 from .synchrony import Span, snapped, synchrony
@@ -128,7 +128,7 @@ def _felt(when: When, felt: Mapping[str, float]) -> bool:
 
 
 def _canonical(name: str) -> str:
-    return name if name == NOTHING_FELT else emotion(name).name
+    return name if name == NOTHING_FELT else emotion_key(name)
 
 
 def _event(rule: Rule, unit: Unit, units: Units, size: float, *, mirrored: bool) -> Event:

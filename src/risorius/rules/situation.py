@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..core.utterance import Utterance
-from .emotions import Display, emotion
+from .emotions import Display, emotion_key
 from .rule import TurnState
 
 
@@ -26,7 +26,7 @@ class Situation:
             start = 0.0 if display.start is None else display.start
             end = self.duration if display.end is None else display.end
             if start <= time <= end:
-                name = emotion(display.emotion).name
+                name = emotion_key(display.emotion)
                 found[name] = max(found.get(name, 0.0), display.intensity)
         return found
 
