@@ -42,8 +42,8 @@ class Bracket:
 
 
 def has_brackets(text: str) -> bool:
-    """Tell whether a text is written in brackets."""
-    return text.lstrip().startswith("(")
+    """Tell whether a text is written in brackets, balanced or not."""
+    return "(" in text or ")" in text
 
 
 def read_brackets(text: str, place: Place) -> tuple[Bracket, ...]:

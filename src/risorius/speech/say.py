@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from ..core.audio import Audio, AudioWriter
 from ..core.utterance import SILENCE, Accent, Boundary, Pause, PauseKind, Phone, Syllable, Utterance, Word
-from ..errors import InputError
+from ..errors import InputError, RisoriusError
 from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
 from .synthesis import synthesize
@@ -70,7 +70,7 @@ def _located(line: SpokenLine, speak: Speaker) -> Utterance:
     """Speak a line; what is wrong with it is raised with its place."""
     try:
         return speak(line.text, directions=line.directions)
-    except InputError as error:
+    except RisoriusError as error:
         raise error.at(line.place) from None
 
 
