@@ -13,6 +13,7 @@ from ..core.utterance import SILENCE, Accent, Boundary, Pause, PauseKind, Phone,
 from ..errors import InputError, RisoriusError
 from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
+from .engine import is_voice_file
 from .synthesis import synthesize
 
 # Seconds between lines where the second has no time of its own.
@@ -47,7 +48,7 @@ def say(
     neither is named. `felt`: emotions that change the voice. Raises InputError, with the line's place,
     where a line starts before the one before it has ended; SpeechError if the engine fails.
     """
-    spoken = None if voice else script.language or language
+    spoken = None if voice and not is_voice_file(voice) else script.language or language
     speak = partial(synthesize, voice=voice, language=spoken, rate=rate)
     if not script.timed:
         speak = partial(speak, lead=lead, tail=tail)

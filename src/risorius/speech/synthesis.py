@@ -14,7 +14,15 @@ from ..errors import InputError, ParameterError
 from ..script.directions import UNDIRECTED, Directions
 from .accents import intone
 from .assemble import Part, assemble, place, silence
-from .engine import SpeechEngine, SpeechRequest, SpeechWarning, load_engine
+from .engine import (
+    SpeechEngine,
+    SpeechRequest,
+    SpeechWarning,
+    Voice,
+    is_voice_file,
+    load_engine,
+    load_voice_file,
+)
 from .lengthen import scale_pauses
 from .normalise import normalise, placed
 from .pauses import find_pauses
@@ -45,18 +53,17 @@ def synthesize(
 ) -> Utterance:
     """Speak `text` and return the utterance, with `lead` and `tail` seconds of silence around it.
 
-    `voice` is a name from `voices` (default `en-us`); with `language` alone its first voice speaks.
-    `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own. `manner` changes
-    the whole, `directions` parts of it. `progress` is told
-    the share (0..1) that is done. Same arguments, same bytes.
+    `voice` is a name from `voices` (default `en-us`) or a voice's file; with `language` alone its first
+    voice speaks. `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own.
+    `manner` changes the whole, `directions` parts of it. `progress` is told the share (0..1) that is done.
+    Same arguments, same bytes.
 
     Raises InputError for text that is empty, has nothing to speak or is longer than 100,000 characters,
     ParameterError for a number out of range, SpeechError for an unknown voice or a failing engine.
     """
     _check_text(text)
     _check_numbers(rate, pitch, lead, tail)
-    engine = engine or load_engine()
-    chosen = find_voice(voice, language, engine)
+    engine, chosen = _voice(voice, language, engine)
     tokens = tokenize(text)
     request = SpeechRequest("", chosen, rate, pitch, manner=manner)
     parts = _speak(text, request, directions, engine, progress)
@@ -75,6 +82,14 @@ def synthesize(
     pauses = find_pauses(text, phones, words)
     said = Utterance(text, chosen.language, audio, phones, words, syllables, pauses)
     return intone(said, directions)
+
+
+def _voice(name: str | None, language: str | None, engine: SpeechEngine | None) -> tuple[SpeechEngine, Voice]:
+    if engine is None and name is not None and is_voice_file(name):
+        engine = load_voice_file(name, language)
+        return engine, engine.voices()[0]
+    engine = engine or load_engine()
+    return engine, find_voice(name, language, engine)
 
 
 def _speak(
