@@ -26,6 +26,7 @@ from .engine import (
 from .lengthen import scale_pauses
 from .normalise import normalise, placed
 from .pauses import find_pauses
+from .retime import is_timed, retime
 from .sentences import divide
 from .syllables import syllabify
 from .tokens import is_speakable, tokenize
@@ -78,6 +79,8 @@ def synthesize(
     phones, words = assemble(segments, text, tokens, audio.sample_rate)
     if not words:
         raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
+    if is_timed(directions):
+        audio, phones, words = retime(audio, phones, words, directions)
     syllables = syllabify(phones, words)
     pauses = find_pauses(text, phones, words)
     said = Utterance(text, chosen.language, audio, phones, words, syllables, pauses)
