@@ -168,3 +168,8 @@ def test_a_face_may_move_without_a_word(tmp_path) -> None:
     take = speak(str(file), settings=STILL)
     assert take.utterance is None
     assert take.curves["frontalis_medialis.left"].max() > 0.9
+
+
+def test_an_unknown_attribute_is_reported() -> None:
+    with pytest.warns(ScriptWarning, match=r"x\.bml:2:14: stroke of <gaze> is not understood"):
+        parse_bml(in_block('<gaze id="a" stroke="1" target="up"/>'), "x.bml")

@@ -9,6 +9,7 @@ from risorius.errors import RisoriusError
 from risorius.script.ssml import parse_ssml
 from risorius.script.tree import ScriptWarning
 from risorius.speech import say
+from risorius.speech.engine import SpeechWarning
 
 BAD = [
     ("<speak></speak>", "x.ssml:1:1: the text is empty"),
@@ -47,6 +48,7 @@ REPORTED = [
     ('<prosody contour="(0%,+2st)">b</prosody>', "contour of <prosody> is not understood", "a b"),
     ('<prosody pitch="120Hz">b</prosody>', "pitch in Hz is not understood", "a b"),
     ('<phoneme alphabet="x-sampa" ph="a">b</phoneme>', "alphabet 'x-sampa' is not understood", "a b"),
+    ('<emphasis style="x">b</emphasis>', "x.ssml:1:20: style of <emphasis> is not understood", "a b"),
     ('<voice gender="female">b</voice>', "gender of <voice> is not understood", "a b"),
 ]
 
@@ -143,3 +145,21 @@ def test_a_word_of_another_language_has_its_sounds() -> None:
     said = say(parse_ssml('<speak>Guten <lang xml:lang="de">Weg</lang></speak>'))
     way = said.words[1]
     assert said.phones[way.first_phone].symbol == "V"
+
+
+def test_a_break_at_the_end_is_kept() -> None:
+    plain, longer = (say(parse_ssml(f"<speak>Hello.{more}</speak>")) for more in ("", '<break time="1s"/>'))
+    assert longer.duration - plain.duration == pytest.approx(1.0, abs=0.35)
+
+
+def test_other_languages_say_that_they_take_no_phonemes() -> None:
+    text = '<speak xml:lang="de">Guten <phoneme ph="taːk">Tag</phoneme></speak>'
+    with pytest.warns(SpeechWarning, match=r"x\.ssml:1:28: only English voices take phonemes"):
+        said = say(parse_ssml(text, "x.ssml"))
+    assert said.words[1].text == "Tag"
+
+
+def test_another_voice_for_some_words() -> None:
+    said = say(parse_ssml("<speak>Can't <voice name=\"en-gb\">can't</voice>.</speak>"))
+    vowels = [said.phones[w.first_phone + 1].symbol for w in said.words]
+    assert vowels == ["AE", "AA"]

@@ -7,6 +7,7 @@ from risorius.script import read_script
 from risorius.script.directions import Break
 from risorius.script.utt import parse_utterance
 from risorius.speech import feelings, say
+from risorius.speech.engine import SpeechWarning
 
 BAD = [
     ("", "x.utt:1: nothing is said: there is no 'text:'"),
@@ -98,3 +99,14 @@ def read_script_text(head: str):
 def test_words_between_asterisks_are_emphasised() -> None:
     (line,) = read_script("I like *this* one, not 2 * 3 * 4.", text=True).lines
     assert [line.text[s.start : s.end] for s in line.directions.spans] == ["this"]
+
+
+def test_durations_need_an_english_voice() -> None:
+    script = parse_utterance("language: de\ntext: (JA)\nphonemes: (y<90>aa<200>)", "x.utt")
+    with (
+        pytest.warns(SpeechWarning, match="only English voices take phonemes"),
+        pytest.raises(
+            InputError, match=r"x\.utt:3:12: durations of phonemes in 'de'; expected an English voice"
+        ),
+    ):
+        say(script)

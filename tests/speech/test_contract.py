@@ -14,7 +14,16 @@ import pytest
 from risorius.core.manner import Manner
 from risorius.errors import RisoriusError
 from risorius.rules.articulation import is_known
-from risorius.speech.engine import SpeechEngine, SpeechRequest, is_voice_file, load_engine, load_voice_file
+from risorius.script import read_script
+from risorius.speech import say
+from risorius.speech.engine import (
+    SpeechEngine,
+    SpeechRequest,
+    SpeechWarning,
+    is_voice_file,
+    load_engine,
+    load_voice_file,
+)
 from risorius.speech.synthesis import synthesize
 from risorius.speech.voices import find_voice
 
@@ -92,7 +101,7 @@ def test_phone_times_are_found_by_the_reference(tmp_path: Path) -> None:
     engine = load_voice_file(program(tmp_path, voices.MUTE_OF_TIMES))
     found = engine.speak(SpeechRequest(TEXT, engine.voices()[0]))
     espeak = load_engine()
-    true = espeak.speak(SpeechRequest(TEXT, find_voice("en-us+f3", None, espeak), 150))
+    true = espeak.speak(SpeechRequest(TEXT, find_voice("en-us+m3", None, espeak), 150))
     assert [p.symbol for p in found.phones] == [p.symbol for p in true.phones]
     errors = [
         abs(a.start - b.start) / found.sample_rate for a, b in zip(found.phones, true.phones, strict=True)
@@ -172,3 +181,15 @@ def test_a_piper_model_without_its_description(
         (tmp_path / "x.onnx.json").write_text(content)
     with pytest.raises(RisoriusError, match=message):
         synthesize("Hello.", voice=str(model))
+
+
+def test_what_a_program_cannot_do_is_said_once(tmp_path: Path) -> None:
+    emphasised = read_script("I like *this*. And *that*.", text=True)
+    with pytest.warns(SpeechWarning, match="does not follow breaks, emphasis and the like") as caught:
+        say(emphasised, voice=program(tmp_path, voices.BEEPER))
+    assert len(caught) == 1
+
+
+def test_espeaks_own_names_are_no_files() -> None:
+    assert not is_voice_file("gmw/en-US")
+    assert synthesize("Hello.", voice="gmw/en-US").language == "en-us"

@@ -161,9 +161,3 @@ def test_the_engine_is_registered_and_shared() -> None:
 def assert_same(a, b) -> None:
     assert a.phones == b.phones
     assert np.array_equal(a.samples, b.samples)
-
-
-def test_a_breathy_voice_says_the_same_twice(engine) -> None:
-    breathy = find_voice("en-us+f3", None, engine)
-    first, second = (engine.speak(SpeechRequest("Hello there.", breathy)) for _ in range(2))
-    assert np.array_equal(first.samples, second.samples)

@@ -24,7 +24,7 @@ from risorius.speech.voices import find_voice
 
 request = json.loads(sys.stdin.readline())
 engine = load_engine()
-said = engine.speak(SpeechRequest(request["text"], find_voice("en-us+f3", None, engine), 150))
+said = engine.speak(SpeechRequest(request["text"], find_voice("en-us+m3", None, engine), 150))
 audio = base64.b64encode(said.samples.tobytes()).decode()
 print(json.dumps({"sample_rate": said.sample_rate, "audio": audio}))
 """

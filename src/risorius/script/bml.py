@@ -77,6 +77,7 @@ class _Reading:
 
     def _behave(self, node: Node) -> None:
         name = self._name(node)
+        self.unknowns.check(node, (*_PLAIN, *SHAPES[node.name](node), *ATTRIBUTES[node.name]))
         behaviour = Behaviour(name, node.place, SHAPES[node.name](node))
         for point in behaviour.shape:
             if (attribute := node.get(point)) is not None:
@@ -361,6 +362,19 @@ def _head_shift(node: Node, times: _Times, unknowns: Unknowns) -> Iterator[Mark]
     onset = times.between("start", "end", _SHIFT_SECONDS)
     yield replace(_lasting(mark), onset=onset, strokes=WHOLE)
 
+
+# What any behaviour may say beside its sync points, and each of them.
+_PLAIN = ("id",)
+_DIRECTED = ("target", "influence", "offsetAngle", "offsetDirection")
+ATTRIBUTES: Mapping[str, tuple[str, ...]] = {
+    "faceLexeme": ("lexeme", "amount"),
+    "faceFacs": ("au", "side", "amount"),
+    "faceShift": ("lexeme", "au", "side", "amount"),
+    "gaze": _DIRECTED,
+    "gazeShift": _DIRECTED,
+    "head": ("lexeme", "repetition", "amount"),
+    "headDirectionShift": _DIRECTED,
+}
 
 Performer = Callable[[Node, _Times, Unknowns], Iterator[Mark]]
 BEHAVIOURS: Mapping[str, Performer] = {

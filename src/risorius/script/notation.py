@@ -168,9 +168,13 @@ def write_out(phrases: Sequence[Bracket], tunes: Sequence[Tune], place: Place, o
 
 def _spell(word: str, *, first: bool) -> str:
     """Return a word without the capitals that mark an accent."""
-    if not _CAPITALS.search(word) or word in ("I", "A"):
+    if not _is_marked(word):
         return word
     return word.capitalize() if first else word.lower()
+
+
+def _is_marked(word: str) -> bool:
+    return bool(_CAPITALS.search(word)) and word not in ("I", "A")
 
 
 def _starts(words: Sequence[str], start: int) -> list[int]:
@@ -183,7 +187,7 @@ def _starts(words: Sequence[str], start: int) -> list[int]:
 
 def _accented(phrase: Bracket, placed: Sequence[tuple[int, int, Item]], tune: Tune) -> list[tuple[int, int]]:
     """Return the accented words of a phrase: those in capitals, or where there are none, the last ones."""
-    marked = [(a, b) for a, b, item in placed if _CAPITALS.search(item.text) and item.text != "I"]
+    marked = [(a, b) for a, b, item in placed if _is_marked(item.text)]
     if not marked:
         marked = [(a, b) for a, b, _ in placed][-len(tune.accents) :] if tune.accents else []
     if tune.accents and len(marked) != len(tune.accents):

@@ -80,6 +80,7 @@ class Writer:
     def perform(self, node: Node) -> None:
         """Do what an element asks for."""
         if node.name in ELEMENTS:
+            self.unknowns.check(node, ATTRIBUTES.get(node.name, ()))
             try:
                 ELEMENTS[node.name](self, node)
             except RisoriusError as error:
@@ -146,9 +147,6 @@ def _emphasis(writer: Writer, node: Node) -> None:
 
 
 def _prosody(writer: Writer, node: Node) -> None:
-    for name in ("contour", "duration"):
-        if (given := node.get(name)) is not None:
-            writer.unknowns.tell(f"{name} of <prosody>", given.place)
     table = ssml_table()
     manner = Manner(
         rate=_factor(node, "rate", table.rate),
@@ -332,9 +330,6 @@ def _lang(writer: Writer, node: Node) -> None:
 
 
 def _voice(writer: Writer, node: Node) -> None:
-    for name in ("gender", "age", "variant", "required", "ordering"):
-        if (given := node.get(name)) is not None:
-            writer.unknowns.tell(f"{name} of <voice>", given.place)
     voice, language = node.text_of("name"), node.text_of("lang") or node.text_of("languages")
     if voice or language:
         writer.within(node, voice=voice, language=None if voice else language)
@@ -365,3 +360,17 @@ ELEMENTS: Mapping[str, Callable[[Writer, Node], None]] = {
     "meta": _silent,
     "metadata": _silent,
 }
+
+ATTRIBUTES: Mapping[str, tuple[str, ...]] = {
+    ROOT: ("version", "schemaLocation"),
+    "break": ("time", "strength"),
+    "emphasis": ("level",),
+    "prosody": ("rate", "pitch", "range", "volume"),
+    "phoneme": ("alphabet", "ph"),
+    "mark": ("name",),
+    "sub": ("alias",),
+    "say-as": ("interpret-as",),
+    "voice": ("name", "languages"),
+    "meta": ("name", "content", "http-equiv"),
+}
+"""The attributes of each element that are understood; none of the others."""

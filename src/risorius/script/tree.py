@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from ..errors import InputError, ParameterError, Place, RisoriusWarning, unknown
@@ -90,6 +90,13 @@ class Unknowns:
         if what not in self._told:
             self._told.add(what)
             warnings.warn(f"{place}: {what} is not understood; {instead}", ScriptWarning, stacklevel=2)
+
+    def check(self, node: Node, known: Collection[str]) -> None:
+        """Warn of a node's attributes that are not `known`; those of XML itself are."""
+        for attribute in node.attributes:
+            prefix, _, bare = attribute.name.rpartition(":")
+            if prefix not in ("xml", "xmlns") and bare != "xmlns" and bare not in known:
+                self.tell(f"{one_line(attribute.name)} of <{one_line(node.written)}>", attribute.place)
 
 
 def read_tree(text: str, source: str, root: str) -> Node:

@@ -181,6 +181,7 @@ def _candidates(utterance: Utterance, phrase: _Phrase, directions: Directions) -
                 focus=utterance.syllables[index].word in focused,
                 after_focus=utterance.syllables[index].word > first_focus,
                 ends=phrase.ends,
+                lexical_tone=utterance.language.split("-")[0] in intonation_table().lexical.languages,
             ),
         )
         for index in sorted(stressed)

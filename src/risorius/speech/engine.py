@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -118,10 +117,11 @@ def load_engine(name: str = DEFAULT_ENGINE) -> SpeechEngine:
 
 
 def is_voice_file(name: str | None) -> bool:
-    """Tell whether a voice is named by its file: it looks like a path, or ends as one."""
+    """Tell whether a voice is named by its file: there is one, or the name can be nothing else."""
     if not name or "\0" in name:
         return False
-    return "/" in name or os.sep in name or Path(name).suffix.lower() in (".onnx", ".py")
+    path = Path(name)
+    return path.is_absolute() or name[0] == "." or path.suffix.lower() in (".onnx", ".py") or path.is_file()
 
 
 def load_voice_file(name: str, language: str | None = None) -> SpeechEngine:

@@ -35,6 +35,7 @@ class PiperEngine(ProgramEngine):
 
     def speak(self, request: SpeechRequest) -> Rendition:
         """Speak a text. Its manner's rate is Piper's length scale; pitch and range stay the voice's own."""
+        self._tell(request)
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "voice.wav"
             pace = (request.rate or 175) / 175 * request.manner.rate

@@ -12,6 +12,7 @@ import json
 import os
 import subprocess
 import sys
+import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -24,7 +25,16 @@ from ..errors import SpeechError
 from ..rules.articulation import is_known
 from . import phonesets
 from .dictation import to_arpabet
-from .engine import VOICE_FILES, Rendition, SpeechEngine, SpeechRequest, SpokenPhone, Voice, load_engine
+from .engine import (
+    VOICE_FILES,
+    Rendition,
+    SpeechEngine,
+    SpeechRequest,
+    SpeechWarning,
+    SpokenPhone,
+    Voice,
+    load_engine,
+)
 from .normalise import is_english
 from .reference import warped
 from .voices import find_voice
@@ -45,9 +55,11 @@ class ProgramEngine:
         self._command = list(command)
         self._name = name
         self._language = language
+        self._told = False
 
     def speak(self, request: SpeechRequest) -> Rendition:
         """Speak a text; raise SpeechError if the program fails or gives no answer of the form asked for."""
+        self._tell(request)
         return self._read(self._run(request_of(request, self._language)), request)
 
     def transcribe(self, words: Sequence[str], voice: Voice) -> tuple[tuple[str, ...], ...]:
@@ -61,6 +73,13 @@ class ProgramEngine:
 
     def close(self) -> None:
         """Do nothing: no process outlives its answer."""
+
+    def _tell(self, request: SpeechRequest) -> None:
+        """Warn, once, of what is asked for parts of the text."""
+        if request.directions and not self._told:
+            self._told = True
+            message = f"the voice '{self._name}' does not follow breaks, emphasis and the like within a text"
+            warnings.warn(message, SpeechWarning, stacklevel=3)
 
     def _run(self, message: Mapping[str, Any]) -> bytes:
         try:

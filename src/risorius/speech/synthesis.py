@@ -24,7 +24,7 @@ from .engine import (
     load_voice_file,
 )
 from .lengthen import scale_pauses
-from .normalise import normalise, placed
+from .normalise import is_english, normalise, placed
 from .pauses import find_pauses
 from .retime import is_timed, retime
 from .sentences import divide
@@ -80,6 +80,7 @@ def synthesize(
     if not words:
         raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
     if is_timed(directions):
+        _check_dictated(directions, chosen)
         audio, phones, words = retime(audio, phones, words, directions)
     syllables = syllabify(phones, words)
     pauses = find_pauses(text, phones, words)
@@ -95,6 +96,13 @@ def _voice(name: str | None, language: str | None, engine: SpeechEngine | None) 
     return engine, find_voice(name, language, engine)
 
 
+def _check_dictated(directions: Directions, voice: Voice) -> None:
+    timed = next(span for span in directions.spans if span.seconds)
+    if not is_english(voice.language):
+        message = f"durations of phonemes in '{voice.language}'; expected an English voice for them"
+        raise InputError(message, timed.place)
+
+
 def _speak(
     text: str,
     request: SpeechRequest,
@@ -107,12 +115,12 @@ def _speak(
     guessed: dict[str, None] = {}
     for number, stretch in enumerate(stretches):
         spoken = normalise(text, stretch.start, stretch.end, request.voice.language)
-        pause = stretch.ends_sentence and number + 1 < len(stretches)
+        last = number + 1 == len(stretches)
         asked = replace(
             request,
             text=spoken.text,
-            end_pause=pause,
-            directions=tuple(placed(directions, spoken, stretch.start, stretch.end)),
+            end_pause=stretch.ends_sentence and not last,
+            directions=tuple(placed(directions, spoken, stretch.start, stretch.end, last=last)),
         )
         part = Part(stretch, spoken, scale_pauses(engine.speak(asked), request.manner.pauses))
         guessed.update(dict.fromkeys(part.rendition.guessed))

@@ -189,9 +189,6 @@ class Worker:
 
     @contextmanager
     def _espeak(self, ipa: bool = False) -> Iterator[Espeak]:
-        # Breathy voices hold noise from the C library's generator.
-        if os.name == "posix":
-            ctypes.CDLL(None).srand(1)
         espeak = Espeak(self._library, self._data, ipa)
         try:
             yield espeak
