@@ -4,7 +4,9 @@ import pytest
 
 from risorius.errors import RisoriusError
 from risorius.pipeline import speak
-from risorius.script.bml import BEHAVIOURS, SHAPES, parse_bml
+from risorius.script.bml import parse_bml
+from risorius.script.bml_behaviours import BEHAVIOURS
+from risorius.script.bml_shapes import SHAPES
 from risorius.script.tree import ScriptWarning
 from risorius.settings import Settings
 from risorius.speech import say
@@ -173,3 +175,14 @@ def test_a_face_may_move_without_a_word(tmp_path) -> None:
 def test_an_unknown_attribute_is_reported() -> None:
     with pytest.warns(ScriptWarning, match=r"x\.bml:2:14: stroke of <gaze> is not understood"):
         parse_bml(in_block('<gaze id="a" stroke="1" target="up"/>'), "x.bml")
+
+
+def test_a_constraint_may_come_first_and_may_not_move_what_has_a_time() -> None:
+    first = '<constraint><synchronize ref="s:t"><sync ref="f:start"/></synchronize></constraint>'
+    (mark,) = parse_bml(in_block(first + '<face id="f" lexeme="RAISE_BROWS"/>')).marks
+    assert mark.start.character == len("Hello ")
+    after = '<constraint><after ref="s:t"><sync ref="g:start"/></after></constraint>'
+    late = f'<gaze id="g" target="up" start="1"/>{after}'
+    with pytest.warns(ScriptWarning, match="<after> for a point with a time is not understood; the point"):
+        (mark,) = parse_bml(in_block(late)).marks
+    assert mark.start.seconds == 1.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ..errors import InputError, ParameterError, Place, RisoriusWarning, unknown
 from .attributes import number_of
@@ -69,6 +69,12 @@ class Node:
         """Return an attribute that is a number; raise InputError if it is none or out of range."""
         found = self.get(name)
         return default if found is None else number_of(found, low, high)
+
+    def inheriting(self, container: Node) -> Node:
+        """Return the node with the attributes of its container that it does not have itself, but the id."""
+        own = {attribute.name for attribute in self.attributes} | {"id"}
+        given = (attribute for attribute in container.attributes if attribute.name not in own)
+        return replace(self, attributes=(*self.attributes, *given))
 
     def elements(self) -> Iterator[Node]:
         """Yield the elements in it; raise InputError for text between them."""
