@@ -144,7 +144,9 @@ def _picture_options(command: Any) -> Any:
     metavar="NAME:INTENSITY[@START-END]",
     help="Show an emotion, 0 to 1, over the whole clip or a span in seconds. May be given several times.",
 )
-@click.option("--voice", metavar="NAME", help="The voice ('risorius list voices').  [default: en-us]")
+@click.option(
+    "--voice", metavar="NAME", help="The voice ('risorius list voices'), or its file.  [default: en-us]"
+)
 @click.option("--language", metavar="CODE", help="Speak a language with its first voice: de, fr, cmn …")
 @click.option("--rate", type=int, metavar="WPM", help="Words per minute, 80 to 440.")
 @click.option(

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from ..core.audio import Audio, AudioWriter
 from ..core.utterance import SILENCE, Accent, Boundary, Pause, PauseKind, Phone, Syllable, Utterance, Word
-from ..errors import InputError, RisoriusError
+from ..errors import InputError, SpeechError
 from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
 from .engine import is_voice_file
@@ -53,9 +53,13 @@ def say(
     if not script.timed:
         speak = partial(speak, lead=lead, tail=tail)
     manner = common_manner(felt)
-    if manner is not None:
-        return _speak(script, partial(speak, manner=manner))
-    return _speak(coloured(script, felt, _speak(script, speak)), speak)
+    try:
+        if manner is not None:
+            return _speak(script, partial(speak, manner=manner))
+        return _speak(coloured(script, felt, _speak(script, speak)), speak)
+    except SpeechError as error:
+        # The script is at fault only where it names the language itself.
+        raise error.at(script.lines[0].place) if spoken and spoken == script.language else error from None
 
 
 def _speak(script: Script, speak: Speaker) -> Utterance:
@@ -71,7 +75,7 @@ def _located(line: SpokenLine, speak: Speaker) -> Utterance:
     """Speak a line; what is wrong with it is raised with its place."""
     try:
         return speak(line.text, directions=line.directions)
-    except RisoriusError as error:
+    except InputError as error:
         raise error.at(line.place) from None
 
 
