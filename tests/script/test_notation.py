@@ -53,7 +53,7 @@ def test_tones_and_words_must_pair(words: str, tones: str, message: str) -> None
 
 def written(words: str, tones: str = ""):
     tunes = [read_tune(bracket) for bracket in read_brackets(tones, HERE)]
-    return write_out(read_brackets(words, HERE), tunes, HERE)
+    return write_out(read_brackets(words, HERE), tunes)
 
 
 @pytest.mark.parametrize(

@@ -54,7 +54,7 @@ def _line(attributes: Attributes, before: list[SpokenLine]) -> SpokenLine:
     if accents is None:
         return SpokenLine(text.value, start, attributes.place)
     tunes = [read_tune(bracket) for bracket in read_brackets(accents.value, _somewhere(accents))]
-    written = write_out(read_brackets(text.value, _somewhere(text)), tunes, attributes.place)
+    written = write_out(read_brackets(text.value, _somewhere(text)), tunes)
     return SpokenLine(written.text, start, attributes.place, directions=written.directions)
 
 

@@ -117,7 +117,7 @@ def _written(sentence: _Sentence) -> Written:
         tunes = [read_tune(bracket) for bracket in read_brackets(line.value, line.place)]
         if not tunes:
             raise InputError("no accents; expected e.g. (L+H* LH%) (H* LL%)", line.place)
-    written = write_out(phrases, tunes, entry.place)
+    written = write_out(phrases, tunes)
     if "phonemes" not in sentence.rest:
         return written
     line = sentence.rest["phonemes"]

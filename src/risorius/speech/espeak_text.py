@@ -86,12 +86,12 @@ def encode(request: SpeechRequest, language: str, find: FindVoice) -> Encoded:
         opening, closing = _tags(style, find)
         put(opening, start)
         dictated = _dictation(style.dictated, language)
-        if dictated is not None:
-            # Without a blank, what follows would be read aloud.
-            put(f"[[{dictated}]] ", start)
-        else:
+        if dictated is None:
             for index in range(start, end):
                 put(escape(request.text[index]), index)
+        elif style.dictated is not None and style.dictated.start == start:
+            # Without a blank, what follows would be read aloud.
+            put(f"[[{dictated}]] ", start)
         put(closing, max(start, end - 1))
     for pause in (b for b in breaks if b.at >= len(request.text)):
         put(_silence(pause), len(request.text))
