@@ -162,7 +162,9 @@ def _picture_options(command: Any) -> Any:
     help="What the speaker wants to convey, over the profile. May be given several times.",
 )
 @_RULES_OPTION
-@click.option("--voice", metavar="NAME", help="The voice ('risorius list voices').  [default: en-us]")
+@click.option(
+    "--voice", metavar="NAME", help="The voice ('risorius list voices'), or its file.  [default: en-us]"
+)
 @click.option("--language", metavar="CODE", help="Speak a language with its first voice: de, fr, cmn …")
 @click.option("--rate", type=int, metavar="WPM", help="Words per minute, 80 to 440.")
 @click.option(

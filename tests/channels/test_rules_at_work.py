@@ -244,3 +244,78 @@ def test_the_head_follows_prominence_where_the_sound_was_measured(sentence_of: M
     found = by_rule(movements(replace(said, syllables=loud), "none"), "head.melody.prominence")
     assert [np.sign(m.targets["head_pitch"]) for m in found] == [-1.0, 1.0, -1.0]
     assert not by_rule(movements(said, "none"), "head.melody.prominence")
+
+
+def test_a_comma_is_underlined_by_slow_movement(sentence_of: Maker) -> None:
+    found = movements(sentence_of("One two[H*], three four."), "punctuators.tilt", "signals.nod")
+    (tilt,) = by_rule(found, "punctuators.tilt.comma")
+    speed = abs(tilt.targets["head_roll"]) / tilt.onset
+    beats = [m for m in found if m.channel == "signals"]
+    assert beats
+    assert speed < 0.5 * min(abs(b.targets["head_pitch"]) / b.onset for b in beats)
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"), [("One, two.", "punctuators.lids.comma"), ("One. Two.", "punctuators.lids.stop")]
+)
+def test_blinks_occur_in_pauses(text: str, rule: str, sentence_of: Maker) -> None:
+    said = sentence_of(text)
+    blinks = by_rule(movements(said, "punctuators.lids"), rule)
+    assert blinks
+    for blink in blinks:
+        assert any(p.start - 0.05 <= blink.start <= p.end for p in said.pauses)
+
+
+def test_all_four_sets_of_regulators_are_there(sentence_of: Maker) -> None:
+    found = movements(sentence_of(LONG), "regulators.eyes")
+    rules = {m.cause.rule for m in found}
+    assert {f"regulators.eyes.{n}" for n in ("state", "within", "continuation")} <= rules
+    assert shipped().get("regulators.eyes.turn").rule.effect.look == "listener"
+
+
+def test_a_question_that_only_the_voice_asks_raises_the_brows_more(sentence_of: Maker) -> None:
+    def size(text: str) -> float:
+        found = movements(sentence_of(text), "signals.brows.unmarked", "signals.brows.yes_no")
+        return max((m.targets[INNER] for m in found if m.channel == "signals"), default=0.0)
+
+    assert size("You like it[L*]?") > size("Do you like it[L*]?") > 0.0
+    assert size("You like it[H*].") == 0.0
+
+
+def test_where_no_rule_asks_the_eyes_scan_the_listener_s_face(sentence_of: Maker) -> None:
+    said = sentence_of("One two.", tail=30.0)
+    scans = by_rule(movements(said, "none"), "gaze.scan.face")
+    about = [m for m in scans if m.cause.trigger == "the listener's face"]
+    points = np.array([(m.targets["gaze_pitch"], m.targets["gaze_yaw"]) for m in about])
+    assert len(points) > 10
+    assert np.hypot(*points.T).max() < 5.0
+    assert points.std(axis=0).min() > 0.5
+    assert len(np.unique(np.diff([m.start for m in about]).round(3))) > 8
+
+
+def test_noise_is_halved_at_commas_and_a_fifth_in_final_pauses(sentence_of: Maker) -> None:
+    said = sentence_of("One two, three four. " * 40, pause=1.2, phone=0.3)
+
+    def change(kind: PauseKind | None) -> float:
+        spans = [(p.start, p.end) for p in said.pauses if kind in (None, p.kind)]
+        found = by_rule(compose(Brief(said.duration, said)).movements, "head.noise.idle")
+        steps = zip(found, found[1:], strict=False)
+        return float(
+            np.std(
+                [
+                    b.targets["head_pitch"] - a.targets["head_pitch"]
+                    for a, b in steps
+                    if any(s <= b.start < e for s, e in spans) == (kind is not None)
+                ]
+            )
+        )
+
+    assert change(PauseKind.COMMA) == pytest.approx(0.5 * change(None), rel=0.35)
+    assert change(PauseKind.FULL_STOP) == pytest.approx(0.2 * change(None), rel=0.45)
+
+
+def test_at_the_end_the_head_goes_back_to_rest(sentence_of: Maker) -> None:
+    said = sentence_of(LONG, tail=3.0)
+    last = [m for m in movements(said, "none") if m.cause.rule == "head.noise.idle"][-1]
+    assert abs(last.targets["head_pitch"]) < 1.6
+    assert all(m.end < said.duration + 0.1 for m in movements(said, "signals.") if m.channel == "signals")
