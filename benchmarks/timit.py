@@ -1,10 +1,10 @@
 """Labelled speech in TIMIT's layout, and how its labels are compared with our phones.
 
-FOLDER/SPEAKER/SENTENCE.wav with .txt (the words), .phn (labels: first sample, last sample, name), in any case.
-A closure and the burst after it are one stop, which begins at the closure; a closure without a burst is a stop
-too; a stop without a closure begins at its burst. Variants go to the phone that they are a variant of (flap and
-glottal stop: dx to T, q to nothing; syllabic el, em, en to L, M, N; ix to IH, ax to AH, axr to ER, ux to UW, hv
-to HH, nx to N). h#, pau and epi are silence.
+FOLDER/SPEAKER/SENTENCE.wav with .txt (the words), .phn (labels: first sample, last sample, name), in any
+case. A closure and the burst after it are one stop, which begins at the closure; a closure without a burst is
+a stop too; a stop without a closure begins at its burst. Variants go to the phone that they are a variant of
+(flap and glottal stop: dx to T, q to nothing; syllabic el, em, en to L, M, N; ix to IH, ax to AH, axr to ER,
+ux to UW, hv to HH, nx to N). h#, pau and epi are silence.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from risorius.speech import phonesets
 RATE = 16_000
 CLOSURES = {"bcl": "B", "dcl": "D", "gcl": "G", "pcl": "P", "tcl": "T", "kcl": "K"}
 FOLDED = {
-    "ix": "IH", "ax": "AH", "ax-h": "AH", "axr": "ER", "ux": "UW", "hv": "HH", "nx": "N", "el": "L", "en": "N",
-    "em": "M", "eng": "NG", "dx": "T", "h#": "", "pau": "", "epi": "",
+    "ix": "IH", "ax": "AH", "ax-h": "AH", "axr": "ER", "ux": "UW", "hv": "HH", "nx": "N", "el": "L",
+    "en": "N", "em": "M", "eng": "NG", "dx": "T", "h#": "", "pau": "", "epi": "",
 }  # fmt: skip
 GLOTTAL = "q"
 # What it costs to take one phone for another, to leave one out, and per second of distance.

@@ -93,9 +93,9 @@ def collect(spoken: list[Sentence]) -> tuple[Edges, list[Floats]]:
             if i and (ours[i].symbol == "") == (sentence.labels[j].symbol == "") and abs(error) < MISMATCH:
                 pair = NUMBERS[ours[i - 1].symbol], NUMBERS[ours[i].symbol]
                 rows.append((*pair, ours[i].start, sentence.labels[j].start, number))
-    left, right, before, labelled, which = zip(*rows, strict=True)
-    ints, floats = (lambda x: np.array(x, np.int64)), (lambda x: np.array(x, np.float64))
-    return Edges(ints(left), ints(right), floats(before), floats(labelled), ints(which)), levels
+    left, right, before, labelled, which = np.array(rows).T
+    classes = left.astype(np.int64), right.astype(np.int64)
+    return Edges(*classes, before, labelled, which.astype(np.int64)), levels
 
 
 def fit(edges: Edges, levels: list[Floats]) -> EdgeTable:
@@ -180,7 +180,7 @@ def tabulated(bias: Floats, weights: Floats) -> EdgeTable:
 
 
 def errors(edges: Edges, levels: list[Floats], table: EdgeTable) -> dict[str, Floats]:
-    """Return the errors in seconds of the decoder's edges, those less their bias, and the chosen candidates."""
+    """Return the errors in seconds of the decoder's edges, of those less their bias, and of those placed."""
     model: EdgeModel = compiled(table)
     corrected = edges.before - model.bias[edges.left, edges.right]
     steps = np.round(corrected / STEP_SECONDS).astype(np.int64)
@@ -209,10 +209,10 @@ def written(table: EdgeTable, speakers: int, count: int) -> Iterator[str]:
     """Yield the lines of the table's file."""
     yield "# Edges between phones: the aligner's bias, and weights of what an edge sounds like."
     yield "# Licence: CC0 1.0. Author: the Risorius project."
-    yield f"# Learned by tools/fit_edges.py from {count} edges in hand-labelled sentences of {speakers} speakers"
-    yield "# of the TIMIT corpus (Garofolo et al. 1993); it holds statistics only, nothing of the recordings."
-    yield "# Weights: 12 bands of the step at the edge, of the levels before, of those after, of their sum from the"
-    yield "# corrected edge on; then the size of the step, near and far, and the distance moved, plain and squared."
+    yield f"# Learned by tools/fit_edges.py from {count} edges in hand-labelled sentences of {speakers}"
+    yield "# speakers of TIMIT (Garofolo et al. 1993): statistics only, nothing of the recordings."
+    yield "# Weights: 12 bands of the step at the edge, of the levels before, of those after, of their"
+    yield "# sum from the corrected edge on; size of the step, near and far; distance, plain and squared."
     yield f"common = {_listed(table.common)}"
     yield ""
     yield "[classes]"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
+import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from types import FrameType, TracebackType
 from typing import TYPE_CHECKING
@@ -55,11 +56,17 @@ class Console:
         self._bar.update(self._tasks[stage], completed=done)
 
     def __enter__(self) -> Console:
+        self._shown_before = warnings.showwarning
+        warnings.showwarning = self._warn
         return self
+
+    def _warn(self, message: Warning | str, *_where: object, **_more: object) -> None:
+        self.say(f"risorius: warning: {' '.join(str(message).split())}")
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        warnings.showwarning = self._shown_before
         if self._bar is not None:
             self._bar.stop()
 

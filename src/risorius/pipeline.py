@@ -21,35 +21,56 @@ from .rules.emotions import emotion as find_emotion
 from .script import Script, movements_of, read_script
 from .settings import Settings
 from .speech import say
+from .speech.heard import holds_labels, listen
 from .take import Progress, Take, quiet
 
-__all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
+__all__ = ["align", "check_outputs", "load", "mix", "perform", "pose", "speak"]
 
 Emotions = Mapping[str, float] | Iterable[Display]
 
 
 def speak(
-    given: str,
+    given: str | None = None,
     *,
+    audio: str | PathLike[str] | None = None,
+    transcript: str | None = None,
     text: bool = False,
     source: str = "text",
     emotion: Emotions = (),
     settings: Settings | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Perform a text or file (`.txt`, `.xml`, `.score.json`); `text` forces text, `source` names it.
+    """Perform a text or file (`.txt`, `.xml`, `.TextGrid`, `.score.json`); `text` forces text, `source` names
+    it.
 
-    `emotion`: intensities 0..1 by name, or displays with their spans. Raises RisoriusError with one line on
-    what is wrong and where.
+    With the recording `audio` its voice is heard instead of a synthesized one: it says the text, or the words
+    of `transcript` (a text, or the name of a file with it), or is labelled by the TextGrid; given none of
+    these, it is recognized, which is weaker. `emotion`: intensities 0..1 by name, or displays with their
+    spans. Raises RisoriusError with one line on what is wrong and where.
     """
     settings = settings or Settings()
-    if given.lower().endswith(".json") and not text:
+    if given is not None and given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
-    script = read_script(given, text=text, source=source)
-    progress("Speaking …")
-    utterance = say(script, voice=settings.voice, rate=settings.rate, lead=settings.lead, tail=settings.tail)
+    if given is None or audio is not None or transcript is not None or holds_labels(given, text):
+        script, utterance = listen(given, audio, transcript, progress, text=text, source=source)
+    else:
+        script = read_script(given, text=text, source=source)
+        progress("Speaking …")
+        utterance = say(
+            script, voice=settings.voice, rate=settings.rate, lead=settings.lead, tail=settings.tail
+        )
     score = plan(script, utterance, _displays(emotion), settings)
     return perform(score, settings, utterance)
+
+
+def align(audio: str | PathLike[str], transcript: str | None = None, *, progress: Progress = quiet) -> Take:
+    """Return what is said when, and how, in a recording of `transcript` (a text, or the name of its file).
+
+    The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
+    where.
+    """
+    _, utterance = listen(None, audio, transcript, progress)
+    return perform(Score(utterance.duration, text=utterance.text), utterance=utterance)
 
 
 def plan(script: Script, utterance: Utterance, emotions: tuple[Display, ...], settings: Settings) -> Score:

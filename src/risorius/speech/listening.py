@@ -44,7 +44,7 @@ class Listening:
     def gain(self) -> float:
         """The factor that brings loud speech to its level."""
         loud = float(np.percentile(self.levels, _LOUD_PERCENTILE)) if self.levels.size else 0.0
-        return SPEECH_LEVEL / 10.0 ** (loud / 20.0)
+        return SPEECH_LEVEL / float(10.0 ** (loud / 20.0))
 
     @cached_property
     def levels(self) -> npt.NDArray[np.float32]:
@@ -65,7 +65,7 @@ def _frame_levels(audio: Audio, frames: range, step: float) -> npt.NDArray[np.fl
     power = np.concatenate(([0.0], np.cumsum(samples**2)))
     inside = np.minimum(edges - edges[0], len(samples))
     mean = np.diff(power[inside]) / np.maximum(np.diff(edges), 1)
-    return (10.0 * np.log10(mean + 0.01)).astype(np.float32)
+    return np.asarray(10.0 * np.log10(mean + 0.01), dtype=np.float32)
 
 
 def _resampled(audio: Audio, first: int, count: int) -> Sound:

@@ -26,6 +26,8 @@ from .windows import windows
 
 # A stop after silence is heard, and labelled by hand, from its burst on; the articulators close before.
 UNHEARD_CLOSURE = 0.015
+# The language of the model.
+LANGUAGE = "en-us"
 # Seconds that an edge keeps from the ends of what is around it.
 _LEAST = 0.005
 
@@ -39,18 +41,25 @@ def align(audio: Audio, transcript: str, *, progress: Progress | None = None) ->
     for one that does not fit the recording; warns (SpeechWarning) of single words that may not fit.
     """
     listening = Listening(audio)
-    spoken, words = read_transcript(transcript)
+    _, words = read_transcript(transcript)
+    heard: list[Found] = []
     found: list[Found] = []
-    for window in decoded(listening, [word.readings for word in words]):
-        found += refined(listening, window)
+    for stretch in decoded(listening, [word.readings for word in words]):
+        heard += stretch
+        found += refined(listening, stretch)
         if progress is not None:
             progress(found[-1].end / audio.duration)
-    check_words(words, found)
-    phones, timed = _assembled(found, words, audio.duration)
+    check_words(words, heard)
+    return assembled(audio, transcript, found, words)
+
+
+def assembled(audio: Audio, text: str, found: Sequence[Found], words: Sequence[ScriptWord]) -> Utterance:
+    """Return the utterance of all that was found, contiguous over the sound; every word has a phone."""
+    phones, timed = _timed(found, words, audio.duration)
     syllables = syllabify(phones, timed)
-    pauses = find_pauses(transcript, phones, timed)
+    pauses = find_pauses(text, phones, timed)
     accents = place_accents(phones, timed, syllables, pauses)
-    return Utterance(transcript, spoken.language, audio, phones, timed, syllables, pauses, accents)
+    return Utterance(text, LANGUAGE, audio, phones, timed, syllables, pauses, accents)
 
 
 def decoded(listening: Listening, words: Sequence[Readings]) -> Iterator[list[Found]]:
@@ -70,16 +79,16 @@ def decoded(listening: Listening, words: Sequence[Readings]) -> Iterator[list[Fo
             raise InputError(
                 f"{len(inside)} words cannot be said in {span}; expected the transcript of this recording"
             ) from None
-        moved = [
-            f._replace(
-                start=f.start + window.start,
-                end=f.end + window.start,
-                word=f.word + window.first * (f.word >= 0),
-            )
-            for f in found
-        ]
-        moved[0], moved[-1] = moved[0]._replace(start=window.start), moved[-1]._replace(end=window.end)
-        yield without_gaps(moved)
+        yield without_gaps(moved(found, window.start, window.end, window.first))
+
+
+def moved(found: Sequence[Found], start: float, end: float, first: int) -> list[Found]:
+    """Return what was found in [start, end) with its place in the whole; its first word has index `first`."""
+    placed = [
+        f._replace(start=f.start + start, end=f.end + start, word=f.word + first if f.word >= 0 else f.word)
+        for f in found
+    ]
+    return respaced(placed, [start, *(f.start for f in placed[1:]), end])
 
 
 def refined(listening: Listening, found: Sequence[Found]) -> list[Found]:
@@ -92,10 +101,10 @@ def refined(listening: Listening, found: Sequence[Found]) -> list[Found]:
     for index, (before, stop) in enumerate(pairwise(found)):
         if before.symbol == SILENCE and phonesets.is_stop(stop.symbol):
             placed[index] -= UNHEARD_CLOSURE
-    return _respaced(found, [start, *placed.tolist(), end])
+    return respaced(found, [start, *placed.tolist(), end])
 
 
-def _respaced(found: Sequence[Found], edges: list[float]) -> list[Found]:
+def respaced(found: Sequence[Found], edges: list[float]) -> list[Found]:
     """Return the phones between `edges`, each of some length."""
     room = (edges[-1] - edges[0]) / (2 * len(found))
     least = min(_LEAST, room)
@@ -106,7 +115,7 @@ def _respaced(found: Sequence[Found], edges: list[float]) -> list[Found]:
     return [f._replace(start=a, end=b) for f, (a, b) in zip(found, pairwise(edges), strict=True)]
 
 
-def _assembled(
+def _timed(
     found: Sequence[Found], words: Sequence[ScriptWord], duration: float
 ) -> tuple[tuple[Phone, ...], tuple[Word, ...]]:
     """Return phones with their stress, and the words with their times."""

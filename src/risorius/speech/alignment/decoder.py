@@ -1,8 +1,8 @@
 """pocketsphinx as an aligner: words with given readings, in order, found in a stretch of sound.
 
-Two passes (Huggins-Daines 2022): the first finds which reading of each word is said when, the second divides
-the words into phones. Beams are so wide that the search does not lose its way; a little noise everywhere keeps
-exact silence, which no model has heard, from ending it early.
+Two passes: the first finds which reading of each word is said when, the second divides the words into phones.
+Beams are so wide that the search does not lose its way; a little noise everywhere keeps exact silence, which
+no model has heard, from ending it early.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 
 # Seconds of the model's frames. A frame's features are those of the sound around its middle.
 FRAME = 0.01
-_MIDDLE = FRAME / 2
+MIDDLE = FRAME / 2
 _BEAM = 1e-100
-_PAD_SECONDS = 0.2
+PAD_SECONDS = 0.2
 _NOISE = 10.0
 _GRAMMAR = "words"
-_UNSPOKEN = ("<", "[", "+", "(")
+UNSPOKEN = ("<", "[", "+", "(")
 # How likely it is, word by word, that the sound ends there: only where it must, as far as that matters.
 _STOP_PROBABILITY = 1e-3
 
@@ -53,26 +53,26 @@ def align_words(sound: Sound, words: Sequence[Readings]) -> list[Found]:
 
     They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
     """
-    decoder, data = _decoder(), _prepared(sound)
+    decoder, data = _decoder(), prepared(sound)
     _set_grammar(decoder, words, stops=False)
-    _decode(decoder, data)
+    decode(decoder, data)
     said = [segment.word for segment in _segments(decoder)]
-    if sum(not word.startswith(_UNSPOKEN) for word in said) != len(words):
+    if sum(not word.startswith(UNSPOKEN) for word in said) != len(words):
         raise AlignmentError
     decoder.set_alignment()
-    _decode(decoder, data)
+    decode(decoder, data)
     return list(_phones(decoder.get_alignment(), len(sound) / RATE))
 
 
 def follow_words(sound: Sound, words: Sequence[Readings]) -> list[tuple[float, float]]:
     """Return the spans in seconds of as many of `words`, from the first on, as are said in `sound`."""
-    decoder, data = _decoder(), _prepared(sound)
+    decoder, data = _decoder(), prepared(sound)
     _set_grammar(decoder, words, stops=True)
-    _decode(decoder, data)
+    decode(decoder, data)
     return [
-        (segment.start_frame * FRAME - _PAD_SECONDS, (segment.end_frame + 1) * FRAME - _PAD_SECONDS)
+        (segment.start_frame * FRAME - PAD_SECONDS, (segment.end_frame + 1) * FRAME - PAD_SECONDS)
         for segment in _segments(decoder)
-        if not segment.word.startswith(_UNSPOKEN)
+        if not segment.word.startswith(UNSPOKEN)
     ]
 
 
@@ -99,8 +99,9 @@ def _decoder() -> Decoder:
     )
 
 
-def _prepared(sound: Sound) -> bytes:
-    padded = np.pad(sound, round(_PAD_SECONDS * RATE))
+def prepared(sound: Sound) -> bytes:
+    """Return the sound as the decoder takes it: with noise everywhere and PAD_SECONDS of it at both ends."""
+    padded = np.pad(sound, round(PAD_SECONDS * RATE))
     padded += np.random.default_rng(0).normal(0.0, _NOISE, len(padded))
     return np.clip(np.round(padded), -32_768, 32_767).astype("<i2").tobytes()
 
@@ -124,7 +125,8 @@ def _named(decoder: Decoder, phones: Reading) -> str:
     return name
 
 
-def _decode(decoder: Decoder, data: bytes) -> None:
+def decode(decoder: Decoder, data: bytes) -> None:
+    """Let the decoder hear all of `data`."""
     decoder.start_utt()
     decoder.process_raw(data, full_utt=True)
     decoder.end_utt()
@@ -135,15 +137,15 @@ def _segments(decoder: Decoder) -> list[Any]:
 
 
 def _phones(alignment: Any, duration: float) -> Iterator[Found]:
-    """Yield what was found, within [0, duration]; the padding's silence at both ends is cut."""
+    """Yield what was found, cut to [0, duration]: what lies in the padding has no length left."""
     index = -1
     for word in alignment:
-        spoken = not word.name.startswith(_UNSPOKEN)
+        spoken = not word.name.startswith(UNSPOKEN)
         index += spoken
         for phone in word:
-            start = phone.start * FRAME + _MIDDLE - _PAD_SECONDS
-            end = (phone.start + phone.duration) * FRAME + _MIDDLE - _PAD_SECONDS
-            start, end = max(start, 0.0), min(end, duration)
-            if start < end:
+            start = phone.start * FRAME + MIDDLE - PAD_SECONDS
+            end = (phone.start + phone.duration) * FRAME + MIDDLE - PAD_SECONDS
+            start, end = min(max(start, 0.0), duration), min(max(end, 0.0), duration)
+            if spoken or start < end:
                 symbol = phone.name if spoken else SILENCE
                 yield Found(symbol, start, end, index if spoken else -1, phone.score / phone.duration)

@@ -10,32 +10,45 @@ from ..engine import SpeechWarning
 from .decoder import Found
 from .lexicon import ScriptWord
 
-# Mean log likelihood per 10 ms frame (pocketsphinx's units). Of 80 read sentences the worst word in a hundred
-# had -55 and the worst sentence -30; half of the words put in by mistake had less than -70, and no sentence with
-# another's transcript more than -47.
-DOUBTFUL_WORD = -55.0
+# Mean log likelihood per 10 ms frame, in pocketsphinx's units. In 80 read sentences one word in a hundred was
+# below -57, and no sentence below -30; three in four of the words put in by mistake were below -52, and every
+# sentence with another's transcript was below -47. Real silences were above -22.
+DOUBTFUL_WORD = -50.0
 WRONG_TRANSCRIPT = -38.0
+# Silence so unlikely, and so long (seconds), is speech that the transcript lacks.
+DOUBTFUL_SILENCE, LEAST_MISSING = -40.0, 0.15
 _SHOWN = 8
 
 
 def check_words(words: Sequence[ScriptWord], found: Sequence[Found]) -> None:
     """Raise InputError if the words as a whole do not fit; warn (SpeechWarning) of those that may not."""
     spans = _spans(len(words), found)
-    lengths = [sum(f.end - f.start for f in span) for span in spans]
-    scores = [
-        sum(f.score * (f.end - f.start) for f in span) / n for span, n in zip(spans, lengths, strict=True)
+    doubtful = [index for index, span in enumerate(spans) if mean_score(span) < DOUBTFUL_WORD]
+    named = _listed([f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful])
+    missing = [
+        f for f in found if f.word < 0 and f.score < DOUBTFUL_SILENCE and f.end - f.start >= LEAST_MISSING
     ]
-    doubtful = [index for index, score in enumerate(scores) if score < DOUBTFUL_WORD]
-    mean = sum(s * n for s, n in zip(scores, lengths, strict=True)) / sum(lengths)
-    named = ", ".join(f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful[:_SHOWN]) + (
-        f" and {len(doubtful) - _SHOWN} more" if len(doubtful) > _SHOWN else ""
-    )
-    if mean < WRONG_TRANSCRIPT:
-        raise InputError(
-            f"the transcript does not fit the recording; {len(doubtful)} of {len(words)} words are in doubt: {named}"
-        )
+    if mean_score([f for f in found if f.word >= 0] + missing) < WRONG_TRANSCRIPT:
+        counted = f"{len(doubtful)} of {len(words)} words are in doubt"
+        raise InputError(f"the transcript does not fit the recording; {counted}: {named}")
     if doubtful:
         warnings.warn(f"not sure to be said in the recording: {named}", SpeechWarning, stacklevel=3)
+    if missing:
+        places = _listed([f"{f.start:.2f} to {f.end:.2f} s" for f in missing])
+        warnings.warn(f"something is said that the transcript lacks: {places}", SpeechWarning, stacklevel=3)
+
+
+def mean_score(found: Sequence[Found]) -> float:
+    """Return the mean log likelihood per frame, 0 for nothing."""
+    seconds = sum(f.end - f.start for f in found)
+    if seconds <= 0.0:
+        return 0.0
+    return sum(f.score * (f.end - f.start) for f in found) / seconds
+
+
+def _listed(items: Sequence[str]) -> str:
+    more = f" and {len(items) - _SHOWN} more" if len(items) > _SHOWN else ""
+    return ", ".join(items[:_SHOWN]) + more
 
 
 def _spans(count: int, found: Sequence[Found]) -> list[list[Found]]:

@@ -1,12 +1,12 @@
 """Edges between phones, placed where the sound changes as it does between sounds of their classes.
 
-The decoder's edges are 10 ms coarse and biased, by up to 50 ms, in ways that depend on the two sounds. Each is
-first corrected by the median error of its pair of classes, then moved to the best of the candidates within
+The decoder's edges are 10 ms coarse and biased, by up to 50 ms, in ways that depend on the two sounds. Each
+is first corrected by the median error of its pair of classes, then moved to the best of the candidates within
 40 ms. A candidate's score is linear in what the spectrum does around it: the step of the levels in 12 bands,
 the levels before and after, their sum from the corrected edge on, and the distance moved; the weights are
 those of the class to the left and of that to the right, with a share common to all (a conditional logit,
-McFadden 1974; boundaries refined by classifiers per pair of classes: Lee 2006; Lo and Wang 2007). All edges of
-a stretch are chosen together so that no phone vanishes. The numbers, and how they were learned, stand in
+McFadden 1974; boundaries refined by classifiers per pair of classes: Lee 2006; Lo and Wang 2007). All edges
+of a stretch are chosen together so that no phone vanishes. The numbers, and how they were learned, stand in
 `data/edges.toml`.
 """
 
@@ -82,7 +82,7 @@ def place_edges(levels: Levels, symbols: Sequence[str], edges: Floats) -> Floats
     model = edge_model()
     steps = np.round(model.corrected(symbols, edges) / STEP_SECONDS).astype(np.int64)
     scores = model.scores(symbols, candidate_features(levels, steps))
-    return best_in_order(steps, scores) * STEP_SECONDS
+    return np.asarray(best_in_order(steps, scores) * STEP_SECONDS, dtype=np.float64)
 
 
 def candidate_features(levels: Levels, steps: Indices) -> Floats:

@@ -34,12 +34,12 @@ class ScriptWord(NamedTuple):
 
 
 def read_transcript(text: str) -> tuple[Utterance, tuple[ScriptWord, ...]]:
-    """Return the transcript as espeak-ng says it, and its words. Raises InputError if nothing is to be said."""
+    """Return the transcript as espeak-ng says it, and its words; raise InputError if nothing can be said."""
     spoken = synthesize(text)
     return spoken, tuple(_script_word(spoken, word) for word in spoken.words)
 
 
-def stresses_of(reading: Reading, engine: Sequence[int]) -> list[int]:
+def stresses_of(reading: Sequence[str], engine: Sequence[int]) -> list[int]:
     """Return the stress of every phone of a reading (-1 for consonants), given the engine's per vowel."""
     vowels = [index for index, phone in enumerate(reading) if phonesets.is_vowel(phone)]
     found = [-1] * len(reading)

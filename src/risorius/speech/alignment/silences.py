@@ -20,7 +20,7 @@ def without_gaps(found: Sequence[Found]) -> list[Found]:
         after = found[index + 1] if index + 1 < len(found) else None
         before = kept[-1] if kept else None
         if before and before.symbol == SILENCE and (phone.symbol == SILENCE or _is_closure(before, phone)):
-            kept[-1] = phone._replace(start=before.start)
+            kept[-1] = phone._replace(start=before.start, score=_joint_score(before, phone))
         elif phone.symbol == SILENCE and before and after and phone.end - phone.start < SHORTEST:
             if phonesets.is_stop(after.symbol):
                 kept.append(phone)
@@ -29,6 +29,14 @@ def without_gaps(found: Sequence[Found]) -> list[Found]:
         else:
             kept.append(phone)
     return kept
+
+
+def _joint_score(silence: Found, phone: Found) -> float:
+    """Return the mean score of two silences in a row; a closure's is that of its stop."""
+    if phone.symbol != SILENCE:
+        return phone.score
+    lengths = silence.end - silence.start, phone.end - phone.start
+    return (silence.score * lengths[0] + phone.score * lengths[1]) / max(sum(lengths), 1e-9)
 
 
 def _is_closure(silence: Found, phone: Found) -> bool:

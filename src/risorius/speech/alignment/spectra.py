@@ -46,7 +46,7 @@ def _bank() -> npt.NDArray[np.float64]:
         if not filters[:, band].any():
             # Narrower than the window resolves: its nearest frequency alone.
             filters[np.argmin(np.abs(frequencies - middle)), band] = 1.0
-    return filters / filters.sum(axis=0)
+    return np.asarray(filters / filters.sum(axis=0))
 
 
 def _mel(hertz: float) -> float:
