@@ -20,7 +20,7 @@ from scipy.optimize import minimize
 sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 from timit import Label, Sentence, matched, sentences
 
-from risorius.speech.alignment.align import decoded
+from risorius.speech.alignment.aligner import decoded
 from risorius.speech.alignment.edges import (
     FEATURES,
     REACH,

@@ -82,7 +82,7 @@ def hear(audio: Recording, transcript: str | None, progress: Progress) -> Uttera
 
 def read_transcript_text(transcript: str) -> str:
     """Return a transcript, read from its file where it names one."""
-    if transcript.lower().endswith(TRANSCRIPT_SUFFIXES) or names_something(transcript):
+    if transcript.lower().endswith(TRANSCRIPT_SUFFIXES) or (transcript and names_something(transcript)):
         return read_text(transcript)
     return transcript
 

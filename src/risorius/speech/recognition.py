@@ -20,7 +20,7 @@ from ..core.audio import Audio
 from ..core.utterance import SILENCE, Utterance, Word
 from ..errors import InputError
 from . import phonesets
-from .alignment.align import assembled, moved, refined
+from .alignment.aligner import assembled, moved, refined
 from .alignment.decoder import (
     FRAME,
     MIDDLE,
@@ -32,7 +32,7 @@ from .alignment.decoder import (
     decode,
     prepared,
 )
-from .alignment.doubt import WRONG_TRANSCRIPT, mean_score
+from .alignment.doubt import POOR_WORD, mean_score
 from .alignment.lexicon import ScriptWord, read_transcript, written_readings
 from .alignment.silences import without_gaps
 from .listening import LEVEL_STEP, RATE, Listening, Sound
@@ -92,7 +92,7 @@ def _recognized(sound: Sound) -> tuple[list[Found], list[str]]:
     if names:
         with contextlib.suppress(AlignmentError):
             found = align_words(sound, [written_readings(name) for name in names])
-            if mean_score([f for f in found if f.word >= 0]) >= WRONG_TRANSCRIPT:
+            if mean_score([f for f in found if f.word >= 0]) >= POOR_WORD:
                 return found, names
     return _phone_runs(sound)
 

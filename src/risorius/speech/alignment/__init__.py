@@ -1,5 +1,5 @@
 """Forced alignment: when each phone of a known text is said in a recording."""
 
-from .align import align
+from .aligner import align
 
 __all__ = ["align"]

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 # Seconds of the model's frames. A frame's features are those of the sound around its middle.
 FRAME = 0.01
 MIDDLE = FRAME / 2
-_BEAM = 1e-100
+# The first loses no transcript, however wrong; the second is enough to follow one.
+_WIDE_BEAM, _BEAM = 1e-200, 1e-80
 PAD_SECONDS = 0.2
 _NOISE = 10.0
 _GRAMMAR = "words"
@@ -53,7 +54,7 @@ def align_words(sound: Sound, words: Sequence[Readings]) -> list[Found]:
 
     They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
     """
-    decoder, data = _decoder(), prepared(sound)
+    decoder, data = _decoder(_WIDE_BEAM), prepared(sound)
     _set_grammar(decoder, words, stops=False)
     decode(decoder, data)
     said = [segment.word for segment in _segments(decoder)]
@@ -66,7 +67,7 @@ def align_words(sound: Sound, words: Sequence[Readings]) -> list[Found]:
 
 def follow_words(sound: Sound, words: Sequence[Readings]) -> list[tuple[float, float]]:
     """Return the spans in seconds of as many of `words`, from the first on, as are said in `sound`."""
-    decoder, data = _decoder(), prepared(sound)
+    decoder, data = _decoder(_BEAM), prepared(sound)
     _set_grammar(decoder, words, stops=True)
     decode(decoder, data)
     return [
@@ -84,18 +85,11 @@ def dictionary_path() -> str:
 
 
 @functools.cache
-def _decoder() -> Decoder:
+def _decoder(beam: float) -> Decoder:
     import pocketsphinx
 
     return pocketsphinx.Decoder(
-        loglevel="FATAL",
-        lm=None,
-        dict=None,
-        samprate=RATE,
-        bestpath=False,
-        beam=_BEAM,
-        pbeam=_BEAM,
-        wbeam=_BEAM,
+        loglevel="FATAL", lm=None, dict=None, samprate=RATE, bestpath=False, beam=beam, pbeam=beam, wbeam=beam
     )
 
 

@@ -11,10 +11,11 @@ from .decoder import Found
 from .lexicon import ScriptWord
 
 # Mean log likelihood per 10 ms frame, in pocketsphinx's units. In 80 read sentences one word in a hundred was
-# below -57, and no sentence below -30; three in four of the words put in by mistake were below -52, and every
-# sentence with another's transcript was below -47. Real silences were above -22.
+# below -58, two below -40, and no sentence below -24; three in four of the words put in by mistake were below
+# -54, and every sentence with another's transcript was below -49. Real silences were above -20.
 DOUBTFUL_WORD = -50.0
-WRONG_TRANSCRIPT = -38.0
+# Where so much of the speech is in words as poor as this, or in none, the transcript is another's.
+POOR_WORD, WRONG_SHARE = -38.0, 0.6
 # Silence so unlikely, and so long (seconds), is speech that the transcript lacks.
 DOUBTFUL_SILENCE, LEAST_MISSING = -40.0, 0.15
 _SHOWN = 8
@@ -24,26 +25,35 @@ def check_words(words: Sequence[ScriptWord], found: Sequence[Found]) -> None:
     """Raise InputError if the words as a whole do not fit; warn (SpeechWarning) of those that may not."""
     spans = _spans(len(words), found)
     doubtful = [index for index, span in enumerate(spans) if mean_score(span) < DOUBTFUL_WORD]
-    named = _listed([f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful])
     missing = [
         f for f in found if f.word < 0 and f.score < DOUBTFUL_SILENCE and f.end - f.start >= LEAST_MISSING
     ]
-    if mean_score([f for f in found if f.word >= 0] + missing) < WRONG_TRANSCRIPT:
-        counted = f"{len(doubtful)} of {len(words)} words are in doubt"
-        raise InputError(f"the transcript does not fit the recording; {counted}: {named}")
+    reasons = []
     if doubtful:
-        warnings.warn(f"not sure to be said in the recording: {named}", SpeechWarning, stacklevel=3)
+        named = _listed([f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful])
+        reasons.append(
+            f"not sure to be said in the recording ({len(doubtful)} of {len(words)} words): {named}"
+        )
     if missing:
         places = _listed([f"{f.start:.2f} to {f.end:.2f} s" for f in missing])
-        warnings.warn(f"something is said that the transcript lacks: {places}", SpeechWarning, stacklevel=3)
+        reasons.append(f"something is said that the transcript lacks: {places}")
+    wrong = _seconds(missing) + sum(_seconds(span) for span in spans if mean_score(span) < POOR_WORD)
+    if wrong > WRONG_SHARE * (_seconds(missing) + sum(map(_seconds, spans))):
+        raise InputError("; ".join(["the transcript does not fit the recording", *reasons]))
+    for reason in reasons:
+        warnings.warn(reason, SpeechWarning, stacklevel=3)
 
 
 def mean_score(found: Sequence[Found]) -> float:
     """Return the mean log likelihood per frame, 0 for nothing."""
-    seconds = sum(f.end - f.start for f in found)
+    seconds = _seconds(found)
     if seconds <= 0.0:
         return 0.0
     return sum(f.score * (f.end - f.start) for f in found) / seconds
+
+
+def _seconds(found: Sequence[Found]) -> float:
+    return sum(f.end - f.start for f in found)
 
 
 def _listed(items: Sequence[str]) -> str:

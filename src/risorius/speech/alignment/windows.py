@@ -14,9 +14,9 @@ from ..listening import Listening
 from .decoder import Readings, follow_words
 
 # Seconds. What is no longer than the first is one window.
-WHOLE, HEARD, EARLIEST, LATEST = 45.0, 40.0, 12.0, 32.0
-# No speaker says more words in a second.
-FASTEST = 7.0
+WHOLE, HEARD, EARLIEST, LATEST = 36.0, 30.0, 10.0, 25.0
+# Words per second that nobody exceeds for so long.
+FASTEST = 5.5
 
 
 class Window(NamedTuple):

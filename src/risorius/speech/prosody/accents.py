@@ -24,7 +24,7 @@ class Shape(NamedTuple):
 
     `peak` is the highest value on the vowel or shortly after, at `time`, `valley` the lowest before it and
     `fallen` the lowest after it. `dip` is the vowel's lowest; `before` and `after` are the highest values on
-    both sides of the dip.
+    both sides of the dip. `begun`: the mean of the vowel's first half.
     """
 
     time: float
@@ -34,6 +34,7 @@ class Shape(NamedTuple):
     dip: float
     before: float
     after: float
+    begun: float
 
     @property
     def rise(self) -> float:
@@ -73,7 +74,8 @@ def find_accents(
             continue
         label, certain, time = UNKNOWN_ACCENT, 1.0, 0.5 * (vowel.start + vowel.end)
         if shape is not None and contour is not None:
-            label, certain = _type(shape, contour, kind, previous[1] if previous else None)
+            ends = syllable.word in last_words and utterance.words[syllable.word].end == syllable.end
+            label, certain = _type(shape, contour, kind, previous[1] if previous else None, ends)
             time = min(max(shape.time, vowel.start), vowel.end) if label in _HIGH else time
             previous = (syllable.word, shape.peak) if label in _HIGH else previous
         found.append(Accent(time, syllable.word, index, label, confidence=round(sure * certain, 3)))
@@ -95,6 +97,7 @@ def shape_of(vowel: Phone, contour: Contour, kind: TypeRule) -> Shape:
         dip=float(inside.min()),
         before=float(contour.within(vowel.start - kind.before, low).max()),
         after=float(contour.within(low, vowel.end + kind.after).max()),
+        begun=float(contour.within(vowel.start, 0.5 * (vowel.start + vowel.end)).mean()),
     )
 
 
@@ -113,15 +116,26 @@ def _sureness(utterance: Utterance, index: int, cues: Cues, shape: Shape | None)
     excursion = shape.excursion if shape else 0.0
     counted = min(excursion, rule.largest_excursion) if excursion >= rule.least_excursion else 0.0
     stressed = syllable.stress >= PRIMARY and is_content_word(word.text)
-    odds = rule.base + rule.content * stressed + rule.prominence * cues.prominence[index]
+    # Its low pitch does not speak against a valley.
+    hollow = shape is not None and shape.depth >= prosody_rules().type_.valley
+    standing = max(cues.prominence[index], 0.0) if hollow else cues.prominence[index]
+    odds = rule.base + rule.content * stressed + rule.prominence * standing
     return probability(odds + rule.excursion * counted)
 
 
-def _type(shape: Shape, contour: Contour, kind: TypeRule, previous: float | None) -> tuple[str, float]:
-    """Return an accent's label, and how sure its type is, 0..1; `previous`: the phrase's peak before it."""
-    if shape.depth >= kind.valley and contour.share(shape.dip) <= kind.valley_share:
+def _type(
+    shape: Shape, contour: Contour, kind: TypeRule, previous: float | None, ends: bool
+) -> tuple[str, float]:
+    """Return an accent's label, and how sure its type is, 0..1.
+
+    `previous`: the phrase's peak before it. `ends`: it is on the phrase's last syllable, so that a rise after
+    it is the boundary's.
+    """
+    flat = shape.begun - shape.dip <= kind.valley_flat
+    if flat and shape.depth >= kind.valley and contour.share(shape.dip) <= kind.valley_share:
         scoop = shape.after - shape.dip - kind.scooped_rise
-        return ("L*+H" if scoop >= 0.0 else "L*"), _certainty(min(shape.depth - kind.valley, abs(scoop)))
+        scooped = scoop >= 0.0 and not ends
+        return ("L*+H" if scooped else "L*"), _certainty(min(shape.depth - kind.valley, abs(scoop)))
     lower = 0.0 if previous is None else previous - shape.peak
     stepped = lower >= kind.downstep
     drop = shape.before - shape.peak

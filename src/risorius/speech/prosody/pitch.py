@@ -24,11 +24,11 @@ LOWEST, HIGHEST = 60.0, 500.0
 CANDIDATES = 5
 # Costs: of a frame without voice, per octave of a jump, of a change of voicing, and per octave below HIGHEST
 # (the period's multiples are minima nearly as deep).
-UNVOICED_COST, JUMP_COST, VOICING_COST, LOW_COST = 0.45, 1.2, 0.1, 0.03
+UNVOICED_COST, JUMP_COST, VOICING_COST, LOW_COST = 0.55, 1.2, 0.1, 0.03
 # Frames so far (dB) below the loud ones have no voice.
 SILENCE_BELOW = 35.0
 # The speaker's range: shares of the quartiles of what the first path found, and the cost outside of it.
-FLOOR_OF_LOWER, CEILING_OF_UPPER, OUTSIDE_COST = 0.72, 1.9, 0.3
+FLOOR_OF_LOWER, CEILING_OF_UPPER, OUTSIDE_COST = 0.72, 1.9, 0.15
 _FEWEST_VOICED = 20
 _CHUNK_SECONDS = 10.0
 # What is above 2.5 kHz is mostly noise.

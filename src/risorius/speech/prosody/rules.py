@@ -44,6 +44,7 @@ class TypeRule:
     high_before: float
     valley: float
     valley_share: float
+    valley_flat: float
     scooped_rise: float
     downstep: float
 

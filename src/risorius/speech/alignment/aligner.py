@@ -75,10 +75,11 @@ def decoded(listening: Listening, words: Sequence[Readings]) -> Iterator[list[Fo
         try:
             found = align_words(listening.read(window.start, window.end), inside)
         except AlignmentError:
-            span = f"{window.end - window.start:.2f} s"
-            raise InputError(
-                f"{len(inside)} words cannot be said in {span}; expected the transcript of this recording"
-            ) from None
+            span = f"{window.start:.2f} to {window.end:.2f} s"
+            message = (
+                f"the transcript does not fit the recording; {len(inside)} words cannot be said from {span}"
+            )
+            raise InputError(message) from None
         yield without_gaps(moved(found, window.start, window.end, window.first))
 
 
