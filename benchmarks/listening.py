@@ -1,7 +1,7 @@
 """How fast recordings are aligned and their prosody measured, and how memory grows with their length.
 
-Run from the repository's root: `.venv/bin/python benchmarks/listening.py`. The voice is synthesized: speed does
-not depend on whose it is. Targets: alignment 10x and prosody 50x real time of one core, memory bounded.
+Run from the repository's root: `.venv/bin/python benchmarks/listening.py`. The voice is synthesized: speed
+does not depend on whose it is. Targets: alignment 10x and prosody 50x real time of one core, memory bounded.
 """
 
 from __future__ import annotations

@@ -95,6 +95,7 @@ def _settings(**chosen: Any) -> Settings:
     )
     if (size := chosen.pop("size", None)) is not None:
         chosen["size"] = parse_size(size)
+    chosen["voice_emotion"] = chosen.pop("voice_emotion", None) != "off"
     if (fps := chosen.pop("fps", None)) is not None:
         chosen["fps"] = parse_fps(fps)
     return Settings(blend=blend, **{name: value for name, value in chosen.items() if value is not None})
@@ -148,8 +149,16 @@ _TRANSCRIPT_HELP = "What the recording says, or a file with it."
 )
 @click.option("--audio", metavar="FILE", help="A recorded voice: WAV, FLAC, OGG or MP3.")
 @click.option("--transcript", metavar="TEXT|FILE", help=f"{_TRANSCRIPT_HELP}  [default: INPUT]")
-@click.option("--voice", metavar="NAME", help="The voice ('risorius list voices').  [default: en-us]")
+@click.option(
+    "--voice", metavar="NAME", help="The voice ('risorius list voices'), or its file.  [default: en-us]"
+)
+@click.option("--language", metavar="CODE", help="Speak a language with its first voice: de, fr, cmn …")
 @click.option("--rate", type=int, metavar="WPM", help="Words per minute, 80 to 440.")
+@click.option(
+    "--voice-emotion",
+    type=click.Choice(["on", "off"]),
+    help="Whether emotions change the voice.  [default: on]",
+)
 @click.option("--lead", type=float, metavar="S", help="Silence before plain text.  [default: 0.5]")
 @click.option("--tail", type=float, metavar="S", help="Silence after plain text.  [default: 0.7]")
 @click.option("--articulation", type=float, metavar="X", help="How wide the mouth opens.  [default: 1]")
@@ -177,7 +186,9 @@ def speak(
     transcript: str | None,
     **chosen: Any,
 ) -> None:
-    """Perform INPUT: a text, a file (.txt, .xml, .TextGrid, .score.json), or - for standard input.
+    """Perform INPUT: a text, a file, or - for standard input.
+
+    Files: .txt, .xml, .utt, .ssml, .bml, .TextGrid, .score.json.
 
     With --audio a recorded voice is performed. It says INPUT or the transcript, or is labelled by INPUT (a
     .TextGrid); without these its words are guessed.

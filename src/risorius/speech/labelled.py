@@ -17,14 +17,14 @@ from ..core.utterance import SILENCE, Phone, Utterance, Word
 from ..errors import InputError, Place
 from ..script.quote import quoted
 from ..script.textgrid import INTERVALS, Label, TextGrid, Tier
-from .accents import place_accents
+from .accents import intone
 from .alignment.lexicon import stresses_of
 from .engine import SpeechWarning
 from .pauses import find_pauses
 from .phone_labels import UNSTRESSED, PhoneLabel, is_silence, read_phones
 from .syllables import syllabify
 from .synthesis import synthesize
-from .tone_labels import read_tones, tells_accents
+from .tone_labels import read_tones, tells_accents, tells_boundaries
 
 WORD_TIERS = ("words", "word", "orthography", "ort", "ort-mau", "wrd")
 PHONE_TIERS = ("phones", "phone", "phonemes", "phoneme", "segments", "mau", "phn", "sounds")
@@ -57,9 +57,13 @@ def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance
     syllables = syllabify(phones, timed)
     pauses = find_pauses(text, phones, timed)
     tones = read_tones(grid, syllables, timed)
-    accents = tones.accents if tells_accents(grid) else place_accents(phones, timed, syllables, pauses)
     language = ENGLISH if arpabet else UNDETERMINED
-    return Utterance(text, language, audio, phones, timed, syllables, pauses, accents, tones.boundaries)
+    said = intone(Utterance(text, language, audio, phones, timed, syllables, pauses))
+    return replace(
+        said,
+        accents=tones.accents if tells_accents(grid) else said.accents,
+        boundaries=tones.boundaries if tells_boundaries(grid) else said.boundaries,
+    )
 
 
 def found_tier(grid: TextGrid, names: Sequence[str]) -> Tier | None:

@@ -12,7 +12,7 @@ from ...core.audio import Audio
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
 from .. import phonesets
-from ..accents import place_accents
+from ..accents import intone
 from ..listening import Listening
 from ..pauses import find_pauses
 from ..syllables import syllabify
@@ -58,8 +58,7 @@ def assembled(audio: Audio, text: str, found: Sequence[Found], words: Sequence[S
     phones, timed = _timed(found, words, audio.duration)
     syllables = syllabify(phones, timed)
     pauses = find_pauses(text, phones, timed)
-    accents = place_accents(phones, timed, syllables, pauses)
-    return Utterance(text, LANGUAGE, audio, phones, timed, syllables, pauses, accents)
+    return intone(Utterance(text, LANGUAGE, audio, phones, timed, syllables, pauses))
 
 
 def decoded(listening: Listening, words: Sequence[Readings]) -> Iterator[list[Found]]:
