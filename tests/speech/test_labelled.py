@@ -111,6 +111,34 @@ def test_ipa_is_kept_and_its_stress_read() -> None:
     assert [w.text for w in found.words] == ["hɛloː"]
 
 
+def test_the_ipa_of_the_montreal_forced_aligner_is_read() -> None:
+    symbols = [
+        "tʰ",
+        "dʲ",
+        "ɫ̩",
+        "ɐ",
+        "aj",
+        "ow",
+        "tʃ",
+        "ɾ̃",
+        "kʷ",
+        "ç",
+        "ɲ",
+        "n̩",
+        "ɚ",
+        "ʉː",
+        "dʒ",
+        "vʲ",
+        "ɡ",
+        "ʎ",
+        "cʰ",
+        "mʲ",
+    ]
+    rows = [(0.04 * n, 0.04 * n + 0.04, symbol) for n, symbol in enumerate(symbols)]
+    found = utterance_of_labels(grid(tier("phones", rows)), silence(1.0))
+    assert [p.symbol for p in found.phones if p.symbol] == symbols
+
+
 def test_tones_stand_on_their_syllables() -> None:
     tones = tier("tones", [(0.45, 0.45, "L+H*"), (0.6, 0.6, "LH%")], POINTS)
     found = utterance_of_labels(grid(tier("words", WORDS), tier("phones", HELLO), tones), silence(1.0))

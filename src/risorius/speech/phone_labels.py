@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ..core.utterance import SILENCE
 from ..errors import InputError, Place, unknown
+from ..rules.articulation import is_known
 from ..script.textgrid import Label
 from . import phonesets
 
@@ -85,8 +86,7 @@ def _arpabet(text: str) -> PhoneLabel | None:
 
 def _ipa(text: str) -> PhoneLabel | None:
     bare, stress = phonesets.strip_stress(text.strip())
-    reading = phonesets.from_ipa(bare)
-    if not reading.known or not reading.parts:
+    if not bare or not is_known(bare):
         return None
     marked = bare != text.strip()
     if not phonesets.is_vowel(bare):
