@@ -24,9 +24,10 @@ from .rules.profiles import Profile, attitude, profile_of
 from .script import Script, felt_in, listening_in, movements_of, read_script
 from .settings import Settings
 from .speech import feelings, say
+from .speech.heard import holds_labels, listen
 from .take import Progress, Take, quiet
 
-__all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
+__all__ = ["align", "check_outputs", "load", "mix", "perform", "pose", "speak"]
 
 # Seconds that a script without speech lasts at least.
 SILENT_DURATION = 1.0
@@ -34,28 +35,37 @@ Emotions = Mapping[str, float] | Iterable[Display]
 
 
 def speak(
-    given: str,
+    given: str | None = None,
     *,
+    audio: str | PathLike[str] | None = None,
+    transcript: str | None = None,
     text: bool = False,
     source: str = "text",
     emotion: Emotions = (),
     settings: Settings | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Perform a text or file (`.txt`, `.xml`, `.score.json`); `text` forces text, `source` names it.
+    """Perform a text or file (`.txt`, `.xml`, `.TextGrid`, `.score.json`); `text` forces text, `source` names
+    it.
 
-    `emotion`: intensities 0..1 by name, or displays with their spans. Raises RisoriusError with one line on
-    what is wrong and where.
+    With the recording `audio` its voice is heard instead of a synthesized one: it says the text, or the words
+    of `transcript` (a text, or the name of a file with it), or is labelled by the TextGrid; given none of
+    these, it is recognized, which is weaker. `emotion`: intensities 0..1 by name, or displays with their
+    spans. Raises RisoriusError with one line on what is wrong and where.
     """
     settings = settings or Settings()
-    if given.lower().endswith(".json") and not text:
+    if given is not None and given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
     speaker, book = profile_of(settings.profile), book_of(settings.rules)
     settings = _looking_like(speaker, settings)
-    script = read_script(given, text=text, source=source)
-    progress("Speaking …")
     displays = _displays(emotion)
-    utterance = _spoken(script, displays, settings) if script.lines else None
+    utterance: Utterance | None
+    if given is None or audio is not None or transcript is not None or holds_labels(given, text):
+        script, utterance = listen(given, audio, transcript, progress, text=text, source=source)
+    else:
+        script = read_script(given, text=text, source=source)
+        progress("Speaking …")
+        utterance = _spoken(script, displays, settings) if script.lines else None
     score = plan(script, utterance, displays, settings, speaker, book)
     return perform(score, settings, utterance)
 
@@ -76,6 +86,16 @@ def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -
         tail=settings.tail,
         felt=feelings(script, displays) if settings.voice_emotion else (),
     )
+
+
+def align(audio: str | PathLike[str], transcript: str | None = None, *, progress: Progress = quiet) -> Take:
+    """Return what is said when, and how, in a recording of `transcript` (a text, or the name of its file).
+
+    The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
+    where.
+    """
+    _, utterance = listen(None, audio, transcript, progress)
+    return perform(Score(utterance.duration, text=utterance.text), utterance=utterance)
 
 
 def plan(

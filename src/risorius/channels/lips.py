@@ -47,6 +47,11 @@ class _Shaper:
     def __post_init__(self) -> None:
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
         self._final = _phrase_final_phones(self.utterance)
+        self._prominence = {
+            index: syllable.prominence
+            for syllable in self.utterance.syllables
+            for index in range(syllable.first_phone, syllable.last_phone)
+        }
 
     def spoken(self, index: int, phone: Phone) -> Iterator[LipSegment]:
         """Yield the phone's segments: one for each sound it holds, two for a diphthong."""
@@ -101,7 +106,12 @@ class _Shaper:
         if phone.stress < 0:
             return 1.0
         scale = opening.stressed if phone.stress > 0 else opening.unstressed
-        return scale * (opening.phrase_final if index in self._final else 1.0)
+        standing = max(min(self._prominence.get(index, 0.0), opening.most_prominent), -opening.most_prominent)
+        return (
+            scale
+            * (opening.phrase_final if index in self._final else 1.0)
+            * (1.0 + opening.prominence * standing)
+        )
 
     def _trigger(self, phone: Phone) -> str:
         if phone.word < 0:
