@@ -17,7 +17,7 @@ from .core.utterance import Utterance
 from .out import check_targets as check_outputs
 from .out.performance_json import read_performance_file
 from .out.score_json import read_score_file
-from .rules.book import Book, book_of
+from .rules.book import book_of
 from .rules.emotions import emotion_key
 from .rules.fuzzy import blended
 from .rules.profiles import Profile, attitude, profile_of
@@ -56,8 +56,7 @@ def speak(
     settings = settings or Settings()
     if given is not None and given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
-    speaker, book = profile_of(settings.profile), book_of(settings.rules)
-    settings = _looking_like(speaker, settings)
+    settings = _looking_like(profile_of(settings.profile), settings)
     displays = _displays(emotion)
     utterance: Utterance | None
     if given is None or audio is not None or transcript is not None or holds_labels(given, text):
@@ -66,7 +65,7 @@ def speak(
         script = read_script(given, text=text, source=source)
         progress("Speaking …")
         utterance = _spoken(script, displays, settings) if script.lines else None
-    score = plan(script, utterance, displays, settings, speaker, book)
+    score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
 
 
@@ -99,12 +98,7 @@ def align(audio: str | PathLike[str], transcript: str | None = None, *, progress
 
 
 def plan(
-    script: Script,
-    utterance: Utterance | None,
-    emotions: tuple[Display, ...],
-    settings: Settings,
-    speaker: Profile,
-    book: Book,
+    script: Script, utterance: Utterance | None, emotions: tuple[Display, ...], settings: Settings
 ) -> Score:
     """Derive all movements from what is said, if anything is, and marked."""
     words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
@@ -120,9 +114,9 @@ def plan(
         opens=not script.timed,
         articulation=settings.articulation,
         lively=settings.lively,
-        profile=speaker,
+        profile=profile_of(settings.profile),
         attitudes=tuple(attitude(name) for name in settings.attitudes),
-        book=book,
+        book=book_of(settings.rules),
     )
     return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend)
 

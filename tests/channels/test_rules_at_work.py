@@ -299,7 +299,7 @@ def test_noise_is_halved_at_commas_and_a_fifth_in_final_pauses(sentence_of: Make
     def change(kind: PauseKind | None) -> float:
         spans = [(p.start, p.end) for p in said.pauses if kind in (None, p.kind)]
         found = by_rule(compose(Brief(said.duration, said)).movements, "head.noise.idle")
-        steps = zip(found, found[1:], strict=False)
+        steps = pairwise(found)
         return float(
             np.std(
                 [

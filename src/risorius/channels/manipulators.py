@@ -14,6 +14,7 @@ from .blinks import blink
 from .registry import CHANNEL_BUILDERS, Brief
 from .ruled import movements_of_rules
 
+RANDOM, PERIODIC = "manipulators.lids.random", "manipulators.lids.periodic"
 # Blinks a second after the wait, and after twice the wait (Itti, Dhavale and Pighin 2003, as hazards).
 _HAZARD, _LATE_HAZARD = 1.0, 10.0
 # What closes the eyes so far for no longer than this is a blink, seconds.
@@ -72,8 +73,8 @@ def _next(
     habits: Blinks, last: float, boundaries: Sequence[float], rng: np.random.Generator
 ) -> tuple[float, str]:
     """Return when the next blink comes after the one that ended at `last`."""
-    random = last + blink_interval(rng, habits.wait), "manipulators.lids.random"
-    periodic = max(nearest(last + habits.period, boundaries), last + _APART), "manipulators.lids.periodic"
+    random = last + blink_interval(rng, habits.wait), RANDOM
+    periodic = max(nearest(last + habits.period, boundaries), last + _APART), PERIODIC
     if habits.manner == "both":
         return min(random, periodic)
     return periodic if habits.manner == "periodic" else random
