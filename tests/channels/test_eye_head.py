@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.blend import combine
-from risorius.channels.eye_head import GazeShift, head_duration, head_share, shifts_of
+from risorius.channels.eye_head import GazeShift, head_duration, head_help, head_share, shifts_of
 from risorius.core.movement import Cause, Movement
 from risorius.core.score import Score
 from risorius.rules.timing import saccade_duration
@@ -88,3 +88,14 @@ def test_large_shifts_blink_and_small_ones_hardly_ever() -> None:
 
     assert share(34.0) == pytest.approx(0.97, abs=0.04)
     assert share(3.0) < 0.03
+
+
+def test_a_marked_look_is_shared_with_the_head() -> None:
+    mark = Movement("gaze", 1.0, 3.0, 0.07, 0.07, {"gaze_pitch": 0.0, "gaze_yaw": 24.0}, "look")
+    curves = combine(Score(5.0, (mark, *filter(None, [head_help(mark)]))), Fraction(1000)).curves
+    world = curves["gaze_yaw"] + curves["head_yaw"]
+    assert curves["head_yaw"][2500] == pytest.approx(head_share(24.0, 0.0))
+    assert world[2500] == pytest.approx(24.0, abs=1.0)
+    assert abs(world[4500]) < 1e-9
+    near = Movement("gaze", 1.0, 3.0, 0.07, 0.07, {"gaze_pitch": 5.0, "gaze_yaw": 8.0}, "look")
+    assert head_help(near) is None

@@ -55,6 +55,23 @@ def head_duration(degrees: float) -> float:
     return 2.0 * size / (3.9 * size + 16.0)
 
 
+def head_help(mark: Movement) -> Movement | None:
+    """Return the head's share of a marked look, the eyes turned against it; None where they go alone.
+
+    The mark stays as it is written: eyes and head together look where it says.
+    """
+    goal = {axis: mark.targets.get(eye, 0.0) for axis, eye in zip(HEAD, EYES, strict=True)}
+    share = {axis: head_share(angle, 0.0) for axis, angle in goal.items()}
+    if not any(share.values()) or any(axis in mark.targets for axis in HEAD):
+        return None
+    seconds = head_duration(math.hypot(*share.values()))
+    counter = {eye: -share[axis] for axis, eye in zip(HEAD, EYES, strict=True)}
+    return Movement(
+        "gaze", mark.start + mark.onset, mark.end + seconds, seconds, seconds, {**share, **counter},
+        id=f"{mark.label}.head", layer=f"{mark.layer}.head", function="minimum_jerk", cause=mark.cause,
+    )  # fmt: skip
+
+
 @dataclass
 class _Chain:
     """Steps of one layer, each held until the next begins."""

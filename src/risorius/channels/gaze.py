@@ -7,18 +7,19 @@ sequence; the head follows a large one by Freedman's law while the eyes counter-
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..core.movement import Cause, Movement
 from ..rules.conduct import rate_of
 from ..rules.markup import markup_table
-from ..rules.match import EYES, Event
+from ..rules.match import Event
 from ..rules.profiles import Aversion
 from ..rules.rule import AWAY, TurnState
-from .eye_head import Angles, GazeShift, shifts_of
+from .eye_head import Angles, GazeShift, head_help, shifts_of
 from .registry import CHANNEL_BUILDERS, Brief
 from .ruled import movements_of_rules
 
@@ -34,7 +35,7 @@ _STRAY = 2.5
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """A direction held over [start, end) seconds; `fixed`: the eyes do not scan there."""
+    """A direction held over [start, end) seconds; `fixed`: the script's, which the eyes do not scan."""
 
     start: float
     end: float
@@ -45,23 +46,23 @@ class Look:
 
 @CHANNEL_BUILDERS.register("gaze")
 def gaze(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
-    """Yield the marked gaze, and the fixations of the clip, one after another."""
-    marked = [m for m in brief.marked("gaze") if _is_look(m)]
-    yield from (m for m in brief.marked("gaze") if not _is_look(m))
+    """Yield the marked gaze with the head's share of it, and the fixations of the clip, one after another."""
+    marked = brief.marked("gaze")
+    yield from marked
+    yield from (helped for m in marked if (helped := head_help(m)) is not None)
     yield from movements_of_rules(brief, "gaze")
-    looks = [Look(m.start, m.end, _direction(m), m.cause, fixed=True) for m in marked]
-    if brief.lively:
-        looks = _averted(brief, _commanded(brief, looks, rng), rng)
+    if not brief.lively:
+        return
+    looks = [Look(m.start, m.end, LISTENER, m.cause, fixed=True) for m in marked]
+    looks = _averted(brief, _commanded(brief, _apart(looks), rng), rng)
     yield from shifts_of(list(_fixations(brief, looks, rng)), brief.duration, brief.profile.blinks.shift, rng)
 
 
-def _is_look(m: Movement) -> bool:
-    """Tell whether a mark only says where to look; one with a layer or priority is performed as it stands."""
-    return set(m.targets) == set(EYES) and not m.layer and m.priority is None
-
-
-def _direction(m: Movement) -> Angles:
-    return m.targets[EYES[0]], m.targets[EYES[1]]
+def _apart(looks: Sequence[Look]) -> list[Look]:
+    """Return looks in order, each ended where the next begins."""
+    ordered = sorted(looks, key=lambda k: k.start)
+    ends = [*(k.start for k in ordered[1:]), math.inf][: len(ordered)]
+    return [replace(k, end=min(k.end, end)) for k, end in zip(ordered, ends, strict=True) if k.start < end]
 
 
 def _commanded(brief: Brief, marked: Sequence[Look], rng: np.random.Generator) -> list[Look]:
