@@ -27,7 +27,6 @@ ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")
 SHEETS = {
     "zygomatic_minor": "levator_labii_superioris",
     "corrugator_supercilii": "depressor_supercilii",
-    "depressor_glabellae": "depressor_supercilii",
 }
 
 
