@@ -112,7 +112,7 @@ class Lids:
         goal = self._goal(upper, lower, closure, pitch)
         drop = upper[:, 2] - goal[:count, 2]
         share = float(drop @ self.margin_stroke / (self.margin_stroke @ self.margin_stroke))
-        _turn(skin, self.closing, self.angle, self.stroke, share, self.centre)
+        _turn(skin, self.closing, self.angle, self.stroke, min(share, 1.0), self.centre)
         after = _cylinder(self.margin @ skin - self.centre)
         goal[:, :2] += self._side(after[:, :2], closure)
         carry(self.region, self.motion, _cartesian(goal) - _cartesian(after), skin)

@@ -18,6 +18,7 @@ from ..core.parameters import INDEX, PARAMETERS, check_value
 from ..errors import ParameterError
 from .ageing import DEFAULT_AGE
 from .biphasic import Biphasic
+from .crowding import Crowding
 from .eyes import eye_rotations, pitch_and_yaw
 from .frame import Array32, FaceFrame
 from .head import Head
@@ -84,6 +85,7 @@ class FaceSolver:
         self.jaw = Jaw.of(head)
         self._links = links or load_links(head.links_file)
         self._muscles = MuscleFields.of(head)
+        self._crowding = Crowding.of(head)
         self._network = Network.of(head)
         self._phases = phases
         self._stiffening = self._second_phase()
@@ -124,6 +126,7 @@ class FaceSolver:
         eyes = eye_rotations(self.head.eye_centre, *checked[_GAZE].tolist())
         self._muscles.displace(self._links.apply(checked, self._linked), self._displacement)
         move(self._displacement)
+        self._crowding.relieve(self._displacement)
         skin, wrinkles = self._solve_skin(checked, eyes)
         return FaceFrame(
             skin=skin,
