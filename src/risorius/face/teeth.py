@@ -24,8 +24,8 @@ IntArray = npt.NDArray[np.int32]
 
 ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians to either side of the middle they span
 ROW = 0.8  # mm of height of a row of the tables
-BORDER = 5  # rows beyond the teeth
-ROUNDING = 1.6  # mm by which a row recedes with each row beyond its edge: no step for skin to fall over
+BORDER = 3  # rows beyond the teeth
+ROUNDING = 3.0  # mm by which a row recedes with each row beyond its edge: no step for skin to fall over
 WIDENED = 5  # columns over which the front is widened: faces of skin lie between their corners
 SAMPLES = 6  # along each side of a triangle
 CLEARANCE = 0.3  # mm of skin before the teeth's front
@@ -51,10 +51,10 @@ class Row:
     def of(cls, teeth: Mesh, up: float) -> Self:
         """Measure the row `teeth`."""
         crowns = teeth.vertices[teeth.material < 0.5]
-        middle = np.array([crowns[:, 2].min() + AHEAD, teeth.vertices[:, 1].min() - BORDER * ROW])
+        middle = np.array([crowns[:, 2].min() + AHEAD, crowns[:, 1].min() - BORDER * ROW])
         points = _samples(teeth)
         angle, radius = _polar(points, middle[0])
-        rows = int((teeth.vertices[:, 1].max() - middle[1]) / ROW) + BORDER + 2
+        rows = int((crowns[:, 1].max() - middle[1]) / ROW) + BORDER + 2
         cell = (angle, np.rint((points[:, 1] - middle[1]) / ROW).astype(int))
         front, back = np.zeros((ANGLES, rows)), np.full((ANGLES, rows), NONE)
         np.maximum.at(front, cell, radius)
@@ -67,12 +67,13 @@ class Row:
 
 
 def _samples(mesh: Mesh) -> Array:
-    """Return points (n, 3) all over the triangles of `mesh`."""
+    """Return points (n, 3) all over the teeth, not the gums, of `mesh`."""
+    crowns = mesh.triangles[(mesh.material[mesh.triangles] < 0.5).all(axis=1)]
     share = np.linspace(0.0, 1.0, SAMPLES)
     first, second = (w.ravel() for w in np.meshgrid(share, share))
     inside = first + second <= 1.0
     weights = np.stack([1.0 - first - second, first, second], axis=1)[inside]
-    return np.asarray((weights @ mesh.vertices[mesh.triangles]).reshape(-1, 3))
+    return np.asarray((weights @ mesh.vertices[crowns]).reshape(-1, 3))
 
 
 def _polar(points: Array, middle: float) -> tuple[npt.NDArray[np.intp], Array]:
@@ -162,23 +163,29 @@ def _look_up(table: Array, column: float, row: float) -> float:
 
 
 @compiled
+def _depth(place: Array, middle: Array, front: Array) -> float:
+    """Return how far `place` (3,), in the frame of a row, lies behind its front; negative before it."""
+    row = (place[1] - middle[1]) / ROW
+    beyond = max(0.0, -row, row - front.shape[1] + 1.0)
+    x, out = place[0], place[2] - middle[0]
+    radius = _look_up(front, _column(x, out), row) - ROUNDING * beyond
+    return float(radius + CLEARANCE - np.hypot(x, out))
+
+
+@compiled
 def _keep_out(
     skin: Array, vertices: IntArray, middle: Array, front: Array, turn: Array, hinge: Array
 ) -> None:
     place = np.empty(3)
     for v in vertices:
         _to_row(skin[v], turn, hinge, place)
-        row = (place[1] - middle[1]) / ROW
-        if row < 0.0 or row > front.shape[1] - 1.0:
+        depth = _depth(place, middle, front)
+        if depth <= 0.0 or depth >= LOST:
             continue
         x, out = place[0], place[2] - middle[0]
-        radius = np.hypot(x, out)
-        depth = _look_up(front, _column(x, out), row) + CLEARANCE - radius
-        if depth <= 0.0 or depth >= LOST or radius < CLEARANCE:
-            continue
-        push = depth * min(1.0, (LOST - depth) / (LOST - DEEPEST))
-        place[0] += push * x / radius
-        place[2] += push * out / radius
+        push = depth * min(1.0, (LOST - depth) / (LOST - DEEPEST)) / max(np.hypot(x, out), CLEARANCE)
+        place[0] += push * x
+        place[2] += push * out
         _from_row(place, turn, hinge, skin[v])
 
 
