@@ -31,7 +31,7 @@ FLOORS = {
     "levator_labii_superioris": 0.985,
     "depressor_supercilii": 0.975,
     "corrugator_supercilii": 0.98,
-    "depressor_glabellae": 0.96,
+    "depressor_glabellae": 0.955,
     "levator_palpebrae": 0.965,
     "orbicularis_oculi_palpebralis": 0.915,
     "orbicularis_oculi_orbitalis": 0.99,

@@ -21,7 +21,7 @@ from .mouth import LipSeal, lip_rings, narrowed
 
 SIDES = ("left", "right")
 _SEAM = 8.0  # half width in mm of the ramp that splits a shape of both sides
-_GLABELLA = (0.0, 24.0)  # |x| in mm between which the skin between the brows passes into the brow
+_GLABELLA = (-6.0, 18.0)  # |x| in mm between which the skin between the brows passes into the brow
 
 _KEYS = ("shapes", "part", "origin", "insertion", "action")
 # The anatomy of a row, which the recipe does not need: `risorius.face.muscle_table` reads it.
