@@ -28,7 +28,7 @@ JAW = "masseter"
 MOUTH_LINING = 0.2  # of the inner mouth's mask, above which skin is not seen
 LID = 0.1  # of the lids' mask, above which skin folds over itself as the eye opens
 SOCKET = 4.0  # mm about the eyeball: the lids' margins do turn over, the lining behind them is not seen
-CORNER = 3.0  # mm about the corners of the mouth: upper and lower lip face each other there, even when open
+CORNER = 4.0  # mm about the corners of the mouth: upper and lower lip face each other there, even when open
 
 
 def visible(head: Head) -> Mask:
@@ -72,7 +72,9 @@ class Flips:
         """Return the visible faces of `skin` (N1, 3) that are flipped."""
         own = normals(skin, self.quads)
         against = ((own * (self._around @ own)).sum(axis=1) < 0.0) & self.seen
-        return np.array([q for q in np.flatnonzero(against) if self._carried(skin, q) @ own[q] < 0.0], np.intp)
+        return np.array(
+            [q for q in np.flatnonzero(against) if self._carried(skin, q) @ own[q] < 0.0], np.intp
+        )
 
     def _carried(self, skin: Array, quad: int) -> Array:
         """Return the normal (3,) of a face at rest, turned as the skin about it has turned (Kabsch)."""

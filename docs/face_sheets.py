@@ -1,6 +1,6 @@
 """Draw the sheets of what the face can do: `python docs/face_sheets.py [NAME …]` (all where none is named).
 
-Run from the repository's root; written to docs/pictures. Every picture is made by the solver and the renderer.
+Run from the repository's root; the sheets are written to docs/pictures.
 """
 
 from __future__ import annotations
@@ -28,10 +28,11 @@ Picture = npt.NDArray[np.uint8]
 PICTURES = Path(__file__).parent / "pictures"
 SIDE = 400  # pixels of a picture, of which the face is kept: left, top, right, bottom
 FACE = (118, 80, 282, 322)
-MOUTH = (136, 198, 264, 300)
+HEAD = (64, 0, 335, 400)  # the whole head in the same proportions
 CAPTION = 13
 COLOURS = 256
 STRENGTHS = (0.5, 1.0)
+HEAD_UNITS = range(51, 57)
 INTENSITIES = (0.35, 0.7, 1.0)
 AGES = (25.0, 45.0, 70.0)
 # One phone for each of the twelve mouth shapes that speech shows.
@@ -49,7 +50,7 @@ class Studio:
         if turned:
             camera = self._renderer.camera
             angle, far = np.radians(turned), camera.eye[2] - camera.target[2]
-            x, y, z = camera.target
+            x, _, z = camera.target
             eye = (x + far * float(np.sin(angle)), camera.eye[1], z + far * float(np.cos(angle)))
             self._renderer = Renderer(head, (SIDE, SIDE), camera=replace(camera, eye=eye))
 
@@ -59,7 +60,8 @@ class Studio:
         for name, value in resolve_targets(targets).items():
             values[INDEX[name]] = value
         picture: Picture = self._renderer.render(self._solver.solve(values))
-        return Image.fromarray(np.asarray(picture)).crop(frame)
+        size = FACE[2] - FACE[0], FACE[3] - FACE[1]
+        return Image.fromarray(np.asarray(picture)).crop(frame).resize(size, Image.Resampling.LANCZOS)
 
 
 def sheet(pictures: Mapping[str, Image.Image], columns: int) -> Image.Image:
@@ -82,15 +84,27 @@ def muscles() -> Image.Image:
     short = {name: name.replace("orbicularis", "orb.").replace("depressor", "depr.") for name in names}
     short = {name: text.replace("levator", "lev.").replace("_", " ") for name, text in short.items()}
     return sheet(
-        {f"{short[name]} {strength:g}": studio.take({name: strength}) for name in names for strength in STRENGTHS},
+        {
+            f"{short[name]} {strength:g}": studio.take({name: strength})
+            for name in names
+            for strength in STRENGTHS
+        },
         8,
     )
 
 
 def action_units() -> Image.Image:
-    """Every action unit in full."""
+    """Every action unit in full; the wink on one side, the tongue with the mouth open."""
     studio = Studio(load_head())
-    return sheet({f"{n} {unit.name}": studio.take({f"AU{n}": 1.0}) for n, unit in ACTION_UNITS.items()}, 8)
+    poses = {n: {f"AU{n}": 1.0} for n in ACTION_UNITS}
+    poses |= {46: {"AU46.left": 1.0}, 19: {"AU19": 1.0, "AU25": 0.5, "masseter": 0.2}}
+    return sheet(
+        {
+            f"{n} {ACTION_UNITS[n].name}": studio.take(targets, HEAD if n in HEAD_UNITS else FACE)
+            for n, targets in poses.items()
+        },
+        8,
+    )
 
 
 def emotion_intensities() -> Image.Image:

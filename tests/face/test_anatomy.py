@@ -14,8 +14,8 @@ from risorius.face.solve import FaceSolver
 from .conftest import EMOTIONS, values_of
 
 BASES = tuple(dict.fromkeys(name.partition(".")[0] for name in required_fields()))
-# R² against the calibrated fields, as tools/fit_anatomy.py prints them, and a little less. Springs with weights
-# along the line of pull only reach .74 (frontalis) to .99 (presser), and not the funneler and the blink.
+# R² against the calibrated fields, as tools/fit_anatomy.py prints them, and a little less. Weights along the
+# line of pull alone reach .74 (frontalis) to .99 (presser), and fail for funneler and blink.
 FLOORS = {
     "zygomatic_major": 0.99,
     "zygomatic_minor": 0.98,

@@ -42,12 +42,12 @@ def _below_brow(points: Array, field: Array) -> Array:
 
 def _between_brows(points: Array, field: Array) -> Array:
     far, near = _brow_ramp(points)
-    return _without_sideways(field) * (near / np.cbrt(near**3 + far**3))[:, None]
+    return np.asarray(_without_sideways(field) * (near / np.cbrt(near**3 + far**3))[:, None])
 
 
 def _brow_downwards(points: Array, field: Array) -> Array:
     far, near = _brow_ramp(points)
-    return _inner_brow(points, field) * (far / np.cbrt(near**3 + far**3))[:, None]
+    return np.asarray(_inner_brow(points, field) * (far / np.cbrt(near**3 + far**3))[:, None])
 
 
 def _brow_inwards(points: Array, field: Array) -> Array:

@@ -83,8 +83,9 @@ def influence(points: Array, places: Array) -> Array:
 
 
 def directions(muscle: Muscle, points: Array, normals: Array) -> Array:
-    """Return the unit directions (n, d, 3) in which a muscle's type pulls `points` (n, 3): its own first, last
-    across it in the skin, for fibres fan out and gather what lies beside them.
+    """Return the unit directions (n, d, 3) in which a muscle's type pulls `points` (n, 3).
+
+    Its own come first, and last the one across it in the skin: fibres fan out and gather what lies beside.
     """
     origin, insertion = (np.array(p) for p in muscle.line)
     along = np.broadcast_to((origin - insertion) / np.linalg.norm(origin - insertion), points.shape)

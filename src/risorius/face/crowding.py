@@ -1,9 +1,9 @@
 """Skin that several muscles push together gives way before it folds over.
 
-An edge of the mesh at rest keeps a share of its length along its own direction, or what the hardest muscle
-alone leaves of it: so muscles alone stay exact, and no sum of them turns a face over. The limits are linear in
-the displacement before the jaw turns it, and are met by sweeps of equal pushes at both ends (position-based
-dynamics, Müller et al. 2007, with one-sided constraints), which is continuous in every activation.
+An edge of the mesh keeps a share of its length along its own direction, or what the hardest muscle alone
+leaves of it: so muscles alone stay exact. The limits are linear in the displacement before the jaw turns it,
+and are met by sweeps of equal pushes at both ends (position-based dynamics, Müller et al. 2007, with one-sided
+constraints), which is continuous in every activation.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ NEAR = 1e-6  # mm: edges at rest are longer
 
 @dataclass(frozen=True, slots=True)
 class Crowding:
-    """The edges and diagonals (e, 2) that muscles could fold over, their unit directions `way` (e, 3) and the most, in mm,
-    by which each may shorten, `room` (e,).
+    """What muscles could fold over: `edges` (e, 2), diagonals of faces among them, their unit directions
+    `way` (e, 3), and the most in mm by which each may shorten, `room` (e,).
     """
 
     edges: IntArray
@@ -72,7 +72,7 @@ def _fields(head: Head) -> list[Array]:
 
 def _shortened(field: Array, edges: npt.NDArray[np.integer], way: Array) -> Array:
     """Return by how many mm (e,) a field shortens edges along `way`; 0 where it does not."""
-    return np.maximum(-((field[edges[:, 1]] - field[edges[:, 0]]) * way).sum(axis=1), 0.0)
+    return np.asarray(np.maximum(-((field[edges[:, 1]] - field[edges[:, 0]]) * way).sum(axis=1), 0.0))
 
 
 @compiled

@@ -2,8 +2,8 @@
 
 The chain: linked muscles displace the skin, at its equilibrium or in motion; the jaw carries it, the lids
 slide over the eyeballs, the lips come into contact, the skin is subdivided, what would lie within an eyeball
-or a tooth is pushed out, and the skin bulges and wrinkles where it is compressed. All that closes comes after the
-motion, so that no closure is late.
+or a tooth is pushed out, and the skin bulges and wrinkles where it is compressed. All that closes comes after
+the motion, so that no closure is late.
 """
 
 from __future__ import annotations
