@@ -2,7 +2,7 @@
 
 An edge of the mesh keeps a share of its length along its own direction, or what the hardest muscle alone
 leaves of it: so muscles alone stay exact. The limits are linear in the displacement before the jaw turns it,
-and are met by sweeps of equal pushes at both ends (position-based dynamics, Müller et al. 2007, with one-sided
+and are met by sweeps of equal pushes at both ends (position-based dynamics, Müller et al. 2007, one-sided
 constraints), which is continuous in every activation.
 """
 
