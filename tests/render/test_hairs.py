@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
+from risorius.face.identity import Looks
 from risorius.render.attach import unit
 from risorius.render.brows import brow_shade, grow_brows
 from risorius.render.hairstyle import grow_hair
@@ -44,7 +45,7 @@ def test_combed_hair_lies_along_the_skin_and_back_from_the_face(anatomy, surface
 
 
 def test_hair_grows_from_the_scalp_and_stays_off_the_skull(anatomy, surface):
-    hairs = grow_hair(anatomy, surface, BROWN, count=800)
+    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=800))
     curves = curves_in_head(surface, hairs)
     assert inside_hairline(anatomy, curves[:, 0]).min() > -10
     _, near = cKDTree(surface.points).query(curves[:, 2:].reshape(-1, 3))
@@ -81,6 +82,6 @@ def test_lashes_point_out_of_the_eye(head, surface):
 
 
 def test_the_same_hairs_grow_every_time(anatomy, surface):
-    first, second = (grow_hair(anatomy, surface, BROWN, count=200) for _ in range(2))
+    first, second = (grow_hair(anatomy, surface, BROWN, Looks(hairs=200))[0] for _ in range(2))
     assert np.array_equal(first.curves, second.curves)
     assert np.array_equal(first.colours, second.colours)

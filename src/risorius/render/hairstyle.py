@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from ..face.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat
 from .scalp import flow, grow_roots, hair_density, inside_hairline
@@ -18,8 +19,11 @@ _LAYERS = 4
 _SEED = 21
 
 
-def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 8500) -> Strands:
-    """Return `count` hairs of an albedo (3,)."""
+def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> list[Strands]:
+    """Return the hairs of an albedo (3,), none on a bald head."""
+    if looks.hair_style == "bald":
+        return []
+    count = looks.hairs
     rng = np.random.default_rng(_SEED)
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
     behind = smoothstep(-115.0, -150.0, surface.points[:, 2])
@@ -40,7 +44,7 @@ def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 85
     fine = 0.36 + 0.64 * smoothstep(0.0, 14.0, within)
     widths = 0.52 * fine[:, None] * (1 - 0.75 * way**2)
     depths = 0.55 * (1 - layer) * smoothstep(2.0, 14.0, within)
-    return surface.root(triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0)
+    return [surface.root(triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0)]
 
 
 def _lengths(anatomy: Anatomy, origin: Array, within: Array) -> Array:

@@ -15,6 +15,8 @@ Array = npt.NDArray[np.float64]
 _ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
 _HEIGHTS = (65, 66, 68, 62, 48, 30, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
 _AXIS = -72.0  # z of the axis, mm
+# How dark the scalp is under each style of hair.
+_UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.62, "bald": 0.0}
 
 
 def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
@@ -29,6 +31,12 @@ def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
 def hair_density(anatomy: Anatomy, points: Array, ears: Array) -> Array:
     """Return how densely (n,) hair grows at points (n, 3): rising over a centimetre, none on the ears."""
     return smoothstep(-2.5, 15.0, inside_hairline(anatomy, points)) * (1.0 - smoothstep(0.05, 0.3, ears))
+
+
+def scalp_shade(anatomy: Anatomy, style: str) -> Array:
+    """Return how much each skin vertex (N1,) is darkened by hair that stands too close to be drawn."""
+    strength = _UNDER[style]
+    return np.asarray(strength * hair_density(anatomy, anatomy.skin, anatomy.masks["ears"]) ** 1.5)
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:

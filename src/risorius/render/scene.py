@@ -8,10 +8,11 @@ import numpy.typing as npt
 from ..errors import InputError
 from ..face.frame import FaceFrame
 from ..face.head import Head
+from ..face.identity import Looks
 from .anatomy import find_anatomy
 from .aperture import lip_edges
 from .brows import grow_brows
-from .complexion import Complexion, linear
+from .complexion import linear
 from .creases import lay_creases
 from .eyeball import lid_margins
 from .garment import neckline, standing_off
@@ -36,21 +37,22 @@ class HeadScene:
     `normals` (n, 3) float32 in the world.
     """
 
-    def __init__(self, head: Head, lamps: FloatArray, complexion: Complexion | None = None) -> None:
+    def __init__(self, head: Head, lamps: FloatArray, looks: Looks | None = None) -> None:
+        """Make the scene of a head lit by `lamps` (n, 7); `looks` are its own where None."""
         self.head = head
+        self.looks = looks or head.identity.looks
         self.anatomy = find_anatomy(head)
         surface = skin_surface(head, self.anatomy)
-        looks = head.identity.looks
-        complexion = complexion or Complexion.of(looks)
-        hair = linear(looks.hair)
-        self.cloth: FloatArray = linear(complexion.cloth).astype(np.float32)
-        skin = skin_part(head, self.anatomy, surface, complexion, hair)
+        looks = self.looks
+        hair, brows = linear(looks.hair), linear(looks.brows or looks.hair)
+        self.cloth: FloatArray = linear(looks.cloth).astype(np.float32)
+        skin = skin_part(head, self.anatomy, surface, looks, brows, hair)
         teeth = [teeth_part(head.teeth_upper), teeth_part(head.teeth_lower)]
         parts = [skin, *eye_parts(head), *teeth, tongue_part(head)]
         self._hairs = [
-            grow_brows(self.anatomy, surface, hair, looks.brow_hairs),
+            grow_brows(self.anatomy, surface, brows, looks.brow_hairs),
             grow_lashes(head, surface, 0.35 * hair),
-            grow_hair(self.anatomy, surface, hair, looks.hairs),
+            *grow_hair(self.anatomy, surface, hair, looks),
         ]
         self._offset = standing_off(neckline(self.anatomy), surface.normals).astype(np.float32)
         self._starts = np.concatenate([[0], np.cumsum([len(part.vertices) for part in parts])])
@@ -100,8 +102,9 @@ class HeadScene:
         self.reach: FloatArray = np.ones((len(self.rest), len(lamps)), np.float32)
         for k, lamp in enumerate(lamps[1:, :3], start=1):
             self.reach[:count, k] = lamp_reach(*mesh, *self.anatomy.sphere(), lamp)[:count]
-        covered = hair_density(self.anatomy, self.anatomy.skin, self.anatomy.masks["ears"])
-        self.reach[:count] *= 1.0 - covered[:, None]
+        if self.looks.hair_style != "bald":
+            covered = hair_density(self.anatomy, self.anatomy.skin, self.anatomy.masks["ears"])
+            self.reach[:count] *= 1.0 - covered[:, None]
 
     def check(self, frame: FaceFrame) -> None:
         """Raise InputError where a frame's vertices are not as many as this head's."""

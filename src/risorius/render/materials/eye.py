@@ -63,7 +63,7 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
     local = unrotate(pose.eye_axes[side], outward)
     in_head = unrotate(pose.rotation, outward)
     radius = pose.eye_radius[side]
-    below, above = _lid_distances(pose.lids, pose.lid_span, side, in_head, radius)
+    below, above = lid_distances(pose.lids, pose.lid_span, side, in_head, radius)
     shade = (f4(1) - f4(0.72) * math.exp(-below * f4(0.62))) * (f4(1) - f4(0.45) * math.exp(-above * f4(1.0)))
     ring = math.sqrt(local[0] * local[0] + local[1] * local[1])
     iris_share = f4(0)
@@ -83,7 +83,7 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
 
 
 @device
-def _lid_distances(
+def lid_distances(
     lids: FloatArray, span: FloatArray, side: int, in_head: Vec, radius: float
 ) -> tuple[float, float]:
     """Return mm below the upper and above the lower lid's margin."""
