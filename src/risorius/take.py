@@ -129,16 +129,20 @@ class Take:
 
         They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
         """
+        from .out.overlay import Overlays, Subject
         from .render import picture_renderer
 
         chosen = range(len(self.performance.values)) if indices is None else indices
         look = self.settings.look
+        subject = Subject(self.performance, self.utterance)
+        overlays = Overlays(look.overlay, subject, size or self.settings.size)
         with _announced_if_slow(progress):
-            renderer = picture_renderer(self.head, size or self.settings.size, look)
+            renderer = picture_renderer(self.head, overlays.picture_size, look)
             renderer.render(next(self.faces([0])))
         kept_down = self._kept_down(chosen) if look.style == "muscles" else None
-        for done, face in enumerate(self.faces(chosen)):
-            yield renderer.render(face, kept_down=None if kept_down is None else kept_down[done])
+        for done, (frame, face) in enumerate(zip(chosen, self.faces(chosen), strict=True)):
+            picture = renderer.render(face, kept_down=None if kept_down is None else kept_down[done])
+            yield overlays.draw(picture, frame)
             progress("Drawing", done + 1, len(chosen))
 
     def _kept_down(self, indices: Sequence[int]) -> npt.NDArray[np.float64]:

@@ -5,7 +5,7 @@ from scipy.spatial import cKDTree
 from risorius.face.identity import Looks
 from risorius.render.attach import unit
 from risorius.render.brows import brow_shade, grow_brows
-from risorius.render.hairstyle import grow_hair
+from risorius.render.cuts import grow_hair
 from risorius.render.lashes import grow_lashes
 from risorius.render.scalp import flow, hair_density, inside_hairline
 from risorius.render.strands import Strands, root_frames

@@ -98,8 +98,8 @@ def _gloss(a: Anatomy) -> tuple[Array, Array]:
     """Return roughness squared (N1,) and strength (N1,) of the gloss: oily forehead and nose, wet lips."""
     region = _regions(a)
     oily = np.maximum(region["forehead"], region["nose"])
-    roughness = 0.22 - 0.06 * oily + 0.04 * region["cheek"]
-    strength = 1.0 + 0.4 * oily - 0.15 * region["under_eye"]
+    roughness = 0.21 - 0.07 * oily + 0.02 * region["cheek"]
+    strength = 1.25 + 0.55 * oily - 0.15 * region["under_eye"]
     lips = smoothstep(0.25, 0.75, a.masks["lips"])
     inner = a.masks["inner_mouth"]
     roughness = roughness + lips * (0.085 - roughness)

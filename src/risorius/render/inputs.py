@@ -48,7 +48,10 @@ class Mesh(NamedTuple):
 
 
 class Light(NamedTuple):
-    """Lamps (n, 7): direction, colour, softness; room (2, 3) from above and below; the key's shadow map."""
+    """Lamps (n, 7): direction, colour, softness; room (2, 3) from above and below; the key's shadow map.
+
+    `pupil` is the radius that the pupils take in this light, in radii of the iris.
+    """
 
     lamps: FloatArray
     room: FloatArray
@@ -56,6 +59,7 @@ class Light(NamedTuple):
     shadow_tiles: FloatArray
     shadow_matrix: FloatArray
     bias: float
+    pupil: float
 
 
 class Pose(NamedTuple):

@@ -39,7 +39,8 @@ class LightRig:
 
     The first lamp casts shadows that follow the face; what the head itself keeps from the others is found
     once, at rest. Eyes and mouth are lit by the first two, which should therefore stand in front. `centre`
-    and `edge` are sRGB bytes of the backdrop's gradient.
+    and `edge` are sRGB bytes of the backdrop's gradient; `pupil` is the radius of the pupils, in radii of the
+    iris: wide in the dark.
     """
 
     lamps: tuple[Lamp, ...]
@@ -47,6 +48,7 @@ class LightRig:
     ground: Colour
     centre: tuple[int, int, int] = (118, 126, 132)
     edge: tuple[int, int, int] = (48, 54, 62)
+    pupil: float = 0.36
 
     def __post_init__(self) -> None:
         if not self.lamps:
@@ -56,14 +58,15 @@ class LightRig:
         """Return the rig as arrays for the kernels."""
         rows = [(*lamp.direction(), *lamp.colour, lamp.softness) for lamp in self.lamps]
         room = np.array([self.sky, self.ground], np.float32)
-        return Lighting(np.array(rows, np.float32), room)
+        return Lighting(np.array(rows, np.float32), room, self.pupil)
 
 
 class Lighting(NamedTuple):
-    """Lamps (n, 7) float32: direction, colour, softness; room (2, 3): from above, from below."""
+    """Lamps (n, 7) float32: direction, colour, softness; room (2, 3): from above, from below; the pupil."""
 
     lamps: FloatArray
     room: FloatArray
+    pupil: float
 
 
 STUDIO = LightRig(
@@ -88,6 +91,7 @@ DAYLIGHT = LightRig(
     ground=(0.46, 0.42, 0.34),
     centre=(214, 224, 232),
     edge=(150, 172, 192),
+    pupil=0.30,
 )
 DARK = LightRig(
     lamps=(
@@ -100,5 +104,6 @@ DARK = LightRig(
     ground=(0.06, 0.05, 0.05),
     centre=(34, 38, 46),
     edge=(10, 11, 14),
+    pupil=0.47,
 )
 RIGS = {"studio": STUDIO, "daylight": DAYLIGHT, "dark": DARK}

@@ -120,7 +120,8 @@ class Renderer:
     def _draw(self, frame: FaceFrame, out: ByteArray) -> None:
         scene = self.scene
         scene.check(frame)
-        pose = scene.pose(frame, self._eye)
+        sample = self.camera.millimetres_per_sample(self.size[1] * self._samples)
+        pose = scene.pose(frame, self._eye, 0.9 * sample)
         project(scene.positions, self._matrix, self._xy, self._key)
         self._buffer.draw(self._xy, self._key, scene.triangles, scene.two_sided)
         self._shadow.update(
@@ -152,6 +153,7 @@ class Renderer:
             shadow.tiles,
             shadow.matrix,
             f4(shadow.bias),
+            f4(self._lights.pupil),
         )
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
         pixel = f4(self.camera.millimetres_per_sample(self.size[1]))

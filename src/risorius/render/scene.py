@@ -14,19 +14,21 @@ from .aperture import lip_edges
 from .brows import grow_brows
 from .complexion import linear
 from .creases import lay_creases
+from .cuts import grow_hair
 from .eyeball import lid_margins
 from .garment import neckline, standing_off
 from .geometry import Normals, turn
-from .hairstyle import grow_hair
 from .inputs import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR, Pose
+from .jit import f4
 from .lashes import grow_lashes
 from .occlusion import ambient_occlusion, lamp_reach
 from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
 from .raster import ByteArray, FloatArray, IntArray
-from .scalp import hair_density
+from .scalp import hair_shade
 from .strands import Strands, ribbons
 
 Array = npt.NDArray[np.float64]
+_SOFTENED = 0.8  # light reflected within folds fills them a little
 
 
 class HeadScene:
@@ -98,13 +100,16 @@ class HeadScene:
         self._normals.update(self._local, self.normals[: self.mesh_vertices])
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
         mesh = (self._local, normals, self.triangles[solid], self.two_sided[solid])
-        self.attributes[:count, OCCLUSION] = ambient_occlusion(*mesh, *self.anatomy.sphere())[:count]
+        self.attributes[:count, OCCLUSION] = (
+            ambient_occlusion(*mesh, *self.anatomy.sphere())[:count] ** _SOFTENED
+        )
         self.reach: FloatArray = np.ones((len(self.rest), len(lamps)), np.float32)
         for k, lamp in enumerate(lamps[1:, :3], start=1):
             self.reach[:count, k] = lamp_reach(*mesh, *self.anatomy.sphere(), lamp)[:count]
-        if self.looks.hair_style != "bald":
-            covered = hair_density(self.anatomy, self.anatomy.skin, self.anatomy.masks["ears"])
-            self.reach[:count] *= 1.0 - covered[:, None]
+        covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
+        self.reach[:count] *= 1.0 - covered[:, None]
+        self.reach[:count, 0] *= 1.0 - cast
+        self.attributes[:count, OCCLUSION] *= 1.0 - around
 
     def check(self, frame: FaceFrame) -> None:
         """Raise InputError where a frame's vertices are not as many as this head's."""
@@ -117,8 +122,11 @@ class HeadScene:
             if points.shape != (size, 3):
                 raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
-    def pose(self, frame: FaceFrame, eye: FloatArray) -> Pose:
-        """Move all vertices to a frame; `eye` (3,) float32 is where the camera stands."""
+    def pose(self, frame: FaceFrame, eye: FloatArray, sample: float) -> Pose:
+        """Move all vertices to a frame.
+
+        `eye` (3,) float32 is where the camera stands; `sample` mm is the least width that it can show.
+        """
         rotation = frame.head_rotation.astype(np.float32)
         pivot = self.head.head_pivot.astype(np.float32)
         self._place(frame)
@@ -135,6 +143,8 @@ class HeadScene:
                 group.widths,
                 eye,
                 start,
+                f4(group.behind),
+                f4(sample),
             )
         return self._read_pose(frame, rotation, pivot)
 

@@ -23,7 +23,7 @@ from ..inputs import (
 )
 from ..jit import device, f4, index, inlined
 from ..vec import Vec, along, dot, mix, saturate, scale, smooth, sub, times, unit, unrotate, weigh
-from .eye import IRIS, lid_distances
+from .eye import IRIS, lid_distances, lid_shade
 from .folds import bent, creased
 from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light
 from .mouth import past_lips
@@ -37,6 +37,7 @@ _TURN = f4(2 * math.pi)
 _BALL = (f4(0.66), f4(0.66), f4(0.66))
 _RING = (f4(0.16), f4(0.16), f4(0.17))
 _PUPIL = f4(0.42)  # radii of the iris
+_FAR = f4(20)  # mm: plain eyes have no corners
 _LINE = f4(0.55)  # half a line's width in pixels
 
 
@@ -196,7 +197,7 @@ def _ball(
     local = unrotate(pose.eye_axes[side], outward)
     in_head = unrotate(pose.rotation, outward)
     below, above = lid_distances(pose.lids, pose.lid_span, side, in_head, pose.eye_radius[side])
-    shade = (f4(1) - f4(0.6) * math.exp(-below * f4(0.62))) * (f4(1) - f4(0.4) * math.exp(-above))
+    shade = lid_shade(below, above, _FAR, _FAR)
     ring = math.sqrt(local[0] * local[0] + local[1] * local[1]) / IRIS
     iris = f4(1) - smooth(f4(0.94), f4(1.06), ring)
     pupil = f4(1) - smooth(_PUPIL - f4(0.05), _PUPIL + f4(0.05), ring)
