@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.render.occlusion import ambient_occlusion, lamp_reach, sky_directions
+from risorius.render.occlusion import Occluder, ambient_occlusion, bake, lamp_reach, sky_directions
 
 CENTRE = np.zeros(3)
 
@@ -15,7 +15,7 @@ def trench():
     ]
     points = np.array(floor + walls, np.float32)
     normals = np.tile(np.array([0, 1, 0], np.float32), (len(points), 1))
-    return points, normals, np.array(triangles, np.int32), np.ones(len(triangles), np.uint8)
+    return Occluder(points, normals, np.array(triangles, np.int32), np.ones(len(triangles), np.uint8))
 
 
 def test_directions_are_units_spread_evenly():
@@ -25,7 +25,7 @@ def test_directions_are_units_spread_evenly():
 
 
 def test_a_trench_sees_less_than_open_ground():
-    free = ambient_occlusion(*trench(), CENTRE, 130.0)
+    free = ambient_occlusion(trench(), CENTRE, 130.0)
     # Between endless walls of height h at distance w the share is sin(atan(w / h)) = 0.32.
     assert free[0] == pytest.approx(0.32, abs=0.08)
     assert free[1] > 0.85
@@ -33,6 +33,16 @@ def test_a_trench_sees_less_than_open_ground():
 
 def test_a_lamp_behind_a_wall_does_not_reach():
     low = np.array([0.9, 0.436, 0.0])
-    reach = lamp_reach(*trench(), CENTRE, 130.0, low)
+    reach = lamp_reach(trench(), CENTRE, 130.0, low)
     assert reach[0] == 0
     assert reach[1] == 1
+
+
+def test_the_first_lamp_is_not_baked(tmp_path, monkeypatch):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    lamps = np.array([[0.0, 1.0, 0.0, 1, 1, 1, 0], [0.9, 0.436, 0.0, 1, 1, 1, 0]], np.float32)
+    for again in range(2):
+        free, reach = bake(trench(), CENTRE, 130.0, lamps)
+        assert reach.shape == (len(free), 1)
+        assert reach[:2, 0].tolist() == [0, 1], again
+    assert bake(trench(), CENTRE, 130.0, lamps[:1])[1].shape == (len(free), 0)

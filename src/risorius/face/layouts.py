@@ -12,9 +12,11 @@ from typing import NamedTuple, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from .jit import compiled
 from .marks import Marks, plateau, ripple, smooth
 
 Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int64]
 Range = tuple[float, float, float, float]
 
 _BREAK_LENGTH = 15.0  # mm along a crease over which it fades and returns
@@ -188,16 +190,24 @@ def _curve(knots: Array) -> Array:
 
 def _beside(curve: Array, places: Array) -> tuple[Array, Array]:
     """Return how far `places` (n, 2) lie beyond a curve that runs downwards, and their way 0..1 along it."""
-    start, step = curve[:-1], np.diff(curve, axis=0)
-    length = np.linalg.norm(step, axis=1)
-    offset = places[:, None] - start
-    share = np.clip((offset * step).sum(axis=2) / length**2, 0.0, 1.0)
-    apart = offset - share[..., None] * step
-    nearest = np.linalg.norm(apart, axis=2).argmin(axis=1)
-    rows = np.arange(len(places))
-    apart, along = apart[rows, nearest], step[nearest]
-    sign = np.sign(along[:, 0] * apart[:, 1] - along[:, 1] * apart[:, 0])
-    way = (
-        np.concatenate([[0.0], np.cumsum(length)])[nearest] + share[rows, nearest] * length[nearest]
-    ) / length.sum()
-    return sign * np.linalg.norm(apart, axis=1), way
+    length = np.linalg.norm(np.diff(curve, axis=0), axis=1)
+    side, piece, share = np.empty(len(places)), np.empty(len(places), np.int64), np.empty(len(places))
+    _find_nearest(curve, np.ascontiguousarray(places), side, piece, share)
+    start = np.concatenate([[0.0], np.cumsum(length)])
+    return side, (start[piece] + share * length[piece]) / start[-1]
+
+
+@compiled
+def _find_nearest(curve: Array, places: Array, side: Array, piece: IntArray, share: Array) -> None:
+    """Write how far each place (n, 2) lies beyond the curve (k, 2), from which piece, and where along it."""
+    for i in range(len(places)):
+        nearest = np.inf
+        for j in range(len(curve) - 1):
+            dx, dy = curve[j + 1, 0] - curve[j, 0], curve[j + 1, 1] - curve[j, 1]
+            x, y = places[i, 0] - curve[j, 0], places[i, 1] - curve[j, 1]
+            s = min(max((x * dx + y * dy) / (dx * dx + dy * dy), 0.0), 1.0)
+            x, y = x - s * dx, y - s * dy
+            apart = x * x + y * y
+            if apart < nearest:
+                nearest, piece[i], share[i] = apart, j, s
+                side[i] = np.sqrt(apart) * np.sign(dx * y - dy * x)

@@ -13,6 +13,8 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
+from ..kept import kept
+
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int32]
 
@@ -50,6 +52,13 @@ def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: npt.NDArray[np.b
 
     Only vertices in `free` (N0,) move; those under the points must be among them, well within.
     """
+    given = [part for matrix in (stiff, points) for part in (matrix.data, matrix.indices, matrix.indptr)]
+    return Response(*kept("response", [*given, free], lambda: _respond(stiff, points, free)))
+
+
+def _respond(
+    stiff: sp.csc_matrix, points: sp.csr_matrix, free: npt.NDArray[np.bool_]
+) -> tuple[IntArray, Array, Array]:
     local = np.flatnonzero(free)
     symmetric = {"SymmetricMode": True}
     part = stiff[local][:, local]
@@ -64,11 +73,8 @@ def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: npt.NDArray[np.b
     at_points = weights[:, under]
     motion = motion @ at_points.T.toarray()
     compliance = weights @ motion
-    return Response(
-        local[moved].astype(np.int32),
-        np.ascontiguousarray(motion[moved].T),
-        0.5 * (compliance + compliance.T),
-    )
+    region = local[moved].astype(np.int32)
+    return region, np.ascontiguousarray(motion[moved].T), 0.5 * (compliance + compliance.T)
 
 
 def nearby(rest: Array, points: Array) -> npt.NDArray[np.bool_]:

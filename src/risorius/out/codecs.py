@@ -55,6 +55,8 @@ CODECS: Mapping[str, Codec] = MappingProxyType(
             alpha_pixels="yuva420p",
             sound="libopus",
             rates=(8000, 12000, 16000, 24000, 48000),
+            # Else the file would carry random numbers.
+            container_options={"fflags": "+bitexact"},
         ),
         "mov": Codec(
             container="mov",

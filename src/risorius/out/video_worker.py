@@ -79,6 +79,8 @@ class Film:
             dst_color_range="MPEG",
             interpolation="BILINEAR",
         )
+        # ProRes writes what each picture says of itself.
+        frame.color_primaries = frame.color_trc = BT709
         frame.pts = self._pictures
         frame.time_base = 1 / self._fps
         self._pictures += 1

@@ -11,6 +11,7 @@ from ..face.head import Head
 from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
 from ..face.regions import Placed, place_regions
+from ..kept import kept
 from .noise import noise_at
 from .raster import FloatArray, IntArray
 
@@ -45,10 +46,11 @@ def lay_creases(head: Head, triangles: int) -> Creases:
     for number, region in enumerate(placed):
         covered[: len(faces)] |= (region.zone.mask[faces] > 0.0).any(axis=1).astype(np.int32) << number
     stray = RAGGED * noise_at(fine, WANDERING)
-    place = np.stack([_place(p.phase, stray, fine, faces) for p in placed], axis=1)
+    phases = np.array([p.phase for p in placed])
+    (place,) = kept("creases", [phases, stray, fine, faces], lambda: (_places(phases, stray, fine, faces),))
     return Creases(
         covered,
-        np.ascontiguousarray(place, np.float32),
+        place,
         np.zeros((len(fine), len(placed)), np.float32),
         np.array([_style(p, unit) for p in placed], np.float32),
     )
@@ -59,6 +61,11 @@ def _style(placed: Placed, unit: float) -> tuple[float, float, float, float]:
     kind = FOLD if isinstance(layout, Fold) else DIMPLES if isinstance(layout, Dimples) else LINES
     furrow = layout.spacing * unit if isinstance(layout, Dimples) else sizes.furrow * unit
     return kind, furrow, sizes.shadow, 1.0 - MESH_CARRIES * sizes.relief
+
+
+def _places(phases: Array, stray: Array, points: Array, faces: npt.NDArray[np.integer]) -> FloatArray:
+    """Return phase and slope (N1, R, 4) of regions whose phases are (R, N1)."""
+    return np.stack([_place(phase, stray, points, faces) for phase in phases], axis=1).astype(np.float32)
 
 
 def _place(phase: Array, stray: Array, points: Array, faces: npt.NDArray[np.integer]) -> Array:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 import numpy.typing as npt
 
+from ..kept import kept
 from .jit import exact_kernel, f4, prange
 from .raster import ByteArray, FloatArray, IntArray, Visibility
 from .shadow import flatten, light_matrix, transform
+
+Array = npt.NDArray[np.float64]
 
 _SIZE = 512
 _BLOCK = 512
@@ -23,59 +28,56 @@ def sky_directions(count: int) -> npt.NDArray[np.float64]:
     return np.stack([ring * np.cos(angle), height, ring * np.sin(angle)], axis=1)
 
 
-def ambient_occlusion(
-    points: FloatArray,
-    normals: FloatArray,
-    triangles: IntArray,
-    two_sided: ByteArray,
-    centre: npt.NDArray[np.float64],
-    radius: float,
-    directions: int = 64,
-) -> FloatArray:
+class Occluder(NamedTuple):
+    """A mesh that shades itself: vertices and normals (n, 3), triangles (m, 3), which have two sides (m,)."""
+
+    points: FloatArray
+    normals: FloatArray
+    triangles: IntArray
+    two_sided: ByteArray
+
+
+def bake(mesh: Occluder, centre: Array, radius: float, lamps: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return what each vertex sees of its surroundings (n,), and of each of the `lamps` (k, 7) but the first.
+
+    The second is (n, k − 1). Only what lies within `radius` of `centre` (3,) casts shade.
+    """
+
+    def find() -> tuple[FloatArray, FloatArray]:
+        reach = [lamp_reach(mesh, centre, radius, lamp) for lamp in lamps[1:, :3]]
+        free = ambient_occlusion(mesh, centre, radius)
+        return free, np.stack(reach, axis=1) if reach else np.ones((len(free), 0), np.float32)
+
+    free, reach = kept("occlusion", [*mesh, centre, radius, lamps], find)
+    return free, reach
+
+
+def ambient_occlusion(mesh: Occluder, centre: Array, radius: float, directions: int = 64) -> FloatArray:
     """Return the share (n,) float32 of the hemisphere over each vertex that is free, weighted by the cosine.
 
-    Only what lies within `radius` of `centre` (3,) casts shade, in `directions` directions.
+    It is looked for in `directions` directions.
     """
-    return _seen(
-        points, normals, triangles, two_sided, centre, radius, sky_directions(directions), cosine=True
-    )
+    return _seen(mesh, centre, radius, sky_directions(directions), cosine=True)
 
 
-def lamp_reach(
-    points: FloatArray,
-    normals: FloatArray,
-    triangles: IntArray,
-    two_sided: ByteArray,
-    centre: npt.NDArray[np.float64],
-    radius: float,
-    lamp: npt.NDArray[np.floating],
-) -> FloatArray:
+def lamp_reach(mesh: Occluder, centre: Array, radius: float, lamp: npt.NDArray[np.floating]) -> FloatArray:
     """Return the share (n,) float32 of a broad lamp in direction `lamp` (3,) that the scene lets through."""
     around = sky_directions(_CONE_DIRECTIONS)
     cone = around[around @ lamp > np.cos(_CONE)]
-    return _seen(points, normals, triangles, two_sided, centre, radius, cone, cosine=False)
+    return _seen(mesh, centre, radius, cone, cosine=False)
 
 
-def _seen(
-    points: FloatArray,
-    normals: FloatArray,
-    triangles: IntArray,
-    two_sided: ByteArray,
-    centre: npt.NDArray[np.float64],
-    radius: float,
-    directions: npt.NDArray[np.float64],
-    *,
-    cosine: bool,
-) -> FloatArray:
+def _seen(mesh: Occluder, centre: Array, radius: float, directions: Array, *, cosine: bool) -> FloatArray:
     """Return the share (n,) of the directions (k, 3) that are free, weighted by the cosine or all alike."""
-    buffer = Visibility(_SIZE, _SIZE, len(triangles), keep_ids=False)
+    points, normals = mesh.points, mesh.normals
+    buffer = Visibility(_SIZE, _SIZE, len(mesh.triangles), keep_ids=False)
     xy, key = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.float32)
     sums = np.zeros((len(points), 2), np.float32)
     bias = f4(3.0 * radius / _SIZE)
     for direction in directions:
         matrix = light_matrix(direction, centre, radius, _SIZE)
         flatten(points, matrix, xy, key)
-        buffer.draw(xy, key, triangles, two_sided)
+        buffer.draw(xy, key, mesh.triangles, mesh.two_sided)
         _gather(points, normals, direction.astype(np.float32), matrix, buffer.depth, bias, cosine, sums)
     return np.asarray(sums[:, 0] / np.maximum(sums[:, 1], 1e-6), np.float32)
 

@@ -12,7 +12,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from .jit import BANDS, band_rows, exact, exact_kernel, f4, f8, i8, index, prange
+from .jit import BANDS, band_rows, exact, exact_kernel, f4, f8, i8, index, inlined, prange
 
 SUBPIXEL = 256
 _HALF = SUBPIXEL // 2
@@ -125,20 +125,36 @@ def _bias(dx: int, dy: int) -> int:
 
 
 @exact
-def _clip(w: int, step: int, start: int, end: int) -> tuple[int, int]:
-    """Shrink a range of whole i to those with w + step · i ≥ 0.
+def _divide(w: int, step: int) -> tuple[int, int]:
+    """Return floor(w / |step|) and what remains; a step of 0 counts as 1.
 
     The division is exact enough: both are integers below 2⁴⁵, so a quotient that is no integer differs from
     every integer by more than the rounding.
     """
-    if step > 0:
-        return max(start, i8(math.ceil(-w / f8(step)))), end
-    if step < 0:
-        return start, min(end, i8(math.floor(w / f8(-step))))
-    return start, end if w >= 0 else i8(-1)
+    by = max(abs(step), i8(1))
+    whole = i8(math.floor(w / f8(by)))
+    return whole, w - whole * by
 
 
 @exact
+def _descend(whole: int, rest: int, more: int, over: int, step: int) -> tuple[int, int]:
+    """Return quotient and remainder one row further down, where the dividend has grown by theirs."""
+    whole, rest = whole + more, rest + over
+    by = max(abs(step), i8(1))
+    return (whole + 1, rest - by) if rest >= by else (whole, rest)
+
+
+@exact
+def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
+    """Shrink a range of whole i to those with w + step · i ≥ 0, where `whole` is floor(w / |step|)."""
+    if step > 0:
+        return max(start, -whole), end
+    if step < 0:
+        return start, min(end, whole)
+    return start, end if whole >= 0 else i8(-1)
+
+
+@inlined
 def _fill(
     xy: IntArray,
     key: FloatArray,
@@ -164,16 +180,19 @@ def _fill(
     whole = 1.0 / f8(area)
     near_b, near_c = (key[b] - key[a]) * whole, (key[c] - key[a]) * whole
     key_step = step_b * near_b + step_c * near_c
-    px = left * SUBPIXEL + _HALF
+    px, py = left * SUBPIXEL + _HALF, first * SUBPIXEL + _HALF
+    wa = (cx - bx) * (py - by) - (cy - by) * (px - bx) + bias_a
+    wb = (ax - cx) * (py - cy) - (ay - cy) * (px - cx) + bias_b
+    wc = (bx - ax) * (py - ay) - (by - ay) * (px - ax) + bias_c
+    down_a, down_b, down_c = (cx - bx) * SUBPIXEL, (ax - cx) * SUBPIXEL, (bx - ax) * SUBPIXEL
+    (qa, ra), (qb, rb), (qc, rc) = _divide(wa, step_a), _divide(wb, step_b), _divide(wc, step_c)
+    (da, ea), (db, eb), (dc, ec) = _divide(down_a, step_a), _divide(down_b, step_b), _divide(down_c, step_c)
+    wb, wc = wb - bias_b, wc - bias_c
     for y in range(first, last + 1):
-        py = y * SUBPIXEL + _HALF
-        wa = (cx - bx) * (py - by) - (cy - by) * (px - bx) + bias_a
-        wb = (ax - cx) * (py - cy) - (ay - cy) * (px - cx) + bias_b
-        wc = (bx - ax) * (py - ay) - (by - ay) * (px - ax) + bias_c
-        start, end = _clip(wa, step_a, i8(0), right - left)
-        start, end = _clip(wb, step_b, start, end)
-        start, end = _clip(wc, step_c, start, end)
-        k = key[a] + (wb - bias_b) * near_b + (wc - bias_c) * near_c + start * key_step
+        start, end = _clip(qa, step_a, i8(0), right - left)
+        start, end = _clip(qb, step_b, start, end)
+        start, end = _clip(qc, step_c, start, end)
+        k = key[a] + wb * near_b + wc * near_c + start * key_step
         for x in range(left + start, left + end + 1):
             near = f4(k)  # compared as stored, or a triangle drawn twice would win over itself
             if near > depth[index(y), index(x)]:
@@ -181,3 +200,7 @@ def _fill(
                 if keep:
                     ids[index(y), index(x)] = t
             k += key_step
+        wb, wc = wb + down_b, wc + down_c
+        qa, ra = _descend(qa, ra, da, ea, step_a)
+        qb, rb = _descend(qb, rb, db, eb, step_b)
+        qc, rc = _descend(qc, rc, dc, ec, step_c)

@@ -21,7 +21,7 @@ from .geometry import Normals, turn
 from .inputs import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR, Pose
 from .jit import f4
 from .lashes import grow_lashes
-from .occlusion import ambient_occlusion, lamp_reach
+from .occlusion import Occluder, bake
 from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
 from .raster import ByteArray, FloatArray, IntArray
 from .scalp import hair_shade
@@ -99,13 +99,11 @@ class HeadScene:
         count = len(self._offset)
         self._normals.update(self._local, self.normals[: self.mesh_vertices])
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
-        mesh = (self._local, normals, self.triangles[solid], self.two_sided[solid])
-        self.attributes[:count, OCCLUSION] = (
-            ambient_occlusion(*mesh, *self.anatomy.sphere())[:count] ** _SOFTENED
-        )
+        mesh = Occluder(self._local, normals, self.triangles[solid], self.two_sided[solid])
+        free, reach = bake(mesh, *self.anatomy.sphere(), lamps)
+        self.attributes[:count, OCCLUSION] = free[:count] ** _SOFTENED
         self.reach: FloatArray = np.ones((len(self.rest), len(lamps)), np.float32)
-        for k, lamp in enumerate(lamps[1:, :3], start=1):
-            self.reach[:count, k] = lamp_reach(*mesh, *self.anatomy.sphere(), lamp)[:count]
+        self.reach[:count, 1:] = reach[:count]
         covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast

@@ -44,7 +44,7 @@ def collect(turn: int, y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     """Find the patches of row y; return how many there are."""
     side, n = sight.samples, 0
     for x in range(sight.background.shape[1]):
-        if _whole(x, y, sight):
+        if _whole(x, y, sight, mesh):
             _put(
                 turn,
                 n,
@@ -69,15 +69,23 @@ def collect(turn: int, y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
 
 
 @inlined
-def _whole(x: int, y: int, sight: Sight) -> bool:
-    """Return whether one triangle fills the pixel."""
+def _whole(x: int, y: int, sight: Sight, mesh: Mesh) -> bool:
+    """Return whether one surface fills the pixel, without a step in depth."""
     side = sight.samples
     t: int = sight.ids[y * side, x * side]
+    if t < 0:
+        return False
+    surface, depth = mesh.surfaces[t], sight.depth[y * side, x * side]
+    nearly = depth * _SAME_DEPTH
     for row in range(y * side, y * side + side):
         for column in range(x * side, x * side + side):
-            if sight.ids[index(row), index(column)] != t:
+            other = sight.ids[index(row), index(column)]
+            if other == t:
+                continue
+            far = abs(sight.depth[index(row), index(column)] - depth) > nearly
+            if far or other < 0 or mesh.surfaces[index(other)] != surface:
                 return False
-    return t >= 0
+    return True
 
 
 @inlined

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -52,7 +53,7 @@ class Strands:
 def join(groups: list[Strands]) -> Strands:
     """Return several groups of hairs, of equally many points, as one."""
     names = ("roots", "weights", "curves", "widths", "colours", "depths")
-    arrays = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
+    arrays: dict[str, Any] = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
     return replace(groups[0], **arrays)
 
 

@@ -1,0 +1,83 @@
+"""Arrays that take long to find and are the same at every start: kept on disk beside the compiled kernels."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import tempfile
+import zipfile
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import compile_cache
+
+MOST_FILES = 64  # a head at one age needs five
+
+AnyArray = npt.NDArray[Any]
+
+
+def kept(
+    name: str, given: Sequence[npt.ArrayLike], find: Callable[[], tuple[AnyArray, ...]]
+) -> tuple[AnyArray, ...]:
+    """Return what `find` returns, from disk where it was found before from the same `given` arrays.
+
+    `find` must depend on `given` and the sources of the face and the renderer alone. A folder that cannot be
+    read or written costs time, never the result.
+    """
+    path = _folder() / f"{name}-{_digest(given)}.npz"
+    stored = _read(path)
+    if stored is None:
+        stored = find()
+        with contextlib.suppress(OSError):
+            _write(path, stored)
+            _thin_out(path.parent)
+    return stored
+
+
+def _folder() -> Path:
+    return Path(os.environ.get("NUMBA_CACHE_DIR") or compile_cache.folder()) / "arrays"
+
+
+_sources = lru_cache(maxsize=1)(compile_cache.source_digest)
+
+
+def _digest(given: Sequence[npt.ArrayLike]) -> str:
+    digest = hashlib.blake2b(f"{_sources()} {np.__version__}".encode(), digest_size=16)
+    for array in map(np.ascontiguousarray, given):
+        digest.update(f"{array.dtype} {array.shape} ".encode())
+        digest.update(array.data)
+    return digest.hexdigest()
+
+
+def _read(path: Path) -> tuple[AnyArray, ...] | None:
+    try:
+        with path.open("rb") as whole, np.load(whole, allow_pickle=False) as file:
+            return tuple(file[f"arr_{k}"] for k in range(len(file.files)))
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        return None
+
+
+def _write(path: Path, arrays: tuple[AnyArray, ...]) -> None:
+    """Write beside, then rename: another process may look for the same file."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    number, beside = tempfile.mkstemp(suffix=".part", dir=path.parent)
+    try:
+        with os.fdopen(number, "wb") as file:
+            np.savez(file, *arrays)
+        Path(beside).replace(path)
+    except BaseException:
+        Path(beside).unlink(missing_ok=True)
+        raise
+
+
+def _thin_out(folder: Path) -> None:
+    """Remove the files that were written longest ago, beyond `MOST_FILES`."""
+    files = sorted(folder.glob("*.npz"), key=lambda path: path.stat().st_mtime)
+    for path in files[: max(0, len(files) - MOST_FILES)]:
+        path.unlink(missing_ok=True)
