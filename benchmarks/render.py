@@ -58,9 +58,7 @@ def main() -> None:
     seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 6.0
     spoken = speak(SENTENCE * max(1, round(seconds / 2.5)), text=True)
     count = len(spoken.performance.values)
-    print(
-        f"{count} pictures; each drawn alone, then drawn and encoded: pictures/s (processors' ms a picture)"
-    )
+    print(f"{count} pictures, drawn alone, then drawn and encoded: pictures/s (processors' ms a picture)")
     for style, side, quality in CASES:
         settings = replace(Settings(), size=(side, side), look=Look(style=style, quality=quality))
         take = replace(spoken, settings=settings)

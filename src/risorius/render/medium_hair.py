@@ -39,7 +39,7 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     count = len(triangles)
     origin, normal = surface.at(triangles, weights)
     layer = (1.0 - (np.arange(count) * _LAYERS // count + rng.random(count)) / _LAYERS) ** 0.8
-    length = _lengths(anatomy, origin) * (0.93 + 0.12 * rng.random(count))
+    length = _lengths(anatomy, origin) * (0.84 + 0.19 * rng.random(count) ** 0.6)
     curves = smoothed(_hang(anatomy, surface, origin, normal, length, layer, rng), 3)
     within = inside_hairline(anatomy, origin)
     curves, lock = gather_locks(curves, length, 0.75 * smoothstep(0.0, 18.0, within), rng)
@@ -110,7 +110,7 @@ def _off_face(anatomy: Anatomy, place: Array) -> Array:
     u = anatomy.unit
     depth = place[:, 2] - _AXIS * u
     angle, reach = np.arctan2(np.abs(place[:, 0]), depth), np.hypot(place[:, 0], depth)
-    below = 1.0 - smoothstep(6.0 * u, 50.0 * u, place[:, 1] - anatomy.eye_height)
+    below = 1.0 - smoothstep(22.0 * u, 60.0 * u, place[:, 1] - anatomy.eye_height)
     turned = angle + below * np.maximum(_FACE - angle, 0.0)
     moved = place.copy()
     moved[:, 0] = np.where(place[:, 0] < 0.0, -1.0, 1.0) * reach * np.sin(turned)

@@ -98,6 +98,8 @@ def _skin(
     for k in range(len(light.lamps)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
         share = lamp_share(mesh.reach, corners, weights, k, shadow)
+        if k >= _FRONT:
+            share *= share  # between vertices that see the lamp and such that don't, light leaks
         if share < _DARK:
             continue
         below = scattered(tables.diffuse, dot(soft, direction), curvature)
