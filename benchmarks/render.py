@@ -1,9 +1,9 @@
 """How many pictures a second each style, size and quality gives, drawn alone and drawn and encoded.
 
 Run from the repository's root: `.venv/bin/python benchmarks/render.py [seconds of speech]`. Besides the time
-on the clock it prints the processors' time a picture, this process and the encoder's, which other work on the
-machine does not lengthen. Targets (issue 5) on two cores, drawn and encoded: realistic 25 and clay 40 pictures
-a second at 720x720, realistic 10 at 1080x1080.
+on the clock it prints the processors' time a picture, of this process and the encoder's together, which
+waiting for other work on the machine does not lengthen. Targets on two cores, drawn and encoded: realistic 25
+and clay 40 pictures a second at 720x720, realistic 10 at 1080x1080.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Draw the gallery: six heads, six emotions, the styles, and the demonstration as a moving picture.
 
-Run from the repository's root: `PYTHONPATH=src python docs/gallery.py [NAME …]`, all of them if none is named.
-They are written to docs/pictures.
+Run from the repository's root: `PYTHONPATH=src python docs/gallery.py [NAME …]`; all are drawn if none is
+named, and written to docs/pictures.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ Picture = npt.NDArray[np.uint8]
 
 ROOT = Path(__file__).parent.parent
 PICTURES = ROOT / "docs" / "pictures"
-SIZE = 300
+SIZE = 360
 HEADS = ("amara", "mei", "kenji", "ines", "kwame", "olaf")
 SMILE = {"AU6": 0.7, "AU12": 0.75, "AU25": 0.3, "masseter": 0.08}
-COLOURS = 256
+QUALITY = 88
 FILM_SIZE, FILM_RATE, FILM_QUALITY = (400, 400), Fraction(15), 62
 
 
@@ -45,9 +45,9 @@ def shown(emotion: str, head: str) -> Picture:
 
 
 def sheet(pictures: Sequence[Picture], columns: int, path: Path) -> None:
-    """Write pictures of one size side by side, in few colours."""
+    """Write pictures of one size side by side."""
     rows = [np.hstack(pictures[k : k + columns]) for k in range(0, len(pictures), columns)]
-    Image.fromarray(np.vstack(rows)).quantize(COLOURS).save(path, optimize=True)
+    Image.fromarray(np.vstack(rows)).save(path, quality=QUALITY, method=6)
 
 
 def six_heads(path: Path) -> None:
@@ -90,10 +90,10 @@ def _images(pictures: Iterator[Picture]) -> list[Image.Image]:
 
 
 DRAWN: dict[str, Callable[[Path], None]] = {
-    "six-heads.png": six_heads,
-    "six-emotions.png": six_emotions,
-    "styles.png": styles,
-    "looks.png": looks,
+    "six-heads.webp": six_heads,
+    "six-emotions.webp": six_emotions,
+    "styles.webp": styles,
+    "looks.webp": looks,
     "demo.webp": film,
 }
 

@@ -221,7 +221,7 @@ def speak(
         from .pipeline import check_outputs
         from .pipeline import speak as perform
 
-        check_outputs(targets)
+        check_outputs(targets, alpha=settings.look.transparent)
         take = perform(
             source,
             text=is_text or name == "stdin",
@@ -262,9 +262,9 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import check_outputs
     from .pipeline import mix as combine
 
-    check_outputs(outputs)
     shared = ("size", "head", "age", "fps", "dynamics", *_LOOK_OPTIONS)
     settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
+    check_outputs(outputs, alpha=settings.look.transparent)
     take = combine(
         score, settings=settings, conflict=chosen["conflict"], onset_function=chosen["onset_function"]
     )
@@ -294,8 +294,9 @@ def pose(
 
     if not outputs:
         raise OutputError("no output named; expected -o face.png")
-    check_outputs(outputs, WITHOUT_SPEECH)
-    take = hold(_assignments(targets), emotion=_displays(emotions), settings=_settings(**chosen))
+    settings = _settings(**chosen)
+    check_outputs(outputs, WITHOUT_SPEECH, alpha=settings.look.transparent)
+    take = hold(_assignments(targets), emotion=_displays(emotions), settings=settings)
     take.write(*outputs)
 
 

@@ -46,9 +46,16 @@ def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Ta
     return target
 
 
-def check_targets(paths: Iterable[PathLike], available: Collection[str] = tuple(Need)) -> tuple[Target, ...]:
-    """Return the targets for all `paths`; raise OutputError as `check_target`, or if one is given twice."""
+def check_targets(
+    paths: Iterable[PathLike], available: Collection[str] = tuple(Need), *, alpha: bool = False
+) -> tuple[Target, ...]:
+    """Return the targets for all `paths`.
+
+    Raises OutputError as `check_target`, if one is given twice, and with `alpha` as `check_alpha`.
+    """
     targets = tuple(check_target(path, available) for path in paths)
+    if alpha:
+        check_alpha(targets)
     seen: set[str] = set()
     for target in targets:
         real = os.path.realpath(target.path)

@@ -42,7 +42,7 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     length = _lengths(anatomy, origin) * (0.84 + 0.19 * rng.random(count) ** 0.6)
     curves = smoothed(_hang(anatomy, surface, origin, normal, length, layer, rng), 3)
     within = inside_hairline(anatomy, origin)
-    curves, lock = gather_locks(curves, length, 0.75 * smoothstep(0.0, 18.0, within), rng)
+    curves, lock = gather_locks(curves, length, 0.45 * smoothstep(0.0, 18.0, within), rng)
     shade = (0.74 + 0.36 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
     way = np.linspace(0.0, 1.0, POINTS)
     fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)
