@@ -29,7 +29,7 @@ SIZE = 360
 HEADS = ("amara", "mei", "kenji", "ines", "kwame", "olaf")
 SMILE = {"AU6": 0.7, "AU12": 0.75, "AU25": 0.3, "masseter": 0.08}
 QUALITY = 88
-FILM_SIZE, FILM_RATE, FILM_QUALITY = (400, 400), Fraction(15), 62
+FILM_SIZE, FILM_RATE, FILM_QUALITY = (480, 480), Fraction(20), 74
 
 
 def held(targets: dict[str, float], head: str = "standard", **look: object) -> Picture:

@@ -71,7 +71,10 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
             "complexion = 2 is out of range; expected 0 to 1",
         ),
         (["pose", "AU1=1", "--overlay", "lane", "-o", "x.png"], "did you mean 'lanes'"),
-        (["speak", "Hello.", "--background", "transparent"], ".mp4 has no transparent background"),
+        (
+            ["speak", "Hi.", "--background", "transparent", "-o", "x.mp4"],
+            ".mp4 has no transparent background",
+        ),
         (["speak", "Hello.", "-o", "nowhere/x.mp4"], "does not exist"),
         (["speak", "Hello.", "-o", "x.mp5"], "did you mean '.mp4'"),
         (["speak", "Hello.", "-o", "x"], "no suffix"),
