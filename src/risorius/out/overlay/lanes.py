@@ -76,8 +76,8 @@ class Lanes:
             return
         pen.rounded_rectangle(box, radius=0.2 * self._row, fill=colour, outline=GROUND)
         if self._text.getlength(label) + 6.0 < box[2] - box[0]:
-            middle = (0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3]))
-            pen.text(middle, label, font=self._text, fill=INK, anchor="mm")
+            # On the left, where no later movement of the lane lies over it.
+            pen.text((box[0] + 4.0, 0.5 * (box[1] + box[3])), label, font=self._text, fill=INK, anchor="lm")
 
 
 def _name(movement: Movement) -> str:
