@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from .core.look import Look
 from .core.performance import parse_fps
 from .core.score import BlendSettings
 from .errors import InputError, unknown
@@ -29,7 +30,7 @@ class Settings:
     and eye movements. `dynamics` of the skin: "springs" (with inertia), "biphasic" (springs that stiffen
     under strain), "static" (no inertia). `age`: years, 0 to 100, the head's own where None; `wrinkles`:
     factors 0 to 2 by region of the face, for a speaker who shows some wrinkles more or less than others of
-    that age.
+    that age. `look`: how all this is drawn.
     """
 
     fps: Fraction = Fraction(30)
@@ -50,6 +51,7 @@ class Settings:
     without: tuple[str, ...] = ()
     at: float | None = None
     every: int | None = None
+    look: Look = field(default_factory=Look)
     blend: BlendSettings = field(default_factory=lambda: BlendSettings(conflict=SPEAK_POLICY))
 
     def __post_init__(self) -> None:
