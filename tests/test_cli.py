@@ -200,3 +200,20 @@ def test_explain_answers_why(folder: Path, capsys: pytest.CaptureFixture[str]) -
     assert capsys.readouterr().out.startswith("zygomatic_major.left = 1.000\n    1.000 from emotion")
     assert run(["explain", "x.performance.json"]) == 0
     assert "100.0 %" in capsys.readouterr().out
+
+
+def test_what_is_not_understood_is_said_on_standard_error(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source = tmp_path / "x.ssml"
+    source.write_text('<speak>Hello <audio src="y"/> there.</speak>')
+    assert run(["speak", str(source), "-o", str(tmp_path / "x.muscles.csv")]) == 0
+    assert f"risorius: warning: {source}:1:14: <audio> is not understood" in capsys.readouterr().err
+
+
+def test_a_language_and_a_voice_of_another(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = ["-o", str(tmp_path / "x.TextGrid")]
+    assert run(["speak", "Guten Tag.", "--language", "de", *out]) == 0
+    assert "ɡ" in (tmp_path / "x.TextGrid").read_text()
+    assert run(["speak", "Hello.", "--language", "qq", *out]) == 2
+    assert "unknown language 'qq'" in capsys.readouterr().err

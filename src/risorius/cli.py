@@ -97,6 +97,7 @@ def _settings(**chosen: Any) -> Settings:
     look = _look(chosen)
     if (size := chosen.pop("size", None)) is not None:
         chosen["size"] = parse_size(size)
+    chosen["voice_emotion"] = chosen.pop("voice_emotion", None) != "off"
     if (fps := chosen.pop("fps", None)) is not None:
         chosen["fps"] = parse_fps(fps)
     return Settings(
@@ -171,8 +172,11 @@ def _picture_options(command: Any) -> Any:
     return command
 
 
+_TRANSCRIPT_HELP = "What the recording says, or a file with it."
+
+
 @commands.command()
-@click.argument("source", metavar="INPUT")
+@click.argument("source", metavar="[INPUT]", required=False)
 @_OUTPUT_OPTION
 @click.option("--text", "is_text", is_flag=True, help="INPUT is the text itself, whatever it looks like.")
 @click.option(
@@ -182,8 +186,18 @@ def _picture_options(command: Any) -> Any:
     metavar="NAME:INTENSITY[@START-END]",
     help="Show an emotion, 0 to 1, over the whole clip or a span in seconds. May be given several times.",
 )
-@click.option("--voice", metavar="NAME", help="The voice ('risorius list voices').  [default: en-us]")
+@click.option("--audio", metavar="FILE", help="A recorded voice: WAV, FLAC, OGG or MP3.")
+@click.option("--transcript", metavar="TEXT|FILE", help=f"{_TRANSCRIPT_HELP}  [default: INPUT]")
+@click.option(
+    "--voice", metavar="NAME", help="The voice ('risorius list voices'), or its file.  [default: en-us]"
+)
+@click.option("--language", metavar="CODE", help="Speak a language with its first voice: de, fr, cmn …")
 @click.option("--rate", type=int, metavar="WPM", help="Words per minute, 80 to 440.")
+@click.option(
+    "--voice-emotion",
+    type=click.Choice(["on", "off"]),
+    help="Whether emotions change the voice.  [default: on]",
+)
 @click.option("--lead", type=float, metavar="S", help="Silence before plain text.  [default: 0.5]")
 @click.option("--tail", type=float, metavar="S", help="Silence after plain text.  [default: 0.7]")
 @click.option("--articulation", type=float, metavar="X", help="How wide the mouth opens.  [default: 1]")
@@ -202,14 +216,24 @@ def _picture_options(command: Any) -> Any:
 @click.option("--at", type=float, metavar="S", help="Second that a .png shows.  [default: the middle]")
 @click.option("--every", type=int, metavar="N", help="A .png is a sheet of every N-th frame.")
 def speak(
-    source: str,
+    source: str | None,
     outputs: tuple[Path, ...],
     is_text: bool,
     emotions: tuple[str, ...],
     still: bool,
+    audio: str | None,
+    transcript: str | None,
     **chosen: Any,
 ) -> None:
-    """Perform INPUT: a text, a file (.txt, .xml, .score.json), or - for standard input."""
+    """Perform INPUT: a text, a file, or - for standard input.
+
+    Files: .txt, .xml, .utt, .ssml, .bml, .TextGrid, .score.json.
+
+    With --audio a recorded voice is performed. It says INPUT or the transcript, or is labelled by INPUT (a
+    .TextGrid); without these its words are guessed.
+    """
+    if source is None and audio is None:
+        raise InputError("nothing to perform; expected a text, a file or --audio")
     settings = _settings(lively=not still, **chosen)
     targets = outputs or (Path(DEFAULT_OUTPUT),)
     from .console import Console
@@ -224,6 +248,8 @@ def speak(
         check_outputs(targets, alpha=settings.look.transparent)
         take = perform(
             source,
+            audio=audio,
+            transcript=transcript,
             text=is_text or name == "stdin",
             source=name,
             emotion=_displays(emotions),
@@ -244,6 +270,30 @@ def _displays(emotions: tuple[str, ...]) -> tuple[Display, ...]:
     from .rules.emotions import parse_display
 
     return tuple(parse_display(text) for text in emotions)
+
+
+@commands.command()
+@click.argument("audio")
+@click.argument("transcript", required=False)
+@_OUTPUT_OPTION
+def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None:
+    """Say when each word and phone of TRANSCRIPT (a text or a file with it) is spoken in AUDIO.
+
+    Correct the TextGrid in Praat, then perform it: risorius speak x.TextGrid --audio x.wav. Without a
+    TRANSCRIPT the words are guessed.
+    """
+    from .console import Console
+
+    with Console() as console:
+        from .pipeline import align as find
+        from .pipeline import check_outputs
+
+        if not outputs:
+            raise OutputError("no output named; expected -o x.TextGrid")
+        check_outputs(outputs, ("speech",))
+        take = find(audio, transcript, progress=console.progress)
+        take.write(*outputs)
+        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
 
 
 @commands.command()

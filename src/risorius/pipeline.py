@@ -20,43 +20,82 @@ from .out.score_json import read_score_file
 from .rules.emotions import emotion as find_emotion
 from .script import Script, movements_of, read_script
 from .settings import Settings
-from .speech import say
+from .speech import feelings, say
+from .speech.heard import holds_labels, listen
 from .take import Progress, Take, quiet
 
-__all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
+__all__ = ["align", "check_outputs", "load", "mix", "perform", "pose", "speak"]
 
+# Seconds that a script without speech lasts at least.
+SILENT_DURATION = 1.0
 Emotions = Mapping[str, float] | Iterable[Display]
 
 
 def speak(
-    given: str,
+    given: str | None = None,
     *,
+    audio: str | PathLike[str] | None = None,
+    transcript: str | None = None,
     text: bool = False,
     source: str = "text",
     emotion: Emotions = (),
     settings: Settings | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Perform a text or file (`.txt`, `.xml`, `.score.json`); `text` forces text, `source` names it.
+    """Perform a text or file (`.txt`, `.xml`, `.TextGrid`, `.score.json`); `text` forces text, `source` names
+    it.
 
-    `emotion`: intensities 0..1 by name, or displays with their spans. Raises RisoriusError with one line on
-    what is wrong and where.
+    With the recording `audio` its voice is heard instead of a synthesized one: it says the text, or the words
+    of `transcript` (a text, or the name of a file with it), or is labelled by the TextGrid; given none of
+    these, it is recognized, which is weaker. `emotion`: intensities 0..1 by name, or displays with their
+    spans. Raises RisoriusError with one line on what is wrong and where.
     """
     settings = settings or Settings()
-    if given.lower().endswith(".json") and not text:
+    if given is not None and given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
-    script = read_script(given, text=text, source=source)
-    progress("Speaking …")
-    utterance = say(script, voice=settings.voice, rate=settings.rate, lead=settings.lead, tail=settings.tail)
-    score = plan(script, utterance, _displays(emotion), settings)
+    displays = _displays(emotion)
+    utterance: Utterance | None
+    if given is None or audio is not None or transcript is not None or holds_labels(given, text):
+        script, utterance = listen(given, audio, transcript, progress, text=text, source=source)
+    else:
+        script = read_script(given, text=text, source=source)
+        progress("Speaking …")
+        utterance = _spoken(script, displays, settings) if script.lines else None
+    score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
 
 
-def plan(script: Script, utterance: Utterance, emotions: tuple[Display, ...], settings: Settings) -> Score:
-    """Derive all movements from what is said and marked."""
-    marks = movements_of(script, utterance.words, max(utterance.duration, script.latest))
+def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
+    return say(
+        script,
+        voice=settings.voice,
+        language=settings.language,
+        rate=settings.rate,
+        lead=settings.lead,
+        tail=settings.tail,
+        felt=feelings(script, displays) if settings.voice_emotion else (),
+    )
+
+
+def align(audio: str | PathLike[str], transcript: str | None = None, *, progress: Progress = quiet) -> Take:
+    """Return what is said when, and how, in a recording of `transcript` (a text, or the name of its file).
+
+    The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
+    where.
+    """
+    _, utterance = listen(None, audio, transcript, progress)
+    return perform(Score(utterance.duration, text=utterance.text), utterance=utterance)
+
+
+def plan(
+    script: Script, utterance: Utterance | None, emotions: tuple[Display, ...], settings: Settings
+) -> Score:
+    """Derive all movements from what is said, if anything is, and marked."""
+    words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
+    duration = script.lasting(words, spoken)
+    marks = movements_of(script, words, duration)
     brief = Brief(
-        duration=max([utterance.duration, script.latest, *(m.end for m in marks)]),
+        duration=max([duration, *(m.end for m in marks)]),
         utterance=utterance,
         marks=marks,
         emotions=emotions,
