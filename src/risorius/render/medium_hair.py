@@ -16,13 +16,14 @@ from .scalp import grow_roots, hair_density, inside_hairline
 from .strands import Strands
 
 Array = npt.NDArray[np.float64]
-POINTS = 11
+POINTS = 9
 _LAYERS = 4
 _SEED = 45
-_SHARE = 0.62  # longer hairs are drawn wider and in smaller number
+_SHARE = 0.40  # longer hairs are drawn wider and in smaller number
 _PARTING = -24.0  # x of the parting, mm
 _AXIS = -72.0  # z of the axis about which hair is kept off the face, mm
-_FACE = np.radians(64.0)  # the angle from the front within which no hair hangs
+# Heights over the eyes in mm, and the angle from the front within which no hair hangs there.
+_FACE = ((-20.0, 10.0, 30.0, 48.0, 60.0, 66.0), (64.0, 68.0, 62.0, 54.0, 44.0, 0.0))
 
 
 def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
@@ -46,7 +47,7 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     shade = (0.74 + 0.36 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
     way = np.linspace(0.0, 1.0, POINTS)
     fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)
-    widths = 0.74 * fine[:, None] * (1.0 - 0.7 * way**3)
+    widths = 0.98 * fine[:, None] * (1.0 - 0.8 * way**3)
     depths = 0.6 * (1.0 - layer) * smoothstep(2.0, 14.0, within)
     hairs = surface.root(triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0)
     # Hair from the nape shows beside the neck.
@@ -84,7 +85,7 @@ def _hang(
         way = k / (POINTS - 1)
         place = curves[-1] + step * unit(_ahead(anatomy, curves[-1], normal) + stray)
         above, normal = over_skin(tree, smooth, place)
-        wanted = volume * np.sin(np.pi / 2 * min(1.0, 2.2 * way)) + 0.3
+        wanted = volume * np.sin(np.pi / 2 * min(1.0, 3.2 * way)) + 0.3
         lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)
         # Hair never enters the head; where it lies on the skull it does not stand off it either.
         shift = np.maximum(wanted - above, 0.0) + lying * np.minimum(wanted - above, 0.0)
@@ -106,12 +107,15 @@ def _ahead(anatomy: Anatomy, place: Array, normal: Array) -> Array:
 
 
 def _off_face(anatomy: Anatomy, place: Array) -> Array:
-    """Return places (S, 3) turned back about the skull's axis until they hang beside the face."""
+    """Return places (S, 3) turned back about the skull's axis until they hang beside the face.
+
+    Over the temples the face ends at the hairline, below them at an angle from the front.
+    """
     u = anatomy.unit
     depth = place[:, 2] - _AXIS * u
     angle, reach = np.arctan2(np.abs(place[:, 0]), depth), np.hypot(place[:, 0], depth)
-    below = 1.0 - smoothstep(22.0 * u, 60.0 * u, place[:, 1] - anatomy.eye_height)
-    turned = angle + below * np.maximum(_FACE - angle, 0.0)
+    least = np.radians(np.interp((place[:, 1] - anatomy.eye_height) / u, *_FACE))
+    turned = np.maximum(angle, least)
     moved = place.copy()
     moved[:, 0] = np.where(place[:, 0] < 0.0, -1.0, 1.0) * reach * np.sin(turned)
     moved[:, 2] = _AXIS * u + reach * np.cos(turned)

@@ -69,8 +69,8 @@ def shade_plain(
             line = _line(mesh, paint, t, corners, weights, sight.samples)
             colour = mix(colour, (paint.ink[0], paint.ink[1], paint.ink[2]), line)
         elif surface >= TEETH:
-            albedo, free = weigh(mesh.attributes, corners, weights, ALBEDO), f4(1)
-            deep = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p) * free
+            albedo = weigh(mesh.attributes, corners, weights, ALBEDO)
+            deep = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
             colour = _matt(mesh, light, corners, weights, p, normal, view, albedo, deep, deep)
         else:
             colour = _ball(mesh, light, pose, surface - EYE_LEFT, corners, weights, p, view)
