@@ -15,6 +15,7 @@ from .errors import InputError, OutputError, RisoriusError
 
 if TYPE_CHECKING:
     from .channels import Display
+    from .core.look import Look
     from .settings import Settings
 
 DEFAULT_OUTPUT = "performance.mp4"
@@ -94,19 +95,57 @@ def _settings(**chosen: Any) -> Settings:
         onset_function=chosen.pop("onset_function", None),
         contact=not chosen.pop("without_contact", False),
     )
+    look = _look(chosen)
     if (size := chosen.pop("size", None)) is not None:
         chosen["size"] = parse_size(size)
     chosen["voice_emotion"] = chosen.pop("voice_emotion", None) != "off"
     if (fps := chosen.pop("fps", None)) is not None:
         chosen["fps"] = parse_fps(fps)
-    return Settings(blend=blend, **{name: value for name, value in chosen.items() if value is not None})
+    return Settings(
+        blend=blend, look=look, **{name: value for name, value in chosen.items() if value is not None}
+    )
 
 
+def _look(chosen: dict[str, Any]) -> Look:
+    """Take the choices of `_PICTURE_OPTIONS` that say how a head is drawn out of `chosen`."""
+    from .core.look import Look, parse_camera, parse_complexion, parse_overlay
+
+    given = {name: chosen.pop(name, None) for name in _LOOK_OPTIONS}
+    if given["camera"] is not None:
+        given["camera"], given["lens"] = parse_camera(given["camera"])
+    if given["complexion"] is not None:
+        given["complexion"] = parse_complexion(given["complexion"])
+    if given["overlay"] is not None:
+        given["overlay"] = parse_overlay(given["overlay"])
+    return Look(**{name: value for name, value in given.items() if value is not None})
+
+
+_LOOK_OPTIONS = ("style", "camera", "light", "background", "quality", "hair", "complexion", "overlay")
 _PICTURE_OPTIONS = (
     click.option("--size", metavar="WxH", help="Size of the picture in pixels.  [default: 720x720]"),
     click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]"),
     click.option(
         "--age", type=float, metavar="YEARS", help="How old the head is, 0 to 100.  [default: its own age]"
+    ),
+    click.option("--style", metavar="NAME", help="realistic, clay, muscles or wireframe."),
+    click.option(
+        "--camera",
+        metavar="NAME[:MM]",
+        help="portrait, close-up, eyes, mouth, three-quarter or profile; lens.  [default: portrait:85]",
+    ),
+    click.option("--light", metavar="NAME", help="studio, daylight or dark.  [default: studio]"),
+    click.option(
+        "--background", metavar="WHAT", help="A colour, a picture, or 'transparent' (.png, .webm, .mov)."
+    ),
+    click.option("--quality", metavar="NAME", help="draft, normal or high.  [default: normal]"),
+    click.option("--hair", metavar="NAME", help="short, medium, shaved or bald.  [default: the head's own]"),
+    click.option(
+        "--complexion",
+        metavar="NAME",
+        help="fair, light, tan, brown, dark, or 0 to 1.  [default: the head's own]",
+    ),
+    click.option(
+        "--overlay", metavar="NAME,…", help="What explains the picture: caption, phones, bars, lanes."
     ),
 )
 _SKIN_OPTION = click.option(
@@ -224,7 +263,7 @@ def speak(
         from .pipeline import check_outputs
         from .pipeline import speak as perform
 
-        check_outputs(targets)
+        check_outputs(targets, alpha=settings.look.transparent)
         take = perform(
             source,
             audio=audio,
@@ -266,12 +305,15 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None
     with Console() as console:
         from .pipeline import align as find
         from .pipeline import check_outputs
+        from .speech.prosody import speech_rate
 
         if not outputs:
             raise OutputError("no output named; expected -o x.TextGrid")
         check_outputs(outputs, ("speech",))
         take = find(audio, transcript, progress=console.progress)
         take.write(*outputs)
+        if said := take.utterance:
+            console.say(f"{len(said.words)} words, {speech_rate(said):.1f} syllables per second of speech")
         console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
 
 
@@ -291,9 +333,9 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import check_outputs
     from .pipeline import mix as combine
 
-    check_outputs(outputs)
-    shared = ("size", "head", "age", "fps", "dynamics")
+    shared = ("size", "head", "age", "fps", "dynamics", *_LOOK_OPTIONS)
     settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
+    check_outputs(outputs, alpha=settings.look.transparent)
     take = combine(
         score, settings=settings, conflict=chosen["conflict"], onset_function=chosen["onset_function"]
     )
@@ -323,8 +365,9 @@ def pose(
 
     if not outputs:
         raise OutputError("no output named; expected -o face.png")
-    check_outputs(outputs, WITHOUT_SPEECH)
-    take = hold(_assignments(targets), emotion=_displays(emotions), settings=_settings(**chosen))
+    settings = _settings(**chosen)
+    check_outputs(outputs, WITHOUT_SPEECH, alpha=settings.look.transparent)
+    take = hold(_assignments(targets), emotion=_displays(emotions), settings=settings)
     take.write(*outputs)
 
 

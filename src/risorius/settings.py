@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 
+from .core.look import Look
 from .core.performance import parse_fps
 from .core.score import BlendSettings
 from .errors import InputError, unknown
@@ -31,7 +32,7 @@ class Settings:
     file of rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with
     inertia), "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100,
     the head's own where None; `wrinkles`: factors 0 to 2 by region of the face, for a speaker who shows some
-    wrinkles more or less than others of that age.
+    wrinkles more or less than others of that age. `look`: how all this is drawn.
     """
 
     fps: Fraction = Fraction(30)
@@ -55,6 +56,7 @@ class Settings:
     rules: Path | None = None
     at: float | None = None
     every: int | None = None
+    look: Look = field(default_factory=Look)
     blend: BlendSettings = field(default_factory=lambda: BlendSettings(conflict=SPEAK_POLICY))
 
     def __post_init__(self) -> None:
