@@ -287,12 +287,15 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None
     with Console() as console:
         from .pipeline import align as find
         from .pipeline import check_outputs
+        from .speech.prosody import speech_rate
 
         if not outputs:
             raise OutputError("no output named; expected -o x.TextGrid")
         check_outputs(outputs, ("speech",))
         take = find(audio, transcript, progress=console.progress)
         take.write(*outputs)
+        if said := take.utterance:
+            console.say(f"{len(said.words)} words, {speech_rate(said):.1f} syllables per second of speech")
         console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,9 +11,14 @@ import pytest
 import risorius
 from risorius.cli import run
 from risorius.core.utterance import Utterance
+from risorius.errors import Place
 from risorius.out.textgrid import textgrid_lines
+from risorius.script import read_script
+from risorius.script.directions import Directions, Tone
+from risorius.speech.heard import hear, with_written_tones
 
 TEXT = "Oh, really? My baby brother put the big map by the beam."
+HERE = Place("x.xml")
 
 
 @pytest.fixture
@@ -36,6 +42,10 @@ def voice(spoken_line: Utterance, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         (
             ["--audio", "line.wav", "--transcript", "Two grey donkeys."],
             "line.wav: the transcript does not fit",
+        ),
+        (
+            ["x.TextGrid", "--audio", "line.wav", "--transcript", "Oh."],
+            "x.TextGrid: a TextGrid has words of its own",
         ),
         (["none.TextGrid", "--audio", "line.wav"], "none.TextGrid: there is no such file"),
     ],
@@ -84,6 +94,17 @@ def test_a_script_keeps_its_marks_with_a_recorded_voice(voice: Path) -> None:
     assert take.utterance is not None
     (blink,) = (m for m in take.score.movements if m.cause.rule == "script")
     assert blink.start == pytest.approx(take.utterance.words[2].start)
+
+
+def test_tones_written_in_the_script_stand(voice: Path) -> None:
+    script = read_script(TEXT, text=True)
+    tones = Directions(
+        accents=(Tone(TEXT.index("map"), "L+H*", HERE),), boundaries=(Tone(TEXT.index("beam"), "H-H%", HERE),)
+    )
+    line = replace(script.lines[0], directions=tones)
+    found = with_written_tones(hear("line.wav", TEXT, lambda *_: None), replace(script, lines=(line,)))
+    assert [a.label for a in found.accents if found.words[a.word].text == "map"] == ["L+H*"]
+    assert found.boundaries[-1].label == "H-H%"
 
 
 def test_a_textgrid_without_phones_is_aligned_by_its_words(voice: Path, spoken_line: Utterance) -> None:

@@ -9,9 +9,11 @@ from os import PathLike
 from ..core.utterance import Utterance
 from ..errors import InputError, Place
 from ..script import Script, SpokenLine, read_script
+from ..script.directions import Directions
 from ..script.files import names_something, read_text
 from ..script.model import script_of
 from ..script.textgrid import TextGrid, read_textgrid
+from .accents import intone
 from .alignment import align
 from .engine import SpeechWarning
 from .labelled import PHONE_TIERS, WORD_TIERS, found_tier, utterance_of_labels
@@ -54,15 +56,19 @@ def listen(
     if audio is None and transcript is not None:
         raise InputError("a transcript needs its recording; expected --audio as well")
     if given is not None and holds_labels(given, text):
+        if transcript is not None:
+            raise InputError("a TextGrid has words of its own; expected no transcript", Place(given))
         utterance = _labelled(read_textgrid(given), audio, progress)
         return _script_of(utterance, given), utterance
     if audio is None:
         raise InputError("nothing to perform; expected a text, a file or --audio")
     script = None if given is None else read_script(given, text=text, source=source)
-    words = script.text if script else None
     if transcript is not None:
-        words = read_transcript_text(transcript)
-    utterance = hear(audio, words, progress)
+        utterance = hear(audio, read_transcript_text(transcript), progress)
+    elif script is not None:
+        utterance = with_written_tones(hear(audio, script.text, progress), script)
+    else:
+        utterance = hear(audio, None, progress)
     return script or _script_of(utterance, str(audio)), utterance
 
 
@@ -96,6 +102,15 @@ def _labelled(grid: TextGrid, audio: Recording | None, progress: Progress) -> Ut
     utterance = utterance_of_labels(grid, read_recording(audio))
     progress("Listening …")
     return measured(utterance, accents=not tells_accents(grid), boundaries=not tells_boundaries(grid))
+
+
+def with_written_tones(utterance: Utterance, script: Script) -> Utterance:
+    """Return the utterance with the tones that the script has; where it has any, none are measured."""
+    accents = [tone for line in script.lines for tone in line.directions.moved(line.source_offset).accents]
+    ends = [tone for line in script.lines for tone in line.directions.moved(line.source_offset).boundaries]
+    if not accents and not ends:
+        return utterance
+    return intone(utterance, Directions(accents=tuple(accents), boundaries=tuple(ends)))
 
 
 def _script_of(utterance: Utterance, source: str) -> Script:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -31,14 +31,12 @@ LANGUAGE = "en-us"
 # Seconds that an edge keeps from the ends of what is around it.
 _LEAST = 0.005
 
-Progress = Callable[[float], None]
 
-
-def align(audio: Audio, transcript: str, *, progress: Progress | None = None) -> Utterance:
+def align(audio: Audio, transcript: str) -> Utterance:
     """Return what is said when in a recording of an English `transcript`.
 
-    `progress` is told the share (0..1) that is done. Raises InputError for a transcript without words, and
-    for one that does not fit the recording; warns (SpeechWarning) of single words that may not fit.
+    Raises InputError for a transcript without words, and for one that does not fit the recording; warns
+    (SpeechWarning) of single words that may not fit.
     """
     listening = Listening(audio)
     _, words = read_transcript(transcript)
@@ -47,8 +45,6 @@ def align(audio: Audio, transcript: str, *, progress: Progress | None = None) ->
     for stretch in decoded(listening, [word.readings for word in words]):
         heard += stretch
         found += refined(listening, stretch)
-        if progress is not None:
-            progress(found[-1].end / audio.duration)
     check_words(words, heard)
     return assembled(audio, transcript, found, words)
 
