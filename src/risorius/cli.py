@@ -23,6 +23,7 @@ LONGEST_INPUT = 4_000_000
 WITHOUT_SPEECH = ("curves", "vertices", "pixels")
 EXIT_FAULT, EXIT_INTERRUPTED = 2, 130
 
+_LISTED = ("muscles", "channels", "emotions", "profiles", "attitudes", "voices", "outputs", "heads")
 _CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
@@ -166,6 +167,14 @@ _OUTPUT_OPTION = click.option(
 )
 
 
+_RULES_OPTION = click.option(
+    "--rules",
+    metavar="FILE",
+    type=click.Path(path_type=Path, dir_okay=True),
+    help="A file of rules that adds to ours, replaces or deletes them.",
+)
+
+
 def _picture_options(command: Any) -> Any:
     for option in reversed(_PICTURE_OPTIONS):
         command = option(command)
@@ -186,6 +195,15 @@ _TRANSCRIPT_HELP = "What the recording says, or a file with it."
     metavar="NAME:INTENSITY[@START-END]",
     help="Show an emotion, 0 to 1, over the whole clip or a span in seconds. May be given several times.",
 )
+@click.option("--profile", metavar="NAME", help="Who speaks: a profile, or a .toml file.  [default: neutral]")
+@click.option(
+    "--attitude",
+    "attitudes",
+    multiple=True,
+    metavar="NAME",
+    help="What the speaker wants to convey, over the profile. May be given several times.",
+)
+@_RULES_OPTION
 @click.option("--audio", metavar="FILE", help="A recorded voice: WAV, FLAC, OGG or MP3.")
 @click.option("--transcript", metavar="TEXT|FILE", help=f"{_TRANSCRIPT_HELP}  [default: INPUT]")
 @click.option(
@@ -392,12 +410,56 @@ def explain(performance: Path, at: float | None, parameter: str | None) -> None:
 
 
 @commands.command(name="list")
-@click.argument("what", type=click.Choice(["muscles", "channels", "emotions", "voices", "outputs", "heads"]))
+@click.argument("what", type=click.Choice(_LISTED))
 def list_(what: str) -> None:
-    """List what can be named: muscles, channels, emotions, voices, outputs or heads."""
+    """List what can be named."""
     from .console import table
     from .listing import LISTINGS
 
     header, rows = LISTINGS[what]()
     for line in table(header, rows):
         click.echo(line)
+
+
+@commands.group()
+def rules() -> None:
+    """Look at the rules that turn speech into movements: ours, as a file of yours changes them."""
+
+
+@rules.command(name="list")
+@click.argument("prefix", required=False)
+@_RULES_OPTION
+def list_rules(prefix: str | None, rules: Path | None) -> None:
+    """List all rules, or those whose id is PREFIX or begins with it up to a dot."""
+    from .console import table
+    from .listing import rule_rows
+
+    for line in table(*rule_rows(rules, prefix)):
+        click.echo(line)
+
+
+@rules.command()
+@click.argument("name")
+@_RULES_OPTION
+def show(name: str, rules: Path | None) -> None:
+    """Show the rule NAME as it stands in its file, and where."""
+    from .listing import rule_lines
+
+    for line in rule_lines(name, rules):
+        click.echo(line)
+
+
+@rules.command()
+@_RULES_OPTION
+def doctor(rules: Path | None) -> None:
+    """Check the rules: those that can never fire, name nothing, or stand in each other's way."""
+    from .rules.book import book_of
+    from .rules.doctor import examine
+
+    book = book_of(rules)
+    findings = examine(book)
+    for finding in findings:
+        click.echo(str(finding))
+    if findings:
+        raise InputError(f"{len(findings)} of {len(book.entries)} rules are ill; expected none")
+    click.echo(f"{len(book.entries)} rules are well")

@@ -17,8 +17,11 @@ from .core.utterance import Utterance
 from .out import check_targets as check_outputs
 from .out.performance_json import read_performance_file
 from .out.score_json import read_score_file
-from .rules.emotions import emotion as find_emotion
-from .script import Script, movements_of, read_script
+from .rules.book import book_of
+from .rules.emotions import emotion_key
+from .rules.fuzzy import blended
+from .rules.profiles import Profile, attitude, profile_of
+from .script import Script, felt_in, listening_in, movements_of, read_script
 from .settings import Settings
 from .speech import feelings, say
 from .speech.heard import holds_labels, listen
@@ -53,6 +56,7 @@ def speak(
     settings = settings or Settings()
     if given is not None and given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
+    settings = _looking_like(profile_of(settings.profile), settings)
     displays = _displays(emotion)
     utterance: Utterance | None
     if given is None or audio is not None or transcript is not None or holds_labels(given, text):
@@ -63,6 +67,12 @@ def speak(
         utterance = _spoken(script, displays, settings) if script.lines else None
     score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
+
+
+def _looking_like(speaker: Profile, settings: Settings) -> Settings:
+    """Return settings with the speaker's skin where they leave it open."""
+    age = speaker.age if settings.age is None else settings.age
+    return replace(settings, age=age, wrinkles={**speaker.wrinkles, **settings.wrinkles})
 
 
 def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
@@ -99,9 +109,14 @@ def plan(
         utterance=utterance,
         marks=marks,
         emotions=emotions,
+        felt=felt_in(script, words, duration),
+        listening=listening_in(script, words, duration),
         opens=not script.timed,
         articulation=settings.articulation,
         lively=settings.lively,
+        profile=profile_of(settings.profile),
+        attitudes=tuple(attitude(name) for name in settings.attitudes),
+        book=book_of(settings.rules),
     )
     return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend)
 
@@ -137,9 +152,9 @@ def load(performance: str | PathLike[str], *, settings: Settings | None = None) 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
     """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top."""
     units = dict(targets)
-    for display in _displays(emotion):
-        for name, value in find_emotion(display.emotion).targets(display.intensity).items():
-            units[name] = max(units.get(name, 0.0), value)
+    shown = {emotion_key(display.emotion): display.intensity for display in _displays(emotion)}
+    for name, value in blended(shown).items():
+        units[name] = max(units.get(name, 0.0), value, key=abs)
     keys = {name: ((0.0, value),) for name, value in resolve_targets(units).items()}
     held = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))

@@ -106,6 +106,7 @@ class Questions:
 
     wh: tuple[str, ...]
     alternative: tuple[str, ...]
+    auxiliaries: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
