@@ -95,6 +95,7 @@ def _settings(**chosen: Any) -> Settings:
     )
     if (size := chosen.pop("size", None)) is not None:
         chosen["size"] = parse_size(size)
+    chosen["voice_emotion"] = chosen.pop("voice_emotion", None) != "off"
     if (fps := chosen.pop("fps", None)) is not None:
         chosen["fps"] = parse_fps(fps)
     return Settings(blend=blend, **{name: value for name, value in chosen.items() if value is not None})
@@ -144,7 +145,13 @@ def _picture_options(command: Any) -> Any:
     help="Show an emotion, 0 to 1, over the whole clip or a span in seconds. May be given several times.",
 )
 @click.option("--voice", metavar="NAME", help="The voice ('risorius list voices').  [default: en-us]")
+@click.option("--language", metavar="CODE", help="Speak a language with its first voice: de, fr, cmn …")
 @click.option("--rate", type=int, metavar="WPM", help="Words per minute, 80 to 440.")
+@click.option(
+    "--voice-emotion",
+    type=click.Choice(["on", "off"]),
+    help="Whether emotions change the voice.  [default: on]",
+)
 @click.option("--lead", type=float, metavar="S", help="Silence before plain text.  [default: 0.5]")
 @click.option("--tail", type=float, metavar="S", help="Silence after plain text.  [default: 0.7]")
 @click.option("--articulation", type=float, metavar="X", help="How wide the mouth opens.  [default: 1]")
@@ -170,7 +177,7 @@ def speak(
     still: bool,
     **chosen: Any,
 ) -> None:
-    """Perform INPUT: a text, a file (.txt, .xml, .score.json), or - for standard input."""
+    """Perform INPUT: a text, a file (.txt, .xml, .utt, .ssml, .bml, .score.json), or - for standard input."""
     settings = _settings(lively=not still, **chosen)
     targets = outputs or (Path(DEFAULT_OUTPUT),)
     from .console import Console

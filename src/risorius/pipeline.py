@@ -20,11 +20,13 @@ from .out.score_json import read_score_file
 from .rules.emotions import emotion as find_emotion
 from .script import Script, movements_of, read_script
 from .settings import Settings
-from .speech import say
+from .speech import feelings, say
 from .take import Progress, Take, quiet
 
 __all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
 
+# Seconds that a script without speech lasts at least.
+SILENT_DURATION = 1.0
 Emotions = Mapping[str, float] | Iterable[Display]
 
 
@@ -47,16 +49,33 @@ def speak(
         return mix(given, settings=settings)
     script = read_script(given, text=text, source=source)
     progress("Speaking …")
-    utterance = say(script, voice=settings.voice, rate=settings.rate, lead=settings.lead, tail=settings.tail)
-    score = plan(script, utterance, _displays(emotion), settings)
+    displays = _displays(emotion)
+    utterance = _spoken(script, displays, settings) if script.lines else None
+    score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
 
 
-def plan(script: Script, utterance: Utterance, emotions: tuple[Display, ...], settings: Settings) -> Score:
-    """Derive all movements from what is said and marked."""
-    marks = movements_of(script, utterance.words, max(utterance.duration, script.latest))
+def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
+    return say(
+        script,
+        voice=settings.voice,
+        language=settings.language,
+        rate=settings.rate,
+        lead=settings.lead,
+        tail=settings.tail,
+        felt=feelings(script, displays) if settings.voice_emotion else (),
+    )
+
+
+def plan(
+    script: Script, utterance: Utterance | None, emotions: tuple[Display, ...], settings: Settings
+) -> Score:
+    """Derive all movements from what is said, if anything is, and marked."""
+    words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
+    duration = script.lasting(words, spoken)
+    marks = movements_of(script, words, duration)
     brief = Brief(
-        duration=max([utterance.duration, script.latest, *(m.end for m in marks)]),
+        duration=max([duration, *(m.end for m in marks)]),
         utterance=utterance,
         marks=marks,
         emotions=emotions,

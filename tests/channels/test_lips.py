@@ -19,8 +19,15 @@ def test_an_unknown_phone_is_named() -> None:
         lip_table().shape("QX")
 
 
-def test_sounds_of_other_languages_are_spelled_in_english_ones(utterance_of) -> None:
-    assert next(s.phone for s in segments(utterance_of("m yː ts")) if s.phone) == "M"
+def test_sounds_of_other_languages_follow_their_features(utterance_of) -> None:
+    found = {s.phone: s.targets for s in segments(utterance_of("m yː ts")) if s.phone}
+    assert list(found) == ["m", "y", "ts"]
+    assert found["m"]["lip_seal"] == 1.0
+    assert found["y"]["orbicularis_oris_funneler"] > 0.4
+
+
+def test_a_sound_that_no_table_has_is_shown_by_its_class(utterance_of) -> None:
+    assert [s.phone for s in segments(utterance_of("ʘ")) if s.phone] == ["T"]
 
 
 def test_every_english_phone_has_a_shape(utterance_of) -> None:

@@ -10,17 +10,23 @@ from pathlib import Path
 
 from ..errors import InputError, Place, unknown
 from ..registry import Registry
+from .bml import parse_bml
 from .files import names_something, read_text
 from .markup import parse_markup
 from .model import Script
 from .plain import parse_plain
 from .quote import LONGEST_PATH, one_line
+from .ssml import parse_ssml
+from .utt import parse_utterance
 
 Reader = Callable[[str, str], Script]
 
 READERS: Registry[Reader] = Registry("suffix")
 READERS.register(".txt")(parse_plain)
 READERS.register(".xml")(parse_markup)
+READERS.register(".utt")(parse_utterance)
+READERS.register(".ssml")(parse_ssml)
+READERS.register(".bml")(parse_bml)
 
 # What is named like an input is a file, never words to speak, even where there is no reader for it.
 INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")

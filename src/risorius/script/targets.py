@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import NamedTuple
 
 from ..core.action_units import ACTION_UNITS, action_unit, resolve_targets
 from ..core.parameters import ALIASES, BASES, PARAMETERS
@@ -22,8 +23,16 @@ def take_targets(attributes: Attributes) -> dict[str, float]:
     return combined(_resolved(attributes, name, a, _TARGET_NAMES) for name, a in attributes.rest())
 
 
-def take_emotions(attributes: Attributes, *, emblem: bool) -> tuple[dict[str, float], Emotion | None]:
-    """Return as `take_targets`, and emotions by name or alias with their intensity; and the strongest one."""
+class TakenEmotions(NamedTuple):
+    """The parameters' values, the emotions with their intensities 0..1, and the strongest of them."""
+
+    targets: dict[str, float]
+    intensities: dict[str, float]
+    strongest: Emotion | None
+
+
+def take_emotions(attributes: Attributes, *, emblem: bool) -> TakenEmotions:
+    """Return as `take_targets`, and emotions by name or alias with their intensity."""
     parts: list[Mapping[str, float]] = []
     given: dict[str, tuple[float, Emotion]] = {}
     for name, attribute in attributes.rest():
@@ -36,7 +45,8 @@ def take_emotions(attributes: Attributes, *, emblem: bool) -> tuple[dict[str, fl
         given[found.name] = (intensity, found)
         parts.append(found.emblem_targets(intensity) if emblem else found.targets(intensity))
     strongest = max(given.values(), key=lambda pair: (pair[0], pair[1].name), default=None)
-    return combined(parts), strongest[1] if strongest else None
+    intensities = {name: intensity for name, (intensity, _) in given.items()}
+    return TakenEmotions(combined(parts), intensities, strongest[1] if strongest else None)
 
 
 def combined(parts: Iterable[Mapping[str, float]]) -> dict[str, float]:

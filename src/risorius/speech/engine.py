@@ -7,10 +7,13 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 from ..core.audio import Samples
+from ..core.manner import PLAIN, Manner
+from ..errors import RisoriusWarning
 from ..registry import Registry
+from ..script.directions import Break, Span
 
 
-class SpeechWarning(UserWarning):
+class SpeechWarning(RisoriusWarning):
     """Something was spoken, but not known exactly."""
 
 
@@ -39,7 +42,8 @@ class SpeechRequest:
     """A stretch of text for an engine to speak in one breath, without line breaks.
 
     `rate` in words per minute and `pitch` 0..99, None for the voice's own. `end_pause` asks for the pause
-    that follows a sentence inside a text.
+    that follows a sentence inside a text. `manner` changes the whole, `directions` parts of it, by characters
+    of the text; an engine leaves out what it cannot do. The pauses of `manner` are made for it.
     """
 
     text: str
@@ -47,6 +51,8 @@ class SpeechRequest:
     rate: int | None = None
     pitch: int | None = None
     end_pause: bool = False
+    manner: Manner = PLAIN
+    directions: tuple[Span | Break, ...] = ()
 
 
 class SpokenPhone(NamedTuple):

@@ -8,12 +8,15 @@ from dataclasses import replace
 from itertools import chain
 
 from ..core.audio import AudioWriter
+from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance
 from ..errors import InputError, ParameterError
-from .accents import place_accents
+from ..script.directions import UNDIRECTED, Directions
+from .accents import intone
 from .assemble import Part, assemble, place, silence
 from .engine import SpeechEngine, SpeechRequest, SpeechWarning, load_engine
-from .normalise import normalise
+from .lengthen import scale_pauses
+from .normalise import normalise, placed
 from .pauses import find_pauses
 from .sentences import divide
 from .syllables import syllabify
@@ -35,13 +38,16 @@ def synthesize(
     pitch: int | None = None,
     lead: float = 0.0,
     tail: float = 0.0,
+    manner: Manner = PLAIN,
+    directions: Directions = UNDIRECTED,
     engine: SpeechEngine | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Utterance:
     """Speak `text` and return the utterance, with `lead` and `tail` seconds of silence around it.
 
     `voice` is a name from `voices` (default `en-us`); with `language` alone its first voice speaks.
-    `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own. `progress` is told
+    `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own. `manner` changes
+    the whole, `directions` parts of it. `progress` is told
     the share (0..1) that is done. Same arguments, same bytes.
 
     Raises InputError for text that is empty, has nothing to speak or is longer than 100,000 characters,
@@ -52,7 +58,8 @@ def synthesize(
     engine = engine or load_engine()
     chosen = find_voice(voice, language, engine)
     tokens = tokenize(text)
-    parts = _speak(text, SpeechRequest("", chosen, rate, pitch), engine, progress)
+    request = SpeechRequest("", chosen, rate, pitch, manner=manner)
+    parts = _speak(text, request, directions, engine, progress)
     first = next(parts)
     with AudioWriter(first.rendition.sample_rate) as writer:
         segments = silence(writer, lead)
@@ -66,12 +73,16 @@ def synthesize(
         raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
     syllables = syllabify(phones, words)
     pauses = find_pauses(text, phones, words)
-    accents = place_accents(phones, words, syllables, pauses)
-    return Utterance(text, chosen.language, audio, phones, words, syllables, pauses, accents)
+    said = Utterance(text, chosen.language, audio, phones, words, syllables, pauses)
+    return intone(said, directions)
 
 
 def _speak(
-    text: str, request: SpeechRequest, engine: SpeechEngine, progress: Callable[[float], None] | None
+    text: str,
+    request: SpeechRequest,
+    directions: Directions,
+    engine: SpeechEngine,
+    progress: Callable[[float], None] | None,
 ) -> Iterator[Part]:
     """Speak the stretches of `text` in the manner of `request`; warn of sounds that had to be guessed."""
     stretches = divide(text)
@@ -79,7 +90,13 @@ def _speak(
     for number, stretch in enumerate(stretches):
         spoken = normalise(text, stretch.start, stretch.end, request.voice.language)
         pause = stretch.ends_sentence and number + 1 < len(stretches)
-        part = Part(stretch, spoken, engine.speak(replace(request, text=spoken.text, end_pause=pause)))
+        asked = replace(
+            request,
+            text=spoken.text,
+            end_pause=pause,
+            directions=tuple(placed(directions, spoken, stretch.start, stretch.end)),
+        )
+        part = Part(stretch, spoken, scale_pauses(engine.speak(asked), request.manner.pauses))
         guessed.update(dict.fromkeys(part.rendition.guessed))
         yield part
         if progress is not None:
