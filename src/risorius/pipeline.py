@@ -21,7 +21,7 @@ from .rules.emotions import emotion as find_emotion
 from .script import Script, movements_of, read_script
 from .settings import Settings
 from .speech import feelings, say
-from .take import Progress, Take, quiet
+from .take import Progress, Take, lip_rig, quiet
 
 __all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
 
@@ -89,7 +89,7 @@ def plan(
 def perform(score: Score, settings: Settings | None = None, utterance: Utterance | None = None) -> Take:
     """Combine a score's movements into curves."""
     settings = settings or Settings()
-    return Take(combine(score, settings.fps), settings, utterance)
+    return Take(combine(score, settings.fps, lip_rig(score, settings.head)), settings, utterance)
 
 
 def mix(

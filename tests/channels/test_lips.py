@@ -2,7 +2,6 @@ import pytest
 
 from risorius.channels import Brief, compose
 from risorius.core.movement import LipSegment
-from risorius.core.parameters import DEFAULT_THRESHOLD, RIVALS
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError
 from risorius.rules.lips import lip_table
@@ -23,7 +22,7 @@ def test_sounds_of_other_languages_follow_their_features(utterance_of) -> None:
     found = {s.phone: s.targets for s in segments(utterance_of("m yː ts")) if s.phone}
     assert list(found) == ["m", "y", "ts"]
     assert found["m"]["lip_seal"] == 1.0
-    assert found["y"]["orbicularis_oris_funneler"] > 0.4
+    assert found["y"]["lip_protrusion"] > 1.5
 
 
 def test_a_sound_that_no_table_has_is_shown_by_its_class(utterance_of) -> None:
@@ -57,16 +56,15 @@ def test_labiodentals_bring_the_lip_to_the_teeth(phone: str, utterance_of) -> No
 
 
 @pytest.mark.parametrize("phone", ["IY", "IH", "EH", "AE", "AA", "AH", "S", "T", "K", "N", "TH"])
-def test_unrounded_phones_have_no_funneler_and_inhibit_no_smile(phone: str) -> None:
-    targets = lip_table().to_parameters(lip_table().shape(phone).targets)
-    assert "orbicularis_oris_funneler" not in targets
-    for rival in RIVALS["zygomatic_major.left"]:
-        assert targets.get(rival, 0.0) < DEFAULT_THRESHOLD
+def test_unrounded_phones_ask_for_no_protrusion(phone: str) -> None:
+    assert "lip_protrusion" not in lip_table().shape(phone).targets
 
 
 @pytest.mark.parametrize("phone", ["W", "UW", "UH", "AO", "SH", "R"])
 def test_rounded_phones_round(phone: str) -> None:
-    assert lip_table().to_parameters(lip_table().shape(phone).targets)["orbicularis_oris_funneler"] > 0.3
+    targets = lip_table().shape(phone).targets
+    assert targets["lip_width"] < -5.0
+    assert targets["lip_protrusion"] > 0.0
 
 
 def test_vowels_keep_the_presser_from_pressing() -> None:
@@ -78,7 +76,7 @@ def test_vowels_keep_the_presser_from_pressing() -> None:
 def test_diphthongs_have_two_shapes(utterance_of) -> None:
     first, second = (s for s in segments(utterance_of("T AY T")) if s.phone == "AY")
     assert first.end == second.start
-    assert first.targets["masseter"] > second.targets["masseter"]
+    assert first.targets["jaw_drop"] > second.targets["jaw_drop"]
 
 
 def test_the_mouth_opens_before_speech_only_in_plain_text(utterance_of) -> None:
@@ -90,12 +88,13 @@ def test_the_mouth_opens_before_speech_only_in_plain_text(utterance_of) -> None:
 def test_articulation_widens_the_opening_alone(utterance_of) -> None:
     utterance = utterance_of("AO")
     wide, plain = (next(s for s in segments(utterance, articulation=a) if s.phone) for a in (1.3, 1.0))
-    assert wide.targets["masseter"] == pytest.approx(1.3 * plain.targets["masseter"])
-    assert wide.targets["orbicularis_oris_funneler"] == plain.targets["orbicularis_oris_funneler"]
+    for name in ("jaw_drop", "lip_aperture"):
+        assert wide.targets[name] == pytest.approx(1.3 * plain.targets[name])
+    assert wide.targets["lip_protrusion"] == plain.targets["lip_protrusion"]
 
 
 def test_the_last_vowel_of_a_phrase_opens_more(utterance_of) -> None:
-    opening = [s.targets["masseter"] for s in segments(utterance_of("AA T AA _ AA T AA")) if s.phone == "AA"]
+    opening = [s.targets["jaw_drop"] for s in segments(utterance_of("AA T AA _ AA T AA")) if s.phone == "AA"]
     assert opening[1] > opening[0]
     assert opening[3] > opening[2]
     assert opening[0] == opening[2]

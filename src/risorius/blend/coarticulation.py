@@ -52,6 +52,28 @@ class Coarticulation(Protocol):
         """Return the weights of one group's parameters at sorted times, shape (n,)."""
 
 
+class Averages:
+    """The averages of a model's targets at sorted times, shape (n,); weights are made once for each group."""
+
+    def __init__(self, model: Coarticulation, times: Array) -> None:
+        self._model, self._times = model, times
+        self._weights: dict[int, Weights] = {}
+        self._values: dict[str, Array] = {}
+
+    def __call__(self, name: str) -> Array:
+        """Return the average of one target, shape (n,)."""
+        if name not in self._values:
+            self._values[name] = self.weights(name).average(self._model.targets(name))
+        return self._values[name]
+
+    def weights(self, name: str) -> Weights:
+        """Return the weights for one target or parameter."""
+        group = self._model.group(name)
+        if group not in self._weights:
+            self._weights[group] = self._model.weights(group, self._times)
+        return self._weights[group]
+
+
 LIP_MODELS: Registry[Callable[[Sequence[LipSegment]], Coarticulation]] = Registry("lip model")
 
 SHORTEST_SILENCE = 0.15

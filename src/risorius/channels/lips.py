@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
+from ..core.articulators import APERTURE, JAW, within_range
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..rules.articulation import is_known, sounds
@@ -19,7 +21,7 @@ from .registry import CHANNEL_BUILDERS, Brief
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
-_OPENING = ("jaw", "open")
+_OPENING = (JAW, APERTURE)
 
 
 @CHANNEL_BUILDERS.register("lips")
@@ -89,11 +91,9 @@ class _Shaper:
     def _scaled_targets(self, shape: PhoneShape, scale: float) -> Mapping[str, float]:
         key = (id(shape.targets), round(scale, 6))
         if key not in self._targets:
-            articulators = {
-                name: min(value * (scale if name in _OPENING else 1.0), 1.0)
-                for name, value in shape.targets.items()
-            }
-            self._targets[key] = self.table.to_parameters(articulators)
+            self._targets[key] = MappingProxyType(
+                {name: _scaled(name, value, scale) for name, value in shape.targets.items()}
+            )
         return self._targets[key]
 
     def _opening(self, index: int, phone: Phone) -> float:
@@ -107,6 +107,11 @@ class _Shaper:
         if phone.word < 0:
             return f"/{phone.symbol}/"
         return f'/{phone.symbol}/ of "{self.utterance.words[phone.word].text}"'
+
+
+def _scaled(name: str, value: float, scale: float) -> float:
+    """Return a target with the opening scaled; what is closed stays closed."""
+    return within_range(name, value * scale) if name in _OPENING and value > 0.0 else value
 
 
 def _closure_end(start: float, end: float, shape: PhoneShape) -> float:

@@ -8,24 +8,25 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Annotated
 
-from ..core.action_units import resolve_targets
+from ..core.articulators import ARTICULATORS, check_lip_target
 from ..core.movement import Dominance
-from ..core.parameters import parameters_named
+from ..core.parameters import INDEX, parameters_named
 from ..core.schema import Range
-from ..errors import InputError, unknown
+from ..errors import InputError, ParameterError, unknown
 from .load import load
 
 Share = Annotated[float, Range(0.0, 1.0)]
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]
+Targets = Mapping[str, float]
 EVERYTHING = "*"
 
 
 @dataclass(frozen=True, slots=True)
 class PhoneShape:
-    """One phone: its class, its articulators' targets 0..1, and how much of it a contact holds."""
+    """One phone: its class, its targets (articulators in mm, parameters 0..1), what share a contact holds."""
 
     lip_class: str = field(metadata={"key": "class"})
-    targets: Mapping[str, Share]
+    targets: Targets
     closure: Share = 1.0
 
 
@@ -56,12 +57,11 @@ class Opening:
     phrase_final: float
     shortest_pause: Annotated[float, Range(0.0, 5.0)]
     breath_lead: Annotated[float, Range(0.0, 5.0)]
-    breath_shape: Mapping[str, Share]
+    breath_shape: Targets
 
 
 @dataclass(frozen=True, slots=True)
 class _File:
-    articulators: Mapping[str, Mapping[str, Share]]
     classes: Mapping[str, LipClass] = field(metadata={"key": "class"})
     phones: Mapping[str, PhoneShape] = field(metadata={"key": "phone"})
     diphthongs: Mapping[str, Diphthong] = field(metadata={"key": "diphthong"})
@@ -80,7 +80,6 @@ class Holding:
 class LipTable:
     """The lips' rules, ready for use: phones by ARPAbet symbol, classes by name."""
 
-    articulators: Mapping[str, Mapping[str, float]]
     holdings: Mapping[str, Holding]
     phones: Mapping[str, PhoneShape]
     diphthongs: Mapping[str, Diphthong]
@@ -102,44 +101,45 @@ class LipTable:
         first, second = (self.shape(part) for part in diphthong.parts)
         return (symbol, first, diphthong.turn), (symbol, second, 1.0 - diphthong.turn)
 
-    def to_parameters(self, articulators: Mapping[str, float]) -> Mapping[str, float]:
-        """Return the parameters that perform `articulators` (values 0..1); shares of one parameter add up."""
-        total: dict[str, float] = {}
-        for name, value in articulators.items():
-            for base, weight in self.articulators[name].items():
-                total[base] = min(total.get(base, 0.0) + weight * value, 1.0)
-        return MappingProxyType(resolve_targets(total))
-
 
 @lru_cache(maxsize=1)
 def lip_table() -> LipTable:
     """Return the package's table; raise InputError if its names do not fit together."""
     raw = load(_File, "lips.toml")
     _check_names(raw)
-    holdings = {name: _holding(raw, lip_class) for name, lip_class in raw.classes.items()}
-    return LipTable(raw.articulators, holdings, raw.phones, raw.diphthongs, raw.opening)
+    holdings = {name: _holding(lip_class) for name, lip_class in raw.classes.items()}
+    return LipTable(holdings, raw.phones, raw.diphthongs, raw.opening)
 
 
-def _holding(raw: _File, lip_class: LipClass) -> Holding:
-    dominance: dict[str, Dominance] = {}
-    for articulator, magnitude in lip_class.magnitude.items():
-        held = Dominance(magnitude, lip_class.before, lip_class.after)
-        if articulator == EVERYTHING:
-            dominance[EVERYTHING] = held
-            continue
-        for base in raw.articulators[articulator]:
-            dominance |= {p.name: held for p in parameters_named(base)}
+def _holding(lip_class: LipClass) -> Holding:
+    dominance = {
+        name: Dominance(magnitude, lip_class.before, lip_class.after)
+        for name, magnitude in lip_class.magnitude.items()
+    }
     limits = {p.name: span for base, span in lip_class.limits.items() for p in parameters_named(base)}
     return Holding(MappingProxyType(dominance), MappingProxyType(limits))
 
 
 def _check_names(raw: _File) -> None:
-    used: list[tuple[str, str, Mapping[str, object]]] = []
-    used += [(name, "articulator", raw.articulators) for c in raw.classes.values() for name in c.magnitude]
-    used += [(name, "articulator", raw.articulators) for p in raw.phones.values() for name in p.targets]
-    used += [(name, "articulator", raw.articulators) for name in raw.opening.breath_shape]
-    used += [(p.lip_class, "class of phones", raw.classes) for p in raw.phones.values()]
-    used += [(part, "phone", raw.phones) for d in raw.diphthongs.values() for part in d.parts]
-    for name, kind, known in used:
-        if name != EVERYTHING and name not in known:
-            raise InputError(f"lips.toml: {unknown(kind, name, known)}")
+    known = (EVERYTHING, *ARTICULATORS, *INDEX)
+    for lip_class in raw.classes.values():
+        for name in lip_class.magnitude:
+            if name not in known:
+                raise InputError(f"lips.toml: {unknown('articulator', name, known)}")
+    for targets in (*(p.targets for p in raw.phones.values()), raw.opening.breath_shape):
+        check_shape(targets)
+    for phone in raw.phones.values():
+        if phone.lip_class not in raw.classes:
+            raise InputError(f"lips.toml: {unknown('class of phones', phone.lip_class, raw.classes)}")
+    for part in (part for d in raw.diphthongs.values() for part in d.parts):
+        if part not in raw.phones:
+            raise InputError(f"lips.toml: {unknown('phone', part, raw.phones)}")
+
+
+def check_shape(targets: Targets) -> None:
+    """Raise InputError unless all targets are articulators or parameters, within their ranges."""
+    for name, value in targets.items():
+        try:
+            check_lip_target(name, value)
+        except ParameterError as error:
+            raise InputError(str(error)) from None
