@@ -17,7 +17,7 @@ from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
-from . import dominance, policies  # noqa: F401 - they register themselves
+from . import dominance, lookahead, policies  # noqa: F401 - they register themselves
 from .channels import Channel, Curve, compile_channels
 from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED

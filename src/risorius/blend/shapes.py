@@ -28,7 +28,7 @@ class Shapes:
         self._articulators = frozenset(names & set(ARTICULATORS))
         if self._articulators and rig is None:
             raise InputError(
-                f"lips are given as articulators ({min(self._articulators)}); expected a head that performs them"
+                f"lips are given as articulators ({min(self._articulators)}); expected a head to perform them"
             )
         self._rig = rig
         moved = rig.moved(self._articulators) if rig is not None else frozenset[str]()

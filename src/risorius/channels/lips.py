@@ -86,7 +86,7 @@ class _Shaper:
     ) -> LipSegment:
         held = self.table.holdings[shape.lip_class]
         targets = self._scaled_targets(shape, scale)
-        return LipSegment(symbol, start, end, targets, held.limits, held.dominance, cause)
+        return LipSegment(symbol, start, end, targets, held.limits, held.dominance, cause, held.yields)
 
     def _scaled_targets(self, shape: PhoneShape, scale: float) -> Mapping[str, float]:
         key = (id(shape.targets), round(scale, 6))

@@ -90,7 +90,9 @@ class LipSegment:
     `phone` is "" for silence. Targets are articulators in mm (`articulators`), which mean the same on every
     head, or parameters. `dominance` maps either, or "*" for all others, to its Dominance.
     Targets of contact parameters (`lip_seal`, `lip_tuck`) are goals: reached during [start, end] whatever
-    else happens (DESIGN section 3). `limits` maps parameters to (low, high).
+    else happens (DESIGN section 3). `limits` maps parameters to (low, high). `yields`, for the model that
+    looks ahead, maps a target ("*": all others) to the rate of speech, in phones a second, from which on the
+    phone takes its neighbours' shape in it.
     """
 
     phone: str
@@ -100,6 +102,7 @@ class LipSegment:
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     dominance: Mapping[str, Dominance] = field(default_factory=dict)
     cause: Cause = field(default_factory=Cause)
+    yields: Mapping[str, float] = field(default_factory=dict)
 
     def dominance_of(self, name: str) -> Dominance:
         """Return the dominance over a target: its own, its articulator's, that of "*", or the default."""

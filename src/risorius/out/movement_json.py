@@ -33,7 +33,7 @@ _MOVEMENT_KEYS = (
     "priority", "release_priority", "function", "targets", "cause",
 )  # fmt: skip
 _LIPS_REQUIRED = ("channel", "phone", "start", "end", "targets")
-_LIPS_KEYS = (*_LIPS_REQUIRED, "limits", "dominance", "cause")
+_LIPS_KEYS = (*_LIPS_REQUIRED, "limits", "dominance", "yields", "cause")
 _LIP_NAMES = {"*", *ARTICULATORS}
 _MANUAL_REQUIRED = ("channel", "keys")
 _MANUAL_KEYS = (*_MANUAL_REQUIRED, "cause")
@@ -121,6 +121,7 @@ def _lips_to_json(segment: LipSegment) -> Json:
         "targets": dict(segment.targets),
         **({"limits": limits} if limits else {}),
         **({"dominance": dominance} if dominance else {}),
+        **({"yields": dict(segment.yields)} if segment.yields else {}),
         **_cause_to_json(segment.cause),
     }
 
@@ -141,7 +142,14 @@ def _lips_from_json(node: Node) -> LipSegment:
         {name: _limit(name, pair) for name, pair in _by_parameter(limits).items()},
         held | {name: from_record(Dominance, value) for name, value in _by_parameter(dominance).items()},
         _cause(entries),
+        _yields(entries),
     )
+
+
+def _yields(entries: Mapping[str, Node]) -> dict[str, float]:
+    members = entries.get("yields", Node({})).members()
+    found = {name: members.pop(name).number(low=0.0) for name in sorted(_LIP_NAMES & members.keys())}
+    return found | {name: node.number(low=0.0) for name, node in _by_parameter(members).items()}
 
 
 def _lip_targets(node: Node) -> dict[str, float]:

@@ -32,12 +32,16 @@ class PhoneShape:
 
 @dataclass(frozen=True, slots=True)
 class LipClass:
-    """A class of phones: dominance magnitude per articulator, flanks in seconds, limits per parameter."""
+    """A class of phones: dominance magnitude per articulator, flanks in seconds, limits per parameter.
+
+    `yields`: for the look-ahead model, phones a second from which on it yields an articulator.
+    """
 
     magnitude: Weights
     before: Annotated[float, Range(0.001, 1.0)]
     after: Annotated[float, Range(0.001, 1.0)]
     limits: Mapping[str, tuple[float, float]]
+    yields: Mapping[str, Annotated[float, Range(0.0, 100.0)]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,10 +74,11 @@ class _File:
 
 @dataclass(frozen=True, slots=True)
 class Holding:
-    """What all phones of a class share: dominance and limits per parameter, both sides spelled out."""
+    """What all phones of a class share: dominance, limits with both sides spelled out, what they yield."""
 
     dominance: Mapping[str, Dominance]
     limits: Mapping[str, tuple[float, float]]
+    yields: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,13 +122,15 @@ def _holding(lip_class: LipClass) -> Holding:
         for name, magnitude in lip_class.magnitude.items()
     }
     limits = {p.name: span for base, span in lip_class.limits.items() for p in parameters_named(base)}
-    return Holding(MappingProxyType(dominance), MappingProxyType(limits))
+    return Holding(
+        MappingProxyType(dominance), MappingProxyType(limits), MappingProxyType(dict(lip_class.yields))
+    )
 
 
 def _check_names(raw: _File) -> None:
     known = (EVERYTHING, *ARTICULATORS, *INDEX)
     for lip_class in raw.classes.values():
-        for name in lip_class.magnitude:
+        for name in (*lip_class.magnitude, *lip_class.yields):
             if name not in known:
                 raise InputError(f"lips.toml: {unknown('articulator', name, known)}")
     for targets in (*(p.targets for p in raw.phones.values()), raw.opening.breath_shape):
