@@ -21,7 +21,7 @@ CONTACTS = (SEAL, TUCK)
 
 SHORTEST_CLOSURE = 0.04
 """Seconds: a shorter closure would be over before an eye could see it."""
-RAMP = 0.065
+RAMP = 0.045
 """Seconds in which the lips come to a goal and leave it, given room."""
 SHORTEST_RAMP = 0.03
 """Seconds: less room than this between a seal and a tuck is taken from the tuck."""
@@ -96,7 +96,11 @@ def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
 
 
 class GoalCurve:
-    """The goals of one contact, evaluated at any times: the highest holds."""
+    """The goals of one contact, evaluated at any times.
+
+    What one goal g leaves open the next may close: 1 − Π(1 − g). So two closures that are nearer than their
+    ramps leave a smooth, partial opening between them, and nearer still none: the vowel between is given up.
+    """
 
     def __init__(self, goals: Sequence[Goal]) -> None:
         self.goals = tuple(goals)
@@ -113,6 +117,6 @@ class GoalCurve:
         early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
         late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
         values = self._value[goal] * minimum_jerk(1.0 - np.minimum(np.maximum(early, late), 1.0))
-        curve = np.zeros(len(times))
-        np.maximum.at(curve, index, values)
-        return curve
+        left = np.ones(len(times))
+        np.multiply.at(left, index, 1.0 - values)
+        return np.asarray(1.0 - left)

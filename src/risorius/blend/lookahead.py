@@ -9,11 +9,13 @@ Three rules give every segment its posture T[s] of each articulator, and when it
 2. Geometric constraint. Where an articulator goes from one side of rest to the other (a pucker after a
    spread), each posture is scaled by 1 − OPPOSED·o/(|T[s]| + o), o being the larger opposite neighbour.
 3. Temporal constraint. From one posture to the next an articulator needs as long as its muscle needs to
-   contract (where |T| grows) or to relax: D, the minimum onset or offset of the parameter table. The step
-   S[s](t) rises by minimum jerk over D around the boundary before s. The weight of s is S[s] − S[s + 1]: a
+   contract (where |T| grows) or to relax: D, the minimum onset or offset of the parameter table, and for a
+   long way longer, so that it is never faster than `FASTEST`. The step S[s](t) rises by minimum jerk over D
+   around the boundary before s. The weight of s is S[s] − S[s + 1]: a
    phone shorter than D is not reached, and the posture before it remains over it.
 
-Steps begin and end in the order of their boundaries, so that no weight is negative.
+Around a closure (an aperture below zero) a step lies almost wholly outside, for a stop's goal is all of its
+interval. Steps begin and end in the order of their boundaries, so that no weight is negative.
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from ..core.articulators import ARTICULATORS, leader
+from ..core.articulators import APERTURE, ARTICULATORS, leader
 from ..core.functions import minimum_jerk
 from ..core.movement import LipSegment
 from ..core.parameters import BASES, INDEX, PARAMETERS, Parameter
@@ -33,6 +35,14 @@ from .intervals import Array, ranges
 
 OPPOSED = 0.3
 """How much of a posture an equal and opposite neighbour takes away, twice."""
+FASTEST = 200.0
+"""mm a second, at the peak of a step; people's lips come to 150 to 310."""
+_PEAK = 1.875
+"""The peak speed of minimum jerk over its mean."""
+SHORTEST_STEP = 0.06
+"""Seconds."""
+BESIDE = 0.35
+"""How much of a step to or from a closure lies outside it, beyond one half: a closure is closed throughout."""
 NEIGHBOURS = 2
 """Segments on either side over which the rate of speech is measured."""
 
@@ -50,10 +60,12 @@ class LookAheadModel:
         self._names: list[str] = []
         self._targets: dict[str, Array] = {}
         self._steps: dict[int, tuple[Array, Array]] = {}
-        self.reach = max(max(p.min_onset, p.min_offset) for p in PARAMETERS)
+        slowest = max(max(p.min_onset, p.min_offset) for p in PARAMETERS)
+        widest = max(a.high - a.low for a in ARTICULATORS.values())
+        self.reach = max(slowest, _PEAK / FASTEST * widest)
 
     def group(self, parameter: str) -> int:
-        """Return the number of an articulator, or of a parameter that follows none: each has its own steps."""
+        """Return the number of an articulator, or of a parameter that follows none; each has its own."""
         name = leader(parameter)
         if name not in self._names:
             self._names.append(name)
@@ -86,13 +98,30 @@ class LookAheadModel:
 
     def _steps_of(self, name: str) -> tuple[Array, Array]:
         """Return when the step to each segment begins and ends; that to the first one lies before all."""
-        size = np.abs(self.targets(name))
-        muscle = _muscle(name)
+        posture = self.targets(name)
+        size, muscle = np.abs(posture), _muscle(name)
         needed = np.where(size[1:] > size[:-1], muscle.min_onset, muscle.min_offset)
+        if name in ARTICULATORS:
+            needed = np.maximum(needed, _PEAK / FASTEST * np.abs(np.diff(posture)))
         boundary = (self._end[:-1] + self._start[1:]) / 2.0
+        if name == APERTURE:
+            boundary, needed = self._around_closures(posture < 0.0, boundary, needed)
         start = np.minimum.accumulate((boundary - needed / 2.0)[::-1])[::-1]
         end = np.maximum.accumulate(boundary + needed / 2.0)
         return np.append(-np.inf, start), np.append(-np.inf, end)
+
+    def _around_closures(
+        self, closed: npt.NDArray[np.bool_], boundary: Array, needed: Array
+    ) -> tuple[Array, Array]:
+        """Return the middles and lengths of the steps, those to and from closures beside them.
+
+        They are no longer than what lies between two closures, or than `SHORTEST_STEP`.
+        """
+        duration = self._end - self._start
+        closing, opening = closed[1:] & ~closed[:-1], closed[:-1] & ~closed[1:]
+        room = np.where(closing, duration[:-1], np.where(opening, duration[1:], np.inf))
+        needed = np.minimum(needed, np.maximum(room, SHORTEST_STEP))
+        return boundary + BESIDE * needed * (opening.astype(float) - closing), needed
 
 
 def _muscle(name: str) -> Parameter:
