@@ -81,6 +81,7 @@ def plan(
         emotions=emotions,
         opens=not script.timed,
         articulation=settings.articulation,
+        manner=settings.manner,
         lively=settings.lively,
     )
     return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend)

@@ -1,9 +1,11 @@
+from dataclasses import replace
+
 import pytest
 
 from risorius.channels import Brief, compose
 from risorius.core.movement import LipSegment
-from risorius.core.utterance import Utterance
-from risorius.errors import InputError
+from risorius.core.utterance import Accent, Syllable, Utterance
+from risorius.errors import InputError, ParameterError
 from risorius.rules.lips import lip_table
 
 ALL = "AA AE AH AO AW AY B CH D DH EH ER EY F G HH IH IY JH K L M N NG OW OY P R S SH T TH UH UW V W Y Z ZH"
@@ -85,12 +87,56 @@ def test_the_mouth_opens_before_speech_only_in_plain_text(utterance_of) -> None:
     assert "lips.breath" not in [s.cause.rule for s in segments(utterance, opens=False)]
 
 
-def test_articulation_widens_the_opening_alone(utterance_of) -> None:
+def test_articulation_moves_the_opening_most(utterance_of) -> None:
     utterance = utterance_of("AO")
     wide, plain = (next(s for s in segments(utterance, articulation=a) if s.phone) for a in (1.3, 1.0))
     for name in ("jaw_drop", "lip_aperture"):
         assert wide.targets[name] == pytest.approx(1.3 * plain.targets[name])
-    assert wide.targets["lip_protrusion"] == plain.targets["lip_protrusion"]
+    assert wide.targets["lip_protrusion"] == pytest.approx(1.15 * plain.targets["lip_protrusion"])
+
+
+@pytest.mark.parametrize("articulation", [0.5, 1.5])
+def test_labials_close_however_far_the_lips_move(articulation: float, utterance_of) -> None:
+    utterance = utterance_of("AA M AA")
+    (m,) = (s for s in segments(utterance, articulation=articulation) if s.phone == "M")
+    assert m.targets["lip_aperture"] < 0.0
+    assert m.targets["lip_seal"] == 1.0
+
+
+def test_manners_change_how_far_the_mouth_opens(utterance_of) -> None:
+    utterance = utterance_of("AA")
+
+    def drop(manner: str) -> float:
+        brief = Brief(utterance.duration, utterance, manner=manner)
+        return max(s.targets.get("jaw_drop", 0.0) for s in compose(brief, without=["manipulators"]).lips)
+
+    assert drop("murmur") < drop("whisper") < drop("plain") < drop("shout")
+
+
+def test_an_unknown_manner_is_named(utterance_of) -> None:
+    utterance = utterance_of("AA")
+    with pytest.raises(ParameterError, match="unknown manner of speech 'shuot'; did you mean 'shout'"):
+        compose(Brief(utterance.duration, utterance, manner="shuot"))
+
+
+def test_accents_and_loudness_open_the_mouth(utterance_of) -> None:
+    plain = utterance_of("AA T AA T AA")
+    vowels = [i for i, p in enumerate(plain.phones) if p.symbol == "AA"]
+    loudness = (0.0, 4.0, -4.0)
+    syllables = tuple(
+        Syllable(i, i + 1, plain.phones[i].start, plain.phones[i].end, 1, 0, loudness=db)
+        for i, db in zip(vowels, loudness, strict=True)
+    )
+    accent = Accent(plain.phones[vowels[0]].start, 0, 0)
+
+    def drops(utterance: Utterance) -> list[float]:
+        return [s.targets["jaw_drop"] for s in segments(utterance) if s.phone == "AA"]
+
+    before, loud = drops(plain), drops(replace(plain, syllables=syllables))
+    assert loud[1] > before[1]
+    assert loud[2] < before[2]
+    focused = drops(replace(plain, syllables=syllables, accents=(accent,)))
+    assert focused[0] == pytest.approx(1.16 * loud[0])
 
 
 def test_the_last_vowel_of_a_phrase_opens_more(utterance_of) -> None:

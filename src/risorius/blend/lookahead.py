@@ -42,7 +42,7 @@ _PEAK = 1.875
 SHORTEST_STEP = 0.06
 """Seconds."""
 BESIDE = 0.35
-"""How much of a step to or from a closure lies outside it, beyond one half: a closure is closed throughout."""
+"""How much of a step to or from a closure lies outside it, beyond one half."""
 NEIGHBOURS = 2
 """Segments on either side over which the rate of speech is measured."""
 

@@ -157,12 +157,13 @@ class Moment:
         return np.minimum(total, 1.0)
 
     def touched(self, name: str, value: Array) -> Array:
-        """Return a contact, shape (n,), with its goals; a seal that is a goal pushes a tuck aside."""
+        """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside."""
         if self.plan.lips is None:
             return value
-        goals = self.plan.lips.goals
-        reached = np.maximum(value, goals[name].at(self.times))
-        return np.minimum(reached, 1.0 - goals[SEAL].at(self.times)) if name == TUCK else reached
+        seal, tuck = (self.plan.lips.goals[contact].at(self.times) for contact in (SEAL, TUCK))
+        if name == TUCK:
+            return np.minimum(np.maximum(value, tuck), 1.0 - seal)
+        return np.maximum(np.minimum(value, 1.0 - tuck), seal)
 
     def terms(self, name: str) -> list[tuple[tuple[Channel, Curve], Array]]:
         """Return the deviation that each layer of each channel asks of a direction, shape (n,) each."""

@@ -11,17 +11,16 @@ from types import MappingProxyType
 
 import numpy as np
 
-from ..core.articulators import APERTURE, JAW, within_range
+from ..core.articulators import within_range
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..rules.articulation import is_known, sounds
-from ..rules.lips import LipTable, PhoneShape, lip_table
+from ..rules.lips import OPENING, LipTable, Opening, PhoneShape, lip_table
 from ..speech.phonesets import to_arpabet
 from .registry import CHANNEL_BUILDERS, Brief
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
-_OPENING = (JAW, APERTURE)
 
 
 @CHANNEL_BUILDERS.register("lips")
@@ -30,7 +29,7 @@ def lips(brief: Brief, rng: np.random.Generator) -> Iterator[LipSegment]:
     if brief.utterance is None:
         return
     table = lip_table()
-    shaper = _Shaper(table, brief.utterance, brief.articulation)
+    shaper = _Shaper(table, brief.utterance, table.factors(brief.manner, brief.articulation))
     for index, phone in enumerate(brief.utterance.phones):
         if phone.symbol != SILENCE:
             yield from shaper.spoken(index, phone)
@@ -44,15 +43,16 @@ class _Shaper:
 
     table: LipTable
     utterance: Utterance
-    articulation: float
+    factors: Mapping[str, float]
 
     def __post_init__(self) -> None:
+        self._emphasis = _emphasis(self.table.opening, self.utterance)
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
         self._final = _phrase_final_phones(self.utterance)
 
     def spoken(self, index: int, phone: Phone) -> Iterator[LipSegment]:
         """Yield the phone's segments: one for each sound it holds, two for a diphthong."""
-        scale = self.articulation * self._opening(index, phone)
+        scale = self._opening(index, phone)
         shapes = self._sounds(phone.symbol)
         share = phone.duration / sum(part for _, _, part in shapes)
         start = phone.start
@@ -92,26 +92,29 @@ class _Shaper:
         key = (id(shape.targets), round(scale, 6))
         if key not in self._targets:
             self._targets[key] = MappingProxyType(
-                {name: _scaled(name, value, scale) for name, value in shape.targets.items()}
+                {name: self._scaled(name, value, scale) for name, value in shape.targets.items()}
             )
         return self._targets[key]
+
+    def _scaled(self, name: str, value: float, opening: float) -> float:
+        """Return a target in this manner and at this opening; what is closed stays closed."""
+        if name in OPENING and value <= 0.0:
+            return value
+        factor = self.factors.get(name, 1.0) * (opening if name in OPENING else 1.0)
+        return value if factor == 1.0 else within_range(name, value * factor)
 
     def _opening(self, index: int, phone: Phone) -> float:
         opening = self.table.opening
         if phone.stress < 0:
             return 1.0
         scale = opening.stressed if phone.stress > 0 else opening.unstressed
+        scale *= self._emphasis.get(index, 1.0)
         return scale * (opening.phrase_final if index in self._final else 1.0)
 
     def _trigger(self, phone: Phone) -> str:
         if phone.word < 0:
             return f"/{phone.symbol}/"
         return f'/{phone.symbol}/ of "{self.utterance.words[phone.word].text}"'
-
-
-def _scaled(name: str, value: float, scale: float) -> float:
-    """Return a target with the opening scaled; what is closed stays closed."""
-    return within_range(name, value * scale) if name in _OPENING and value > 0.0 else value
 
 
 def _closure_end(start: float, end: float, shape: PhoneShape) -> float:
@@ -130,3 +133,19 @@ def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:
         if vowel >= 0 and phone.end in ends:
             found.add(vowel)
     return frozenset(found)
+
+
+def _emphasis(opening: Opening, utterance: Utterance) -> dict[int, float]:
+    """Return by phone how much wider accents and loudness open its syllable."""
+    syllables = utterance.syllables
+    loudness = np.array([s.loudness for s in syllables])
+    spread = float(loudness.std()) if syllables else 0.0
+    accented = {accent.syllable for accent in utterance.accents}
+    found: dict[int, float] = {}
+    for number, syllable in enumerate(syllables):
+        louder = syllable.loudness / spread if spread > 0.0 else 0.0
+        scale = 1.0 + opening.loudness * min(max(louder, -opening.loudest), opening.loudest)
+        scale *= opening.accented if number in accented else 1.0
+        # Rounded, so that phones of about the same loudness share their targets.
+        found |= dict.fromkeys(range(syllable.first_phone, syllable.last_phone), round(scale, 2))
+    return found

@@ -29,6 +29,7 @@ class Brief:
     emotions: tuple[Display, ...] = ()
     opens: bool = True
     articulation: float = 1.0
+    manner: str = "plain"
     lively: bool = True
 
 

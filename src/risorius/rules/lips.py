@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from types import MappingProxyType
 from typing import Annotated
 
-from ..core.articulators import ARTICULATORS, check_lip_target
+from ..core.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
 from ..core.movement import Dominance
 from ..core.parameters import INDEX, parameters_named
 from ..core.schema import Range
@@ -19,6 +19,7 @@ Share = Annotated[float, Range(0.0, 1.0)]
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]
 Targets = Mapping[str, float]
 EVERYTHING = "*"
+OPENING = (JAW, APERTURE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,14 +55,24 @@ class Diphthong:
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """How stress, position and pauses change the opening; seconds and factors."""
+    """How stress, accents, loudness, position and pauses change the opening; seconds and factors."""
 
     stressed: float
     unstressed: float
+    accented: float
     phrase_final: float
+    loudness: Share
+    loudest: float
     shortest_pause: Annotated[float, Range(0.0, 5.0)]
     breath_lead: Annotated[float, Range(0.0, 5.0)]
     breath_shape: Targets
+
+
+@dataclass(frozen=True, slots=True)
+class LipManner:
+    """A manner of speech: factors on targets by name."""
+
+    factors: Mapping[str, Annotated[float, Range(0.0, 3.0)]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +81,8 @@ class _File:
     phones: Mapping[str, PhoneShape] = field(metadata={"key": "phone"})
     diphthongs: Mapping[str, Diphthong] = field(metadata={"key": "diphthong"})
     opening: Opening
+    articulation: Mapping[str, Share]
+    manners: Mapping[str, LipManner] = field(metadata={"key": "manner"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +102,8 @@ class LipTable:
     phones: Mapping[str, PhoneShape]
     diphthongs: Mapping[str, Diphthong]
     opening: Opening
+    articulation: Mapping[str, float]
+    manners: Mapping[str, LipManner]
     rest: PhoneShape = field(default_factory=lambda: PhoneShape("silence", {}))
 
     def shape(self, symbol: str) -> PhoneShape:
@@ -97,6 +112,20 @@ class LipTable:
             return self.phones[symbol]
         except KeyError:
             raise InputError(unknown("phone", symbol, (*self.phones, *self.diphthongs))) from None
+
+    def factors(self, manner: str, articulation: float) -> Mapping[str, float]:
+        """Return the factors on targets for a manner of speech, hypo- or hyper-articulated (1 is neither).
+
+        Raises ParameterError for an unknown manner.
+        """
+        if manner not in self.manners:
+            raise ParameterError(unknown("manner of speech", manner, self.manners))
+        shares = {**dict.fromkeys(OPENING, 1.0), **self.articulation}
+        held = self.manners[manner].factors
+        return {
+            name: held.get(name, 1.0) * (1.0 + shares.get(name, 0.0) * (articulation - 1.0))
+            for name in {*shares, *held}
+        }
 
     def shapes(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
         """Return a phone's shapes in order, each with its symbol and share of the phone's time."""
@@ -113,7 +142,7 @@ def lip_table() -> LipTable:
     raw = load(_File, "lips.toml")
     _check_names(raw)
     holdings = {name: _holding(lip_class) for name, lip_class in raw.classes.items()}
-    return LipTable(holdings, raw.phones, raw.diphthongs, raw.opening)
+    return LipTable(holdings, raw.phones, raw.diphthongs, raw.opening, raw.articulation, raw.manners)
 
 
 def _holding(lip_class: LipClass) -> Holding:
@@ -128,11 +157,10 @@ def _holding(lip_class: LipClass) -> Holding:
 
 
 def _check_names(raw: _File) -> None:
-    known = (EVERYTHING, *ARTICULATORS, *INDEX)
     for lip_class in raw.classes.values():
-        for name in (*lip_class.magnitude, *lip_class.yields):
-            if name not in known:
-                raise InputError(f"lips.toml: {unknown('articulator', name, known)}")
+        _check_known((*lip_class.magnitude, *lip_class.yields))
+    for factors in (raw.articulation, *(manner.factors for manner in raw.manners.values())):
+        _check_known(factors)
     for targets in (*(p.targets for p in raw.phones.values()), raw.opening.breath_shape):
         check_shape(targets)
     for phone in raw.phones.values():
@@ -141,6 +169,13 @@ def _check_names(raw: _File) -> None:
     for part in (part for d in raw.diphthongs.values() for part in d.parts):
         if part not in raw.phones:
             raise InputError(f"lips.toml: {unknown('phone', part, raw.phones)}")
+
+
+def _check_known(names: Iterable[str]) -> None:
+    known = (EVERYTHING, *ARTICULATORS, *INDEX)
+    for name in names:
+        if name not in known:
+            raise InputError(f"lips.toml: {unknown('articulator', name, known)}")
 
 
 def check_shape(targets: Targets) -> None:
