@@ -97,7 +97,7 @@ class Spoken:
     def middles(self, phones: Iterable[str]) -> Array:
         """Return the middles of some phones' segments, of a diphthong's the last, shape (m,)."""
         segments = [s for s in self.score.lips if s.phone in phones]
-        found = [s for s, b in zip(segments, [*segments[1:], None], strict=True) if not _continues(s, b)]
+        found = [s for s, b in zip(segments, [*segments[1:], None], strict=False) if not _continues(s, b)]
         return np.array([_middle(s) for s in found])
 
     def contacts(self, contact: str) -> Array:

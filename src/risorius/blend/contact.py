@@ -21,9 +21,9 @@ CONTACTS = (SEAL, TUCK)
 
 SHORTEST_CLOSURE = 0.04
 """Seconds: a shorter closure would be over before an eye could see it."""
-RAMP = 0.045
+RAMP = 0.055
 """Seconds in which the lips come to a goal and leave it, given room."""
-SHORTEST_RAMP = 0.03
+SHORTEST_RAMP = 0.045
 """Seconds: less room than this between a seal and a tuck is taken from the tuck."""
 FASTEST_RAMP = 0.015
 """Seconds: a tuck that leaves less room on its two sides is given up."""

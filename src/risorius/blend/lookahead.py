@@ -39,8 +39,8 @@ FASTEST = 200.0
 """mm a second, at the peak of a step; people's lips come to 150 to 310."""
 _PEAK = 1.875
 """The peak speed of minimum jerk over its mean."""
-SHORTEST_STEP = 0.06
-"""Seconds."""
+SHORTEST_STEP = 0.085
+"""Seconds: a vowel much shorter than that between two closures is given up."""
 BESIDE = 0.35
 """How much of a step to or from a closure lies outside it, beyond one half."""
 NEIGHBOURS = 2

@@ -157,13 +157,16 @@ class Moment:
         return np.minimum(total, 1.0)
 
     def touched(self, name: str, value: Array) -> Array:
-        """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside."""
+        """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside.
+
+        A seal's goal closes what speech leaves open, so that the gap stays smooth where it sets in.
+        """
         if self.plan.lips is None:
             return value
         seal, tuck = (self.plan.lips.goals[contact].at(self.times) for contact in (SEAL, TUCK))
         if name == TUCK:
             return np.minimum(np.maximum(value, tuck), 1.0 - seal)
-        return np.maximum(np.minimum(value, 1.0 - tuck), seal)
+        return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - seal))
 
     def terms(self, name: str) -> list[tuple[tuple[Channel, Curve], Array]]:
         """Return the deviation that each layer of each channel asks of a direction, shape (n,) each."""

@@ -109,7 +109,8 @@ class _Shaper:
             return 1.0
         scale = opening.stressed if phone.stress > 0 else opening.unstressed
         scale *= self._emphasis.get(index, 1.0)
-        return scale * (opening.phrase_final if index in self._final else 1.0)
+        scale *= opening.phrase_final if index in self._final else 1.0
+        return min(scale, opening.widest)
 
     def _trigger(self, phone: Phone) -> str:
         if phone.word < 0:

@@ -61,6 +61,7 @@ class Opening:
     unstressed: float
     accented: float
     phrase_final: float
+    widest: float
     loudness: Share
     loudest: float
     shortest_pause: Annotated[float, Range(0.0, 5.0)]
