@@ -1,8 +1,8 @@
 """How fast the lips move, at any rate of speech: people's lip gap peaks at 120 to 320 mm a second.
 
-Prints, by rate and model, the 99.9th percentile of the lip gap's speed on the mesh, and how kinked the curve is:
+Prints, by rate and model, the 99.9th percentile of the lip gap's speed on the mesh, and how kinked it is:
 the largest change of its speed within 5 ms while the lips are apart. Run from the repository (a few minutes):
-    PYTHONPATH=src OMP_NUM_THREADS=1 python benchmarks/lips_dynamics.py [--sentences 6]
+    PYTHONPATH=src python benchmarks/lips_dynamics.py [--sentences 6]
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def gaps(sentence: str, rate: int, model: str) -> np.ndarray:
 
 
 def _kink(curve: np.ndarray) -> float:
-    """Return the largest change of speed from step to step, mm/s; lips that meet stop at once, as they must."""
+    """Return the largest change of speed from step to step, mm/s; lips that meet stop at once."""
     apart = (curve[:-2] > 0.0) & (curve[1:-1] > 0.0) & (curve[2:] > 0.0)
     return float(np.abs(np.diff(np.diff(curve)))[apart].max() / STEP)
 

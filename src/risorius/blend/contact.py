@@ -21,10 +21,10 @@ CONTACTS = (SEAL, TUCK)
 
 SHORTEST_CLOSURE = 0.04
 """Seconds: a shorter closure would be over before an eye could see it."""
-RAMP = 0.055
+RAMP = 0.06
 """Seconds in which the lips come to a goal and leave it, given room."""
 SHORTEST_RAMP = 0.045
-"""Seconds: less room than this between a seal and a tuck is taken from the tuck."""
+"""Seconds: less room than this between a seal and a tuck is taken from the tuck, up to half of it."""
 FASTEST_RAMP = 0.015
 """Seconds: a tuck that leaves less room on its two sides is given up."""
 
@@ -83,7 +83,7 @@ def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
     room = free_to - free_from
     if room < 2.0 * FASTEST_RAMP:
         return None
-    margin = min(SHORTEST_RAMP, room / 2.0)
+    margin = min(SHORTEST_RAMP, room / 2.0, (tuck.end - tuck.start) / 2.0)
     start = min(max(tuck.start, free_from + margin), free_to - margin)
     end = max(min(tuck.end, free_to - margin), start)
     if left >= 0:
