@@ -1,8 +1,8 @@
 """How much the timing of phones matters to the lips, on hand-labelled speech; and figures of people's lips.
 
 FOLDER is laid out as TIMIT (`SPEAKER/SENTENCE.phn`, times in samples at 16 kHz). The lips are driven from the
-hand labels, and from labels whose boundaries are moved at random by up to ±20 ms; r is between the two curves of
-the lip gap, on the mesh at 50 fps. Run from the repository:
+hand labels, and from labels whose boundaries are moved at random by up to ±20 ms; r is between the two curves
+of the lip gap, on the mesh at 50 fps. Run from the repository:
     PYTHONPATH=src python benchmarks/lips_timing.py FOLDER [--sentences 16]
 """
 
@@ -37,7 +37,7 @@ Spans = list[tuple[str, float, float]]
 
 
 def labels(path: Path) -> Spans:
-    """Return phones and their seconds; a closure and its release are one phone, glottal stops are left out."""
+    """Return phones and their seconds; a closure and its release are one phone, glottal stops none."""
     found: Spans = []
     for line in path.read_text().split("\n"):
         if not line.strip():

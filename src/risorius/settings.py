@@ -7,7 +7,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from pathlib import Path
 
+from .core.look import Look
 from .core.performance import parse_fps
 from .core.score import BlendSettings
 from .errors import InputError, unknown
@@ -27,10 +29,11 @@ class Settings:
     on how far the lips move, 0 to 2 (hypo- below, hyper-articulation above 1); `manner` of speech: "plain",
     "whisper", "murmur" or "shout". `at`: second of the frame that a `.png` shows (the middle where
     None); `every`: a `.png` is a sheet of every n-th frame instead. `lively`: random blinks and small head
-    and eye movements. `dynamics` of the skin: "springs" (with inertia), "biphasic" (springs that stiffen
-    under strain), "static" (no inertia). `age`: years, 0 to 100, the head's own where None; `wrinkles`:
-    factors 0 to 2 by region of the face, for a speaker who shows some wrinkles more or less than others of
-    that age.
+    and eye movements. `profile`: who speaks, a name or a `.toml` file; `attitudes` lie over it. `rules`: a
+    file of rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with
+    inertia), "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100,
+    the head's own where None; `wrinkles`: factors 0 to 2 by region of the face, for a speaker who shows some
+    wrinkles more or less than others of that age. `look`: how all this is drawn.
     """
 
     fps: Fraction = Fraction(30)
@@ -50,8 +53,12 @@ class Settings:
     lively: bool = True
     dynamics: str = "springs"
     without: tuple[str, ...] = ()
+    profile: str = "neutral"
+    attitudes: tuple[str, ...] = ()
+    rules: Path | None = None
     at: float | None = None
     every: int | None = None
+    look: Look = field(default_factory=Look)
     blend: BlendSettings = field(default_factory=lambda: BlendSettings(conflict=SPEAK_POLICY))
 
     def __post_init__(self) -> None:

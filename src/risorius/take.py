@@ -106,7 +106,8 @@ class Take:
         """
         from .out import WriteOptions, check_targets, write_targets
 
-        options = WriteOptions(self.settings.size, self.settings.at, self.settings.every)
+        chosen = self.settings
+        options = WriteOptions(chosen.size, chosen.at, chosen.every, chosen.look.transparent)
         write_targets(self._material(progress), check_targets(paths), options)
 
     def faces(self, indices: Sequence[int] | None = None) -> Iterator[FaceFrame]:
@@ -126,16 +127,30 @@ class Take:
     def pictures(
         self, size: Size | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet
     ) -> Iterator[Picture]:
-        """Yield RGB pictures, uint8 (height, width, 3); each is valid until the next is asked for."""
-        from .render import Renderer
+        """Yield pictures as the settings' look wants them; each is valid until the next is asked for.
+
+        They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
+        """
+        from .out.overlay import Overlays, Subject
+        from .render import picture_renderer
 
         chosen = range(len(self.performance.values)) if indices is None else indices
+        look = self.settings.look
+        subject = Subject(self.performance, self.utterance)
+        overlays = Overlays(look.overlay, subject, size or self.settings.size)
         with _announced_if_slow(progress):
-            renderer = Renderer(self.head, size or self.settings.size)
+            renderer = picture_renderer(self.head, overlays.picture_size, look)
             renderer.render(next(self.faces([0])))
-        for done, face in enumerate(self.faces(chosen)):
-            yield renderer.render(face)
+        kept_down = self._kept_down(chosen) if look.style == "muscles" else None
+        for done, (frame, face) in enumerate(zip(chosen, self.faces(chosen), strict=True)):
+            picture = renderer.render(face, kept_down=None if kept_down is None else kept_down[done])
+            yield overlays.draw(picture, frame)
             progress("Drawing", done + 1, len(chosen))
+
+    def _kept_down(self, indices: Sequence[int]) -> npt.NDArray[np.float64]:
+        from .blend import kept_down
+
+        return kept_down(self._plan, self.performance.times[indices])
 
     @cached_property
     def _plan(self) -> Plan:

@@ -62,6 +62,17 @@ def test_unrounded_phones_ask_for_no_protrusion(phone: str) -> None:
     assert "lip_protrusion" not in lip_table().shape(phone).targets
 
 
+@pytest.mark.parametrize(("prominence", "factor"), [(0.0, 1.0), (1.0, 1.08), (-1.0, 0.92), (9.0, 1.16)])
+def test_prominent_syllables_open_moderately_more(prominence: float, factor: float, utterance_of) -> None:
+    plain = utterance_of("M AA M AA M")
+    syllable = Syllable(2, 3, plain.phones[2].start, plain.phones[2].end, 2, 1, prominence=prominence)
+    jaw, spoken = (
+        next(s for s in segments(u) if s.phone == "AA").targets["jaw_drop"]
+        for u in (plain, replace(plain, syllables=(syllable,)))
+    )
+    assert spoken == pytest.approx(factor * jaw)
+
+
 @pytest.mark.parametrize("phone", ["W", "UW", "UH", "AO", "SH", "R"])
 def test_rounded_phones_round(phone: str) -> None:
     targets = lip_table().shape(phone).targets
@@ -119,24 +130,19 @@ def test_an_unknown_manner_is_named(utterance_of) -> None:
         compose(Brief(utterance.duration, utterance, manner="shuot"))
 
 
-def test_accents_and_loudness_open_the_mouth(utterance_of) -> None:
-    plain = utterance_of("AA T AA T AA")
-    vowels = [i for i, p in enumerate(plain.phones) if p.symbol == "AA"]
-    loudness = (0.0, 4.0, -4.0)
-    syllables = tuple(
-        Syllable(i, i + 1, plain.phones[i].start, plain.phones[i].end, 1, 0, loudness=db)
-        for i, db in zip(vowels, loudness, strict=True)
+def test_accents_open_the_mouth(utterance_of) -> None:
+    plain = utterance_of("AA T AA")
+    syllables = tuple(Syllable(i, i + 1, plain.phones[i].start, plain.phones[i].end, 0, 0) for i in (1, 3))
+    unstressed = replace(
+        plain, syllables=syllables, phones=tuple(replace(p, stress=min(p.stress, 0)) for p in plain.phones)
     )
-    accent = Accent(plain.phones[vowels[0]].start, 0, 0)
-
-    def drops(utterance: Utterance) -> list[float]:
-        return [s.targets["jaw_drop"] for s in segments(utterance) if s.phone == "AA"]
-
-    before, loud = drops(plain), drops(replace(plain, syllables=syllables))
-    assert loud[1] > before[1]
-    assert loud[2] < before[2]
-    focused = drops(replace(plain, syllables=syllables, accents=(accent,)))
-    assert focused[0] == pytest.approx(1.16 * loud[0])
+    accent = Accent(plain.phones[1].start, 0, 0)
+    before, after = (
+        [s.targets["jaw_drop"] for s in segments(u) if s.phone == "AA"]
+        for u in (unstressed, replace(unstressed, accents=(accent,)))
+    )
+    assert after[0] == pytest.approx(1.16 * before[0])
+    assert after[1] == before[1]
 
 
 def test_the_last_vowel_of_a_phrase_opens_more(utterance_of) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
@@ -60,6 +60,7 @@ def test_a_phrase_without_content_words_has_an_accent_all_the_same(engine) -> No
 WORDS = st.sampled_from(["map,", "the", "Bob.", "of", "banana", "is;", "really?", "a"])
 
 
+@settings(deadline=None)
 @given(st.lists(WORDS, min_size=1, max_size=10))
 def test_accents_are_in_order_inside_their_syllables(words) -> None:
     said = synthesize(" ".join(words))
@@ -110,6 +111,10 @@ def test_tunes_by_punctuation_and_clause(text: str, expected: str) -> None:
 
 def test_questions_of_other_languages_rise() -> None:
     assert tune("Kommt Anna?", language="de").endswith("H-H%)")
+
+
+def test_a_language_of_tones_has_one_accent_per_phrase_of_unknown_kind() -> None:
+    assert tune("你好，我是中国人。", language="cmn") == "(你 好/* L-H%) (我 是 中 国 人/* L-L%)"
 
 
 def test_what_follows_the_focus_is_not_accented() -> None:

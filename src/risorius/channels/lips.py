@@ -15,7 +15,7 @@ from ..core.articulators import within_range
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..rules.articulation import is_known, sounds
-from ..rules.lips import OPENING, LipTable, Opening, PhoneShape, lip_table
+from ..rules.lips import OPENING, LipTable, PhoneShape, lip_table
 from ..speech.phonesets import to_arpabet
 from .registry import CHANNEL_BUILDERS, Brief
 
@@ -46,9 +46,20 @@ class _Shaper:
     factors: Mapping[str, float]
 
     def __post_init__(self) -> None:
-        self._emphasis = _emphasis(self.table.opening, self.utterance)
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
         self._final = _phrase_final_phones(self.utterance)
+        accents = {accent.syllable for accent in self.utterance.accents}
+        self._accented = {
+            index
+            for number, syllable in enumerate(self.utterance.syllables)
+            if number in accents
+            for index in range(syllable.first_phone, syllable.last_phone)
+        }
+        self._prominence = {
+            index: syllable.prominence
+            for syllable in self.utterance.syllables
+            for index in range(syllable.first_phone, syllable.last_phone)
+        }
 
     def spoken(self, index: int, phone: Phone) -> Iterator[LipSegment]:
         """Yield the phone's segments: one for each sound it holds, two for a diphthong."""
@@ -108,9 +119,10 @@ class _Shaper:
         if phone.stress < 0:
             return 1.0
         scale = opening.stressed if phone.stress > 0 else opening.unstressed
-        scale *= self._emphasis.get(index, 1.0)
+        scale *= opening.accented if index in self._accented else 1.0
         scale *= opening.phrase_final if index in self._final else 1.0
-        return min(scale, opening.widest)
+        standing = max(min(self._prominence.get(index, 0.0), opening.most_prominent), -opening.most_prominent)
+        return min(scale * (1.0 + opening.prominence * standing), opening.widest)
 
     def _trigger(self, phone: Phone) -> str:
         if phone.word < 0:
@@ -134,19 +146,3 @@ def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:
         if vowel >= 0 and phone.end in ends:
             found.add(vowel)
     return frozenset(found)
-
-
-def _emphasis(opening: Opening, utterance: Utterance) -> dict[int, float]:
-    """Return by phone how much wider accents and loudness open its syllable."""
-    syllables = utterance.syllables
-    loudness = np.array([s.loudness for s in syllables])
-    spread = float(loudness.std()) if syllables else 0.0
-    accented = {accent.syllable for accent in utterance.accents}
-    found: dict[int, float] = {}
-    for number, syllable in enumerate(syllables):
-        louder = syllable.loudness / spread if spread > 0.0 else 0.0
-        scale = 1.0 + opening.loudness * min(max(louder, -opening.loudest), opening.loudest)
-        scale *= opening.accented if number in accented else 1.0
-        # Rounded, so that phones of about the same loudness share their targets.
-        found |= dict.fromkeys(range(syllable.first_phone, syllable.last_phone), round(scale, 2))
-    return found

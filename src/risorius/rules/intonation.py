@@ -36,7 +36,7 @@ class Candidate:
 
     `content`: of a content word. `only`: no word of the phrase is one, and this is its strongest syllable.
     `nuclear`: the last candidate of its phrase. `focus`, `after_focus`: the word is emphasised, or follows
-    one that is. `ends`: how the phrase ends.
+    one that is. `ends`: how the phrase ends. `lexical_tone`: pitch tells words apart in the language.
     """
 
     content: bool
@@ -45,6 +45,7 @@ class Candidate:
     focus: bool
     after_focus: bool
     ends: Ending
+    lexical_tone: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +57,7 @@ class AccentRule:
     nuclear: bool | None = None
     focus: bool | None = None
     after_focus: bool | None = None
+    lexical_tone: bool | None = None
     ends: tuple[Ending, ...] = ()
     label: str | None = None
     confidence: Confidence = 1.0
@@ -72,6 +74,7 @@ class AccentRule:
             (self.nuclear, candidate.nuclear),
             (self.focus, candidate.focus),
             (self.after_focus, candidate.after_focus),
+            (self.lexical_tone, candidate.lexical_tone),
         )
         return all(wanted in (None, given) for wanted, given in pairs) and (
             not self.ends or candidate.ends in self.ends
@@ -91,11 +94,19 @@ class BoundaryRule:
 
 
 @dataclass(frozen=True, slots=True)
+class Lexical:
+    """Languages in which pitch tells words apart."""
+
+    languages: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Questions:
     """English words that tell the kinds of questions apart."""
 
     wh: tuple[str, ...]
     alternative: tuple[str, ...]
+    auxiliaries: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +137,7 @@ class IntonationTable:
 
     accent: tuple[AccentRule, ...]
     boundary: tuple[BoundaryRule, ...]
+    lexical: Lexical
     questions: Questions
     clauses: Clauses
     voice: Voicing

@@ -55,15 +55,15 @@ class Diphthong:
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """How stress, accents, loudness, position and pauses change the opening; seconds and factors."""
+    """How stress, accents, position, the voice and pauses change the opening; seconds and factors."""
 
     stressed: float
     unstressed: float
     accented: float
     phrase_final: float
     widest: float
-    loudness: Share
-    loudest: float
+    prominence: Annotated[float, Range(0.0, 0.15)]
+    most_prominent: Annotated[float, Range(0.0, 3.0)]
     shortest_pause: Annotated[float, Range(0.0, 5.0)]
     breath_lead: Annotated[float, Range(0.0, 5.0)]
     breath_shape: Targets

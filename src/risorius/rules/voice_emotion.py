@@ -33,7 +33,7 @@ class VoiceChange:
 
 @dataclass(frozen=True, slots=True)
 class VoiceEmotions:
-    """The table: one row per emotion."""
+    """The table: one row per basic emotion; others leave the voice as it is."""
 
     anger: VoiceChange
     disgust: VoiceChange
@@ -52,8 +52,9 @@ def voice_manner(intensities: Mapping[str, float]) -> Manner:
     scale = 1.0 / max(1.0, sum(intensities.values()))
     manner = PLAIN
     for name, intensity in intensities.items():
-        change: VoiceChange = getattr(_table(), emotion(name).name)
-        manner = manner.then(change.manner(intensity * scale))
+        change: VoiceChange | None = getattr(_table(), emotion(name).name, None)
+        if change is not None:
+            manner = manner.then(change.manner(intensity * scale))
     return manner
 
 

@@ -103,12 +103,15 @@ class Directions:
         """Tell whether characters [start, end) are emphasised."""
         return any(s.emphasis in FOCUSED and s.start < end and start < s.end for s in self.spans)
 
-    def between(self, start: int, end: int) -> Iterator[Span | Break]:
-        """Yield the spans, cut to fit, and the breaks that fall among characters [start, end)."""
+    def between(self, start: int, end: int, *, last: bool = False) -> Iterator[Span | Break]:
+        """Yield the spans, cut to fit, and the breaks that fall among characters [start, end).
+
+        `last`: breaks after `end` as well.
+        """
         for span in self.spans:
             if span.start < end and start < span.end:
                 yield replace(span, start=max(span.start, start), end=min(span.end, end))
-        yield from (b for b in self.breaks if start <= b.at < end)
+        yield from (b for b in self.breaks if start <= b.at and (last or b.at < end))
 
 
 UNDIRECTED = Directions()

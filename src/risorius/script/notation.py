@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import accumulate, zip_longest
 
 from ..core.manner import PLAIN, Manner
 from ..core.tobi import boundary_tone, pitch_accent
@@ -42,8 +43,8 @@ class Bracket:
 
 
 def has_brackets(text: str) -> bool:
-    """Tell whether a text is written in brackets."""
-    return text.lstrip().startswith("(")
+    """Tell whether a text is written in brackets, balanced or not."""
+    return "(" in text or ")" in text
 
 
 def read_brackets(text: str, place: Place) -> tuple[Bracket, ...]:
@@ -127,8 +128,8 @@ class Written:
     words: tuple[tuple[tuple[int, int], ...], ...]
 
 
-def write_out(phrases: Sequence[Bracket], tunes: Sequence[Tune], place: Place, offset: int = 0) -> Written:
-    """Return the text of `phrases` under `tunes`; all characters count from `offset`.
+def write_out(phrases: Sequence[Bracket], tunes: Sequence[Tune]) -> Written:
+    """Return the text of `phrases` under `tunes`, of which there may be none.
 
     Where a phrase ends without punctuation, its boundary gives some, so that the voice ends it so. Raises
     InputError, with the place, where brackets or accents do not pair.
@@ -137,53 +138,56 @@ def write_out(phrases: Sequence[Bracket], tunes: Sequence[Tune], place: Place, o
         at = tunes[min(len(phrases), len(tunes)) - 1].place
         raise InputError(f"{len(tunes)} brackets of tones for {len(phrases)} of words; expected one each", at)
     text = ""
-    accents: list[Tone] = []
-    boundaries: list[Tone] = []
-    words = []
-    spans: list[Span] = []
-    for number, phrase in enumerate(phrases):
-        tune = tunes[number] if tunes else Tune((), "", phrase.place)
+    directions = Directions()
+    words: list[tuple[tuple[int, int], ...]] = []
+    for phrase, tune in zip_longest(phrases, tunes):
         text += " " if text else ""
-        spelled = [
-            _spell(item.text, first=not text.strip() and k == 0) for k, item in enumerate(phrase.items)
-        ]
-        starts = _starts(spelled, offset + len(text))
-        placed = [
-            (start + m.start(), start + m.end(), item)
-            for start, item, word in zip(starts, phrase.items, spelled, strict=True)
-            for m in _WORD.finditer(word)
-        ]
-        if not placed:
-            raise InputError("no word in these brackets; expected one", phrase.place)
-        words.append(tuple((a, b) for a, b, _ in placed))
-        for (label, where), (start, end) in zip(tune.accents, _accented(phrase, placed, tune), strict=True):
-            accents.append(Tone(start, label, where))
-            spans.append(Span(start, end, where, _sounding(label)))
-        text += " ".join(spelled)
-        if tune.boundary:
-            boundaries.append(Tone(placed[-1][0], tune.boundary, tune.place))
-        text += phrase.after or _punctuation(tune.boundary, spelled[-1])
-    return Written(text, Directions(tuple(spans), (), tuple(accents), tuple(boundaries)), tuple(words))
+        part = _phrase(phrase, tune or Tune((), "", phrase.place), first=not text)
+        directions = directions.joined(part.directions.moved(len(text)))
+        words += [tuple((a + len(text), b + len(text)) for a, b in spans) for spans in part.words]
+        text += part.text
+    return Written(text, directions, tuple(words))
+
+
+def _phrase(phrase: Bracket, tune: Tune, *, first: bool) -> Written:
+    """Return one phrase; `first`: it begins the text."""
+    spelled = [_spell(item.text, first=first and k == 0) for k, item in enumerate(phrase.items)]
+    placed = [
+        (start + m.start(), start + m.end(), item)
+        for start, item, word in zip(_starts(spelled), phrase.items, spelled, strict=True)
+        for m in _WORD.finditer(word)
+    ]
+    if not placed:
+        raise InputError("no word in these brackets; expected one", phrase.place)
+    accented = list(zip(tune.accents, _accented(placed, tune), strict=True))
+    directions = Directions(
+        spans=tuple(Span(*span, where, _sounding(label)) for (label, where), span in accented),
+        accents=tuple(Tone(start, label, where) for (label, where), (start, _) in accented),
+        boundaries=(Tone(placed[-1][0], tune.boundary, tune.place),) if tune.boundary else (),
+    )
+    text = " ".join(spelled) + (phrase.after or _punctuation(tune.boundary, spelled[-1]))
+    return Written(text, directions, (tuple((a, b) for a, b, _ in placed),))
 
 
 def _spell(word: str, *, first: bool) -> str:
     """Return a word without the capitals that mark an accent."""
-    if not _CAPITALS.search(word) or word in ("I", "A"):
+    if not _is_marked(word):
         return word
     return word.capitalize() if first else word.lower()
 
 
-def _starts(words: Sequence[str], start: int) -> list[int]:
-    starts = []
-    for word in words:
-        starts.append(start)
-        start += len(word) + 1
-    return starts
+def _is_marked(word: str) -> bool:
+    return bool(_CAPITALS.search(word)) and word not in ("I", "A")
 
 
-def _accented(phrase: Bracket, placed: Sequence[tuple[int, int, Item]], tune: Tune) -> list[tuple[int, int]]:
+def _starts(words: Sequence[str]) -> list[int]:
+    """Return where each word begins, one blank between them."""
+    return [0, *accumulate(len(word) + 1 for word in words[:-1])]
+
+
+def _accented(placed: Sequence[tuple[int, int, Item]], tune: Tune) -> list[tuple[int, int]]:
     """Return the accented words of a phrase: those in capitals, or where there are none, the last ones."""
-    marked = [(a, b) for a, b, item in placed if _CAPITALS.search(item.text) and item.text != "I"]
+    marked = [(a, b) for a, b, item in placed if _is_marked(item.text)]
     if not marked:
         marked = [(a, b) for a, b, _ in placed][-len(tune.accents) :] if tune.accents else []
     if tune.accents and len(marked) != len(tune.accents):

@@ -30,6 +30,7 @@ READERS.register(".bml")(parse_bml)
 
 # What is named like an input is a file, never words to speak, even where there is no reader for it.
 INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
+RECORDING_SUFFIXES = (".wav", ".flac", ".ogg", ".mp3")
 
 
 def read_script(given: str, *, text: bool = False, source: str = "text") -> Script:
@@ -54,6 +55,8 @@ def _read_file(path: str, suffix: str) -> Script:
     place = Place(one_line(path, LONGEST_PATH))
     if not names_something(path):
         raise InputError("there is no such file; expected a file, or --text to have the words spoken", place)
+    if suffix in RECORDING_SUFFIXES:
+        raise InputError("is a recording; expected it after --audio", place)
     content = read_text(path)
     if not suffix:
         return parse_plain(content, place.file)

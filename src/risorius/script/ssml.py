@@ -1,36 +1,27 @@
 """SSML 1.1 documents: what is to be spoken and how. What is not understood is said by name, and left out.
 
-A new element is a function from the writer and the node, and its line in `ELEMENTS`.
+A new element is a function from the writer and the node, and its lines in `ELEMENTS` and `ATTRIBUTES`.
 """
 
 from __future__ import annotations
 
-import math
 import re
-import unicodedata
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from ..core.manner import PLAIN, Manner
-from ..errors import InputError, ParameterError, RisoriusError, unknown
-from ..rules.articulation import articulation
-from ..rules.lips import lip_table
+from ..errors import InputError, RisoriusError
 from ..rules.ssml import ssml_table
-from .anchor import NUMBER
+from .amounts import decibels, factor, read_seconds, semitones
 from .directions import Break, Directions, Emphasis, Span, Sync
-from .elements import Attribute
 from .model import Script, SpokenLine, script_of
 from .quote import one_line, quoted
+from .say_as import SAY_AS
 from .speakable import check_speakable
+from .transcription import read_arpabet, read_ipa
 from .tree import Node, Text, Unknowns, read_tree
 
 ROOT = "speak"
-LONGEST_BREAK = 60.0
-_SECONDS = re.compile(rf"({NUMBER})(ms|s)", re.ASCII)
-_AMOUNT = re.compile(rf"([+-]?)({NUMBER})(%|st|Hz|dB)?", re.ASCII | re.IGNORECASE)
-_STRESS = "ˈˌ"
-# The second part of English diphthongs.
-_GLIDES = "ɪʊ"
 _ARPABET_NAMES = ("x-arpabet", "arpabet", "cmu-arpabet", "x-cmu-arpabet")
 _ENDS = tuple(".!?…:;。！？।")
 
@@ -80,6 +71,7 @@ class Writer:
     def perform(self, node: Node) -> None:
         """Do what an element asks for."""
         if node.name in ELEMENTS:
+            self.unknowns.check(node, ATTRIBUTES.get(node.name, ()))
             try:
                 ELEMENTS[node.name](self, node)
             except RisoriusError as error:
@@ -128,94 +120,20 @@ def _break(writer: Writer, node: Node) -> None:
         writer.breaks.append(Break(len(writer.text), seconds, node.place))
 
 
-def read_seconds(attribute: Attribute) -> float:
-    """Return a time such as `250ms` or `2s`; raise InputError if it is none."""
-    match = _SECONDS.fullmatch(attribute.value.strip())
-    seconds = float(match[1]) * (0.001 if match[2] == "ms" else 1.0) if match else -1.0
-    if not 0.0 <= seconds <= LONGEST_BREAK:
-        shown = f"{attribute.name} = {quoted(attribute.value)}"
-        raise InputError(
-            f"{shown} is no time; expected e.g. 250ms or 2s, {LONGEST_BREAK:g}s at most", attribute.place
-        )
-    return seconds
-
-
 def _emphasis(writer: Writer, node: Node) -> None:
     level = node.choice("level", tuple(Emphasis), Emphasis.MODERATE)
     writer.within(node, emphasis=Emphasis(level))
 
 
 def _prosody(writer: Writer, node: Node) -> None:
-    for name in ("contour", "duration"):
-        if (given := node.get(name)) is not None:
-            writer.unknowns.tell(f"{name} of <prosody>", given.place)
     table = ssml_table()
     manner = Manner(
-        rate=_factor(node, "rate", table.rate),
-        pitch=_semitones(writer, node, table.pitch),
-        range=_factor(node, "range", table.range),
-        volume=_decibels(node, table.volume),
+        rate=factor(node, "rate", table.rate),
+        pitch=semitones(writer.unknowns, node, table.pitch),
+        range=factor(node, "range", table.range),
+        volume=decibels(node, table.volume),
     )
     writer.within(node, manner=manner) if manner != PLAIN else writer.write(node)
-
-
-def _factor(node: Node, name: str, words: Mapping[str, float]) -> float:
-    """Return a factor: a word of the table, `120%` of the usual, or a change such as `+20%`."""
-    attribute = node.get(name)
-    if attribute is None:
-        return 1.0
-    value = attribute.value.strip()
-    if value in words:
-        return words[value]
-    match = _AMOUNT.fullmatch(value)
-    if match is None or match[3] not in ("%", None):
-        raise _no_amount(attribute, (*words, "120%", "+20%"))
-    amount = float(match[2]) * (0.01 if match[3] else 1.0)
-    factor = 1.0 + amount if match[1] == "+" else 1.0 - amount if match[1] == "-" else amount
-    if not 0.1 <= factor <= 10.0:
-        raise InputError(f"{name} = {quoted(value)} is out of range; expected 10% to 1000%", attribute.place)
-    return factor
-
-
-def _semitones(writer: Writer, node: Node, words: Mapping[str, float]) -> float:
-    attribute = node.get("pitch")
-    if attribute is None:
-        return 0.0
-    value = attribute.value.strip()
-    if value in words:
-        return words[value]
-    match = _AMOUNT.fullmatch(value)
-    if match is None or (match[3] or "").lower() not in ("%", "st", "hz"):
-        raise _no_amount(attribute, (*words, "+2st", "+10%"))
-    if match[3].lower() == "hz":
-        writer.unknowns.tell("pitch in Hz", attribute.place)
-        return 0.0
-    amount = float(match[1] + match[2])
-    if match[3] == "%":
-        share = 1.0 + 0.01 * amount if match[1] else 0.01 * amount
-        amount = 12.0 * math.log2(max(share, 0.01))
-    if not -24.0 <= amount <= 24.0:
-        raise InputError(
-            f"pitch = {quoted(value)} is out of range; expected two octaves at most", attribute.place
-        )
-    return amount
-
-
-def _decibels(node: Node, words: Mapping[str, float]) -> float:
-    attribute = node.get("volume")
-    if attribute is None:
-        return 0.0
-    value = attribute.value.strip()
-    if value in words:
-        return words[value]
-    match = _AMOUNT.fullmatch(value)
-    if match is None or (match[3] or "").lower() != "db":
-        raise _no_amount(attribute, (*words, "+6dB"))
-    return max(-60.0, min(float(match[1] + match[2]), 12.0))
-
-
-def _no_amount(attribute: Attribute, known: Sequence[str]) -> ParameterError:
-    return ParameterError(unknown(attribute.name, one_line(attribute.value), known), attribute.place)
 
 
 def _phoneme(writer: Writer, node: Node) -> None:
@@ -228,48 +146,6 @@ def _phoneme(writer: Writer, node: Node) -> None:
     else:
         writer.unknowns.tell(f"alphabet {quoted(alphabet)}", given.place, "the words are spoken as written")
         writer.write(node)
-
-
-def read_ipa(attribute: Attribute) -> tuple[str, ...]:
-    """Return the phones of an IPA transcription, stress marks on the vowel that follows them.
-
-    Raises ParameterError, with the place, for a sound that is not known.
-    """
-    phones: list[str] = []
-    stress = ""
-    table = articulation()
-    for part in re.split(rf"([{_STRESS}])|[\s.‿|]+", unicodedata.normalize("NFD", attribute.value)):
-        if not part:
-            continue
-        if part in _STRESS:
-            stress = part
-            continue
-        try:
-            for letter, marks in table.letters(part):
-                vowel = letter in table.vowel
-                if letter in _GLIDES and not stress and phones and phones[-1][-1] in table.vowel:
-                    phones[-1] += letter + marks
-                    continue
-                phones.append((stress if vowel else "") + letter + marks)
-                stress = "" if vowel else stress
-        except ParameterError as error:
-            raise error.at(attribute.place) from None
-    if not phones:
-        raise InputError(f"{attribute.name} holds no sound; expected e.g. həˈləʊ", attribute.place)
-    return tuple(phones)
-
-
-def read_arpabet(attribute: Attribute) -> tuple[str, ...]:
-    """Return phones of ARPAbet between blanks; raise ParameterError, with the place, for an unknown one."""
-    table = lip_table()
-    phones = tuple(attribute.value.upper().split())
-    for phone in phones:
-        if phone.rstrip("012") not in (*table.phones, *table.diphthongs):
-            known = (*table.phones, *table.diphthongs)
-            raise ParameterError(unknown("phone", one_line(phone), known), attribute.place)
-    if not phones:
-        raise InputError(f"{attribute.name} holds no sound; expected e.g. HH AH0 L OW1", attribute.place)
-    return phones
 
 
 def _mark(writer: Writer, node: Node) -> None:
@@ -293,48 +169,11 @@ def _say_as(writer: Writer, node: Node) -> None:
         writer.put(SAY_AS[kind](words))
 
 
-def _spelt(words: str) -> str:
-    return ", ".join(char.upper() for char in words if char.isalnum())
-
-
-def _digits(words: str) -> str:
-    return " ".join(char for char in words if char.isalnum())
-
-
-def _ordinal(words: str) -> str:
-    if not words.isascii() or not words.isdigit():
-        return words
-    teen = words[-2:-1] == "1"
-    return words + ("th" if teen else {"1": "st", "2": "nd", "3": "rd"}.get(words[-1], "th"))
-
-
-def _as_written(words: str) -> str:
-    return words
-
-
-SAY_AS: Mapping[str, Callable[[str], str]] = {
-    "characters": _spelt,
-    "spell-out": _spelt,
-    "verbatim": _spelt,
-    "digits": _digits,
-    "telephone": _digits,
-    "ordinal": _ordinal,
-    "cardinal": _as_written,
-    "number": _as_written,
-    "currency": _as_written,
-    "unit": _as_written,
-}
-"""How each `interpret-as` is read; dates and times need a format, and are not understood."""
-
-
 def _lang(writer: Writer, node: Node) -> None:
     writer.within(node, language=node.required("lang", 'xml:lang="de"').value.strip())
 
 
 def _voice(writer: Writer, node: Node) -> None:
-    for name in ("gender", "age", "variant", "required", "ordering"):
-        if (given := node.get(name)) is not None:
-            writer.unknowns.tell(f"{name} of <voice>", given.place)
     voice, language = node.text_of("name"), node.text_of("lang") or node.text_of("languages")
     if voice or language:
         writer.within(node, voice=voice, language=None if voice else language)
@@ -365,3 +204,18 @@ ELEMENTS: Mapping[str, Callable[[Writer, Node], None]] = {
     "meta": _silent,
     "metadata": _silent,
 }
+
+
+ATTRIBUTES: Mapping[str, tuple[str, ...]] = {
+    ROOT: ("version", "schemaLocation"),
+    "break": ("time", "strength"),
+    "emphasis": ("level",),
+    "prosody": ("rate", "pitch", "range", "volume"),
+    "phoneme": ("alphabet", "ph"),
+    "mark": ("name",),
+    "sub": ("alias",),
+    "say-as": ("interpret-as",),
+    "voice": ("name", "languages"),
+    "meta": ("name", "content", "http-equiv"),
+}
+"""The attributes of each element that are understood; none of the others."""

@@ -9,6 +9,7 @@ from ..core.action_units import ACTION_UNITS, action_unit, resolve_targets
 from ..core.parameters import ALIASES, BASES, PARAMETERS
 from ..errors import RisoriusError
 from ..rules.emotions import Emotion, emotion, emotion_names
+from ..rules.fuzzy import blended
 from .attributes import Attributes, number_of
 from .elements import Attribute
 
@@ -32,7 +33,7 @@ class TakenEmotions(NamedTuple):
 
 
 def take_emotions(attributes: Attributes, *, emblem: bool) -> TakenEmotions:
-    """Return as `take_targets`, and emotions by name or alias with their intensity."""
+    """Return as `take_targets`, and emotions by name or alias with their intensity; displays blend."""
     parts: list[Mapping[str, float]] = []
     given: dict[str, tuple[float, Emotion]] = {}
     for name, attribute in attributes.rest():
@@ -43,9 +44,12 @@ def take_emotions(attributes: Attributes, *, emblem: bool) -> TakenEmotions:
         if found.name in given:
             raise attributes.error(f"{found.name} is given twice; expected it once", attribute.place)
         given[found.name] = (intensity, found)
-        parts.append(found.emblem_targets(intensity) if emblem else found.targets(intensity))
-    strongest = max(given.values(), key=lambda pair: (pair[0], pair[1].name), default=None)
+        if emblem:
+            parts.append(found.emblem_targets(intensity))
     intensities = {name: intensity for name, (intensity, _) in given.items()}
+    if not emblem:
+        parts.append(blended(intensities))
+    strongest = max(given.values(), key=lambda pair: (pair[0], pair[1].name), default=None)
     return TakenEmotions(combined(parts), intensities, strongest[1] if strongest else None)
 
 

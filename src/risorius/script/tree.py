@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 from ..errors import InputError, ParameterError, Place, RisoriusWarning, unknown
 from .attributes import number_of
@@ -70,6 +70,12 @@ class Node:
         found = self.get(name)
         return default if found is None else number_of(found, low, high)
 
+    def inheriting(self, container: Node) -> Node:
+        """Return the node with the attributes of its container that it does not have itself, but the id."""
+        own = {attribute.name for attribute in self.attributes} | {"id"}
+        given = (attribute for attribute in container.attributes if attribute.name not in own)
+        return replace(self, attributes=(*self.attributes, *given))
+
     def elements(self) -> Iterator[Node]:
         """Yield the elements in it; raise InputError for text between them."""
         for child in self.children:
@@ -90,6 +96,13 @@ class Unknowns:
         if what not in self._told:
             self._told.add(what)
             warnings.warn(f"{place}: {what} is not understood; {instead}", ScriptWarning, stacklevel=2)
+
+    def check(self, node: Node, known: Collection[str]) -> None:
+        """Warn of a node's attributes that are not `known`; those of XML itself are."""
+        for attribute in node.attributes:
+            prefix, _, bare = attribute.name.rpartition(":")
+            if prefix not in ("xml", "xmlns") and bare != "xmlns" and bare not in known:
+                self.tell(f"{one_line(attribute.name)} of <{one_line(node.written)}>", attribute.place)
 
 
 def read_tree(text: str, source: str, root: str) -> Node:

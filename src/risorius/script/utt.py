@@ -17,7 +17,7 @@ from .anchor import Anchor, Base, parse_number
 from .dectalk import Dictated, read_phonemes
 from .directions import Break, Directions, Span
 from .model import Mark, MarkKind, Script, SpokenLine, script_of
-from .notation import Bracket, Item, Tune, Written, read_brackets, read_tune, write_out
+from .notation import Bracket, Item, Tune, Written, has_brackets, read_brackets, read_tune, write_out
 from .quote import one_line, quoted
 from .speakable import check_length, check_speakable
 
@@ -109,14 +109,15 @@ def _sentences(entries: Sequence[_Entry]) -> list[_Sentence]:
 def _written(sentence: _Sentence) -> Written:
     entry = sentence.text
     check_speakable(entry.value, entry.place.file, entry.place)
-    phrases = read_brackets(entry.value, entry.place) or (_bare(entry),)
+    bracketed = has_brackets(entry.value)
+    phrases = read_brackets(entry.value, entry.place) if bracketed else (_bare(entry),)
     tunes: list[Tune] = []
     if "accents" in sentence.rest:
         line = sentence.rest["accents"]
         tunes = [read_tune(bracket) for bracket in read_brackets(line.value, line.place)]
         if not tunes:
             raise InputError("no accents; expected e.g. (L+H* LH%) (H* LL%)", line.place)
-    written = write_out(phrases, tunes, entry.place)
+    written = write_out(phrases, tunes)
     if "phonemes" not in sentence.rest:
         return written
     line = sentence.rest["phonemes"]

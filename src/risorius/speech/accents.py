@@ -7,7 +7,7 @@ nucleus. Measured against the pitch of a voice, either rule alone finds accents 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -154,23 +154,13 @@ def _candidates(utterance: Utterance, phrase: _Phrase, directions: Directions) -
     """Return the syllables of a phrase that might be accented, by their index."""
     words = range(phrase.start, phrase.stop)
     focused = {w for w in words if directions.focused(*_source(utterance.words[w]))}
-    stressed = [
-        index
-        for index in _syllables(utterance, words)
-        if utterance.syllables[index].stress == PRIMARY
-        and (is_content_word(_text(utterance, index)) or utterance.syllables[index].word in focused)
-    ]
-    for word in sorted(focused - {utterance.syllables[index].word for index in stressed}):
-        strongest = _strongest(utterance, range(word, word + 1))
-        stressed += [strongest] if strongest is not None else []
+    stressed = _stressed(utterance, words, focused)
     only = not stressed
-    strongest = _strongest(utterance, words)
-    if only and strongest is not None:
+    if only and (strongest := _strongest(utterance, words)) is not None:
         stressed = [strongest]
-    first_focus = min(focused, default=phrase.stop)
-    nucleus = max(
-        (i for i in stressed if utterance.syllables[i].word in focused), default=max(stressed, default=-1)
-    )
+    word_of = {index: utterance.syllables[index].word for index in stressed}
+    nucleus = max((i for i in stressed if word_of[i] in focused), default=max(stressed, default=-1))
+    lexical = utterance.language.split("-")[0] in intonation_table().lexical.languages
     return [
         (
             index,
@@ -178,13 +168,27 @@ def _candidates(utterance: Utterance, phrase: _Phrase, directions: Directions) -
                 content=is_content_word(_text(utterance, index)),
                 only=only,
                 nuclear=index == nucleus,
-                focus=utterance.syllables[index].word in focused,
-                after_focus=utterance.syllables[index].word > first_focus,
+                focus=word_of[index] in focused,
+                after_focus=word_of[index] > min(focused, default=phrase.stop),
                 ends=phrase.ends,
+                lexical_tone=lexical,
             ),
         )
-        for index in sorted(stressed)
+        for index in stressed
     ]
+
+
+def _stressed(utterance: Utterance, words: range, focused: Set[int]) -> list[int]:
+    """Return the stressed syllables of content words and of focused ones, each of which has at least one."""
+    found = [
+        index
+        for index in _syllables(utterance, words)
+        if utterance.syllables[index].stress == PRIMARY
+        and (is_content_word(_text(utterance, index)) or utterance.syllables[index].word in focused)
+    ]
+    without = focused - {utterance.syllables[index].word for index in found}
+    strongest = (_strongest(utterance, range(word, word + 1)) for word in without)
+    return sorted([*found, *(index for index in strongest if index is not None)])
 
 
 def _source(word: Word) -> tuple[int, int]:

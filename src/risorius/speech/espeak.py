@@ -105,7 +105,7 @@ class EspeakEngine:
             found = find_voice(span.voice, span.language, self)
         except SpeechError as error:
             raise error.at(span.place) from None
-        return voice_attribute("name" if span.voice else "xml:lang", found.name)
+        return voice_attribute(found.key)
 
     def _transcribe(self, words: Sequence[str], voice: Voice) -> None:
         ipa = voice.language != AMERICAN

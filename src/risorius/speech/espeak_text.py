@@ -8,6 +8,7 @@ text.
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby, pairwise
 from typing import NamedTuple
@@ -16,7 +17,7 @@ from xml.sax.saxutils import escape, quoteattr
 from ..core.manner import PLAIN, Manner
 from ..script.directions import Break, Emphasis, Span
 from .dictation import mnemonics
-from .engine import SpeechRequest
+from .engine import SpeechRequest, SpeechWarning
 
 # espeak-ng's own values of its parameters, and what a semitone is of them (measured: 102, 115 and 131 Hz at a
 # pitch of 50, 62.5 and 75).
@@ -24,7 +25,7 @@ USUAL_RATE, USUAL_PITCH, USUAL_RANGE, USUAL_VOLUME = 175, 50, 50, 100
 PITCH_PER_SEMITONE = 6.0
 SLOWEST, FASTEST = 80, 440
 
-# Finds the voice that a span asks for, by what SSML's `name` or `xml:lang` is to say.
+# Returns the attribute of the element `voice` for the voice that a span asks for.
 FindVoice = Callable[[Span], str]
 
 
@@ -78,19 +79,22 @@ def encode(request: SpeechRequest, language: str, find: FindVoice) -> Encoded:
         text.append(piece)
         origin.extend([at] * len(piece))
 
+    breaks = [d for d in request.directions if isinstance(d, Break)]
     for start, end, style in _runs(request):
-        for pause in (d for d in request.directions if isinstance(d, Break) and start <= d.at < end):
-            put(f'<break time="{round(1000 * pause.seconds)}ms"/>', start)
+        for pause in (b for b in breaks if start <= b.at < end):
+            put(_silence(pause), start)
         opening, closing = _tags(style, find)
         put(opening, start)
-        dictated = mnemonics(style.dictated.phones, language) if style.dictated else None
-        if dictated is not None:
-            # Without a blank, what follows would be read aloud.
-            put(f"[[{dictated}]] ", start)
-        else:
+        dictated = _dictation(style.dictated, language)
+        if dictated is None:
             for index in range(start, end):
                 put(escape(request.text[index]), index)
+        elif style.dictated is not None and style.dictated.start == start:
+            # Without a blank, what follows would be read aloud.
+            put(f"[[{dictated}]] ", start)
         put(closing, max(start, end - 1))
+    for pause in (b for b in breaks if b.at >= len(request.text)):
+        put(_silence(pause), len(request.text))
     return Encoded("".join(text), origin, True)
 
 
@@ -120,6 +124,21 @@ def _style(spans: Sequence[Span], at: int) -> _Style:
     return _Style(manner, emphasis, voice, dictated)
 
 
+def _silence(pause: Break) -> str:
+    return f'<break time="{round(1000 * pause.seconds)}ms"/>'
+
+
+def _dictation(span: Span | None, language: str) -> str | None:
+    """Return the mnemonics of a span's phones; None where there are none, or the voice takes none."""
+    if span is None:
+        return None
+    dictated = mnemonics(span.phones, language)
+    if dictated is None:
+        message = f"{span.place}: only English voices take phonemes; the words are spoken as written"
+        warnings.warn(message, SpeechWarning, stacklevel=2)
+    return dictated
+
+
 def _tags(style: _Style, find: FindVoice) -> tuple[str, str]:
     tags = []
     if style.voice is not None:
@@ -144,6 +163,6 @@ def _loudness(decibels: float) -> int:
     return max(0, min(round(USUAL_VOLUME * math.exp(decibels * math.log(10.0) / 20.0)), 200))
 
 
-def voice_attribute(name: str, value: str) -> str:
-    """Return an attribute of the element `voice`."""
-    return f"{name}={quoteattr(value)}"
+def voice_attribute(key: str) -> str:
+    """Return the attribute by which the element `voice` names what espeak-ng calls `key`."""
+    return f"name={quoteattr(key)}"

@@ -51,15 +51,20 @@ def normalise(text: str, start: int, end: int, language: str) -> Spoken:
     return Spoken("".join(chars), tuple(origin))
 
 
-def placed(directions: Directions, spoken: Spoken, start: int, end: int) -> Iterator[Span | Break]:
-    """Yield what `directions` say about characters [start, end) of the source, by characters of `spoken`."""
-    for direction in directions.between(start, end):
+def placed(
+    directions: Directions, spoken: Spoken, start: int, end: int, *, last: bool = False
+) -> Iterator[Span | Break]:
+    """Yield what `directions` say about characters [start, end) of the source, by characters of `spoken`.
+
+    `last`: no text follows, so that breaks at its end belong here.
+    """
+    for direction in directions.between(start, end, last=last):
         if isinstance(direction, Break):
             yield replace(direction, at=bisect_left(spoken.origin, direction.at))
             continue
-        first, last = (bisect_left(spoken.origin, at) for at in (direction.start, direction.end))
-        if first < last:
-            yield replace(direction, start=first, end=last)
+        first, stop = (bisect_left(spoken.origin, at) for at in (direction.start, direction.end))
+        if first < stop:
+            yield replace(direction, start=first, end=stop)
 
 
 def _clean(text: str, start: int, end: int, put: Callable[[str, int], None]) -> None:

@@ -10,9 +10,10 @@ from typing import TypeVar
 
 from ..core.audio import Audio, AudioWriter
 from ..core.utterance import SILENCE, Accent, Boundary, Pause, PauseKind, Phone, Syllable, Utterance, Word
-from ..errors import InputError
+from ..errors import InputError, SpeechError
 from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
+from .engine import is_voice_file
 from .synthesis import synthesize
 
 # Seconds between lines where the second has no time of its own.
@@ -43,18 +44,25 @@ def say(
 ) -> Utterance:
     """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
 
-    Without `voice`, the script's language, or else `language`, is spoken by its first voice, English where
-    neither is named. `felt`: emotions that change the voice. Raises InputError, with the line's place,
+    Without `voice`, `language`, or else the script's, is spoken by its first voice, English where neither is
+    named. `felt`: emotions that change the voice. Raises InputError, with the line's place,
     where a line starts before the one before it has ended; SpeechError if the engine fails.
     """
-    spoken = None if voice else script.language or language
+    spoken = language
+    if spoken is None and (voice is None or is_voice_file(voice)):
+        spoken = script.language
     speak = partial(synthesize, voice=voice, language=spoken, rate=rate)
     if not script.timed:
         speak = partial(speak, lead=lead, tail=tail)
     manner = common_manner(felt)
-    if manner is not None:
-        return _speak(script, partial(speak, manner=manner))
-    return _speak(coloured(script, felt, _speak(script, speak)), speak)
+    try:
+        if manner is not None:
+            return _speak(script, partial(speak, manner=manner))
+        return _speak(coloured(script, felt, _speak(script, speak)), speak)
+    except SpeechError as error:
+        # The script is at fault only where it names the language itself.
+        named = spoken is not None and language is None
+        raise error.at(script.lines[0].place) if named else error from None
 
 
 def _speak(script: Script, speak: Speaker) -> Utterance:
