@@ -56,9 +56,8 @@ def labels(path: Path) -> Spans:
 
 def moved(spans: Spans, draw: np.random.Generator) -> Spans:
     """Return the phones with every inner boundary moved at random, in order still."""
-    edges = np.array([start for _, start, _ in spans[1:]])
-    edges = np.maximum.accumulate(edges + draw.uniform(-JITTER, JITTER, len(edges)))
-    edges += SHORTEST * np.arange(len(edges)) * 1e-3
+    edges = np.array([start for _, start, _ in spans[1:]]) + draw.uniform(-JITTER, JITTER, len(spans) - 1)
+    edges = np.maximum.accumulate(np.maximum(edges, SHORTEST))
     last = spans[-1][2]
     times = [0.0, *np.minimum(edges, last - SHORTEST).tolist(), last]
     kept = zip(spans, times[:-1], times[1:], strict=True)
@@ -69,7 +68,7 @@ def gap(spans: Spans) -> np.ndarray:
     """Return the lip gap in mm at 50 fps."""
     last = spans[-1][2]
     phones = tuple(Phone(symbol, start, end, 1 if symbol in VOWELS else -1) for symbol, start, end in spans)
-    utterance = Utterance("", "en-us", silence(round(last * RATE), RATE), phones, ())
+    utterance = Utterance("", "en-us", silence(last, RATE), phones, ())
     score = compose(Brief(last, utterance, lively=False), without=CHANNELS)
     return machine().mouth(blend.at(score, np.arange(0.0, last, 1.0 / FPS), load_lip_rig()))[:, 0]
 

@@ -7,9 +7,9 @@ registers itself here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
@@ -17,6 +17,8 @@ from ..core.movement import LipSegment
 from ..core.utterance import SILENCE
 from ..registry import Registry
 from .intervals import Array, Indices
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +37,28 @@ class Weights:
         """Return the weighted average of one value per segment, shape (segments,), at the times: (count,)."""
         spread = np.bincount(self.time, self.weight * values[self.segment], self.count)
         return np.asarray(spread, dtype=np.float64)
+
+
+class Shared:
+    """Mappings of segments, many of which are the same object.
+
+    `mappings`: each once; `number`: which of them each segment has, shape (segments,).
+    """
+
+    def __init__(self, mappings: Sequence[Mapping[str, Any]]) -> None:
+        known: dict[int, int] = {}
+        self.number = np.array([known.setdefault(id(m), len(known)) for m in mappings], dtype=np.intp)
+        _, self._first = np.unique(self.number, return_index=True)
+        self.mappings = self.first(mappings)
+
+    def first(self, items: Sequence[T]) -> tuple[T, ...]:
+        """Return one item per segment for the first segment that has each mapping."""
+        return tuple(items[i] for i in self._first.tolist())
+
+    def column(self, name: str, missing: float) -> Array:
+        """Return the value of a name for every segment, shape (segments,)."""
+        values = np.array([m.get(name, missing) for m in self.mappings], dtype=np.float64)
+        return np.asarray(values[self.number])
 
 
 class Coarticulation(Protocol):

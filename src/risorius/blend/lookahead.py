@@ -30,7 +30,7 @@ from ..core.functions import minimum_jerk
 from ..core.movement import LipSegment
 from ..core.parameters import BASES, INDEX, PARAMETERS, Parameter
 from ..core.utterance import SILENCE
-from .coarticulation import LIP_MODELS, Weights
+from .coarticulation import LIP_MODELS, Shared, Weights
 from .intervals import Array, ranges
 
 OPPOSED = 0.3
@@ -52,7 +52,8 @@ class LookAheadModel:
     """Coarticulation by looking ahead (see `coarticulation.Coarticulation`)."""
 
     def __init__(self, segments: Sequence[LipSegment]) -> None:
-        self._segments = tuple(segments)
+        self._aims = Shared([s.targets for s in segments])
+        self._yields = Shared([s.yields for s in segments])
         self._start = np.array([s.start for s in segments])
         self._end = np.array([s.end for s in segments])
         self._silent = np.array([s.phone == SILENCE for s in segments])
@@ -74,9 +75,10 @@ class LookAheadModel:
     def targets(self, parameter: str) -> Array:
         """Return each segment's posture after rules 1 and 2, shape (segments,)."""
         if parameter not in self._targets:
-            own = np.array([s.targets.get(parameter, 0.0) for s in self._segments], dtype=np.float64)
-            asked = [s.yields.get(parameter, s.yields.get("*", np.inf)) for s in self._segments]
-            taken = _taken(~self._silent & (self._rate >= np.array(asked)), self._silent)
+            own = self._aims.column(parameter, 0.0)
+            asked = self._yields.column(parameter, np.nan)
+            asked = np.where(np.isnan(asked), self._yields.column("*", np.inf), asked)
+            taken = _taken(~self._silent & (self._rate >= asked), self._silent)
             self._targets[parameter] = _opposed(own[taken])
         return self._targets[parameter]
 

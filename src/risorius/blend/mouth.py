@@ -54,11 +54,14 @@ class Mouth:
         self.tuning = tuning
         self.speaks = np.array([float(s.phone != SILENCE) for s in segments])
         closing = {g.segment for g in goals}
-        self.limits: tuple[dict[str, tuple[float, float]], ...] = tuple(
-            dict(s.limits) if s.phone != SILENCE and (i in closing or not _touches(s)) else {}
+        none: Mapping[str, tuple[float, float]] = {}
+        self.limits: tuple[Mapping[str, tuple[float, float]], ...] = tuple(
+            s.limits if s.phone != SILENCE and (i in closing or not _touches(s)) else none
             for i, s in enumerate(segments)
         )
-        self.limited = frozenset(name for held in self.limits for name in held)
+        shared = {id(held): held for held in self.limits}.values()
+        self.limited = frozenset(name for held in shared for name in held)
+        self.raised = frozenset(n for held in shared for n, (low, _) in held.items() if low > 0.0)
         self._found: dict[tuple[str, str, float], Spans] = {}
         self._limits_on: dict[str, Array] = {}
         self._margin = model.reach + tuning.longest

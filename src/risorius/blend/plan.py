@@ -152,7 +152,7 @@ class Moment:
             values = self.bounded(channel, name, index, values, own)
             others[index] = others[index] + values if adds else np.maximum(others[index], values)
         total = own + others if self.plan.adds(name) else np.maximum(own, others)
-        if self._mouth is not None and name in self._mouth.limited:
+        if self._mouth is not None and name in self._mouth.raised:
             total = np.maximum(total, self._mouth.low_at(name, self.times))
         return np.minimum(total, 1.0)
 

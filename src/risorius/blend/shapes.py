@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -56,4 +55,7 @@ def performed(segments: Sequence[LipSegment], rig: LipRig | None) -> tuple[LipSe
         if id(segment.targets) not in made:
             others = {n: v for n, v in segment.targets.items() if n not in ARTICULATORS}
             made[id(segment.targets)] = others | rig.actives(segment.targets)
-    return tuple(replace(s, targets=made[id(s.targets)]) for s in segments)
+    return tuple(
+        LipSegment(s.phone, s.start, s.end, made[id(s.targets)], s.limits, s.dominance, s.cause, s.yields)
+        for s in segments
+    )
