@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 
 import numpy as np
 
@@ -78,26 +77,29 @@ def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
     deviations = dict(zip(_HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
     calm = _Calm(brief)
     targets = dict.fromkeys(_HEAD, 0.0)
-    times = _times(habits.dwell, calm.edges, brief.duration, rng)
-    for start, end in pairwise(times):
+    for start, end, share in _steps(habits.dwell, calm.edges, brief.duration, rng):
         left, size = calm.at(start), size_of(NOISE, brief.conduct_at(start))
         for name, sd in deviations.items():
             drawn = size * sd * float(np.clip(rng.standard_normal(), -2.0, 2.0))
-            targets[name] = left * drawn + (0.0 if calm.rests(start) else (1.0 - left) * targets[name])
+            kept = 0.0 if calm.rests(start) else (1.0 - left * share) * targets[name]
+            targets[name] = left * share * drawn + kept
         yield _link(start, end, dict(targets), "noise", Cause(NOISE, "a living head"))
 
 
-def _times(
+def _steps(
     dwell: tuple[float, float], edges: Sequence[float], duration: float, rng: np.random.Generator
-) -> list[float]:
-    """Return when the head sets out for the next target: at random, and where a pause begins or ends."""
-    times = [0.0]
-    while times[-1] < duration:
-        wanted = times[-1] + float(rng.uniform(*dwell))
-        index = bisect_right(edges, times[-1] + dwell[0] / 2)
-        edge = edges[index] if index < len(edges) else wanted
-        times.append(min(wanted, edge))
-    return times
+) -> Iterator[tuple[float, float, float]]:
+    """Yield start and end of each movement, and what share of its way there is time for.
+
+    The head sets out for the next target at random, and anew where a pause begins or ends.
+    """
+    start = 0.0
+    while start < duration:
+        wanted = float(rng.uniform(*dwell))
+        index = bisect_right(edges, start)
+        length = min([wanted, *(edge - start for edge in edges[index : index + 1])])
+        yield start, start + length, length / wanted
+        start += length
 
 
 def _link(start: float, end: float, targets: dict[str, float], layer: str, cause: Cause) -> Movement:
