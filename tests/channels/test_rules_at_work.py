@@ -354,3 +354,16 @@ def test_alignment_falls_to_chance_where_accents_are_permuted(sentence_of: Maker
     assert alignment(said.accents) > np.mean(chance) + 4.0 * np.std(chance)
     # Chance: as often as an accent lies within reach of any other word's.
     assert np.mean(chance) < 0.65 * alignment(said.accents)
+
+
+def test_a_display_shows_less_only_while_another_is_beside_it() -> None:
+    joy, grief = Display("happiness", 0.8), Display("sadness", 0.8, 2.0, 3.0)
+    found = compose(Brief(6.0, emotions=(joy, grief), lively=False)).movements
+    smile = [m for m in found if m.layer == "1.happiness"]
+    assert [m.start for m in smile] == [0.0, 2.0, 3.0]
+    cheeks = [m.targets["orbicularis_oculi_orbitalis.left"] for m in smile]
+    assert cheeks[0] == cheeks[2] > cheeks[1]
+    corners = [m.targets["zygomatic_major.left"] for m in smile]
+    assert corners[0] == corners[1] == corners[2]
+    apart = compose(Brief(6.0, emotions=(joy, Display("pride", 0.0, 2.0, 3.0)), lively=False)).movements
+    assert [m.start for m in apart if m.layer == "1.happiness"] == [0.0]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -22,7 +23,6 @@ from .ruled import movements_of_rules, with_eyes
 NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.prominence", "head.posture.speaker"
 # Seconds in which one movement of a chain gives way to the next.
 _OVERLAP = 0.02
-_POSTURE_ONSET = 0.8
 _HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 
 
@@ -62,13 +62,13 @@ def _melody(brief: Brief) -> Iterator[Movement]:
     said = brief.utterance
     if said is None or degrees == 0.0 or not any(s.prominence for s in said.syllables):
         return
-    starts = [s.start for s in said.syllables]
-    for s, following in zip(said.syllables, [*starts[1:], said.syllables[-1].end], strict=True):
+    ends = [*(s.start for s in said.syllables[1:]), brief.duration]
+    for s, end in zip(said.syllables, ends, strict=True):
         size = degrees * size_of(MELODY, brief.conduct_at(s.start))
-        yield _link(
-            s.start, following, {"head_pitch": size * min(max(s.prominence, -2.0), 2.0)}, "melody",
-            Cause(MELODY, f'"{said.words[s.word].text}"'),
-        )  # fmt: skip
+        targets = {"head_pitch": size * min(max(s.prominence, -2.0), 2.0)}
+        cause = Cause(MELODY, f'"{said.words[s.word].text}"')
+        link = _link(s.start, end, targets, "melody", cause)
+        yield replace(link, onset=min(s.end, end) - s.start)
 
 
 def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
