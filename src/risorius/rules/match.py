@@ -72,6 +72,7 @@ def _matched(
     tried = units.of(rule.level)
     chances = rng.random(len(tried))
     sizes, sides = rng.standard_normal(len(tried)), rng.random(len(tried))
+    places = rng.random(len(tried))
     for index, unit in enumerate(tried):
         if not fits(rule.when, unit):
             continue
@@ -83,7 +84,8 @@ def _matched(
             0.3, 1.0 + rule.effect.vary * float(np.clip(sizes[draw], -2.0, 2.0))
         )
         left = sides[draw] < 0.5 * (1.0 + side)
-        yield _event(rule, unit, units, size, mirrored=rule.effect.mirror and not left)
+        span = _span(rule, unit, float(places[index]))
+        yield _event(rule, unit, units, span, size, mirrored=rule.effect.mirror and not left)
 
 
 def felt_conduct(felt: Mapping[str, float]) -> tuple[Conduct, ...]:
@@ -129,10 +131,9 @@ def _canonical(name: str) -> str:
     return name if name == NOTHING_FELT else emotion_key(name)
 
 
-def _event(rule: Rule, unit: Unit, units: Units, size: float, *, mirrored: bool) -> Event:
+def _event(rule: Rule, unit: Unit, units: Units, span: Span, size: float, *, mirrored: bool) -> Event:
     if not rule.effect.grouped:
         size *= synchrony().size_at(unit.rate)
-    span = _span(rule, unit)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
     return Event(rule, unit, _inside(span, units.situation.duration), _targets(rule, size, mirrored), size)
@@ -152,11 +153,11 @@ def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
     return targets
 
 
-def _span(rule: Rule, unit: Unit) -> Span:
+def _span(rule: Rule, unit: Unit, place: float) -> Span:
     timing = rule.timing
     tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
-    start = _anchored(timing.at, unit) - timing.lead
+    start = _anchored(timing.at, unit, place) - timing.lead
     if timing.at is Anchor.WHOLE:
         end = max(unit.end, start + 0.1)
         scale = min(1.0, (end - start) / max(onset + offset, 1e-9))
@@ -166,7 +167,10 @@ def _span(rule: Rule, unit: Unit) -> Span:
     return Span(start, start + onset, release, release + offset)
 
 
-def _anchored(at: Anchor, unit: Unit) -> float:
+def _anchored(at: Anchor, unit: Unit, place: float) -> float:
+    """Return the time of an anchor; `place` 0..1 is the one drawn within the unit."""
+    if at is Anchor.ANYWHERE:
+        return unit.start + place * (unit.end - unit.start)
     if at is Anchor.ACCENT and unit.accented is not None:
         return unit.accented
     return {Anchor.MIDDLE: unit.middle, Anchor.END: unit.end}.get(at, unit.start)

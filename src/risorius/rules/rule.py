@@ -75,12 +75,13 @@ class TurnState(StrEnum):
 
 
 class Anchor(StrEnum):
-    """What of a unit a movement starts from; WHOLE spans it all."""
+    """What of a unit a movement starts from; ANYWHERE is drawn, WHOLE spans it all."""
 
     START = "start"
     MIDDLE = "middle"
     END = "end"
     ACCENT = "accent"
+    ANYWHERE = "anywhere"
     WHOLE = "whole"
 
 
