@@ -223,7 +223,7 @@ _TRANSCRIPT_HELP = "What the recording says, or a file with it."
 @click.option(
     "--without", multiple=True, metavar="CHANNEL", help="Leave a channel out ('risorius list channels')."
 )
-@click.option("--still", is_flag=True, help="No random blinks, head or eye movements.")
+@click.option("--still", is_flag=True, help="Only what is said and marked: no rules, nothing random.")
 @click.option("--lips", metavar="MODEL", help="Coarticulation model.  [default: dominance]")
 @click.option("--conflict", metavar="POLICY", help="What rival muscles do to each other.  [default: graded]")
 @click.option("--without-contact", is_flag=True, help="Drop the lips' contact goals, to see what they do.")

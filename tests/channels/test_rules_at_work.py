@@ -10,7 +10,7 @@ import pytest
 
 from risorius.channels import CHANNEL_BUILDERS, Brief, Display, compose
 from risorius.core.movement import Movement
-from risorius.core.utterance import PauseKind, Utterance
+from risorius.core.utterance import Accent, PauseKind, Utterance
 from risorius.rules.book import extended, shipped
 from risorius.rules.profiles import attitude, profile, profiles
 
@@ -332,3 +332,38 @@ def test_any_seed_and_speaker_make_a_score_that_can_be_performed(
     for seed in range(25):
         score = compose(Brief(said.duration, said, profile=speaker), seed=seed)
         assert all(0.0 <= m.start < m.end for m in score.movements)
+
+
+def test_alignment_falls_to_chance_where_accents_are_permuted(sentence_of: Maker) -> None:
+    said = sentence_of(LONG * 2)
+    starts = np.array([said.syllables[a.syllable].start for a in said.accents])
+    rng = np.random.default_rng(0)
+
+    def alignment(accents: tuple[Accent, ...]) -> float:
+        """Return the share of the true accents that brows meet, performed from those given."""
+        found = compose(Brief(said.duration, replace(said, accents=accents))).movements
+        raises = np.array([m.start for m in found if m.cause.rule.startswith("signals.brows")])
+        return float(np.mean(np.abs(np.subtract.outer(starts, raises)).min(axis=1) < 0.15))
+
+    permuted = []
+    for _ in range(12):
+        words = sorted(rng.choice(len(said.words), len(said.accents), replace=False).tolist())
+        moved = zip(said.accents, words, strict=True)
+        permuted.append(tuple(replace(a, word=w, syllable=w) for a, w in moved))
+    chance = [alignment(accents) for accents in permuted]
+    assert alignment(said.accents) > np.mean(chance) + 4.0 * np.std(chance)
+    # Chance: as often as an accent lies within reach of any other word's.
+    assert np.mean(chance) < 0.65 * alignment(said.accents)
+
+
+def test_a_display_shows_less_only_while_another_is_beside_it() -> None:
+    joy, grief = Display("happiness", 0.8), Display("sadness", 0.8, 2.0, 3.0)
+    found = compose(Brief(6.0, emotions=(joy, grief), lively=False)).movements
+    smile = [m for m in found if m.layer == "1.happiness"]
+    assert [m.start for m in smile] == [0.0, 2.0, 3.0]
+    cheeks = [m.targets["orbicularis_oculi_orbitalis.left"] for m in smile]
+    assert cheeks[0] == cheeks[2] > cheeks[1]
+    corners = [m.targets["zygomatic_major.left"] for m in smile]
+    assert corners[0] == corners[1] == corners[2]
+    apart = compose(Brief(6.0, emotions=(joy, Display("pride", 0.0, 2.0, 3.0)), lively=False)).movements
+    assert [m.start for m in apart if m.layer == "1.happiness"] == [0.0]

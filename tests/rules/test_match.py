@@ -10,11 +10,13 @@ from risorius.core.utterance import Utterance
 from risorius.rules.book import extended, shipped
 from risorius.rules.conduct import Conduct, rate_of, size_of
 from risorius.rules.emotions import Display
-from risorius.rules.match import Event, events_of, settle
+from risorius.rules.match import Event, events_of
 from risorius.rules.rule import Level, Question, Rule
+from risorius.rules.settle import settle
 from risorius.rules.situation import Situation
 from risorius.rules.synchrony import Span, nearest, snapped, synchrony
-from risorius.rules.units import Unit, Units
+from risorius.rules.unit import Unit
+from risorius.rules.units import Units
 
 Maker = Callable[..., Utterance]
 

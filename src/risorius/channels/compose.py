@@ -11,7 +11,8 @@ from dataclasses import replace
 
 from ..core.movement import LipSegment, Movement
 from ..core.score import BlendSettings, Score, check_score
-from ..rules.match import events_of, settle
+from ..rules.match import events_of
+from ..rules.settle import settle
 from . import emotion, gaze, head, lips, manipulators, ruled  # noqa: F401 - each registers its channels
 from .registry import CHANNEL_BUILDERS, Brief, generator
 

@@ -59,20 +59,30 @@ def _movements(display: Display, number: int, displays: Sequence[Display]) -> It
     found = find_emotion(display.emotion)
     first, last = float(display.start or 0.0), float(display.end or 0.0)
     edges = {t for d in displays for t in (d.start, d.end) if t is not None and first < t < last}
-    times = [first, *sorted(edges), last]
-    for start, end in pairwise(times):
-        company = _company(displays, 0.5 * (start + end))
+    for start, end, targets in _parts(display.emotion, [first, *sorted(edges), last], displays):
         yield Movement(
             "emotion",
             start,
             end if end == last else end + _OVERLAP,
             found.onset,
             found.offset if end == last else _OVERLAP,
-            blend_targets(display.emotion, company),
+            targets,
             id=f"emotion.{number}.{found.name}" + (f"@{start:.3f}" if start > first else ""),
             layer=f"{number}.{found.name}",
             cause=Cause("emotion.display", f"{found.name} {display.intensity:g}", "option"),
         )
+
+
+def _parts(
+    name: str, times: Sequence[float], displays: Sequence[Display]
+) -> Iterator[tuple[float, float, dict[str, float]]]:
+    """Yield start, end and targets of a display's parts between the times, alike neighbours as one."""
+    shown = [blend_targets(name, _company(displays, 0.5 * (a + b))) for a, b in pairwise(times)]
+    start = times[0]
+    for number, targets in enumerate(shown, 1):
+        if number == len(shown) or shown[number] != targets:
+            yield start, times[number], targets
+            start = times[number]
 
 
 def _company(displays: Sequence[Display], time: float) -> Mapping[str, float]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from dataclasses import replace
 
 import numpy as np
 
@@ -23,7 +23,6 @@ from .ruled import movements_of_rules, with_eyes
 NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.prominence", "head.posture.speaker"
 # Seconds in which one movement of a chain gives way to the next.
 _OVERLAP = 0.02
-_POSTURE_ONSET = 0.8
 _HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 
 
@@ -63,13 +62,13 @@ def _melody(brief: Brief) -> Iterator[Movement]:
     said = brief.utterance
     if said is None or degrees == 0.0 or not any(s.prominence for s in said.syllables):
         return
-    starts = [s.start for s in said.syllables]
-    for s, following in zip(said.syllables, [*starts[1:], said.syllables[-1].end], strict=True):
+    ends = [*(s.start for s in said.syllables[1:]), brief.duration]
+    for s, end in zip(said.syllables, ends, strict=True):
         size = degrees * size_of(MELODY, brief.conduct_at(s.start))
-        yield _link(
-            s.start, following, {"head_pitch": size * min(max(s.prominence, -2.0), 2.0)}, "melody",
-            Cause(MELODY, f'"{said.words[s.word].text}"'),
-        )  # fmt: skip
+        targets = {"head_pitch": size * min(max(s.prominence, -2.0), 2.0)}
+        cause = Cause(MELODY, f'"{said.words[s.word].text}"')
+        link = _link(s.start, end, targets, "melody", cause)
+        yield replace(link, onset=min(s.end, end) - s.start)
 
 
 def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
@@ -78,26 +77,29 @@ def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
     deviations = dict(zip(_HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
     calm = _Calm(brief)
     targets = dict.fromkeys(_HEAD, 0.0)
-    times = _times(habits.dwell, calm.edges, brief.duration, rng)
-    for start, end in pairwise(times):
+    for start, end, share in _steps(habits.dwell, calm.edges, brief.duration, rng):
         left, size = calm.at(start), size_of(NOISE, brief.conduct_at(start))
         for name, sd in deviations.items():
             drawn = size * sd * float(np.clip(rng.standard_normal(), -2.0, 2.0))
-            targets[name] = left * drawn + (0.0 if calm.rests(start) else (1.0 - left) * targets[name])
+            kept = 0.0 if calm.rests(start) else (1.0 - left * share) * targets[name]
+            targets[name] = left * share * drawn + kept
         yield _link(start, end, dict(targets), "noise", Cause(NOISE, "a living head"))
 
 
-def _times(
+def _steps(
     dwell: tuple[float, float], edges: Sequence[float], duration: float, rng: np.random.Generator
-) -> list[float]:
-    """Return when the head sets out for the next target: at random, and where a pause begins or ends."""
-    times = [0.0]
-    while times[-1] < duration:
-        wanted = times[-1] + float(rng.uniform(*dwell))
-        index = bisect_right(edges, times[-1] + dwell[0] / 2)
-        edge = edges[index] if index < len(edges) else wanted
-        times.append(min(wanted, edge))
-    return times
+) -> Iterator[tuple[float, float, float]]:
+    """Yield start and end of each movement, and what share of its way there is time for.
+
+    The head sets out for the next target at random, and anew where a pause begins or ends.
+    """
+    start = 0.0
+    while start < duration:
+        wanted = float(rng.uniform(*dwell))
+        index = bisect_right(edges, start)
+        length = min([wanted, *(edge - start for edge in edges[index : index + 1])])
+        yield start, start + length, length / wanted
+        start += length
 
 
 def _link(start: float, end: float, targets: dict[str, float], layer: str, cause: Cause) -> Movement:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -10,18 +9,17 @@ import numpy as np
 
 from ..core.action_units import resolve_targets
 from ..core.parameters import INDEX, PARAMETERS, parameters_named
-from .conduct import Conduct, is_under, rate_of, size_of
+from .conduct import Conduct, rate_of, size_of
 from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .rule import ANY, NOTHING_FELT, Anchor, Rule, When
 from .synchrony import Span, snapped, synchrony
-from .units import Unit, Units
+from .unit import Unit
+from .units import Units
 
 LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
 EYES = ("gaze_pitch", "gaze_yaw")
 SIDED = ("head_yaw", "head_roll", "gaze_yaw")
-# Events of one part of the face closer than this would be one movement, seconds.
-APART = 0.05
 
 Generators = Callable[[str], np.random.Generator]
 
@@ -74,6 +72,7 @@ def _matched(
     tried = units.of(rule.level)
     chances = rng.random(len(tried))
     sizes, sides = rng.standard_normal(len(tried)), rng.random(len(tried))
+    places = rng.random(len(tried))
     for index, unit in enumerate(tried):
         if not fits(rule.when, unit):
             continue
@@ -85,7 +84,8 @@ def _matched(
             0.3, 1.0 + rule.effect.vary * float(np.clip(sizes[draw], -2.0, 2.0))
         )
         left = sides[draw] < 0.5 * (1.0 + side)
-        yield _event(rule, unit, units, size, mirrored=rule.effect.mirror and not left)
+        span = _span(rule, unit, float(places[index]))
+        yield _event(rule, unit, units, span, size, mirrored=rule.effect.mirror and not left)
 
 
 def felt_conduct(felt: Mapping[str, float]) -> tuple[Conduct, ...]:
@@ -131,10 +131,9 @@ def _canonical(name: str) -> str:
     return name if name == NOTHING_FELT else emotion_key(name)
 
 
-def _event(rule: Rule, unit: Unit, units: Units, size: float, *, mirrored: bool) -> Event:
+def _event(rule: Rule, unit: Unit, units: Units, span: Span, size: float, *, mirrored: bool) -> Event:
     if not rule.effect.grouped:
         size *= synchrony().size_at(unit.rate)
-    span = _span(rule, unit)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
     return Event(rule, unit, _inside(span, units.situation.duration), _targets(rule, size, mirrored), size)
@@ -154,11 +153,11 @@ def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
     return targets
 
 
-def _span(rule: Rule, unit: Unit) -> Span:
+def _span(rule: Rule, unit: Unit, place: float) -> Span:
     timing = rule.timing
     tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
-    start = _anchored(timing.at, unit) - timing.lead
+    start = _anchored(timing.at, unit, place) - timing.lead
     if timing.at is Anchor.WHOLE:
         end = max(unit.end, start + 0.1)
         scale = min(1.0, (end - start) / max(onset + offset, 1e-9))
@@ -168,7 +167,10 @@ def _span(rule: Rule, unit: Unit) -> Span:
     return Span(start, start + onset, release, release + offset)
 
 
-def _anchored(at: Anchor, unit: Unit) -> float:
+def _anchored(at: Anchor, unit: Unit, place: float) -> float:
+    """Return the time of an anchor; `place` 0..1 is the one drawn within the unit."""
+    if at is Anchor.ANYWHERE:
+        return unit.start + place * (unit.end - unit.start)
     if at is Anchor.ACCENT and unit.accented is not None:
         return unit.accented
     return {Anchor.MIDDLE: unit.middle, Anchor.END: unit.end}.get(at, unit.start)
@@ -179,45 +181,3 @@ def _inside(span: Span, duration: float) -> Span:
     moved = max(-span.start, 0.0)
     start, apex, release, end = (t + moved for t in (span.start, span.apex, span.release, span.end))
     return Span(start, apex, release, min(end, max(duration, start + 1e-3)))
-
-
-def settle(events: Iterable[Event], taken: Iterable[tuple[float, float, frozenset[str]]] = ()) -> list[Event]:
-    """Return the events that happen, in order.
-
-    Those that another's rule pauses do not; nor, regulators apart, those that move what the script moves at
-    the time: `taken` are its spans and parameters. Of two that start together in one part the larger stays.
-    """
-    spans = list(taken)
-    found = [e for e in events if not _is_taken(e, spans)]
-    pausing = [e for e in found if e.rule.pauses]
-    return _apart([e for e in found if not any(_pauses(other, e) for other in pausing)])
-
-
-def _is_taken(event: Event, taken: Iterable[tuple[float, float, frozenset[str]]]) -> bool:
-    return event.rule.channel != "regulators" and any(
-        start < event.span.end and event.span.start < end and not event.moves.isdisjoint(names)
-        for start, end, names in taken
-    )
-
-
-def _pauses(other: Event, event: Event) -> bool:
-    meet = other.span.start < event.span.end and event.span.start < other.span.end
-    return meet and any(is_under(event.rule.id, prefix) for prefix in other.rule.pauses)
-
-
-def _apart(events: Sequence[Event]) -> list[Event]:
-    kept: dict[tuple[str, str], list[Event]] = {}
-    for event in sorted(events, key=lambda e: (e.span.start, e.rule.id)):
-        row = kept.setdefault((event.rule.channel, event.rule.part), [])
-        if row and event.span.start - row[-1].span.start < APART:
-            if _weight(event) > _weight(row[-1]):
-                row[-1] = event
-        else:
-            row.append(event)
-    return sorted((e for row in kept.values() for e in row), key=lambda e: (e.span.start, e.rule.id))
-
-
-def _weight(event: Event) -> float:
-    effect = event.rule.effect
-    gesture = markup_table().head[effect.gesture].amplitude * effect.size if effect.gesture else 0.0
-    return math.fsum(abs(v) for v in event.targets.values()) + event.size * (gesture + (effect.blink or 0.0))

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from ..core.action_units import resolve_targets
+from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..core.schema import Range, Source, build
 from ..core.toml import read_tables, read_text
 from ..errors import InputError, ParameterError, unknown
@@ -91,6 +92,12 @@ class Head:
     melody: Degrees
 
 
+def _check_posture(posture: Mapping[str, float]) -> None:
+    for name in resolve_targets(posture):
+        if PARAMETERS[INDEX[name]].kind not in (Kind.MUSCLE, Kind.HEAD):
+            raise ParameterError(f"{name} cannot be held as a posture; expected muscles or the head")
+
+
 @dataclass(frozen=True, slots=True)
 class Profile:
     """A speaker. `side`: how much the left is preferred, -1 to 1. `posture`: targets held throughout.
@@ -113,7 +120,7 @@ class Profile:
     wrinkles: Mapping[str, Annotated[float, Range(0.0, 2.0)]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        resolve_targets(self.posture)
+        _check_posture(self.posture)
         for name in self.gaze.directions:
             if name not in ("up", "down", "side"):
                 raise ParameterError(unknown("direction", name, ("up", "down", "side")))
@@ -138,7 +145,7 @@ class Attitude:
     posture: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        resolve_targets(self.posture)
+        _check_posture(self.posture)
 
     @property
     def conduct(self) -> Conduct:

@@ -18,11 +18,12 @@ from ..core.schema import Range
 from ..core.tobi import boundary_tone, pitch_accent
 from ..core.utterance import PauseKind
 from ..errors import InputError, ParameterError, unknown
+from .articulation import is_known
 from .emotions import emotion
 from .lips import lip_table
 from .markup import markup_table
 
-ANY = "any"
+ANY, NOTHING_FELT = "any", "none"
 AWAY = "away"
 Share = Annotated[float, Range(0.0, 1.0)]
 Seconds = Annotated[float, Range(0.0, 10.0)]
@@ -74,12 +75,13 @@ class TurnState(StrEnum):
 
 
 class Anchor(StrEnum):
-    """What of a unit a movement starts from; WHOLE spans it all."""
+    """What of a unit a movement starts from; ANYWHERE is drawn, WHOLE spans it all."""
 
     START = "start"
     MIDDLE = "middle"
     END = "end"
     ACCENT = "accent"
+    ANYWHERE = "anywhere"
     WHOLE = "whole"
 
 
@@ -108,29 +110,27 @@ class When:
     turn: tuple[TurnState, ...] = ()
 
     def __post_init__(self) -> None:
-        for label in self.accent:
-            if label != ANY:
-                pitch_accent(label)
-        for label in self.boundary:
-            if label != ANY:
-                boundary_tone(label)
-        for phone in self.phones:
-            lip_table().shape(phone)
-        for name in self.emotion:
-            if name != NOTHING_FELT:
-                emotion(name)
+        self._check_names()
         for what, limits in (("rate", self.rate), ("lasting", self.lasting)):
             if limits is not None and not 0.0 <= limits[0] < limits[1]:
                 raise InputError(
                     f"{what} = {list(limits)} can never be met; expected [low, high], low < high"
                 )
 
+    def _check_names(self) -> None:
+        for label in {*self.accent} - {ANY}:
+            pitch_accent(label)
+        for label in {*self.boundary} - {ANY}:
+            boundary_tone(label)
+        for phone in self.phones:
+            if not is_known(phone):
+                lip_table().shape(phone)
+        for name in {*self.emotion} - {NOTHING_FELT}:
+            emotion(name)
+
     def asked(self) -> tuple[str, ...]:
         """Return the names of the conditions that ask for something."""
         return tuple(f.name for f in fields(self) if getattr(self, f.name) not in ((), None, 0.0))
-
-
-NOTHING_FELT = "none"
 
 
 @dataclass(frozen=True, slots=True)

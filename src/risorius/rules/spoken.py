@@ -1,0 +1,164 @@
+"""The units of what is said, level by level."""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
+from .rule import Level, Position
+from .situation import Situation
+from .structure import Structure
+from .synchrony import synchrony
+from .unit import Unit
+
+
+class Spoken:
+    """Makes the units of a situation in which something is said."""
+
+    def __init__(self, said: Utterance, situation: Situation) -> None:
+        self.said, self.situation = said, situation
+        self.structure = Structure(said, situation.listening)
+        self._syllables_of = Counter(s.word for s in said.syllables)
+
+    def _unit(self, level: Level, index: int, start: float, end: float, text: str, word: int) -> Unit:
+        """Begin a unit whose first word is number `word`."""
+        return Unit(
+            level, index, start, end, text,
+            question=self.structure.question(word),
+            group=self.structure.group(word),
+            rate=self.structure.rate(word),
+            emotions=self.situation.emotions_at(0.5 * (start + end)),
+            turn=self.situation.turn_at(start),
+        )  # fmt: skip
+
+    def _texts(self, index: int) -> frozenset[str]:
+        """Return a word's text, and those of the two and three words that begin with it."""
+        texts = [w.text.lower().replace("’", "'") for w in self.said.words[index : index + 3]]
+        return frozenset(" ".join(texts[: n + 1]) for n in range(len(texts)))
+
+    def _accented(self, accents: Sequence[Accent]) -> dict[str, Any]:
+        """Return a unit's accents, and where the syllable of the nuclear one, or of the last, begins."""
+        chief = next((a for a in accents if a.nuclear), accents[-1] if accents else None)
+        start = None if chief is None else self.said.syllables[chief.syllable].start
+        return {"accents": tuple(accents), "accented": start}
+
+    def _ending(self, word: int, last: bool) -> dict[str, Any]:
+        """Return the boundary and the pause after a word, for the unit that ends it."""
+        if not last:
+            return {}
+        return {"boundary": self.structure.boundary_of.get(word), "pause": _kind(self.structure.after(word))}
+
+    def phonemes(self) -> Iterator[Unit]:
+        """Yield the spoken phones."""
+        for index, phone in enumerate(self.said.phones):
+            if phone.symbol == SILENCE or phone.word < 0:
+                continue
+            word = self.said.words[phone.word]
+            text = f'/{phone.symbol}/ of "{word.text}"'
+            yield replace(
+                self._unit(Level.PHONEME, index, phone.start, phone.end, text, phone.word),
+                stress=phone.stress,
+                phone=phone.symbol,
+                words=frozenset({word.text.lower()}),
+                position=_position(index - word.first_phone, word.last_phone - word.first_phone),
+                **self._ending(phone.word, index + 1 == word.last_phone),
+            )
+
+    def syllables(self, level: Level = Level.SYLLABLE) -> Iterator[Unit]:
+        """Yield the syllables."""
+        accents = {accent.syllable: accent for accent in self.said.accents}
+        place = 0
+        for index, s in enumerate(self.said.syllables):
+            place = place + 1 if index and self.said.syllables[index - 1].word == s.word else 0
+            count = self._syllables_of[s.word]
+            text = self.said.words[s.word].text
+            yield replace(
+                self._unit(level, index, s.start, s.end, f'"{text}"', s.word),
+                **self._accented([accents[index]] if index in accents else []),
+                stress=s.stress,
+                words=frozenset({text.lower()}),
+                position=_position(place, count),
+                **self._ending(s.word, place + 1 == count),
+            )
+
+    def words(self, level: Level = Level.WORD) -> Iterator[Unit]:
+        """Yield the words."""
+        stresses: dict[int, int] = {}
+        for s in self.said.syllables:
+            stresses[s.word] = max(stresses.get(s.word, 0), s.stress)
+        for index, word in enumerate(self.said.words):
+            phrase = self.structure.stretches[Level.PHRASE][self.structure.index(Level.PHRASE, index)]
+            yield replace(
+                self._unit(level, index, word.start, word.end, f'"{word.text}"', index),
+                **self._accented(self._accents(index, index + 1)),
+                stress=stresses.get(index, 0),
+                words=self._texts(index),
+                position=_position(index - phrase.first, phrase.last - phrase.first),
+                **self._ending(index, True),
+            )
+
+    def _accents(self, first: int, last: int) -> tuple[Accent, ...]:
+        """Return the accents on words [first, last)."""
+        low, high = (bisect_left(self.said.accents, word, key=lambda a: a.word) for word in (first, last))
+        return self.said.accents[low:high]
+
+    def items(self) -> Iterator[Unit]:
+        """Yield words, and the syllables of phrases that are spoken slowly (paper B, section 4.1)."""
+        limit = synchrony().slow_rate
+        slow = [s for s in self.syllables(Level.ITEM) if s.rate < limit]
+        fast = [w for w in self.words(Level.ITEM) if w.rate >= limit]
+        yield from sorted([*slow, *fast], key=lambda unit: unit.start)
+
+    def stretches(self, level: Level) -> Iterator[Unit]:
+        """Yield phrases, by their place in the utterance, utterances, by that in the turn, or turns."""
+        stretches = self.structure.stretches[level]
+        positions = _positions(self._owner(level, s.first) for s in stretches)
+        for index, (s, position) in enumerate(zip(stretches, positions, strict=True)):
+            text = f'"{self.structure.text(s)}"'
+            yield replace(
+                self._unit(level, index, s.start, s.end, text, s.first),
+                **self._accented(self._accents(s.first, s.last)),
+                **self._ending(s.last - 1, True),
+                question=self.structure.question(s.last - 1),
+                position=position,
+            )
+
+    def _owner(self, level: Level, word: int) -> int:
+        """Return which of the next larger stretches a word belongs to; turns belong to the whole."""
+        if level is Level.TURN:
+            return 0
+        return self.structure.index(Level.UTTERANCE if level is Level.PHRASE else Level.TURN, word)
+
+    def pauses(self) -> Iterator[Unit]:
+        """Yield the pauses."""
+        pauses = self.said.pauses
+        for index, pause in enumerate(pauses):
+            before = bisect_right(self.said.words, pause.start, key=lambda w: w.end) - 1
+            text = f"the {pause.kind} pause"
+            draft = self._unit(Level.PAUSE, index, pause.start, pause.end, text, max(before, 0))
+            yield replace(draft, pause=pause.kind, position=_position(index, len(pauses)))
+
+
+def _kind(pause: Pause | None) -> PauseKind | None:
+    return None if pause is None else pause.kind
+
+
+def _positions(owners: Iterable[int]) -> Iterator[Position]:
+    """Yield the position of each of some units among those with the same owner; owners come in order."""
+    listed = list(owners)
+    counts, seen = Counter(listed), Counter[int]()
+    for owner in listed:
+        yield _position(seen[owner], counts[owner])
+        seen[owner] += 1
+
+
+def _position(index: int, count: int) -> Position:
+    if count == 1:
+        return Position.ONLY
+    if index == 0:
+        return Position.FIRST
+    return Position.LAST if index + 1 == count else Position.INNER

@@ -1,0 +1,43 @@
+"""A unit: a stretch of a performance that rules are tried on, with all that a rule may ask about it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ..core.utterance import Accent, PauseKind
+from .rule import Level, Position, Question, TurnState
+from .synchrony import synchrony
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A stretch of seconds [start, end] and its facts.
+
+    `text`: how messages name it. `accented`: where its accented syllable begins, the nuclear one of several.
+    `rate`: syllables a second of its phrase. `group`: which run of related utterances it belongs to.
+    """
+
+    level: Level
+    index: int
+    start: float
+    end: float
+    text: str
+    accents: tuple[Accent, ...] = ()
+    accented: float | None = None
+    boundary: str | None = None
+    pause: PauseKind | None = None
+    question: Question = Question.NONE
+    stress: int = -1
+    position: Position = Position.ONLY
+    phone: str = ""
+    words: frozenset[str] = frozenset()
+    rate: float = field(default_factory=lambda: synchrony().usual_rate)
+    group: int = 0
+    emotions: Mapping[str, float] = field(default_factory=dict)
+    turn: TurnState = TurnState.SPEAKING
+
+    @property
+    def middle(self) -> float:
+        """Seconds."""
+        return 0.5 * (self.start + self.end)
