@@ -21,6 +21,7 @@ from .settings import Settings
 
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally
+    from .face.arkit_fit import ArkitTrack
     from .face.frame import FaceFrame
     from .face.head import Head
     from .face.measure import Gauge
@@ -151,6 +152,8 @@ class Take:
             frames=self.faces,
             pictures=partial(self.pictures, progress=progress),
             measures=self._measured,
+            head=lambda: self.head,
+            arkit=lambda: self.arkit,
         )
 
     def _measured(self, face: FaceFrame) -> list[float]:
@@ -162,6 +165,16 @@ class Take:
         from .face.measure import Gauge
 
         return Gauge(self.head)
+
+    @cached_property
+    def arkit(self) -> ArkitTrack:
+        """The performance as weights of ARKit's 52 shapes, with what they leave over in mm.
+
+        Raises HeadError where the head has no such shapes.
+        """
+        from .face.arkit_fit import ArkitFit
+
+        return ArkitFit(self.head).track(self.faces())
 
     @cached_property
     def head(self) -> Head:

@@ -1,5 +1,6 @@
 """Files written from a performance: one module per format, one line here for each."""
 
+from .arkit_csv import write_arkit_csv
 from .formats import OUTPUTS, Need, Output, output_for, register
 from .landmarks_csv import write_landmarks_csv
 from .mp4 import write_mp4
@@ -17,6 +18,7 @@ register(".png", "one frame, or a sheet of every n-th", {"pixels"}, write_png)
 register(".wav", "the voice", {"speech"}, write_wav)
 register(".muscles.csv", "curves of all muscles and parameters", {"curves"}, write_muscles_csv)
 register(".landmarks.csv", "distances and 68 points measured on the face", {"vertices"}, write_landmarks_csv)
+register(".arkit.csv", "52 ARKit weights as Live Link Face writes them", {"vertices"}, write_arkit_csv)
 register(".TextGrid", "words, phones and accents for Praat", {"speech"}, write_textgrid)
 register(".score.json", "all movements with their causes", {"curves"}, write_score_json)
 register(".performance.json", "curves with their score", {"curves"}, write_performance_json)
