@@ -54,9 +54,6 @@ OPPOSED: tuple[tuple[str, str], ...] = (
         )
         for side in ("Left", "Right")
     ),
-    ("mouthFunnel", "mouthPucker"),
-    ("mouthRollUpper", "mouthFunnel"),
-    ("mouthRollLower", "mouthFunnel"),
 )
 """Shapes that pull against each other."""
 
