@@ -1,4 +1,6 @@
-"""Carry the 52 sculpted ARKit shapes onto heads: `python tools/build_shapes.py [HEAD ...|--all] [--wheel PATH]`.
+"""Carry the 52 sculpted ARKit shapes onto heads.
+
+`python tools/build_shapes.py [HEAD ...|--all] [--wheel PATH]`
 
 HEAD is the name of a head that comes with Risorius or a folder; `shapes.npz` is written beside its
 `identity.toml`. The head's own `head.npz` is neither read nor changed.

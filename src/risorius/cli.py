@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 DEFAULT_OUTPUT = "performance.mp4"
 LONGEST_INPUT = 4_000_000
-WITHOUT_SPEECH = ("curves", "vertices", "pixels")
+WITHOUT_SPEECH = ("curves", "vertices", "pixels", "head")
 EXIT_FAULT, EXIT_INTERRUPTED = 2, 130
 
 _CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}

@@ -30,7 +30,12 @@ ROTATIONS: tuple[str, ...] = tuple(
 )
 """The nine rotations after the shapes, in the CSV and in packets."""
 
-_SWAPPED = {"JawRight": "JawLeft", "JawLeft": "JawRight", "MouthRight": "MouthLeft", "MouthLeft": "MouthRight"}
+_SWAPPED = {
+    "JawRight": "JawLeft",
+    "JawLeft": "JawRight",
+    "MouthRight": "MouthLeft",
+    "MouthLeft": "MouthRight",
+}
 PACKET_SHAPES: tuple[str, ...] = tuple(_SWAPPED.get(name, name) for name in CSV_SHAPES)
 """The shapes in the order of packets (and of ARKit): left before right throughout."""
 

@@ -1,8 +1,8 @@
 """ARKit weights of a face: the non-negative least squares of its skin over the head's 52 sculpted shapes.
 
-The eyes' shapes stand for the eyes' rotation and `tongueOut` for the tongue, so these are not fitted: weight 1
-is the farthest that the table of parameters allows. `mouthClose` closes what `jawOpen` opens, so it is never
-more than it: the two are fitted as an opening, and an opening with the lips together.
+The eyes' shapes stand for the eyes' rotation and `tongueOut` for the tongue, so these are not fitted: weight
+1 is the farthest that the table of parameters allows. `mouthClose` closes what `jawOpen` opens, so it is
+never more than it: the two are fitted as an opening, and an opening with the lips together.
 """
 
 from __future__ import annotations

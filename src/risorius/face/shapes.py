@@ -45,7 +45,9 @@ def arkit_shapes(head: Head) -> ArkitShapes:
     """Return the shapes of `head`; raise HeadError where its folder has none or they do not fit."""
     path = head.folder / FILE
     if not path.is_file():
-        raise HeadError(f"head '{head.name}' has no ARKit shapes; expected {FILE} in its folder", Place(str(path)))
+        raise HeadError(
+            f"head '{head.name}' has no ARKit shapes; expected {FILE} in its folder", Place(str(path))
+        )
     return _shapes(head, path, path.stat().st_mtime_ns)
 
 
@@ -54,9 +56,10 @@ def _cached(path: Path, changed: int, count: int) -> tuple[tuple[FloatArray, ...
     file = HeadFile.read(path)
     fields = []
     for name in SHAPES:
-        vertices, displacement = file.field(f"shape/{name}", count) if _moves(file, name) else ([], 0.0)
         field = np.zeros((count, 3))
-        field[vertices] = displacement
+        if _moves(file, name):
+            vertices, displacement = file.field(f"shape/{name}", count)
+            field[vertices] = displacement
         fields.append(field)
     return tuple(fields), file.array("teeth", (len(SHAPES), 3))
 

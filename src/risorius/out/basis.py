@@ -51,7 +51,7 @@ class ClipBasis:
             row[: len(found)] = found
         if not count:
             return np.zeros((0, *self.rest.shape)), weights
-        _, sizes, turn = np.linalg.svd(weights, full_matrices=False)
+        _, _, turn = np.linalg.svd(weights, full_matrices=False)
         turned = weights @ turn.T
         scale = np.maximum(np.abs(turned).max(axis=0), 1e-9)
         shapes = np.einsum("jk,kn->jn", turn * scale[: len(turn), None], np.array(self._shapes))

@@ -22,6 +22,7 @@ class Need(StrEnum):
     VERTICES = "vertices"
     PIXELS = "pixels"
     SPEECH = "speech"
+    HEAD = "head"
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,8 +62,8 @@ def _unknown_suffix(path: Path) -> str:
         return f"the name has no suffix; expected one of {known}"
     known_by_lower = {suffix.lower(): suffix for suffix in OUTPUTS}
     for asked in ("".join(path.suffixes[-2:]).lower(), path.suffix.lower()):
-        near = difflib.get_close_matches(asked, known_by_lower, n=1, cutoff=0.6)
-        near = near or [suffix for suffix in known_by_lower if suffix.endswith(asked)]
+        near = [suffix for suffix in known_by_lower if suffix.endswith(asked)]
+        near = near or difflib.get_close_matches(asked, known_by_lower, n=1, cutoff=0.6)
         if near:
             nearest = known_by_lower[near[0]]
             return f"unknown suffix '{path.suffix}'; did you mean '{nearest}'? Known: {known}"

@@ -1,10 +1,11 @@
 """`.glb` and `.rig.glb`: the head with eyes, teeth, tongue and hair in motion, as binary glTF 2.0.
 
-`.glb` moves the skin by the clip's own basis: few shapes, exact to the residual that the file states. `.rig.glb`
-moves it by the 52 ARKit shapes under their names, so that the clip drives other characters that have them, and
-these characters' clips drive the head. Head and eyes turn as nodes in both. A pose of one frame is a still: the
-posed points themselves. Lost: the muscles and causes; fine wrinkles that the renderer draws between vertices;
-the sound, whose file's name stands in the asset's extras when a `.wav` is written along.
+`.glb` moves the skin by the clip's own basis: few shapes, exact to the residual that the file states.
+`.rig.glb` moves it by the 52 ARKit shapes under their names, so that the clip drives other characters that
+have them, and these characters' clips drive the head. Head and eyes turn as nodes in both. A pose of one
+frame is a still: the posed points themselves. Lost: the muscles and causes; fine wrinkles that the renderer
+draws between vertices; the sound, whose file's name stands in the asset's extras when a `.wav` is written
+along.
 """
 
 from __future__ import annotations
@@ -84,7 +85,8 @@ def rig_scene(head: Head, gltf: Gltf) -> GlbScene:
 def still(head: Head, pieces: Mapping[str, Piece], frame: FaceFrame, asset: Mapping[str, object]) -> Gltf:
     """Return one frame as a document without animation."""
     skin = frame.skin.astype(np.float64)
-    posed = {"skin": skin, "tongue": frame.tongue.astype(np.float64), "teeth_lower": frame.teeth_lower}
+    posed = {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
+    posed["teeth_lower"] = frame.teeth_lower.astype(np.float64)
     moved = riding(pieces, skin - pieces["skin"].points)
     gltf = Gltf(**asset)
     scene = GlbScene(head, gltf, pieces, posed=posed | {n: pieces[n].points + moved[n] for n in ON_SKIN})
@@ -151,7 +153,7 @@ def _shape(shapes: ArkitShapes, index: int) -> dict[str, Array]:
 def _continuous(rotations: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     against = (rotations[1:] * rotations[:-1]).sum(axis=1) < 0.0
     signs = np.concatenate([[1.0], np.cumprod(np.where(against, -1.0, 1.0))])
-    return (rotations * signs[:, None]).astype(np.float32)
+    return np.asarray(rotations * signs[:, None], np.float32)
 
 
 def _asset(options: WriteOptions, **extras: object) -> dict[str, object]:

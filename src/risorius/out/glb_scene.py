@@ -1,4 +1,4 @@
-"""The head as a glTF scene: nodes of body, head, jaw and eyes, meshes with their materials and morph targets."""
+"""The head as a glTF scene: nodes of body, head and eyes, meshes with their materials and morph targets."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class GlbScene:
     targets: dict[str, tuple[str, ...]] = field(default_factory=dict)
 
     def build(self) -> None:
-        """Add all nodes and meshes; the skin hangs on the body and turns with the head by its neck weights."""
+        """Add all nodes and meshes; the skin turns with the head by its neck weights, the rest as a whole."""
         pieces, pivot, gltf = self.pieces, self.head.head_pivot, self.gltf
         self.nodes["head"] = gltf.add("nodes", {"name": "head", "translation": _metres(pivot)})
         self.nodes["body"] = gltf.add("nodes", {"name": "body", "children": [self.nodes["head"]]})
@@ -127,8 +127,12 @@ class GlbScene:
         if name == "eye":
             image = {"bufferView": gltf.view(_png(iris_picture(self.head))), "mimeType": "image/png"}
             source = gltf.add("images", {"name": "iris", **image})
-            sampler = gltf.add("samplers", {"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071})
-            surface["baseColorTexture"] = {"index": gltf.add("textures", {"source": source, "sampler": sampler})}
+            sampler = gltf.add(
+                "samplers", {"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071}
+            )
+            surface["baseColorTexture"] = {
+                "index": gltf.add("textures", {"source": source, "sampler": sampler})
+            }
         material: dict[str, object] = {"name": name, "pbrMetallicRoughness": surface}
         return gltf.add("materials", {**material, "doubleSided": True} if piece.two_sided else material)
 
@@ -138,12 +142,13 @@ def riding(pieces: Mapping[str, Piece], skin: Array) -> dict[str, Array]:
     moves = {}
     for name in ON_SKIN:
         roots, weights = pieces[name].roots, pieces[name].weights
-        assert roots is not None and weights is not None
+        assert roots is not None
+        assert weights is not None
         moves[name] = np.einsum("vk,vkc->vc", weights, skin[roots])
     return moves
 
 
-def normals(points: Array, triangles: Array) -> Array:
+def normals(points: Array, triangles: npt.NDArray[np.integer]) -> Array:
     """Return unit normals (n, 3) of a mesh's vertices; up where no triangle has an area."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)

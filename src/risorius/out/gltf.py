@@ -16,7 +16,11 @@ Json = dict[str, Any]
 
 _MAGIC, _VERSION, _JSON, _BIN = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
-_COMPONENTS = {np.dtype(np.uint8): 5121, np.dtype(np.uint16): 5123, np.dtype(np.uint32): 5125, np.dtype(np.float32): 5126}
+_COMPONENTS = {
+    np.dtype(np.uint8): 5121,
+    np.dtype(np.uint32): 5125,
+    np.dtype(np.float32): 5126,
+}
 VERTICES, INDICES = 34962, 34963
 _SPARSE_BELOW = 0.7  # share of moved vertices up to which the others are left out
 
@@ -51,7 +55,7 @@ class Gltf:
         return self.add("bufferViews", view if target is None else {**view, "target": target})
 
     def accessor(self, values: Array, target: int | None = None, *, normalized: bool = False) -> int:
-        """Add an array (n,) or (n, components) of uint8, uint16, uint32 or float32; return its index."""
+        """Add an array (n,) or (n, components) of uint8, uint32 or float32; return its index."""
         entry = self._described(values)
         entry["bufferView"] = self.view(np.ascontiguousarray(values).tobytes(), target)
         if normalized:

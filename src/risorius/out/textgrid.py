@@ -30,16 +30,32 @@ def textgrid_lines(utterance: Utterance) -> Iterator[str]:
     words = [(w.start, w.end, w.text) for w in utterance.words]
     phones = [(p.start, p.end, phone_label(p, utterance.language)) for p in utterance.phones]
     accents = [(a.time, a.label) for a in utterance.accents]
+    tiers = [("words", words), ("phones", phones)]
+    yield from _head(end, len(tiers) + 1)
+    yield from _interval_tiers(end, tiers)
+    yield from _point_tier(len(tiers) + 1, "accents", end, accents)
+
+
+def grid_lines(duration: float, tiers: list[tuple[str, list[Interval]]]) -> Iterator[str]:
+    """Yield the lines of a TextGrid of interval tiers, each a name and its intervals in order."""
+    end = _rounded(duration)
+    yield from _head(end, len(tiers))
+    yield from _interval_tiers(end, tiers)
+
+
+def _head(end: float, size: int) -> Iterator[str]:
     yield 'File type = "ooTextFile"'
     yield 'Object class = "TextGrid"'
     yield ""
     yield from _span("", end)
     yield "tiers? <exists>"
-    yield "size = 3"
+    yield f"size = {size}"
     yield "item []:"
-    yield from _interval_tier(1, "words", end, words)
-    yield from _interval_tier(2, "phones", end, phones)
-    yield from _point_tier(3, "accents", end, accents)
+
+
+def _interval_tiers(end: float, tiers: list[tuple[str, list[Interval]]]) -> Iterator[str]:
+    for number, (name, marked) in enumerate(tiers, 1):
+        yield from _interval_tier(number, name, end, marked)
 
 
 def phone_label(phone: Phone, language: str) -> str:

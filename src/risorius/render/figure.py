@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from ..face.head import Head
 from .anatomy import find_anatomy
+from .attach import Surface
 from .brows import grow_brows
 from .complexion import Complexion, linear
 from .eyeball import iris_image
@@ -46,7 +47,7 @@ class Piece:
 
 
 def figure_of(head: Head) -> dict[str, Piece]:
-    """Return the pieces by name: skin, eyes, teeth, tongue, brows, lashes and hair, as the renderer has them."""
+    """Return the pieces by name: skin, eyes, teeth, tongue, brows, lashes and hair."""
     anatomy, looks = find_anatomy(head), head.identity.looks
     surface, complexion, hair = skin_surface(head, anatomy), Complexion.of(looks), linear(looks.hair)
     skin = skin_part(head, anatomy, surface, complexion, hair)
@@ -58,9 +59,9 @@ def figure_of(head: Head) -> dict[str, Piece]:
         _piece("teeth_upper", teeth_part(head.teeth_upper), 0.2),
         _piece("teeth_lower", teeth_part(head.teeth_lower), 0.2),
         _piece("tongue", tongue_part(head), 0.3),
-        _ribbons("brows", grow_brows(anatomy, surface, hair, looks.brow_hairs), surface.points, surface.normals),
-        _ribbons("lashes", grow_lashes(head, surface, 0.35 * hair), surface.points, surface.normals),
-        _ribbons("hair", grow_hair(anatomy, surface, hair, looks.hairs), surface.points, surface.normals),
+        _ribbons("brows", grow_brows(anatomy, surface, hair, looks.brow_hairs), surface),
+        _ribbons("lashes", grow_lashes(head, surface, 0.35 * hair), surface),
+        _ribbons("hair", grow_hair(anatomy, surface, hair, looks.hairs), surface),
     ]
     return {piece.name: piece for piece in pieces}
 
@@ -83,7 +84,9 @@ def iris_picture(head: Head, side: int = 256) -> npt.NDArray[np.uint8]:
 
 def _piece(name: str, part: Part, roughness: float) -> Piece:
     colours = np.clip(part.attributes[:, ALBEDO : ALBEDO + 3].astype(np.float64), 0.0, 1.0)
-    return Piece(name, np.asarray(part.vertices, np.float64), part.triangles.astype(np.int64), colours, roughness)
+    return Piece(
+        name, np.asarray(part.vertices, np.float64), part.triangles.astype(np.int64), colours, roughness
+    )
 
 
 def _clothed(skin: Piece, inside: Array, cloth: Array) -> Piece:
@@ -93,8 +96,9 @@ def _clothed(skin: Piece, inside: Array, cloth: Array) -> Piece:
     return Piece(skin.name, skin.points, skin.triangles, colours, skin.roughness)
 
 
-def _ribbons(name: str, hairs: Strands, points: Array, normals: Array) -> Piece:
+def _ribbons(name: str, hairs: Strands, skin: Surface) -> Piece:
     """Return hairs as ribbons that lie flat on the skin."""
+    points, normals = skin.points, skin.normals
     frames = root_frames(points, normals, hairs.roots, hairs.weights)
     origin = np.einsum("sk,skc->sc", hairs.weights, points[hairs.roots])
     line = origin[:, None] + np.einsum("spf,sfc->spc", hairs.curves, frames)
