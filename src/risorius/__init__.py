@@ -13,13 +13,14 @@ if TYPE_CHECKING:
     from .errors import RisoriusError as RisoriusError
     from .pipeline import load as load
     from .pipeline import mix as mix
+    from .pipeline import play as play
     from .pipeline import pose as pose
     from .pipeline import speak as speak
     from .settings import Settings as Settings
     from .take import Take as Take
 
 __version__ = "0.1.0"
-__all__ = ["RisoriusError", "Settings", "Take", "load", "mix", "pose", "speak"]
+__all__ = ["RisoriusError", "Settings", "Take", "load", "mix", "play", "pose", "speak"]
 
 _HOMES = {
     "RisoriusError": "errors",
@@ -27,6 +28,7 @@ _HOMES = {
     "Take": "take",
     "load": "pipeline",
     "mix": "pipeline",
+    "play": "pipeline",
     "pose": "pipeline",
     "speak": "pipeline",
 }

@@ -260,6 +260,31 @@ def pose(
     take.write(*outputs)
 
 
+@commands.command()
+@click.argument("capture", type=click.Path(path_type=Path, dir_okay=True))
+@click.option("--audio", metavar="WAV", help="A sound to go with it.")
+@_OUTPUT_OPTION
+@_SAMPLING_OPTION
+@_SKIN_OPTION
+@_picture_options
+def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: Any) -> None:
+    """Perform a captured face: CAPTURE is .arkit.csv, .au.csv, .fap, a score or a performance (.json).
+
+    Any other .csv is read as a take of the Live Link Face app.
+    """
+    from .console import Console
+    from .pipeline import check_outputs
+    from .pipeline import play as perform
+
+    if not outputs:
+        raise OutputError("no output named; expected -o y.mp4")
+    with Console() as console:
+        check_outputs(outputs)
+        take = perform(capture, audio=audio, settings=_settings(**chosen))
+        take.write(*outputs, progress=console.progress)
+        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
+
+
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
     found: dict[str, float] = {}
     for text in targets:

@@ -11,6 +11,7 @@ from typing import Any
 from .blend import combine
 from .channels import Brief, Display, compose
 from .core.action_units import resolve_targets
+from .core.audio import read_wave
 from .core.movement import Cause, ManualCurve
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
@@ -23,7 +24,7 @@ from .settings import Settings
 from .speech import say
 from .take import Progress, Take, quiet
 
-__all__ = ["check_outputs", "load", "mix", "perform", "pose", "speak"]
+__all__ = ["check_outputs", "load", "mix", "perform", "play", "pose", "speak"]
 
 Emotions = Mapping[str, float] | Iterable[Display]
 
@@ -93,6 +94,28 @@ def load(performance: str | PathLike[str], *, settings: Settings | None = None) 
     file = read_performance_file(Path(performance))
     settings = replace(settings or Settings(), fps=file.performance.fps)
     return Take(file.performance, settings, file.utterance)
+
+
+def play(
+    capture: str | PathLike[str],
+    *,
+    audio: str | PathLike[str] | None = None,
+    settings: Settings | None = None,
+) -> Take:
+    """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
+
+    `audio` is a WAV file that is heard with it. Raises InputError for a file that cannot be used.
+    """
+    settings, path = settings or Settings(), Path(capture)
+    if path.name.lower().endswith(".performance.json"):
+        take = load(path, settings=settings)
+    elif path.name.lower().endswith(".json"):
+        take = mix(path, settings=settings)
+    else:
+        from .playback import captured
+
+        take = perform(captured(path, settings), settings)
+    return take if audio is None else replace(take, sound=read_wave(Path(audio)))
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from .core.audio import Audio
 from .core.parameters import NAMES, parameters_named
 from .core.performance import Performance
 from .core.score import Score
@@ -52,13 +53,14 @@ def _announced_if_slow(progress: Progress) -> Iterator[None]:
 class Take:
     """What `speak`, `mix` and `pose` return.
 
-    `utterance` is None where nothing is said. Faces and pictures are made when they are asked for, one frame
-    at a time.
+    `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces and
+    pictures are made when they are asked for, one frame at a time.
     """
 
     performance: Performance
     settings: Settings = field(default_factory=Settings)
     utterance: Utterance | None = None
+    sound: Audio | None = None
 
     @property
     def score(self) -> Score:
@@ -148,7 +150,7 @@ class Take:
         return Material(
             performance=self.performance,
             utterance=self.utterance,
-            audio=self.utterance.audio if self.utterance else None,
+            audio=self.sound or (self.utterance.audio if self.utterance else None),
             frames=self.faces,
             pictures=partial(self.pictures, progress=progress),
             measures=self._measured,

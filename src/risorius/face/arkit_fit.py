@@ -77,11 +77,11 @@ class ArkitFit:
 
     def weights(self, frame: FaceFrame) -> Array:
         """Return the weights (52,) of a frame, 0..1."""
-        return self._solve(self._displacement(frame.skin), _given(frame))
+        return self._solve(self.displacement(frame.skin), _given(frame))
 
     def of_skin(self, skin: npt.NDArray[np.floating], given: Array | None = None) -> Array:
         """Return the weights (52,) of a level-1 skin (N1, 3) mm; `given` (52,) are those not fitted."""
-        return self._solve(self._displacement(skin), np.zeros(len(SHAPES)) if given is None else given)
+        return self._solve(self.displacement(skin), np.zeros(len(SHAPES)) if given is None else given)
 
     def skin(self, weights: Array) -> Array:
         """Return the level-1 skin (N1, 3) in mm that `weights` (52,) make."""
@@ -92,7 +92,7 @@ class ArkitFit:
 
         Over the vertices that are seen and that some shape moves.
         """
-        rest = self._displacement(frame.skin) - weights @ self._basis
+        rest = self.displacement(frame.skin) - weights @ self._basis
         distance = np.linalg.norm(rest.reshape(-1, 3), axis=1)
         return float(np.sqrt((distance**2).mean())), float(distance.max())
 
@@ -108,7 +108,12 @@ class ArkitFit:
         head = frame.parameters[[PARAMETER[f"head_{axis}"] for axis in ("yaw", "pitch", "roll")]]
         return weights, head, eyes, self.residual(frame, weights)
 
-    def _displacement(self, skin: npt.NDArray[np.floating]) -> Array:
+    def seen_displacement(self, weights: Array) -> Array:
+        """Return the displacements (frames, 3 k) in mm that `weights` (frames, 52) make of what is seen."""
+        return np.asarray(weights @ self._basis)
+
+    def displacement(self, skin: npt.NDArray[np.floating]) -> Array:
+        """Return the displacement (3 k,) in mm of what is seen of a level-1 skin (N1, 3)."""
         return np.asarray((skin[self._counted] - self.rest[self._counted]).ravel(), dtype=np.float64)
 
     def _solve(self, displacement: Array, given: Array) -> Array:

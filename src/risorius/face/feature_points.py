@@ -118,6 +118,14 @@ class FeaturePoints:
             found[number - 1] = sign * (now - self._rest_lids[eye])[lid, 1] / self.units.IRISD
         return found
 
+    def sizes(self) -> Array:
+        """Return what a unit of each parameter (68,) is in mm, 0 for those that are no way of a point."""
+        found = np.zeros(COUNT)
+        for number, (_, _, unit) in POINTS.items():
+            found[number - 1] = getattr(self.units, unit)
+        found[[number - 1 for number in LIDS]] = self.units.IRISD
+        return found
+
     def _tongue_tip(self, frame: FaceFrame) -> tuple[float, float]:
         """Return how the tip rises and thrusts against the jaw."""
         carried = self._tongue.place(NEUTRAL, self._jaw, frame.jaw_angle / self._jaw.angle)[self._tip]

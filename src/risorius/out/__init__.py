@@ -1,21 +1,13 @@
 """Files written from a performance: one module per format, one line here for each."""
 
-from .arkit_csv import write_arkit_csv
-from .au_csv import write_au_csv
 from .azure_json import write_azure_json
 from .bml_feedback import write_bml_feedback
-from .bvh import write_bvh
 from .channels_textgrid import write_channels_textgrid
-from .fap import write_fap
-from .formats import OUTPUTS, Need, Output, output_for, register
-from .glb import write_glb, write_rig_glb
+from .formats import OUTPUTS, Need, Output, deferred, output_for, register
 from .landmarks_csv import write_landmarks_csv
 from .mp4 import write_mp4
 from .muscles_csv import write_muscles_csv
-from .npz import write_npz, write_vertices_npz
-from .obj import write_obj
 from .oculus_csv import write_oculus_csv
-from .parquet import write_parquet
 from .performance_json import write_performance_json
 from .png import write_png
 from .rhubarb import write_moho_dat, write_rhubarb_json, write_rhubarb_tsv, write_rhubarb_xml
@@ -33,13 +25,28 @@ register(".landmarks.csv", "distances and 68 points measured on the face", {"ver
 register(".TextGrid", "words, phones and accents for Praat", {"speech"}, write_textgrid)
 register(".score.json", "all movements with their causes", {"curves"}, write_score_json)
 register(".performance.json", "curves with their score", {"curves"}, write_performance_json)
-register(".arkit.csv", "52 ARKit weights as Live Link Face writes them", {"head"}, write_arkit_csv)
-register(".glb", "the head in motion, by the clip's own shapes", {"head"}, write_glb)
-register(".rig.glb", "the head with 52 ARKit shapes, driven by their weights", {"head"}, write_rig_glb)
-register(".obj", "one frame as a mesh", {"head"}, write_obj)
-register(".au.csv", "action units, gaze and pose in OpenFace's columns", {"head"}, write_au_csv)
-register(".fap", "MPEG-4 facial animation parameters", {"head"}, write_fap)
-register(".bvh", "rotations of head and eyes", {"head"}, write_bvh)
+register(
+    ".arkit.csv",
+    "52 ARKit weights as Live Link Face writes them",
+    {"head"},
+    deferred("arkit_csv", "write_arkit_csv"),
+)
+register(".glb", "the head in motion, by the clip's own shapes", {"head"}, deferred("glb", "write_glb"))
+register(
+    ".rig.glb",
+    "the head with 52 ARKit shapes, driven by their weights",
+    {"head"},
+    deferred("glb", "write_rig_glb"),
+)
+register(".obj", "one frame as a mesh", {"head"}, deferred("obj", "write_obj"))
+register(
+    ".au.csv",
+    "action units, gaze and pose in OpenFace's columns",
+    {"head"},
+    deferred("au_csv", "write_au_csv"),
+)
+register(".fap", "MPEG-4 facial animation parameters", {"head"}, deferred("fap", "write_fap"))
+register(".bvh", "rotations of head and eyes", {"head"}, deferred("bvh", "write_bvh"))
 register(".visemes.json", "mouth shapes as Rhubarb Lip Sync writes them", {"speech"}, write_rhubarb_json)
 register(".visemes.tsv", "the same as a table", {"speech"}, write_rhubarb_tsv)
 register(".visemes.xml", "the same as XML", {"speech"}, write_rhubarb_xml)
@@ -48,9 +55,13 @@ register(".azure.json", "viseme events as Azure Speech sends them", {"speech"}, 
 register(".oculus.csv", "weights of the 15 visemes of OVRLipSync", {"speech"}, write_oculus_csv)
 register(".channels.TextGrid", "every channel as a tier, for Praat", {"curves"}, write_channels_textgrid)
 register(".feedback.xml", "the plan as BML feedback", {"curves"}, write_bml_feedback)
-register(".npz", "the curves as numpy arrays", {"curves"}, write_npz)
-register(".vertices.npz", "the curves and the skin of every frame", {"head"}, write_vertices_npz)
-register(".parquet", "curves and ARKit weights for data tools", {"head"}, write_parquet)
+register(".npz", "the curves as numpy arrays", {"curves"}, deferred("npz", "write_npz"))
+register(
+    ".vertices.npz", "the curves and the skin of every frame", {"head"}, deferred("npz", "write_vertices_npz")
+)
+register(
+    ".parquet", "curves and ARKit weights for data tools", {"head"}, deferred("parquet", "write_parquet")
+)
 
 __all__ = [
     "OUTPUTS",

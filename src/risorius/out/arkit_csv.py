@@ -7,17 +7,27 @@ show (the fit's residual), wrinkles, the tongue but for `TongueOut`, the sound.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
+import numpy.typing as npt
 
 from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS
+from ..errors import InputError, Place, unknown
 from ..face.arkit_fit import ArkitTrack
+from .capture import Table, check_times, read_table, require
 from .source import Material, WriteOptions, needed
 from .table import write_lines
 
+Array = npt.NDArray[np.float64]
+
+APP_RATE = 60.0  # frames per second of the app's takes
+_RATES = (24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 90.0, 120.0)
+_TIMECODE = re.compile(r"(\d+):(\d{2}):(\d{2})[:;](\d+(?:\.\d+)?)")
 COLUMNS = ("Timecode", "BlendshapeCount", *CSV_SHAPES, *ROTATIONS)
 COUNT = len(CSV_SHAPES) + len(ROTATIONS)
 _ORDER = [INDEX[name[0].lower() + name[1:]] for name in CSV_SHAPES]
@@ -36,7 +46,7 @@ def rows(track: ArkitTrack, fps: Fraction) -> Iterator[str]:
         yield f"{timecode(number, fps)},{COUNT},{numbers}"
 
 
-def values_of(track: ArkitTrack) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
+def values_of(track: ArkitTrack) -> Array:
     """Return the 61 values (frames, 61) in the order of the columns, rotations in radians."""
     angles = np.radians(np.concatenate([track.head[:, None], track.eyes], axis=1)).reshape(-1, len(ROTATIONS))
     values = np.concatenate([track.weights[:, _ORDER], angles], axis=1)
@@ -50,3 +60,54 @@ def timecode(number: int, fps: Fraction) -> str:
     thousandths = round((time - whole) * fps * 1000)
     hours, minutes, seconds = whole // 3600 % 24, whole // 60 % 60, whole % 60
     return f"{hours:02d}:{minutes:02d}:{seconds:02d}:{thousandths // 1000:02d}.{thousandths % 1000:03d}"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArkitTake:
+    """What a CSV holds: times (n,) in seconds, weights (n, 52) in ARKit's order, rotations (n, 9) radians."""
+
+    times: Array
+    weights: Array
+    rotations: Array
+
+
+def read_arkit_csv(path: Path) -> ArkitTake:
+    """Read a take of Live Link Face, or one written here; columns are found by name, in any order.
+
+    Weights are brought within 0 to 1; rotations that are not there are 0. Raises InputError for a column that
+    is missing or unknown, a cell that is no number, a time code that is none or goes back.
+    """
+    table = read_table(path)
+    known = {name.lower(): name for name in COLUMNS}
+    for name in table.columns:
+        if name.lower() not in known:
+            raise InputError(unknown("column", name, COLUMNS), Place(str(path), 1))
+    columns = tuple(known[name.lower()] for name in table.columns)
+    table = Table(path, columns, table.rows, table.lines)
+    require(table, ("Timecode", *CSV_SHAPES), "a Live Link Face take")
+    weights = np.empty((len(table.rows), len(INDEX)))
+    weights[:, _ORDER] = np.clip(table.numbers(CSV_SHAPES), 0.0, 1.0)
+    turned = [name for name in ROTATIONS if name in columns]
+    rotations = np.zeros((len(table.rows), len(ROTATIONS)))
+    rotations[:, [ROTATIONS.index(name) for name in turned]] = table.numbers(turned)
+    return ArkitTake(_times(table), weights, rotations)
+
+
+def _times(table: Table) -> Array:
+    parts = []
+    for text, line in zip(table.texts("Timecode"), table.lines, strict=True):
+        match = _TIMECODE.fullmatch(text)
+        if match is None:
+            raise InputError(f"'{text[:30]}' is no time code HH:MM:SS:FF.mmm", Place(str(table.path), line))
+        parts.append([float(part) for part in match.groups()])
+    clock = np.array(parts)
+    seconds = clock[:, :3] @ [3600.0, 60.0, 1.0]
+    return check_times(seconds + clock[:, 3] / _rate(seconds, clock[:, 3]), table.path, table.lines)
+
+
+def _rate(seconds: Array, frames: Array) -> float:
+    """Return the frames of a second: the least usual rate that holds them all, if a whole second is there."""
+    if seconds[-1] - seconds[0] < 1.0:
+        return APP_RATE
+    most = float(frames.max())
+    return next((rate for rate in _RATES if most < rate), most + 1.0)

@@ -9,14 +9,20 @@ may itself.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from ..core.action_unit_fit import ActionUnitFit
+from ..core.action_units import action_unit
+from ..errors import InputError, Place
 from ..face.frame import FaceFrame
+from ..face.rotations import about_axis, rotation_angles
+from .capture import Table, check_times, read_table, require
 from .landmarks_csv import MEASURES
 from .source import Material, WriteOptions
 from .table import write_lines
@@ -79,3 +85,71 @@ def pose_angles(turn: Array) -> tuple[float, float, float]:
         float(y),
         float(np.arctan2(-turn[0, 1], turn[0, 0])),
     )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ActionUnitTake:
+    """What a CSV holds: times (n,) s, intensities (n,) 0..1 by unit, head and gaze (n, 3) and (n, 2) degrees.
+
+    `head` is pitch, yaw, roll, `gaze` pitch and yaw of the eyes in the head.
+    """
+
+    times: Array
+    units: dict[int, Array]
+    head: Array
+    gaze: Array
+
+
+def read_au_csv(path: Path) -> ActionUnitTake:
+    """Read action units, pose and gaze of OpenFace's CSV (of a sequence); other columns are passed over.
+
+    Frames in which no face was found (`success` 0) hold the one before. Raises InputError for columns that
+    are missing, units that we do not know, and cells that are no numbers.
+    """
+    table = read_table(path)
+    names = [name for name in table.columns if re.fullmatch(r"AU\d+_r", name)]
+    require(table, ("timestamp", *([] if names else ["AU01_r"])), "OpenFace")
+    units = {int(name[2:-2]): name for name in names}
+    for number in units:
+        action_unit(f"AU{number}")
+    found = _held(table)
+    strengths = np.clip(table.numbers(list(units.values()))[found] / SCALE, 0.0, 1.0)
+    times = check_times(table.numbers(["timestamp"])[:, 0], path, table.lines)
+    turns = [_turn(row) for row in _block(table, [f"pose_R{axis}" for axis in "xyz"])[found]]
+    head = np.array([rotation_angles(CAMERA @ turn @ CAMERA) for turn in turns])
+    angles = _block(table, ["gaze_angle_x", "gaze_angle_y"])[found]
+    return ActionUnitTake(times, dict(zip(units, strengths.T, strict=True)), head, _gaze(angles, turns))
+
+
+def _held(table: Table) -> npt.NDArray[np.int64]:
+    """Return for each row (n,) the last one up to it in which a face was found."""
+    rows = np.arange(len(table.rows))
+    if "success" not in table.columns:
+        return rows
+    good = table.numbers(["success"])[:, 0] > 0.0
+    if not good.any():
+        raise InputError("no row has success 1; expected a face", Place(str(table.path)))
+    first = int(np.argmax(good))
+    return np.maximum.accumulate(np.where(good, rows, first))
+
+
+def _block(table: Table, names: list[str]) -> Array:
+    if not set(names) <= set(table.columns):
+        return np.zeros((len(table.rows), len(names)))
+    return table.numbers(names)
+
+
+def _turn(angles: Array) -> Array:
+    """Return Rx·Ry·Rz (3, 3) of angles in radians, the inverse of `pose_angles`."""
+    x, y, z = (about_axis(axis, float(angle)) for axis, angle in zip(np.eye(3), angles, strict=True))
+    return np.asarray(x @ y @ z)
+
+
+def _gaze(angles: Array, turns: list[Array]) -> Array:
+    """Return pitch and yaw (n, 2) in the head of gaze angles (n, 2) against the camera."""
+    across, down = np.tan(angles).T
+    ahead = np.stack([across, down, -np.ones(len(angles))], axis=1)
+    local = [CAMERA @ turn.T @ way for turn, way in zip(turns, ahead, strict=True)]
+    x, y, z = np.array(local).T
+    pitch, yaw = np.arctan2(y, np.hypot(x, z)), np.arctan2(x, z)
+    return np.asarray(np.degrees(np.stack([pitch, yaw], axis=1)))

@@ -6,6 +6,7 @@ import difflib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from importlib import import_module
 from pathlib import Path
 
 from ..errors import OutputError, Place
@@ -42,6 +43,18 @@ def register(suffix: str, description: str, needs: Iterable[str], write: Writer)
     """Add a format. `write(material, path, options)` fills `path`, an empty file beside the final one."""
     output = Output(suffix, description, frozenset(Need(need) for need in needs), write)
     OUTPUTS.register(suffix)(output)
+
+
+def deferred(module: str, name: str) -> Writer:
+    """Return a writer of this package that is imported when it is first used.
+
+    What draws or fits faces takes a second to import, and most commands need none of it.
+    """
+
+    def write(material: Material, path: Path, options: WriteOptions) -> None:
+        getattr(import_module(f".{module}", __package__), name)(material, path, options)
+
+    return write
 
 
 def output_for(path: Path) -> Output:

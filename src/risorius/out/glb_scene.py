@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
-from PIL import Image
 
 from ..face.head import Head
 from ..render.figure import Piece, iris_picture
@@ -160,6 +159,8 @@ def normals(points: Array, triangles: npt.NDArray[np.integer]) -> Array:
 
 
 def _png(picture: npt.NDArray[np.uint8]) -> bytes:
+    from PIL import Image
+
     buffer = io.BytesIO()
     Image.fromarray(picture).save(buffer, format="PNG")
     return buffer.getvalue()
