@@ -285,6 +285,43 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
         console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
 
 
+@commands.command()
+@click.argument("source", metavar="INPUT")
+@click.option("--protocol", default="livelink", metavar="NAME", help="livelink, vmc or ifacialmocap.")
+@click.option("--to", default="127.0.0.1", metavar="HOST[:PORT]", help="Who receives it.")
+@click.option("--subject", metavar="NAME", help="The name that the receiver shows.  [default: risorius]")
+@click.option("--names", metavar="SET", help="Expressions over VMC: vrm0, vrm1, arkit or ARKit.")
+@click.option("--without-sound", is_flag=True, help="Do not play the voice here; the machine's clock counts.")
+@click.option("--emotion", "emotions", multiple=True, metavar="NAME:INTENSITY[@START-END]", help="Show one.")
+@_SAMPLING_OPTION
+@click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]")
+def stream(
+    source: str,
+    protocol: str,
+    to: str,
+    subject: str | None,
+    names: str | None,
+    without_sound: bool,
+    emotions: tuple[str, ...],
+    **chosen: Any,
+) -> None:
+    """Perform INPUT for another program, live: the sound is the clock, late frames are dropped."""
+    from .console import Console
+    from .pipeline import speak as perform
+    from .pipeline import stream as send
+    from .stream import PROTOCOLS, Options, parse_address
+
+    given = {"subject": subject, "names": names}
+    options = Options(**{name: value for name, value in given.items() if value is not None})
+    parse_address(to, PROTOCOLS.get(protocol).port)
+    with Console() as console:
+        take = perform(
+            source, emotion=_displays(emotions), settings=_settings(**chosen), progress=console.progress
+        )
+        sent = send(take, protocol, to, options=options, sound=not without_sound, progress=console.progress)
+        console.say(f"Sent {sent.frames} frames, dropped {sent.dropped}")
+
+
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
     found: dict[str, float] = {}
     for text in targets:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .blend import combine
 from .channels import Brief, Display, compose
@@ -24,7 +24,11 @@ from .settings import Settings
 from .speech import say
 from .take import Progress, Take, quiet
 
-__all__ = ["check_outputs", "load", "mix", "perform", "play", "pose", "speak"]
+if TYPE_CHECKING:
+    from .stream import Options
+    from .stream.send import Sent
+
+__all__ = ["check_outputs", "load", "mix", "perform", "play", "pose", "speak", "stream"]
 
 Emotions = Mapping[str, float] | Iterable[Display]
 
@@ -116,6 +120,33 @@ def play(
 
         take = perform(captured(path, settings), settings)
     return take if audio is None else replace(take, sound=read_wave(Path(audio)))
+
+
+def stream(
+    take: Take,
+    protocol: str,
+    to: str = "127.0.0.1",
+    *,
+    options: Options | None = None,
+    sound: bool = False,
+    progress: Progress = quiet,
+) -> Sent:
+    """Send a take to another program in real time; return how many frames were sent and dropped.
+
+    `protocol` is livelink, vmc or ifacialmocap, `to` HOST or HOST:PORT. With `sound` the voice is played here
+    and is the clock. Raises InputError for a wrong protocol or address, OutputError where nothing listens.
+    """
+    from .stream import PROTOCOLS, Options, parse_address, send
+    from .stream.clock import MachineClock, SoundClock
+
+    chosen = PROTOCOLS.get(protocol)
+    address = parse_address(to, chosen.port)
+    progress("Fitting weights …")
+    packets = chosen.make(take.arkit, take.performance.fps, options or Options())
+    audio = take.sound or (take.utterance.audio if take.utterance else None)
+    clock = SoundClock(audio) if sound and audio is not None else MachineClock()
+    progress(f"Sending to {address} …")
+    return send(packets, len(take.performance.values), take.performance.fps, address, clock)
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

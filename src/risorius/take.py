@@ -53,8 +53,8 @@ def _announced_if_slow(progress: Progress) -> Iterator[None]:
 class Take:
     """What `speak`, `mix` and `pose` return.
 
-    `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces and
-    pictures are made when they are asked for, one frame at a time.
+    `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces
+    and pictures are made when they are asked for, one frame at a time.
     """
 
     performance: Performance
