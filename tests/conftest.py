@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 
 import pytest
 
 from risorius.core.audio import silence
 from risorius.core.utterance import Pause, PauseKind, Phone, Utterance, Word
+from risorius.pipeline import speak
+from risorius.settings import Settings
+from risorius.take import Take
 
 VOWELS = frozenset({"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"})
 UtteranceMaker = Callable[..., Utterance]
@@ -43,3 +47,10 @@ def utterance_of() -> UtteranceMaker:
         return Utterance(text, "en-us", audio, tuple(phones), tuple(words), pauses=tuple(pauses))
 
     return make
+
+
+@pytest.fixture(scope="session")
+def clip() -> Take:
+    """A short sentence, performed by the standard head without inertia at 10 frames per second."""
+    settings = Settings(fps=Fraction(10), dynamics="static", lead=0.3, tail=0.3)
+    return speak("Oh, my mother!", emotion={"happiness": 0.5}, settings=settings)

@@ -322,6 +322,39 @@ def stream(
         console.say(f"Sent {sent.frames} frames, dropped {sent.dropped}")
 
 
+@commands.command()
+@click.argument("character", type=click.Path(path_type=Path, dir_okay=True))
+@click.option(
+    "--map", "map_file", type=click.Path(path_type=Path), help="TOML that says which target is which."
+)
+@click.option("--perform", metavar="INPUT", help="A text or file to perform on the character; needs -o.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="The character's .glb with its animation."
+)
+@_SAMPLING_OPTION
+@click.option("--head", metavar="NAME", help="The head that performs and measures.  [default: standard]")
+def rig(
+    character: Path, map_file: Path | None, perform: str | None, output: Path | None, **chosen: Any
+) -> None:
+    """Say what a CHARACTER of yours (.glb with blend shapes) can show; perform on it.
+
+    Without --map the targets are guessed by name and shown as a table to correct: save it and give it back.
+    """
+    from .console import Console
+    from .narration import tell_rig
+    from .pipeline import rig as report
+    from .pipeline import speak as speak_
+
+    if (perform is None) != (output is None):
+        raise InputError("--perform and -o go together; expected both or neither")
+    settings = _settings(**chosen)
+    with Console() as console:
+        take = speak_(perform, settings=settings, progress=console.progress) if perform is not None else None
+        found, rows = report(character, map_file=map_file, take=take, output=output, settings=settings)
+        for line in tell_rig(found, rows, guessed=map_file is None):
+            click.echo(line)
+
+
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
     found: dict[str, float] = {}
     for text in targets:

@@ -25,10 +25,11 @@ from .speech import say
 from .take import Progress, Take, quiet
 
 if TYPE_CHECKING:
+    from .rig import Rig, Shown
     from .stream import Options
     from .stream.send import Sent
 
-__all__ = ["check_outputs", "load", "mix", "perform", "play", "pose", "speak", "stream"]
+__all__ = ["check_outputs", "load", "mix", "perform", "play", "pose", "rig", "speak", "stream"]
 
 Emotions = Mapping[str, float] | Iterable[Display]
 
@@ -147,6 +148,33 @@ def stream(
     clock = SoundClock(audio) if sound and audio is not None else MachineClock()
     progress(f"Sending to {address} …")
     return send(packets, len(take.performance.values), take.performance.fps, address, clock)
+
+
+def rig(
+    character: str | PathLike[str],
+    *,
+    map_file: str | PathLike[str] | None = None,
+    take: Take | None = None,
+    output: str | PathLike[str] | None = None,
+    settings: Settings | None = None,
+) -> tuple[Rig, list[Shown]]:
+    """Return what a character (`.glb` with blend shapes) has and how well it shows each of our muscles.
+
+    With `take` and `output` the character is written with the take's animation. Raises RisoriusError.
+    """
+    from .face.arkit_fit import ArkitFit
+    from .face.head import load_head
+    from .out.atomic import replacing
+    from .out.glb_file import save_glb
+    from .rig import animated, read_rig, report
+
+    settings = settings or Settings()
+    found = read_rig(Path(character), None if map_file is None else Path(map_file))
+    if take is not None and output is not None:
+        track = ArkitFit(take.head, found.shapes).track(take.faces())
+        with replacing(Path(output)) as path:
+            save_glb(animated(found, track, take.times), path)
+    return found, report(found, load_head(settings.head, age=settings.age))
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

@@ -7,7 +7,7 @@ never more than it: the two are fitted as an opening, and an opening with the li
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -60,9 +60,13 @@ class ArkitTrack:
 
 
 class ArkitFit:
-    """Fits frames of one head; raises HeadError where the head has no sculpted shapes."""
+    """Fits frames of one head by the shapes `available` (all where None); the others get 0.
 
-    def __init__(self, head: Head) -> None:
+    Raises HeadError where the head has no sculpted shapes.
+    """
+
+    def __init__(self, head: Head, available: Collection[str] | None = None) -> None:
+        self._free, self._given = _roles(SHAPES if available is None else available)
         self.shapes: ArkitShapes = arkit_shapes(head)
         self.rest: Array = head.skin.matrix @ head.rest
         dense = self.shapes.skin.toarray()
@@ -72,8 +76,8 @@ class ArkitFit:
         self._basis = np.ascontiguousarray(dense[:, columns])
         fitted = self._basis.copy()
         fitted[_CLOSE] += fitted[_JAW]
-        self._fitted = fitted[~_GIVEN]
-        self._factor = np.linalg.cholesky(_regular(fitted)[np.ix_(~_GIVEN, ~_GIVEN)])
+        self._fitted = fitted[self._free]
+        self._factor = np.linalg.cholesky(_regular(fitted)[np.ix_(self._free, self._free)])
 
     def weights(self, frame: FaceFrame) -> Array:
         """Return the weights (52,) of a frame, 0..1."""
@@ -117,13 +121,21 @@ class ArkitFit:
         return np.asarray((skin[self._counted] - self.rest[self._counted]).ravel(), dtype=np.float64)
 
     def _solve(self, displacement: Array, given: Array) -> Array:
+        given = given * self._given
         right = self._fitted @ (displacement - given @ self._basis)
         weights = given.copy()
-        weights[~_GIVEN] = nnls(self._factor.T, np.linalg.solve(self._factor, right))[0]
+        weights[self._free] = nnls(self._factor.T, np.linalg.solve(self._factor, right))[0]
         weights[_JAW] += weights[_CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[_CLOSE] = min(weights[_CLOSE], weights[_JAW])
         return weights
+
+
+def _roles(available: Collection[str]) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
+    """Return which shapes (52,) are fitted and which are given, of those that are available."""
+    there = np.array([name in available for name in SHAPES])
+    there[_CLOSE] &= there[_JAW]  # what closes an opening is nothing without it
+    return there & ~_GIVEN, there & _GIVEN
 
 
 def _given(frame: FaceFrame) -> Array:

@@ -38,6 +38,8 @@ register(
     {"head"},
     deferred("glb", "write_rig_glb"),
 )
+register(".vrma", "VRM animation: head, gaze, expressions", {"head"}, deferred("vrma", "write_vrma"))
+register(".usda", "the head with 52 blend shapes as USD", {"head"}, deferred("usda", "write_usda"))
 register(".obj", "one frame as a mesh", {"head"}, deferred("obj", "write_obj"))
 register(
     ".au.csv",

@@ -26,7 +26,6 @@ from .table import write_lines
 Array = npt.NDArray[np.float64]
 
 APP_RATE = 60.0  # frames per second of the app's takes
-_RATES = (24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 90.0, 120.0)
 _TIMECODE = re.compile(r"(\d+):(\d{2}):(\d{2})[:;](\d+(?:\.\d+)?)")
 COLUMNS = ("Timecode", "BlendshapeCount", *CSV_SHAPES, *ROTATIONS)
 COUNT = len(CSV_SHAPES) + len(ROTATIONS)
@@ -106,8 +105,10 @@ def _times(table: Table) -> Array:
 
 
 def _rate(seconds: Array, frames: Array) -> float:
-    """Return the frames of a second: the least usual rate that holds them all, if a whole second is there."""
-    if seconds[-1] - seconds[0] < 1.0:
+    """Return the frames of a second: as many as fit evenly where a second ends, the app's rate if none does."""
+    step, whole = np.diff(frames), np.diff(seconds)
+    ends = whole == 1.0
+    if not ends.any():
         return APP_RATE
-    most = float(frames.max())
-    return next((rate for rate in _RATES if most < rate), most + 1.0)
+    usual = float(np.median(step[whole == 0.0])) if (whole == 0.0).any() else 1.0
+    return max(round(float(np.median(usual - step[ends])), 2), 1.0)

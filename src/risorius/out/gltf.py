@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import struct
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -11,10 +9,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .glb_file import GlbFile, save_glb
+
 Array = npt.NDArray[Any]
 Json = dict[str, Any]
 
-_MAGIC, _VERSION, _JSON, _BIN = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 _COMPONENTS = {
     np.dtype(np.uint8): 5121,
@@ -80,16 +79,7 @@ class Gltf:
         """Write the document as `.glb`."""
         if self._size:
             self.document["buffers"] = [{"byteLength": self._size}]
-        text = json.dumps(self.document, ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode()
-        text += b" " * (-len(text) % 4)
-        data = b"".join(self._bytes) + b"\0" * (-self._size % 4)
-        chunks = [struct.pack("<II", len(text), _JSON) + text]
-        if data:
-            chunks.append(struct.pack("<II", len(data), _BIN) + data)
-        length = 12 + sum(len(chunk) for chunk in chunks)
-        with path.open("wb") as file:
-            file.write(struct.pack("<III", _MAGIC, _VERSION, length))
-            file.writelines(chunks)
+        save_glb(GlbFile(path, self.document, b"".join(self._bytes)), path)
 
     @staticmethod
     def _described(values: Array) -> Json:
