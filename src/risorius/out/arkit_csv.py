@@ -105,7 +105,7 @@ def _times(table: Table) -> Array:
 
 
 def _rate(seconds: Array, frames: Array) -> float:
-    """Return the frames of a second: as many as fit evenly where a second ends, the app's rate if none does."""
+    """Return the frames of a second: as fit evenly where one ends, or the app's rate."""
     step, whole = np.diff(frames), np.diff(seconds)
     ends = whole == 1.0
     if not ends.any():

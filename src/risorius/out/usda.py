@@ -17,6 +17,7 @@ from ..core.arkit import SHAPES
 from ..errors import OutputError
 from ..face.arkit_fit import ArkitTrack
 from ..face.head import Head
+from ..face.rotations import head_rotation
 from ..face.shapes import arkit_shapes
 from ..render.figure import Piece, figure_of
 from ..render.tone import srgb_encode
@@ -26,7 +27,6 @@ from .source import Material, WriteOptions, needed
 Array = npt.NDArray[np.float64]
 METRES = 0.001
 _SMALL = 1e-3  # mm: displacements below it are none
-_MOVED = ("skin", "tongue", "teeth_lower")
 
 
 def write_usda(material: Material, path: Path, _options: WriteOptions) -> None:
@@ -61,13 +61,9 @@ class _Stage:
         stage.SetDefaultPrim(root.GetPrim())
         self._skeleton()
         moved = arkit_shapes(self._head)
-        for name in _MOVED:
-            shapes = {
-                "skin": moved.skin_at,
-                "tongue": moved.tongue.__getitem__,
-                "teeth_lower": moved.teeth_lower.__getitem__,
-            }[name]
-            self._mesh(self._pieces[name], [np.asarray(shapes(k)) for k in range(len(SHAPES))])
+        self._mesh(self._pieces["skin"], [moved.skin_at(k) for k in range(len(SHAPES))])
+        self._mesh(self._pieces["tongue"], list(moved.tongue))
+        self._mesh(self._pieces["teeth_lower"], list(moved.teeth_lower))
         self._mesh(self._pieces["teeth_upper"], [])
         for name in ("eye_left", "eye_right"):
             self._mesh(self._pieces[name], [])
@@ -87,7 +83,7 @@ class _Stage:
         binding.CreateAnimationSourceRel().SetTargets(["/head/animation"])
 
     def _mesh(self, piece: Piece, moves: list[Array]) -> None:
-        from pxr import Sdf, UsdGeom, UsdSkel, Vt
+        from pxr import UsdGeom, UsdSkel, Vt
 
         mesh = UsdGeom.Mesh.Define(self._stage, f"/head/{piece.name}")
         points = (piece.points * METRES).astype(np.float32)
@@ -104,30 +100,32 @@ class _Stage:
         binding.CreateJointIndicesPrimvar(False, 2).Set([0, 1] * len(points))
         weights = np.stack([1.0 - share, share], axis=1).astype(np.float32)
         binding.CreateJointWeightsPrimvar(False, 2).Set(Vt.FloatArray.FromNumpy(weights.ravel()))
-        names, paths = [], []
+        self._blend_shapes(binding, piece, moves)
+
+    def _blend_shapes(self, binding: Any, piece: Piece, moves: list[Array]) -> None:
+        from pxr import Sdf, UsdSkel, Vt
+
+        paths = {}
         for name, move in zip(SHAPES, moves, strict=False):
             rows = np.flatnonzero(np.abs(move).max(axis=1) > _SMALL)
-            if len(rows):
-                path = Sdf.Path(f"/head/{piece.name}/{name}")
-                shape = UsdSkel.BlendShape.Define(self._stage, path)
-                offsets = np.ascontiguousarray(move[rows] * METRES, np.float32)
-                shape.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(offsets))
-                shape.CreatePointIndicesAttr(Vt.IntArray.FromNumpy(rows.astype(np.int32)))
-                names.append(name)
-                paths.append(path)
-        if names:
-            binding.CreateBlendShapesAttr(names)
-            binding.CreateBlendShapeTargetsRel().SetTargets(paths)
+            if not len(rows):
+                continue
+            paths[name] = Sdf.Path(f"/head/{piece.name}/{name}")
+            shape = UsdSkel.BlendShape.Define(self._stage, paths[name])
+            offsets = np.ascontiguousarray(move[rows] * METRES, np.float32)
+            shape.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(offsets))
+            shape.CreatePointIndicesAttr(Vt.IntArray.FromNumpy(rows.astype(np.int32)))
+        if paths:
+            binding.CreateBlendShapesAttr(list(paths))
+            binding.CreateBlendShapeTargetsRel().SetTargets(list(paths.values()))
 
     def _share(self, piece: Piece) -> Array:
         if piece.name != "skin":
             return np.ones(len(piece.points))
-        return np.clip(np.asarray(self._head.skin.matrix @ self._head.neck_weight), 0.0, 1.0)
+        return np.asarray(np.clip(self._head.skin.matrix @ self._head.neck_weight, 0.0, 1.0))
 
     def _animate(self, track: ArkitTrack) -> None:
         from pxr import Gf, UsdSkel
-
-        from ..face.rotations import head_rotation
 
         animation = UsdSkel.Animation.Define(self._stage, "/head/animation")
         animation.CreateJointsAttr(["body", "body/head"])
