@@ -26,15 +26,21 @@ Mask = npt.NDArray[np.bool_]
 BASES = tuple(dict.fromkeys(m.base for m in MUSCLES))
 JAW = "masseter"
 MOUTH_LINING = 0.2  # of the inner mouth's mask, above which skin is not seen
+LID = 0.1  # of the lids' mask, above which skin folds over itself as the eye opens
 SOCKET = 4.0  # mm about the eyeball: the lids' margins do turn over, the lining behind them is not seen
+CORNER = 4.0  # mm about the corners of the mouth: upper and lower lip face each other there, even when open
 
 
 def visible(head: Head) -> Mask:
-    """Return which level-1 vertices (N1,) are seen."""
+    """Return which level-1 vertices (N1,) are seen and do not fold by nature."""
     rest = head.skin.matrix @ head.rest
     seen = np.asarray(head.skin.matrix @ head.masks["inner_mouth"] < MOUTH_LINING)
+    seen &= head.skin.matrix @ head.masks["lids"] < LID
     for centre, radius in zip(head.eye_centre, head.eye_radius, strict=True):
         seen &= np.linalg.norm(rest - centre, axis=1) > radius + SOCKET
+    meeting = head.rest[head.lip_pairs].mean(axis=1)
+    for corner in (meeting[meeting[:, 0].argmin()], meeting[meeting[:, 0].argmax()]):
+        seen &= np.linalg.norm(rest - corner, axis=1) > CORNER
     return seen
 
 
@@ -45,19 +51,38 @@ def normals(skin: Array, quads: npt.NDArray[np.int32]) -> Array:
 
 
 class Flips:
-    """Counts faces that look the other way than the faces about them: folded over, which a crease is not."""
+    """Counts faces that are folded over: they look the other way than the faces about them, and than they
+    would had they only turned with the skin about them. The second tells a fold from a crease of the rest.
+    """
 
     def __init__(self, head: Head) -> None:
         self.quads = head.skin.quads
         self.seen = visible(head)[self.quads].all(axis=1)
+        self._rest = head.skin.matrix @ head.rest
+        self._normals = normals(self._rest, self.quads)
         rows = np.repeat(np.arange(len(self.quads)), 4)
         corners = sp.csr_matrix((np.ones(len(rows)), (rows, self.quads.ravel())))
         self._around = ((corners @ corners.T) > 0).astype(np.float64)
 
     def count(self, skin: Array) -> int:
         """Return how many visible faces of `skin` (N1, 3) are flipped."""
+        return len(self.find(skin))
+
+    def find(self, skin: Array) -> npt.NDArray[np.intp]:
+        """Return the visible faces of `skin` (N1, 3) that are flipped."""
         own = normals(skin, self.quads)
-        return int((((own * (self._around @ own)).sum(axis=1) < 0.0) & self.seen).sum())
+        against = ((own * (self._around @ own)).sum(axis=1) < 0.0) & self.seen
+        return np.array(
+            [q for q in np.flatnonzero(against) if self._carried(skin, q) @ own[q] < 0.0], np.intp
+        )
+
+    def _carried(self, skin: Array, quad: int) -> Array:
+        """Return the normal (3,) of a face at rest, turned as the skin about it has turned (Kabsch)."""
+        about = np.unique(self.quads[(self._around[quad] @ self._around).indices])
+        before, now = (p[about].astype(np.float64) - p[about].mean(axis=0) for p in (self._rest, skin))
+        u, _, vt = np.linalg.svd(before.T @ now)
+        u[:, 2] *= np.linalg.det(u @ vt)
+        return np.asarray(self._normals[quad] @ u @ vt)
 
 
 def contracted(bases: Sequence[str]) -> Array:

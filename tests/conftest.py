@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 
 from risorius.core.audio import silence
-from risorius.core.utterance import Pause, PauseKind, Phone, Utterance, Word
+from risorius.core.utterance import (
+    Accent,
+    Boundary,
+    Pause,
+    PauseKind,
+    Phone,
+    Syllable,
+    Utterance,
+    Word,
+)
 from risorius.pipeline import speak
 from risorius.settings import Settings
 from risorius.take import Take
@@ -54,3 +65,84 @@ def clip() -> Take:
     """A short sentence, performed by the standard head without inertia at 10 frames per second."""
     settings = Settings(fps=Fraction(10), dynamics="static", lead=0.3, tail=0.3)
     return speak("Oh, my mother!", emotion={"happiness": 0.5}, settings=settings)
+
+
+_PAUSES = {
+    ",": PauseKind.COMMA,
+    ".": PauseKind.FULL_STOP,
+    "?": PauseKind.QUESTION,
+    "!": PauseKind.EXCLAMATION,
+    "…": PauseKind.HESITATION,
+}
+_TOKEN = re.compile(r"(?P<text>[\w']+)(?:\[(?P<tone>[^\]]*)\])?(?P<mark>[,.?!…]?)(?P<gap>\s*)")
+
+
+@pytest.fixture
+def sentence_of() -> UtteranceMaker:
+    """Return a function from marked text to an utterance: a syllable /D AA/ per word.
+
+    `[H*]` after a word accents it, the last one before a pause being nuclear; punctuation makes a pause of
+    0.3 s, or of `pause`; the boundary tone after it is L-L%.
+    """
+
+    def make(
+        marked: str, *, phone: float = 0.12, lead: float = 0.5, tail: float = 0.7, pause: float = 0.3
+    ) -> Utterance:
+        said = _Said(phone, pause)
+        said.silence(lead, PauseKind.INITIAL)
+        for token in _TOKEN.finditer(marked):
+            said.word(token["text"], token["tone"], token["mark"], token["gap"])
+        said.silence(tail, PauseKind.FINAL)
+        return said.utterance()
+
+    return make
+
+
+class _Said:
+    """Collects an utterance word by word."""
+
+    def __init__(self, phone: float, pause: float) -> None:
+        self.phone, self.pause, self.text = phone, pause, ""
+        self.phones: list[Phone] = []
+        self.words: list[Word] = []
+        self.syllables: list[Syllable] = []
+        self.pauses: list[Pause] = []
+        self.accents: list[Accent] = []
+        self.boundaries: list[Boundary] = []
+
+    def _add(self, symbol: str, seconds: float, stress: int = -1, word: int = -1) -> Phone:
+        start = self.phones[-1].end if self.phones else 0.0
+        self.phones.append(Phone(symbol, start, round(start + seconds, 9), stress, word))
+        return self.phones[-1]
+
+    def silence(self, seconds: float, kind: PauseKind) -> None:
+        found = self._add("", seconds)
+        self.pauses.append(Pause(found.start, found.end, kind))
+
+    def word(self, text: str, tone: str | None, mark: str, gap: str) -> None:
+        number, first = len(self.words), len(self.phones)
+        stress = 2 if tone else 1
+        start = self._add("D", self.phone, word=number).start
+        end = self._add("AA", self.phone, stress, number).end
+        self.syllables.append(Syllable(first, first + 2, start, end, stress, number))
+        at = len(self.text)
+        self.words.append(Word(text, start, end, first, first + 2, at, at + len(text)))
+        self.text += text + mark + gap
+        if tone:
+            self.accents.append(Accent(start + 1.5 * self.phone, number, number, tone))
+        if mark:
+            self._end_phrase(number, end)
+            self.silence(self.pause, _PAUSES[mark])
+
+    def _end_phrase(self, word: int, end: float) -> None:
+        self.boundaries.append(Boundary(end, word, "L-L%"))
+        if self.accents and not self.accents[-1].nuclear:
+            self.accents[-1] = replace(self.accents[-1], nuclear=True)
+
+    def utterance(self) -> Utterance:
+        audio = silence(self.phones[-1].end, 1000)
+        last = replace(self.phones[-1], end=audio.duration)
+        return Utterance(
+            self.text.rstrip(" "), "en-us", audio, (*self.phones[:-1], last), tuple(self.words),
+            tuple(self.syllables), tuple(self.pauses), tuple(self.accents), tuple(self.boundaries),
+        )  # fmt: skip

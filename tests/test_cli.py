@@ -60,6 +60,21 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["speak", "Hello.", "--age", "-1"], "age = -1.0 is out of range; expected 0 to 100"),
         (["pose", "AU1=1", "--age", "101", "-o", "x.png"], "age = 101.0 is out of range; expected 0 to 100"),
         (["pose", "AU1=1", "--age", "nan", "-o", "x.png"], "age = nan is out of range"),
+        (["pose", "AU1=1", "--style", "clya", "-o", "x.png"], "unknown style 'clya'; did you mean 'clay'?"),
+        (["pose", "AU1=1", "--camera", "close-up:wide", "-o", "x.png"], "expected e.g. close-up:85"),
+        (["pose", "AU1=1", "--light", "sun", "-o", "x.png"], "expected one of studio, daylight, dark"),
+        (["pose", "AU1=1", "--background", "blurple", "-o", "x.png"], "neither a file nor a colour"),
+        (["pose", "AU1=1", "--quality", "hihg", "-o", "x.png"], "did you mean 'high'"),
+        (["pose", "AU1=1", "--hair", "bold", "-o", "x.png"], "did you mean 'bald'"),
+        (
+            ["pose", "AU1=1", "--complexion", "2", "-o", "x.png"],
+            "complexion = 2 is out of range; expected 0 to 1",
+        ),
+        (["pose", "AU1=1", "--overlay", "lane", "-o", "x.png"], "did you mean 'lanes'"),
+        (
+            ["speak", "Hi.", "--background", "transparent", "-o", "x.mp4"],
+            ".mp4 has no transparent background",
+        ),
         (["speak", "Hello.", "-o", "nowhere/x.mp4"], "does not exist"),
         (["speak", "Hello.", "-o", "x.mp5"], "did you mean '.mp4'"),
         (["speak", "Hello.", "-o", "x"], "no suffix"),
@@ -185,3 +200,20 @@ def test_explain_answers_why(folder: Path, capsys: pytest.CaptureFixture[str]) -
     assert capsys.readouterr().out.startswith("zygomatic_major.left = 1.000\n    1.000 from emotion")
     assert run(["explain", "x.performance.json"]) == 0
     assert "100.0 %" in capsys.readouterr().out
+
+
+def test_what_is_not_understood_is_said_on_standard_error(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source = tmp_path / "x.ssml"
+    source.write_text('<speak>Hello <audio src="y"/> there.</speak>')
+    assert run(["speak", str(source), "-o", str(tmp_path / "x.muscles.csv")]) == 0
+    assert f"risorius: warning: {source}:1:14: <audio> is not understood" in capsys.readouterr().err
+
+
+def test_a_language_and_a_voice_of_another(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = ["-o", str(tmp_path / "x.TextGrid")]
+    assert run(["speak", "Guten Tag.", "--language", "de", *out]) == 0
+    assert "ɡ" in (tmp_path / "x.TextGrid").read_text()
+    assert run(["speak", "Hello.", "--language", "qq", *out]) == 2
+    assert "unknown language 'qq'" in capsys.readouterr().err

@@ -16,9 +16,9 @@ from risorius.core.parameters import INDEX
 
 DOCS = Path(__file__).parent.parent / "docs"
 PAGE = DOCS / "combination.md"
-PICTURES = sorted((DOCS / "pictures").glob("*.png"))
+PICTURES = sorted(p for kind in ("png", "webp") for p in (DOCS / "pictures").glob(f"*.{kind}"))
 DRAWN = re.findall(r'^    "([\w-]+)": \w+,$', (DOCS / "drawing.py").read_text(), re.MULTILINE)
-LARGEST, LARGEST_SHEET = 200_000, 900_000
+LARGEST, LARGEST_SHEET, LARGEST_FILM = 200_000, 900_000, 3_000_000
 
 
 @pytest.fixture(scope="module")
@@ -141,6 +141,7 @@ def test_all_pictures_are_shown_and_small() -> None:
     for picture in PICTURES:
         assert f"pictures/{picture.name})" in pages, picture.name
         largest = LARGEST if picture.stem in DRAWN and picture.stem != "demo" else LARGEST_SHEET
+        largest = LARGEST_FILM if picture.name == "demo.webp" else largest
         assert picture.stat().st_size <= largest, picture.name
 
 

@@ -3,11 +3,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.core.audio import read_wave
 from risorius.core.parameters import INDEX
 from risorius.errors import InputError
 from risorius.pipeline import play
 from risorius.settings import Settings
+from risorius.speech.recording import read_recording
 from risorius.take import Take
 
 
@@ -32,13 +32,9 @@ def test_what_cannot_be_played_is_one_line(tmp_path: Path, name: str, message: s
         play(tmp_path / name)
 
 
-@pytest.mark.parametrize(
-    ("data", "message"),
-    [(b"", "is no WAV file"), (b"RIFF1234WAVEjunk", "is no WAV file")],
-)
-def test_a_sound_that_is_none(folder: Path, tmp_path: Path, data: bytes, message: str) -> None:
-    (tmp_path / "y.wav").write_bytes(data)
-    with pytest.raises(InputError, match=message):
+def test_a_sound_that_is_none(folder: Path, tmp_path: Path) -> None:
+    (tmp_path / "y.wav").write_bytes(b"RIFF1234WAVEjunk")
+    with pytest.raises(InputError, match=r"y\.wav: cannot be read"):
         play(folder / "x.fap", audio=tmp_path / "y.wav")
 
 
@@ -81,18 +77,9 @@ def test_lips_closed_over_an_open_jaw_are_closed_by_contact(folder: Path, tmp_pa
 def test_the_sound_goes_along(folder: Path, clip: Take, tmp_path: Path) -> None:
     take = play(folder / "x.arkit.csv", audio=folder / "x.wav", settings=Settings(dynamics="static"))
     take.write(tmp_path / "y.wav")
-    assert (tmp_path / "y.wav").read_bytes() == (folder / "x.wav").read_bytes()
-
-
-def test_channels_of_a_sound_are_averaged(tmp_path: Path) -> None:
-    import wave
-
-    with wave.open(str(tmp_path / "s.wav"), "wb") as file:
-        file.setnchannels(2)
-        file.setsampwidth(2)
-        file.setframerate(8000)
-        file.writeframes(np.array([[100, 300], [-200, -400]], "<i2").tobytes())
-    assert read_wave(tmp_path / "s.wav").read().tolist() == [200, -300]
+    one, other = (read_recording(path).read().astype(int) for path in (tmp_path / "y.wav", folder / "x.wav"))
+    assert len(one) == len(other)
+    assert np.abs(one - other).max() <= 1
 
 
 def test_curves_know_their_file(folder: Path) -> None:

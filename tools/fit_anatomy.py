@@ -16,7 +16,7 @@ from risorius.face.muscle_table import NAMES, Muscle, load_muscles
 Array = npt.NDArray[np.float64]
 
 SPACING = 4.5  # mm between places
-STIFF = 3e-4  # how much large weights cost
+STIFF = 5e-5  # how much large weights cost
 JAW = "masseter"
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .errors import RisoriusError as RisoriusError
+    from .pipeline import align as align
     from .pipeline import load as load
     from .pipeline import mix as mix
     from .pipeline import play as play
@@ -20,12 +21,13 @@ if TYPE_CHECKING:
     from .take import Take as Take
 
 __version__ = "0.1.0"
-__all__ = ["RisoriusError", "Settings", "Take", "load", "mix", "play", "pose", "speak"]
+__all__ = ["RisoriusError", "Settings", "Take", "align", "load", "mix", "play", "pose", "speak"]
 
 _HOMES = {
     "RisoriusError": "errors",
     "Settings": "settings",
     "Take": "take",
+    "align": "pipeline",
     "load": "pipeline",
     "mix": "pipeline",
     "play": "pipeline",

@@ -15,6 +15,7 @@ from .errors import InputError, OutputError, RisoriusError
 
 if TYPE_CHECKING:
     from .channels import Display
+    from .core.look import Look
     from .settings import Settings
 
 DEFAULT_OUTPUT = "performance.mp4"
@@ -22,6 +23,7 @@ LONGEST_INPUT = 4_000_000
 WITHOUT_SPEECH = ("curves", "vertices", "pixels", "head")
 EXIT_FAULT, EXIT_INTERRUPTED = 2, 130
 
+_LISTED = ("muscles", "channels", "emotions", "profiles", "attitudes", "voices", "outputs", "heads")
 _CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
@@ -93,18 +95,57 @@ def _settings(**chosen: Any) -> Settings:
         onset_function=chosen.pop("onset_function", None),
         contact=not chosen.pop("without_contact", False),
     )
+    look = _look(chosen)
     if (size := chosen.pop("size", None)) is not None:
         chosen["size"] = parse_size(size)
+    chosen["voice_emotion"] = chosen.pop("voice_emotion", None) != "off"
     if (fps := chosen.pop("fps", None)) is not None:
         chosen["fps"] = parse_fps(fps)
-    return Settings(blend=blend, **{name: value for name, value in chosen.items() if value is not None})
+    return Settings(
+        blend=blend, look=look, **{name: value for name, value in chosen.items() if value is not None}
+    )
 
 
+def _look(chosen: dict[str, Any]) -> Look:
+    """Take the choices of `_PICTURE_OPTIONS` that say how a head is drawn out of `chosen`."""
+    from .core.look import Look, parse_camera, parse_complexion, parse_overlay
+
+    given = {name: chosen.pop(name, None) for name in _LOOK_OPTIONS}
+    if given["camera"] is not None:
+        given["camera"], given["lens"] = parse_camera(given["camera"])
+    if given["complexion"] is not None:
+        given["complexion"] = parse_complexion(given["complexion"])
+    if given["overlay"] is not None:
+        given["overlay"] = parse_overlay(given["overlay"])
+    return Look(**{name: value for name, value in given.items() if value is not None})
+
+
+_LOOK_OPTIONS = ("style", "camera", "light", "background", "quality", "hair", "complexion", "overlay")
 _PICTURE_OPTIONS = (
     click.option("--size", metavar="WxH", help="Size of the picture in pixels.  [default: 720x720]"),
     click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]"),
     click.option(
         "--age", type=float, metavar="YEARS", help="How old the head is, 0 to 100.  [default: its own age]"
+    ),
+    click.option("--style", metavar="NAME", help="realistic, clay, muscles or wireframe."),
+    click.option(
+        "--camera",
+        metavar="NAME[:MM]",
+        help="portrait, close-up, eyes, mouth, three-quarter or profile; lens.  [default: portrait:85]",
+    ),
+    click.option("--light", metavar="NAME", help="studio, daylight or dark.  [default: studio]"),
+    click.option(
+        "--background", metavar="WHAT", help="A colour, a picture, or 'transparent' (.png, .webm, .mov)."
+    ),
+    click.option("--quality", metavar="NAME", help="draft, normal or high.  [default: normal]"),
+    click.option("--hair", metavar="NAME", help="short, medium, shaved or bald.  [default: the head's own]"),
+    click.option(
+        "--complexion",
+        metavar="NAME",
+        help="fair, light, tan, brown, dark, or 0 to 1.  [default: the head's own]",
+    ),
+    click.option(
+        "--overlay", metavar="NAME,…", help="What explains the picture: caption, phones, bars, lanes."
     ),
 )
 _SKIN_OPTION = click.option(
@@ -126,14 +167,25 @@ _OUTPUT_OPTION = click.option(
 )
 
 
+_RULES_OPTION = click.option(
+    "--rules",
+    metavar="FILE",
+    type=click.Path(path_type=Path, dir_okay=True),
+    help="A file of rules that adds to ours, replaces or deletes them.",
+)
+
+
 def _picture_options(command: Any) -> Any:
     for option in reversed(_PICTURE_OPTIONS):
         command = option(command)
     return command
 
 
+_TRANSCRIPT_HELP = "What the recording says, or a file with it."
+
+
 @commands.command()
-@click.argument("source", metavar="INPUT")
+@click.argument("source", metavar="[INPUT]", required=False)
 @_OUTPUT_OPTION
 @click.option("--text", "is_text", is_flag=True, help="INPUT is the text itself, whatever it looks like.")
 @click.option(
@@ -143,8 +195,27 @@ def _picture_options(command: Any) -> Any:
     metavar="NAME:INTENSITY[@START-END]",
     help="Show an emotion, 0 to 1, over the whole clip or a span in seconds. May be given several times.",
 )
-@click.option("--voice", metavar="NAME", help="The voice ('risorius list voices').  [default: en-us]")
+@click.option("--profile", metavar="NAME", help="Who speaks: a profile, or a .toml file.  [default: neutral]")
+@click.option(
+    "--attitude",
+    "attitudes",
+    multiple=True,
+    metavar="NAME",
+    help="What the speaker wants to convey, over the profile. May be given several times.",
+)
+@_RULES_OPTION
+@click.option("--audio", metavar="FILE", help="A recorded voice: WAV, FLAC, OGG or MP3.")
+@click.option("--transcript", metavar="TEXT|FILE", help=f"{_TRANSCRIPT_HELP}  [default: INPUT]")
+@click.option(
+    "--voice", metavar="NAME", help="The voice ('risorius list voices'), or its file.  [default: en-us]"
+)
+@click.option("--language", metavar="CODE", help="Speak a language with its first voice: de, fr, cmn …")
 @click.option("--rate", type=int, metavar="WPM", help="Words per minute, 80 to 440.")
+@click.option(
+    "--voice-emotion",
+    type=click.Choice(["on", "off"]),
+    help="Whether emotions change the voice.  [default: on]",
+)
 @click.option("--lead", type=float, metavar="S", help="Silence before plain text.  [default: 0.5]")
 @click.option("--tail", type=float, metavar="S", help="Silence after plain text.  [default: 0.7]")
 @click.option("--articulation", type=float, metavar="X", help="How wide the mouth opens.  [default: 1]")
@@ -163,14 +234,24 @@ def _picture_options(command: Any) -> Any:
 @click.option("--at", type=float, metavar="S", help="Second that a .png shows.  [default: the middle]")
 @click.option("--every", type=int, metavar="N", help="A .png is a sheet of every N-th frame.")
 def speak(
-    source: str,
+    source: str | None,
     outputs: tuple[Path, ...],
     is_text: bool,
     emotions: tuple[str, ...],
     still: bool,
+    audio: str | None,
+    transcript: str | None,
     **chosen: Any,
 ) -> None:
-    """Perform INPUT: a text, a file (.txt, .xml, .score.json), or - for standard input."""
+    """Perform INPUT: a text, a file, or - for standard input.
+
+    Files: .txt, .xml, .utt, .ssml, .bml, .TextGrid, .score.json.
+
+    With --audio a recorded voice is performed. It says INPUT or the transcript, or is labelled by INPUT (a
+    .TextGrid); without these its words are guessed.
+    """
+    if source is None and audio is None:
+        raise InputError("nothing to perform; expected a text, a file or --audio")
     settings = _settings(lively=not still, **chosen)
     targets = outputs or (Path(DEFAULT_OUTPUT),)
     from .console import Console
@@ -182,9 +263,11 @@ def speak(
         from .pipeline import check_outputs
         from .pipeline import speak as perform
 
-        check_outputs(targets)
+        check_outputs(targets, alpha=settings.look.transparent)
         take = perform(
             source,
+            audio=audio,
+            transcript=transcript,
             text=is_text or name == "stdin",
             source=name,
             emotion=_displays(emotions),
@@ -208,6 +291,33 @@ def _displays(emotions: tuple[str, ...]) -> tuple[Display, ...]:
 
 
 @commands.command()
+@click.argument("audio")
+@click.argument("transcript", required=False)
+@_OUTPUT_OPTION
+def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None:
+    """Say when each word and phone of TRANSCRIPT (a text or a file with it) is spoken in AUDIO.
+
+    Correct the TextGrid in Praat, then perform it: risorius speak x.TextGrid --audio x.wav. Without a
+    TRANSCRIPT the words are guessed.
+    """
+    from .console import Console
+
+    with Console() as console:
+        from .pipeline import align as find
+        from .pipeline import check_outputs
+        from .speech.prosody import speech_rate
+
+        if not outputs:
+            raise OutputError("no output named; expected -o x.TextGrid")
+        check_outputs(outputs, ("speech",))
+        take = find(audio, transcript, progress=console.progress)
+        take.write(*outputs)
+        if said := take.utterance:
+            console.say(f"{len(said.words)} words, {speech_rate(said):.1f} syllables per second of speech")
+        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
+
+
+@commands.command()
 @click.argument("score", type=click.Path(path_type=Path, dir_okay=True))
 @_OUTPUT_OPTION
 @_SAMPLING_OPTION
@@ -223,9 +333,9 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import check_outputs
     from .pipeline import mix as combine
 
-    check_outputs(outputs)
-    shared = ("size", "head", "age", "fps", "dynamics")
+    shared = ("size", "head", "age", "fps", "dynamics", *_LOOK_OPTIONS)
     settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
+    check_outputs(outputs, alpha=settings.look.transparent)
     take = combine(
         score, settings=settings, conflict=chosen["conflict"], onset_function=chosen["onset_function"]
     )
@@ -255,14 +365,15 @@ def pose(
 
     if not outputs:
         raise OutputError("no output named; expected -o face.png")
-    check_outputs(outputs, WITHOUT_SPEECH)
-    take = hold(_assignments(targets), emotion=_displays(emotions), settings=_settings(**chosen))
+    settings = _settings(**chosen)
+    check_outputs(outputs, WITHOUT_SPEECH, alpha=settings.look.transparent)
+    take = hold(_assignments(targets), emotion=_displays(emotions), settings=settings)
     take.write(*outputs)
 
 
 @commands.command()
 @click.argument("capture", type=click.Path(path_type=Path, dir_okay=True))
-@click.option("--audio", metavar="WAV", help="A sound to go with it.")
+@click.option("--audio", metavar="FILE", help="A sound to go with it: WAV, FLAC, OGG or MP3.")
 @_OUTPUT_OPTION
 @_SAMPLING_OPTION
 @_SKIN_OPTION
@@ -394,12 +505,56 @@ def explain(performance: Path, at: float | None, parameter: str | None) -> None:
 
 
 @commands.command(name="list")
-@click.argument("what", type=click.Choice(["muscles", "channels", "emotions", "voices", "outputs", "heads"]))
+@click.argument("what", type=click.Choice(_LISTED))
 def list_(what: str) -> None:
-    """List what can be named: muscles, channels, emotions, voices, outputs or heads."""
+    """List what can be named."""
     from .console import table
     from .listing import LISTINGS
 
     header, rows = LISTINGS[what]()
     for line in table(header, rows):
         click.echo(line)
+
+
+@commands.group()
+def rules() -> None:
+    """Look at the rules that turn speech into movements: ours, as a file of yours changes them."""
+
+
+@rules.command(name="list")
+@click.argument("prefix", required=False)
+@_RULES_OPTION
+def list_rules(prefix: str | None, rules: Path | None) -> None:
+    """List all rules, or those whose id is PREFIX or begins with it up to a dot."""
+    from .console import table
+    from .listing import rule_rows
+
+    for line in table(*rule_rows(rules, prefix)):
+        click.echo(line)
+
+
+@rules.command()
+@click.argument("name")
+@_RULES_OPTION
+def show(name: str, rules: Path | None) -> None:
+    """Show the rule NAME as it stands in its file, and where."""
+    from .listing import rule_lines
+
+    for line in rule_lines(name, rules):
+        click.echo(line)
+
+
+@rules.command()
+@_RULES_OPTION
+def doctor(rules: Path | None) -> None:
+    """Check the rules: those that can never fire, name nothing, or stand in each other's way."""
+    from .rules.book import book_of
+    from .rules.doctor import examine
+
+    book = book_of(rules)
+    findings = examine(book)
+    for finding in findings:
+        click.echo(str(finding))
+    if findings:
+        raise InputError(f"{len(findings)} of {len(book.entries)} rules are ill; expected none")
+    click.echo(f"{len(book.entries)} rules are well")

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import sys
 import threading
+import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from types import FrameType, TracebackType
 from typing import TYPE_CHECKING
+
+from .errors import RisoriusWarning
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
@@ -55,11 +58,19 @@ class Console:
         self._bar.update(self._tasks[stage], completed=done)
 
     def __enter__(self) -> Console:
+        self._warnings = warnings.catch_warnings()
+        self._warnings.__enter__()
+        warnings.simplefilter("always", RisoriusWarning)
+        warnings.showwarning = self._warn
         return self
+
+    def _warn(self, message: Warning | str, *_: object, **__: object) -> None:
+        self.say(f"risorius: warning: {' '.join(str(message).split())}")
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._warnings.__exit__(kind, error, trace)
         if self._bar is not None:
             self._bar.stop()
 

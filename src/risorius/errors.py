@@ -34,6 +34,10 @@ class RisoriusError(Exception):
         return self if self.place is not None else type(self)(self.message, place)
 
 
+class RisoriusWarning(UserWarning):
+    """Something was done otherwise than asked, or left out; one line saying what and where."""
+
+
 class InputError(RisoriusError):
     """The text, markup, score or option that the user gave cannot be used."""
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from .errors import ParameterError, unknown
 
 Listing = tuple[Sequence[str], list[Sequence[str]]]
 
@@ -70,6 +73,41 @@ def heads() -> Listing:
     return ("head", "age", "who"), [(name, f"{who.age:g}", who.title) for name, who in identities.items()]
 
 
+def profiles() -> Listing:
+    """The profiles of speakers."""
+    from .rules.profiles import profiles as all_profiles
+
+    return ("profile", "description"), [(p.name, p.description) for p in all_profiles().values()]
+
+
+def attitudes() -> Listing:
+    """The attitudes that lie over a profile."""
+    from .rules.profiles import attitudes as all_attitudes
+
+    return ("attitude", "description"), [(a.name, a.description) for a in all_attitudes().values()]
+
+
+def rule_rows(file: Path | None, prefix: str | None) -> Listing:
+    """The rules that hold, or those whose id is `prefix` or begins with it; ParameterError if none does."""
+    from .rules.book import book_of
+    from .rules.conduct import is_under
+
+    book = book_of(file)
+    chosen = [rule for rule in book if prefix is None or is_under(rule.id, prefix)]
+    if not chosen:
+        raise ParameterError(unknown("rule", str(prefix), book.entries))
+    rows = [(r.id, str(r.level), f"{r.probability:g}", ", ".join(r.when.asked()), r.comment) for r in chosen]
+    return ("rule", "level", "probability", "conditions", "comment"), list(rows)
+
+
+def rule_lines(name: str, file: Path | None) -> list[str]:
+    """A rule as it stands in its file, after the place."""
+    from .rules.book import book_of
+
+    entry = book_of(file).get(name)
+    return [f"# {entry.place}", *entry.text.splitlines()]
+
+
 LISTINGS: dict[str, Callable[[], Listing]] = {
     "muscles": muscles,
     "channels": channels,
@@ -77,4 +115,6 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
     "voices": voices,
     "outputs": outputs,
     "heads": heads,
+    "profiles": profiles,
+    "attitudes": attitudes,
 }

@@ -11,17 +11,21 @@ from typing import TYPE_CHECKING, Any
 from .blend import combine
 from .channels import Brief, Display, compose
 from .core.action_units import resolve_targets
-from .core.audio import read_wave
 from .core.movement import Cause, ManualCurve
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
 from .out import check_targets as check_outputs
 from .out.performance_json import read_performance_file
 from .out.score_json import read_score_file
-from .rules.emotions import emotion as find_emotion
-from .script import Script, movements_of, read_script
+from .rules.book import book_of
+from .rules.emotions import emotion_key
+from .rules.fuzzy import blended
+from .rules.profiles import Profile, attitude, profile_of
+from .script import Script, felt_in, listening_in, movements_of, read_script
 from .settings import Settings
-from .speech import say
+from .speech import feelings, say
+from .speech.heard import holds_labels, listen
+from .speech.recording import read_recording
 from .take import Progress, Take, quiet
 
 if TYPE_CHECKING:
@@ -29,46 +33,96 @@ if TYPE_CHECKING:
     from .stream import Options
     from .stream.send import Sent
 
-__all__ = ["check_outputs", "load", "mix", "perform", "play", "pose", "rig", "speak", "stream"]
+__all__ = ["align", "check_outputs", "load", "mix", "perform", "play", "pose", "rig", "speak", "stream"]
 
+# Seconds that a script without speech lasts at least.
+SILENT_DURATION = 1.0
 Emotions = Mapping[str, float] | Iterable[Display]
 
 
 def speak(
-    given: str,
+    given: str | None = None,
     *,
+    audio: str | PathLike[str] | None = None,
+    transcript: str | None = None,
     text: bool = False,
     source: str = "text",
     emotion: Emotions = (),
     settings: Settings | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Perform a text or file (`.txt`, `.xml`, `.score.json`); `text` forces text, `source` names it.
+    """Perform a text or file (`.txt`, `.xml`, `.TextGrid`, `.score.json`); `text` forces text, `source` names
+    it.
 
-    `emotion`: intensities 0..1 by name, or displays with their spans. Raises RisoriusError with one line on
-    what is wrong and where.
+    With the recording `audio` its voice is heard instead of a synthesized one: it says the text, or the words
+    of `transcript` (a text, or the name of a file with it), or is labelled by the TextGrid; given none of
+    these, it is recognized, which is weaker. `emotion`: intensities 0..1 by name, or displays with their
+    spans. Raises RisoriusError with one line on what is wrong and where.
     """
     settings = settings or Settings()
-    if given.lower().endswith(".json") and not text:
+    if given is not None and given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
-    script = read_script(given, text=text, source=source)
-    progress("Speaking …")
-    utterance = say(script, voice=settings.voice, rate=settings.rate, lead=settings.lead, tail=settings.tail)
-    score = plan(script, utterance, _displays(emotion), settings)
+    settings = _looking_like(profile_of(settings.profile), settings)
+    displays = _displays(emotion)
+    utterance: Utterance | None
+    if given is None or audio is not None or transcript is not None or holds_labels(given, text):
+        script, utterance = listen(given, audio, transcript, progress, text=text, source=source)
+    else:
+        script = read_script(given, text=text, source=source)
+        progress("Speaking …")
+        utterance = _spoken(script, displays, settings) if script.lines else None
+    score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
 
 
-def plan(script: Script, utterance: Utterance, emotions: tuple[Display, ...], settings: Settings) -> Score:
-    """Derive all movements from what is said and marked."""
-    marks = movements_of(script, utterance.words, max(utterance.duration, script.latest))
+def _looking_like(speaker: Profile, settings: Settings) -> Settings:
+    """Return settings with the speaker's skin where they leave it open."""
+    age = speaker.age if settings.age is None else settings.age
+    return replace(settings, age=age, wrinkles={**speaker.wrinkles, **settings.wrinkles})
+
+
+def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
+    return say(
+        script,
+        voice=settings.voice,
+        language=settings.language,
+        rate=settings.rate,
+        lead=settings.lead,
+        tail=settings.tail,
+        felt=feelings(script, displays) if settings.voice_emotion else (),
+    )
+
+
+def align(audio: str | PathLike[str], transcript: str | None = None, *, progress: Progress = quiet) -> Take:
+    """Return what is said when, and how, in a recording of `transcript` (a text, or the name of its file).
+
+    The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
+    where.
+    """
+    _, utterance = listen(None, audio, transcript, progress)
+    return perform(Score(utterance.duration, text=utterance.text), utterance=utterance)
+
+
+def plan(
+    script: Script, utterance: Utterance | None, emotions: tuple[Display, ...], settings: Settings
+) -> Score:
+    """Derive all movements from what is said, if anything is, and marked."""
+    words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
+    duration = script.lasting(words, spoken)
+    marks = movements_of(script, words, duration)
     brief = Brief(
-        duration=max([utterance.duration, script.latest, *(m.end for m in marks)]),
+        duration=max([duration, *(m.end for m in marks)]),
         utterance=utterance,
         marks=marks,
         emotions=emotions,
+        felt=felt_in(script, words, duration),
+        listening=listening_in(script, words, duration),
         opens=not script.timed,
         articulation=settings.articulation,
         lively=settings.lively,
+        profile=profile_of(settings.profile),
+        attitudes=tuple(attitude(name) for name in settings.attitudes),
+        book=book_of(settings.rules),
     )
     return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend)
 
@@ -109,7 +163,7 @@ def play(
 ) -> Take:
     """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
 
-    `audio` is a WAV file that is heard with it. Raises InputError for a file that cannot be used.
+    `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used.
     """
     settings, path = settings or Settings(), Path(capture)
     if path.name.lower().endswith(".performance.json"):
@@ -120,7 +174,7 @@ def play(
         from .playback import captured
 
         take = perform(captured(path, settings), settings)
-    return take if audio is None else replace(take, sound=read_wave(Path(audio)))
+    return take if audio is None else replace(take, sound=read_recording(audio))
 
 
 def stream(
@@ -180,9 +234,9 @@ def rig(
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
     """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top."""
     units = dict(targets)
-    for display in _displays(emotion):
-        for name, value in find_emotion(display.emotion).targets(display.intensity).items():
-            units[name] = max(units.get(name, 0.0), value)
+    shown = {emotion_key(display.emotion): display.intensity for display in _displays(emotion)}
+    for name, value in blended(shown).items():
+        units[name] = max(units.get(name, 0.0), value, key=abs)
     keys = {name: ((0.0, value),) for name, value in resolve_targets(units).items()}
     held = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))

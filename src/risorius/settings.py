@@ -7,7 +7,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from pathlib import Path
 
+from .core.look import Look
 from .core.performance import parse_fps
 from .core.score import BlendSettings
 from .errors import InputError, unknown
@@ -22,12 +24,15 @@ DYNAMICS = ("springs", "biphasic", "static")
 class Settings:
     """All settings of a performance; frozen, checked on creation (InputError names the one at fault).
 
-    `lead`, `tail`: seconds of silence around plain text. `articulation`: factor on how wide the mouth opens,
-    0 to 2. `at`: second of the frame that a `.png` shows (the middle where None); `every`: a `.png` is a
-    sheet of every n-th frame instead. `lively`: random blinks and small head and eye movements. `dynamics` of
-    the skin: "springs" (with inertia), "biphasic" (springs that stiffen under strain), "static" (no inertia).
-    `age`: years, 0 to 100, the head's own where None; `wrinkles`: factors 0 to 2 by region of the face, for a
-    speaker who shows some wrinkles more or less than others of that age.
+    `language` (BCP 47) chooses its first voice where `voice` is None. `voice_emotion`: whether emotions
+    change a synthesized voice. `lead`, `tail`: seconds of silence around plain text. `articulation`: factor
+    on how wide the mouth opens, 0 to 2. `at`: second of the frame that a `.png` shows (the middle where
+    None); `every`: a `.png` is a sheet of every n-th frame instead. `lively`: random blinks and small head
+    and eye movements. `profile`: who speaks, a name or a `.toml` file; `attitudes` lie over it. `rules`: a
+    file of rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with
+    inertia), "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100,
+    the head's own where None; `wrinkles`: factors 0 to 2 by region of the face, for a speaker who shows some
+    wrinkles more or less than others of that age. `look`: how all this is drawn.
     """
 
     fps: Fraction = Fraction(30)
@@ -37,15 +42,21 @@ class Settings:
     age: float | None = None
     wrinkles: Mapping[str, float] = field(default_factory=dict)
     voice: str | None = None
+    language: str | None = None
     rate: int | None = None
+    voice_emotion: bool = True
     lead: float = 0.5
     tail: float = 0.7
     articulation: float = 1.0
     lively: bool = True
     dynamics: str = "springs"
     without: tuple[str, ...] = ()
+    profile: str = "neutral"
+    attitudes: tuple[str, ...] = ()
+    rules: Path | None = None
     at: float | None = None
     every: int | None = None
+    look: Look = field(default_factory=Look)
     blend: BlendSettings = field(default_factory=lambda: BlendSettings(conflict=SPEAK_POLICY))
 
     def __post_init__(self) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import astuple, dataclass, field
+from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property, partial
 from os import PathLike
 from typing import TYPE_CHECKING
@@ -107,7 +107,8 @@ class Take:
         """
         from .out import WriteOptions, check_targets, write_targets
 
-        options = WriteOptions(self.settings.size, self.settings.at, self.settings.every)
+        chosen = self.settings
+        options = WriteOptions(chosen.size, chosen.at, chosen.every, chosen.look.transparent)
         write_targets(self._material(progress), check_targets(paths), options)
 
     def faces(self, indices: Sequence[int] | None = None) -> Iterator[FaceFrame]:
@@ -127,16 +128,30 @@ class Take:
     def pictures(
         self, size: Size | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet
     ) -> Iterator[Picture]:
-        """Yield RGB pictures, uint8 (height, width, 3); each is valid until the next is asked for."""
-        from .render import Renderer
+        """Yield pictures as the settings' look wants them; each is valid until the next is asked for.
+
+        They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
+        """
+        from .out.overlay import Overlays, Subject
+        from .render import picture_renderer
 
         chosen = range(len(self.performance.values)) if indices is None else indices
+        look = self.settings.look
+        subject = Subject(self.performance, self.utterance)
+        overlays = Overlays(look.overlay, subject, size or self.settings.size)
         with _announced_if_slow(progress):
-            renderer = Renderer(self.head, size or self.settings.size)
+            renderer = picture_renderer(self.head, overlays.picture_size, look)
             renderer.render(next(self.faces([0])))
-        for done, face in enumerate(self.faces(chosen)):
-            yield renderer.render(face)
+        kept_down = self._kept_down(chosen) if look.style == "muscles" else None
+        for done, (frame, face) in enumerate(zip(chosen, self.faces(chosen), strict=True)):
+            picture = renderer.render(face, kept_down=None if kept_down is None else kept_down[done])
+            yield overlays.draw(picture, frame)
             progress("Drawing", done + 1, len(chosen))
+
+    def _kept_down(self, indices: Sequence[int]) -> npt.NDArray[np.float64]:
+        from .blend import kept_down
+
+        return kept_down(self._plan, self.performance.times[indices])
 
     @cached_property
     def _plan(self) -> Plan:
@@ -154,7 +169,7 @@ class Take:
             frames=self.faces,
             pictures=partial(self.pictures, progress=progress),
             measures=self._measured,
-            head=lambda: self.head,
+            head=lambda: self._dressed,
             arkit=lambda: self.arkit,
         )
 
@@ -167,6 +182,14 @@ class Take:
         from .face.measure import Gauge
 
         return Gauge(self.head)
+
+    @cached_property
+    def _dressed(self) -> Head:
+        """The head in the looks that the settings choose."""
+        from .render.dress import dressed
+
+        looks = dressed(self.head.identity.looks, self.settings.look)
+        return replace(self.head, identity=replace(self.head.identity, looks=looks))
 
     @cached_property
     def arkit(self) -> ArkitTrack:

@@ -1,9 +1,11 @@
+from dataclasses import replace
+
 import pytest
 
 from risorius.channels import Brief, compose
 from risorius.core.movement import LipSegment
 from risorius.core.parameters import DEFAULT_THRESHOLD, RIVALS
-from risorius.core.utterance import Utterance
+from risorius.core.utterance import Syllable, Utterance
 from risorius.errors import InputError
 from risorius.rules.lips import lip_table
 
@@ -19,8 +21,15 @@ def test_an_unknown_phone_is_named() -> None:
         lip_table().shape("QX")
 
 
-def test_sounds_of_other_languages_are_spelled_in_english_ones(utterance_of) -> None:
-    assert next(s.phone for s in segments(utterance_of("m yː ts")) if s.phone) == "M"
+def test_sounds_of_other_languages_follow_their_features(utterance_of) -> None:
+    found = {s.phone: s.targets for s in segments(utterance_of("m yː ts")) if s.phone}
+    assert list(found) == ["m", "y", "ts"]
+    assert found["m"]["lip_seal"] == 1.0
+    assert found["y"]["orbicularis_oris_funneler"] > 0.4
+
+
+def test_a_sound_that_no_table_has_is_shown_by_its_class(utterance_of) -> None:
+    assert [s.phone for s in segments(utterance_of("ʘ")) if s.phone] == ["T"]
 
 
 def test_every_english_phone_has_a_shape(utterance_of) -> None:
@@ -55,6 +64,17 @@ def test_unrounded_phones_have_no_funneler_and_inhibit_no_smile(phone: str) -> N
     assert "orbicularis_oris_funneler" not in targets
     for rival in RIVALS["zygomatic_major.left"]:
         assert targets.get(rival, 0.0) < DEFAULT_THRESHOLD
+
+
+@pytest.mark.parametrize(("prominence", "factor"), [(0.0, 1.0), (1.0, 1.08), (-1.0, 0.92), (9.0, 1.16)])
+def test_prominent_syllables_open_moderately_more(prominence: float, factor: float, utterance_of) -> None:
+    plain = utterance_of("M AA M")
+    syllable = Syllable(2, 3, plain.phones[2].start, plain.phones[2].end, 2, 1, prominence=prominence)
+    jaw, spoken = (
+        next(s for s in segments(u) if s.phone == "AA").targets["masseter"]
+        for u in (plain, replace(plain, syllables=(syllable,)))
+    )
+    assert spoken == pytest.approx(factor * jaw)
 
 
 @pytest.mark.parametrize("phone", ["W", "UW", "UH", "AO", "SH", "R"])

@@ -14,27 +14,28 @@ from risorius.face.solve import FaceSolver
 from .conftest import EMOTIONS, values_of
 
 BASES = tuple(dict.fromkeys(name.partition(".")[0] for name in required_fields()))
-# R² against the calibrated fields, as tools/fit_anatomy.py prints them, and a little less.
+# R² against the calibrated fields, as tools/fit_anatomy.py prints them, and a little less. Weights along the
+# line of pull alone reach .74 (frontalis) to .99 (presser), and fail for funneler and blink.
 FLOORS = {
-    "zygomatic_major": 0.96,
-    "zygomatic_minor": 0.89,
-    "triangularis": 0.96,
-    "risorius": 0.95,
-    "depressor_labii": 0.89,
-    "mentalis": 0.89,
-    "orbicularis_oris_funneler": 0.98,
-    "orbicularis_oris_presser": 0.91,
-    "frontalis_medialis": 0.89,
-    "frontalis_lateralis": 0.94,
-    "levator_labii_nasi": 0.89,
-    "levator_labii_superioris": 0.93,
-    "depressor_supercilii": 0.90,
-    "corrugator_supercilii": 0.83,
-    "depressor_glabellae": 0.83,
-    "levator_palpebrae": 0.92,
-    "orbicularis_oculi_palpebralis": 0.87,
-    "orbicularis_oculi_orbitalis": 0.95,
-    "lip_tuck": 0.95,
+    "zygomatic_major": 0.99,
+    "zygomatic_minor": 0.98,
+    "triangularis": 0.985,
+    "risorius": 0.985,
+    "depressor_labii": 0.975,
+    "mentalis": 0.975,
+    "orbicularis_oris_funneler": 0.99,
+    "orbicularis_oris_presser": 0.99,
+    "frontalis_medialis": 0.955,
+    "frontalis_lateralis": 0.97,
+    "levator_labii_nasi": 0.975,
+    "levator_labii_superioris": 0.985,
+    "depressor_supercilii": 0.975,
+    "corrugator_supercilii": 0.98,
+    "depressor_glabellae": 0.955,
+    "levator_palpebrae": 0.965,
+    "orbicularis_oculi_palpebralis": 0.915,
+    "orbicularis_oculi_orbitalis": 0.99,
+    "lip_tuck": 0.98,
 }
 
 
@@ -91,7 +92,7 @@ def test_a_head_without_sculpts_performs(head, tmp_path):
     rest = head.skin.matrix @ head.rest
     for targets in EMOTIONS.values():
         wanted, found = (s.solve(values_of(targets)).skin - rest for s in (one, other))
-        assert ((wanted - found) ** 2).sum() < 0.2 * (wanted**2).sum()
+        assert ((wanted - found) ** 2).sum() < 0.1 * (wanted**2).sum()
 
 
 def test_a_head_that_lacks_one_field_only_is_refused(head, tmp_path):

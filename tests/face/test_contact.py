@@ -55,8 +55,9 @@ def test_vertices_beside_the_other_sheet_touch_nothing():
     assert find_contacts(facing, points, np.inf, Contacts.room_for(len(points))) == 0
 
 
-def test_the_narrowest_contact_about_each_station_and_between():
+def test_the_narrowest_contact_about_each_place():
     x = np.array([-2.0, -1.9, 0.0, 0.1, 2.0])
     gap = np.array([0.5, 0.3, 0.2, 0.4, 0.9])
-    assert narrowest(np.array([-2.0, 0.0, 2.0]), x, gap).tolist() == [1, 2, 2, 2, 4]
-    assert narrowest(np.array([-2.0, 0.0, 2.0]), x[:2], gap[:2]).tolist() == [1, 1, -1, -1, -1]
+    assert narrowest(-2.0, 2.0, 5, 0.5, x, gap).tolist() == [1, 2, 2, 2, 4]
+    assert narrowest(2.0, -2.0, 5, 0.5, x, gap).tolist() == [4, 2, 2, 2, 1]
+    assert narrowest(-2.0, 2.0, 5, 0.1, x[:2], gap[:2]).tolist() == [1, -1, -1, -1, -1]

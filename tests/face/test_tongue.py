@@ -34,6 +34,14 @@ def test_each_shape_moves_the_tongue_its_way(tongue, name, way):
     np.testing.assert_allclose((half - placed(tongue)) @ way, 0.5 * moved, atol=1e-9)
 
 
-def test_it_goes_rigidly_with_the_jaw(tongue):
-    closed, opened = placed(tongue, tongue_up=0.7), placed(tongue, 0.8, tongue_up=0.7)
+def test_raised_it_goes_rigidly_with_the_jaw(tongue):
+    closed, opened = placed(tongue, tongue_up=1.0), placed(tongue, 0.8, tongue_up=1.0)
     np.testing.assert_allclose(opened, tongue[1].carry(closed, 0.8), atol=1e-12)
+
+
+def test_it_stands_for_consonants_and_lies_down_in_the_open_mouth(tongue):
+    shapes, jaw = tongue
+    np.testing.assert_allclose(placed(tongue, 0.1), jaw.carry(placed(tongue), 0.1), atol=1e-12)
+    lowered = [(jaw.carry(shapes.rest, o) - placed(tongue, o))[:, 1].max() for o in (0.2, 0.5, 1.0)]
+    assert 0.5 < lowered[0] < lowered[1] < lowered[2]
+    assert lowered[2] > 10.0

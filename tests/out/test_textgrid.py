@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from praatio import textgrid as praatio_textgrid
 
-from risorius.core.utterance import Accent, Phone, Utterance
+from risorius.core.utterance import Accent, Boundary, Phone, Utterance
 from risorius.errors import OutputError
 from risorius.out import Material, WriteOptions
 from risorius.out.textgrid import phone_label, write_textgrid
@@ -29,12 +29,13 @@ def test_nothing_said_is_an_error(tmp_path: Path, material_of: Callable[..., Mat
         write_textgrid(material_of(), tmp_path / "x.TextGrid", WriteOptions())
 
 
-def test_praatio_reads_three_tiers_without_gaps(
+def test_praatio_reads_all_tiers_without_gaps(
     tmp_path: Path, material_of: Callable[..., Material], utterance_of: UtteranceMaker
 ) -> None:
     utterance = replace(utterance_of("M AA _ B IY"), accents=(Accent(0.65, 0, 0, "H*"), Accent(1.0, 1, 1)))
+    utterance = replace(utterance, boundaries=(Boundary(0.8, 0, "L-H%"),))
     grid = _written(utterance, material_of, tmp_path / "x.TextGrid")
-    assert grid.tierNames == ("words", "phones", "accents")
+    assert grid.tierNames == ("words", "phones", "accents", "boundaries")
     for name in ("words", "phones"):
         entries = grid.getTier(name).entries
         assert entries[0].start == 0.0
@@ -47,6 +48,7 @@ def test_praatio_reads_three_tiers_without_gaps(
         assert (entry.start, entry.end) == pytest.approx((start, end), abs=1e-6)
     assert [entry.label for entry in grid.getTier("words").entries] == ["", "m", "aa", "", "b", "iy", ""]
     assert [tuple(entry) for entry in grid.getTier("accents").entries] == [(0.65, "H*"), (1.0, "*")]
+    assert [tuple(entry) for entry in grid.getTier("boundaries").entries] == [(0.8, "L-H%")]
 
 
 def test_quotes_lines_and_other_alphabets_survive(

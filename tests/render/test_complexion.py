@@ -1,7 +1,8 @@
 import numpy as np
 import pytest
 
-from risorius.render.complexion import Complexion, linear, paint_skin
+from risorius.face.identity import Looks
+from risorius.render.complexion import linear, paint_skin
 from risorius.render.garment import neckline
 from risorius.render.inputs import ALBEDO, CURVATURE, INNER, ROUGHNESS
 from risorius.render.subsurface import MAX_CURVATURE
@@ -9,7 +10,7 @@ from risorius.render.subsurface import MAX_CURVATURE
 
 @pytest.fixture(scope="module")
 def painted(anatomy):
-    return paint_skin(anatomy, Complexion(), neckline(anatomy), np.linspace(0, 1, len(anatomy.skin)))
+    return paint_skin(anatomy, Looks(), neckline(anatomy), np.linspace(0, 1, len(anatomy.skin)))
 
 
 def test_colours_are_decoded_from_srgb():

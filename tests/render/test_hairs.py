@@ -2,11 +2,12 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
+from risorius.face.identity import Looks
 from risorius.render.attach import unit
 from risorius.render.brows import brow_shade, grow_brows
-from risorius.render.hairstyle import grow_hair
+from risorius.render.cuts import grow_hair
 from risorius.render.lashes import grow_lashes
-from risorius.render.scalp import flow, hair_density, inside_hairline
+from risorius.render.scalp import flow, hair_density, hair_shade, inside_hairline, scalp_shade
 from risorius.render.strands import Strands, root_frames
 
 BROWN = np.array([0.04, 0.025, 0.015])
@@ -44,7 +45,7 @@ def test_combed_hair_lies_along_the_skin_and_back_from_the_face(anatomy, surface
 
 
 def test_hair_grows_from_the_scalp_and_stays_off_the_skull(anatomy, surface):
-    hairs = grow_hair(anatomy, surface, BROWN, count=800)
+    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=800))
     curves = curves_in_head(surface, hairs)
     assert inside_hairline(anatomy, curves[:, 0]).min() > -10
     _, near = cKDTree(surface.points).query(curves[:, 2:].reshape(-1, 3))
@@ -81,6 +82,43 @@ def test_lashes_point_out_of_the_eye(head, surface):
 
 
 def test_the_same_hairs_grow_every_time(anatomy, surface):
-    first, second = (grow_hair(anatomy, surface, BROWN, count=200) for _ in range(2))
+    first, second = (grow_hair(anatomy, surface, BROWN, Looks(hairs=200))[0] for _ in range(2))
     assert np.array_equal(first.curves, second.curves)
     assert np.array_equal(first.colours, second.colours)
+
+
+@pytest.mark.parametrize("style", ["short", "medium", "shaved"])
+def test_every_cut_leaves_the_face_free_and_enters_no_skull(anatomy, surface, style):
+    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style))
+    points = curves_in_head(surface, hairs)[:, 1:].reshape(-1, 3)
+    x, y, z = np.abs(points[:, 0]), points[:, 1] - anatomy.eye_height, points[:, 2]
+    assert not ((x < 45) & (y < 25) & (y > -110) & (z > 0)).any()
+    _, near = cKDTree(surface.points).query(points)
+    height = ((points - surface.points[near]) * surface.normals[near]).sum(axis=1)
+    assert np.percentile(height, 5) > -3.0
+
+
+def test_medium_hair_hangs_lower_than_short_hair(anatomy, surface):
+    lowest = {}
+    for style in ("short", "medium"):
+        (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style))
+        lowest[style] = np.percentile(curves_in_head(surface, hairs)[:, -1, 1], 10)
+    assert lowest["medium"] < lowest["short"] - 20
+    assert lowest["medium"] == pytest.approx(anatomy.chin, abs=40)
+
+
+def test_a_bald_head_has_no_hair_and_no_shade_of_it(anatomy, surface):
+    assert grow_hair(anatomy, surface, BROWN, Looks(hair_style="bald")) == []
+    assert scalp_shade(anatomy, "bald").max() == 0
+    assert all(share.max() == 0 for share in hair_shade(anatomy, "bald", np.array([0.0, 1.0, 0.0])))
+
+
+def test_hair_shades_the_forehead_below_the_hairline_from_above(anatomy):
+    covered, cast, around = hair_shade(anatomy, "short", np.array([0.0, 0.7, 0.7]))
+    inside = inside_hairline(anatomy, anatomy.skin)
+    front = (anatomy.skin[:, 2] > 0) & (anatomy.masks["ears"] < 0.01)
+    close, far = front & (inside < -3) & (inside > -8), front & (inside < -25)
+    assert cast[close].mean() > 0.1
+    assert cast[far].max() == 0
+    assert covered[far].max() == 0
+    assert around[far].max() == 0

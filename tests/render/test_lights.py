@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from risorius.errors import InputError
-from risorius.render.backdrop import studio_backdrop
+from risorius.render.backdrop import gradient
 from risorius.render.lights import STUDIO, Lamp, LightRig
 
 
@@ -27,9 +27,9 @@ def test_a_rig_as_arrays():
 
 
 def test_the_backdrop_is_brighter_behind_the_head():
-    picture = studio_backdrop(60, 40)
+    picture = gradient(60, 40, STUDIO.centre, STUDIO.edge)
     assert picture.shape == (40, 60, 3)
     assert picture.min() >= 0
     assert picture.max() <= 1
     assert picture[18:22, 28:32].mean() > 1.5 * picture[:4, :4].mean()
-    assert np.array_equal(picture, studio_backdrop(60, 40))
+    assert np.array_equal(picture, gradient(60, 40, STUDIO.centre, STUDIO.edge))

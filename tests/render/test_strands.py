@@ -26,11 +26,12 @@ def hairs(sheet):
     return sheet.root(triangles, weights, curves, np.full((2, 3), 0.4), np.ones((2, 3)), np.zeros(2), 0.5)
 
 
-def drawn(points, normals, hairs, eye=EYE):
+def drawn(points, normals, hairs, eye=EYE, least=0.0):
     positions = np.zeros((len(points) + hairs.vertices, 3), np.float32)
     directions = np.zeros_like(positions)
     positions[: len(points)], directions[: len(points)] = points, normals
-    ribbons(positions, directions, hairs.roots, hairs.weights, hairs.curves, hairs.widths, eye, len(points))
+    shape = (hairs.roots, hairs.weights, hairs.curves, hairs.widths)
+    ribbons(positions, directions, *shape, eye, len(points), np.float32(hairs.behind), np.float32(least))
     strands = positions[len(points) :].reshape(len(hairs.widths), -1, 2, 3)
     return strands, directions[len(points) :].reshape(strands.shape)
 
@@ -90,3 +91,17 @@ def test_flat_vectors_lie_in_the_plane():
     found = flat(np.array([[0.3, -0.2, 0.9]]), normal)
     assert (found * normal).sum() == pytest.approx(0, abs=1e-12)
     assert np.linalg.norm(found) == pytest.approx(1)
+
+
+def test_of_hairs_that_must_be_widened_some_are_left_out(sheet):
+    rng = np.random.default_rng(2)
+    triangles, weights = sheet.nearest(np.column_stack([rng.uniform(-15, 15, (400, 2)), np.zeros(400)]))
+    origin, _ = sheet.at(triangles, weights)
+    curves = origin[:, None, :] + np.array([[0, 0, 0], [1, 2, 1], [2, 5, 1.5]])
+    fine = sheet.root(
+        triangles, weights, curves, np.full((400, 3), 0.1), np.ones((400, 3)), np.zeros(400), 0.5
+    )
+    strands, _ = drawn(sheet.points, sheet.normals, fine, least=0.25)
+    wide = np.linalg.norm(strands[:, 0, 1] - strands[:, 0, 0], axis=1)
+    assert set(np.round(wide, 4)) == {0.0, 0.25}
+    assert (wide > 0).mean() == pytest.approx(0.4, abs=0.02)

@@ -5,12 +5,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.parameters import NAMES, PARAMETERS, RIVALS
+from risorius.core.action_units import resolve_targets
+from risorius.core.parameters import PARAMETERS, RIVALS, Kind
 from risorius.errors import InputError, ParameterError
 from risorius.rules.emotions import Display, Emotion, emotion, emotion_names, emotions, parse_display
 from risorius.rules.load import load_folder
 
 SIX = ("anger", "disgust", "fear", "happiness", "sadness", "surprise")
+MORE = ("boredom", "contempt", "doubt", "embarrassment", "interest", "pride", "relief", "worry")
+ALL = tuple(sorted(SIX + MORE))
 # The action units of the prototypes (facts: science/05, section 5.3), by what performs them.
 PROTOTYPES = {
     "happiness": {"orbicularis_oculi_orbitalis", "zygomatic_major"},
@@ -45,7 +48,9 @@ def base(name: str) -> str:
 
 def vector(shown: Emotion) -> list[float]:
     targets = shown.targets(1.0)
-    return [targets.get(name, 0.0) for name in NAMES]
+    # Ten degrees of the head are as plain as a full contraction.
+    scales = {Kind.MUSCLE: 1.0, Kind.HEAD: 10.0}
+    return [targets.get(p.name, 0.0) / scales[p.kind] for p in PARAMETERS if p.kind in scales]
 
 
 @pytest.mark.parametrize(
@@ -53,7 +58,7 @@ def vector(shown: Emotion) -> list[float]:
     [
         ("hapiness", "unknown emotion 'hapiness'; did you mean 'happiness'?"),
         ("suprised", "unknown emotion 'suprised'; did you mean 'surprised'?"),
-        ("", "unknown emotion ''; expected one of anger, disgust"),
+        ("", "unknown emotion ''; expected one of anger, boredom"),
     ],
 )
 def test_unknown_emotions_are_refused(name: str, message: str) -> None:
@@ -93,13 +98,13 @@ def test_intensities_out_of_range_are_refused(intensity: float) -> None:
         emotion("anger").emblem_targets(intensity)
 
 
-def test_the_six_emotions_are_there() -> None:
-    assert tuple(emotions()) == SIX
+def test_the_six_emotions_and_eight_more_are_there() -> None:
+    assert tuple(emotions()) == ALL
 
 
 def test_files_are_named_for_their_emotions() -> None:
     assert {path: e.name for path, e in load_folder(Emotion, "emotions").items()} == {
-        f"emotions/{name}.toml": name for name in SIX
+        f"emotions/{name}.toml": name for name in ALL
     }
 
 
@@ -166,10 +171,22 @@ def test_no_two_displays_look_alike() -> None:
         assert cosine < 0.8, f"{a.name} and {b.name}: {cosine:.2f}"
 
 
-@given(st.sampled_from(SIX), st.floats(0.0, 1.0))
-def test_targets_are_linear_in_intensity(name: str, intensity: float) -> None:
-    full = emotion(name).targets(1.0)
-    assert emotion(name).targets(intensity) == pytest.approx({p: intensity * v for p, v in full.items()})
+@given(st.sampled_from(ALL), st.floats(0.0, 1.0), st.floats(0.0, 0.01))
+def test_contractions_are_continuous_and_never_fall_as_the_intensity_rises(
+    name: str, intensity: float, step: float
+) -> None:
+    less, more = (emotion(name).targets(i) for i in (intensity, min(intensity + step, 1.0)))
+    assert less.keys() == more.keys()
+    for p in less:
+        assert abs(less[p]) <= abs(more[p]) + 1e-12
+        # No share rises more than twice as fast as the intensity.
+        assert abs(more[p] - less[p]) <= 2.0 * step * max(abs(emotion(name).targets(1.0)[p]), 1e-9) + 1e-12
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_nothing_felt_shows_nothing_and_all_of_it_the_whole(name: str) -> None:
+    assert set(emotion(name).targets(0.0).values()) == {0.0}
+    assert emotion(name).targets(1.0) == resolve_targets(emotion(name).units)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.movement import Cause, Movement
+from risorius.core.utterance import Word
 from risorius.errors import InputError, Place
 from risorius.rules.emotions import emotion
 from risorius.script.markup import parse_markup
@@ -108,7 +109,7 @@ def test_the_papers_example_as_printed() -> None:
     assert mark.targets == emotion("surprise").targets(0.7)
     assert mark.label == 'EMOTIONDISPLAY Surprise="0.7"'
     assert mark.place == Place("paper.xml", 2, 1)
-    assert script.latest == 2.0
+    assert script.lasting((), 0.5) == 2.0
 
 
 def test_the_papers_demonstration() -> None:
@@ -184,11 +185,14 @@ def test_a_container_gives_the_language() -> None:
     assert parse_markup(SAID).language is None
 
 
-def test_the_latest_moment_named() -> None:
-    def latest(marks: str) -> float:
-        script: Script = parse_markup(SAID + marks)
-        return script.latest
+def test_a_performance_lasts_as_long_as_its_marks() -> None:
+    word = Word("one", 0.2, 0.5, 0, 1, 0, 3)
 
-    assert latest("") == 0.0
-    assert latest('<BLINK time="2"/><SIGNAL time="1" end="5"/>') == 5.0
-    assert latest('<BLINK time="2" end="end"/><SIGNAL time="end-1"/><SIGNAL time="word:1+9"/>') == 2.0
+    def lasting(marks: str) -> float:
+        script: Script = parse_markup(SAID + marks)
+        return round(script.lasting((word,), 1.0), 6)
+
+    assert lasting("") == 1.0
+    assert lasting('<BLINK time="2"/><SIGNAL time="1" end="5"/>') == 5.0
+    assert lasting('<BLINK time="2" onset="0.1" end="end"/><SIGNAL time="end-1"/>') == 2.1
+    assert lasting('<SIGNAL time="word:1+9"/>') == 9.7

@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 import risorius.speech.worker
+from risorius.core.utterance import Utterance
+from risorius.speech import synthesize
 from risorius.speech.espeak import EspeakEngine
 
 FAKE = """
@@ -69,3 +71,9 @@ def engine() -> Iterator[EspeakEngine]:
 @pytest.fixture
 def misbehaving(tmp_path: Path) -> Callable[[str], Misbehaving]:
     return lambda mode: Misbehaving(tmp_path, mode)
+
+
+@pytest.fixture(scope="session")
+def spoken_line() -> Utterance:
+    """A line as espeak-ng says it."""
+    return synthesize("Oh, really? My baby brother put the big map by the beam.", lead=0.3, tail=0.3)

@@ -1,6 +1,6 @@
 import pytest
 
-from risorius.errors import InputError
+from risorius.errors import InputError, SpeechError
 from risorius.script import read_script
 from risorius.script.markup import parse_markup
 from risorius.speech import say
@@ -56,3 +56,9 @@ def test_the_language_of_a_script_chooses_the_voice() -> None:
     script = parse_markup('<SCRIPT language="de"><PHONEME text="Guten Tag." /></SCRIPT>', "x.xml")
     assert say(script).language.startswith("de")
     assert say(script, voice="en-us").language.startswith("en")
+    assert say(script, language="nl").language == "nl"
+
+
+def test_a_voice_and_another_language_do_not_go_together() -> None:
+    with pytest.raises(SpeechError, match="voice 'en-gb' speaks 'en-gb', not 'de'"):
+        say(read_script("Hello.", text=True), voice="en-gb", language="de")

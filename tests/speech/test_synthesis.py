@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius.core.utterance import PauseKind, Utterance
@@ -67,6 +67,7 @@ def test_numbers_out_of_range(options, message) -> None:
         synthesize("Hello.", **options)
 
 
+@settings(deadline=None)
 @given(TEXTS)
 def test_the_laws_of_an_utterance(text) -> None:
     said = synthesize(text, lead=0.2, tail=0.1)

@@ -76,11 +76,21 @@ class TestRecipes:
         recipes = read_recipes(RECIPES)
         rng = np.random.default_rng(0)
         points, field = rng.uniform(-60.0, 60.0, (200, 3)), rng.normal(size=(200, 3))
-        for shape in ("mouthUpperUp", "browDown"):
-            parts = {r["part"] for r in recipes.values() if list(r["shapes"]) == [shape]}
-            total = np.sum([PARTS[part](points, field) for part in sorted(parts)], axis=0)
-            assert len(parts) > 1
-            assert total == pytest.approx(field)
+        parts = {r["part"] for r in recipes.values() if list(r["shapes"]) == ["mouthUpperUp"]}
+        total = np.sum([PARTS[part](points, field) for part in sorted(parts)], axis=0)
+        assert len(parts) > 1
+        assert total == pytest.approx(field)
+
+    def test_parts_of_the_brow_add_up_as_parallel_pulls_do(self) -> None:
+        rng = np.random.default_rng(0)
+        points, field = rng.uniform(-60.0, 60.0, (200, 3)), rng.normal(size=(200, 3))
+        field[:, 0] = 0.0
+        inner, down, rest = (
+            PARTS[part](points, field) for part in ("between the brows", "brow, downwards", "brow, inwards")
+        )
+        together = np.cbrt(inner**3 + down**3)
+        assert together + rest == pytest.approx(field)
+        assert (np.abs(inner) + np.abs(down) > np.abs(together) - 1e-12).all()
 
     def test_every_muscle_says_where_it_runs(self) -> None:
         for recipe in tomllib.loads(RECIPES.read_text(encoding="utf-8")).values():

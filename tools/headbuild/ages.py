@@ -14,6 +14,7 @@ from .jaw import fit_jaw
 from .lining import INSIDE
 from .loops import fill_inside
 from .mouth import VERMILION, lip_rings
+from .pack import settled
 from .source import Source
 
 
@@ -29,11 +30,11 @@ def build_ages(source: Source, identity: Identity, shape: Shape) -> dict[str, Ar
         "format": np.array(FORMAT, np.int32),
         "years": np.array(years),
         **packed({f"rest/{k}": skin - shape.rest for k, skin in enumerate(skins) if skin is not shape.rest}),
-        "eye_centre": np.array([other.bust.eye_centre for other in others]),
-        "eye_radius": np.array([other.bust.eye_radius for other in others]),
-        "jaw_point": np.array([fit_jaw(other.bust, other.bust.rest).point for other in others]),
-        "head_pivot": np.array([other.pivot for other in others]),
-        "mouth": np.array(moved),
+        "eye_centre": settled(np.array([other.bust.eye_centre for other in others])),
+        "eye_radius": settled(np.array([other.bust.eye_radius for other in others])),
+        "jaw_point": settled(np.array([fit_jaw(other.bust, other.bust.rest).point for other in others])),
+        "head_pivot": settled(np.array([other.pivot for other in others])),
+        "mouth": settled(np.array(moved)),
     }
 
 

@@ -21,7 +21,7 @@ from .lining import lining
 from .masks import masks, neck_weight
 from .mouth import LipSeal, lip_pairs
 from .muscles import muscle_fields, read_recipes
-from .pack import quantized
+from .pack import quantized, settled
 from .source import Source
 from .teeth import build_teeth, incisor_edge
 from .tongue import tongue, tongue_fields
@@ -111,22 +111,22 @@ def _skin(shape: Shape) -> dict[str, Array]:
         "quads": _index(bust.quads),
         "uv": _short(bust.uv),
         "mirror": _index(bust.mirror),
-        "head_pivot": shape.pivot,
+        "head_pivot": settled(shape.pivot),
         "neck_weight": _short(neck_weight(bust)),
         "lip_pairs": _index(lip_pairs(bust, shape.rest)),
         "lid_pairs_left": _index(lid_pairs(bust, "left")),
         "lid_pairs_right": _index(lid_pairs(bust, "right")),
-        "eye_centre": bust.eye_centre,
-        "eye_radius": bust.eye_radius,
+        "eye_centre": settled(bust.eye_centre),
+        "eye_radius": settled(bust.eye_radius),
         **{f"mask/{name}": _short(mask) for name, mask in masks(bust).items()},
     }
 
 
 def _jaw(jaw: Jaw) -> dict[str, Array]:
     return {
-        "jaw_point": jaw.point,
+        "jaw_point": settled(jaw.point),
         "jaw_axis": jaw.axis,
-        "jaw_angle": np.array(jaw.angle),
+        "jaw_angle": settled(np.array(jaw.angle)),
         "jaw_weight": _short(jaw.weight),
         **packed({"jaw/corrective": jaw.corrective}),
     }

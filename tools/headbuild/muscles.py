@@ -21,6 +21,7 @@ from .mouth import LipSeal, lip_rings, narrowed
 
 SIDES = ("left", "right")
 _SEAM = 8.0  # half width in mm of the ramp that splits a shape of both sides
+_GLABELLA = (-6.0, 18.0)  # |x| in mm between which the skin between the brows passes into the brow
 
 _KEYS = ("shapes", "part", "origin", "insertion", "action")
 # The anatomy of a row, which the recipe does not need: `risorius.face.muscle_table` reads it.
@@ -40,13 +41,29 @@ def _below_brow(points: Array, field: Array) -> Array:
 
 
 def _between_brows(points: Array, field: Array) -> Array:
-    share = 1.0 - smoothstep(5.0, 15.0, np.abs(points[:, 0]))
-    return _without_sideways(field) * share[:, None]
+    far, near = _brow_ramp(points)
+    return np.asarray(_without_sideways(field) * (near / np.cbrt(near**3 + far**3))[:, None])
 
 
 def _brow_downwards(points: Array, field: Array) -> Array:
-    inner = 1.0 - smoothstep(22.0, 40.0, np.abs(points[:, 0]))
-    return (_without_sideways(field) - _between_brows(points, field)) * inner[:, None]
+    far, near = _brow_ramp(points)
+    return np.asarray(_inner_brow(points, field) * (far / np.cbrt(near**3 + far**3))[:, None])
+
+
+def _brow_inwards(points: Array, field: Array) -> Array:
+    return field - _inner_brow(points, field)
+
+
+def _inner_brow(points: Array, field: Array) -> Array:
+    return _without_sideways(field) * (1.0 - smoothstep(22.0, 40.0, np.abs(points[:, 0])))[:, None]
+
+
+def _brow_ramp(points: Array) -> tuple[Array, Array]:
+    """Shares whose cubes add up to 1 once divided by the cube root of that sum: two that pull alike then give
+    the whole shape together, for n parallel pulls give the cube root of the sum of their cubes.
+    """
+    share = np.clip((np.abs(points[:, 0]) - _GLABELLA[0]) / (_GLABELLA[1] - _GLABELLA[0]), 0.0, 1.0)
+    return share**1.5, (1.0 - share) ** 1.5
 
 
 def _without_sideways(field: Array) -> Array:
@@ -62,9 +79,7 @@ PARTS: dict[str, Split] = {
     "below the brow": _below_brow,
     "between the brows": _between_brows,
     "brow, downwards": _brow_downwards,
-    "brow, inwards": lambda points, field: (
-        field - _brow_downwards(points, field) - _between_brows(points, field)
-    ),
+    "brow, inwards": _brow_inwards,
 }
 
 

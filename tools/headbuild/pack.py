@@ -21,6 +21,11 @@ def quantized(field: Array, smallest: float = 0.004) -> dict[str, Array]:
     return {"vertices": vertices.astype(np.uint16), "values": values, "scale": np.asarray(scale)}
 
 
+def settled(values: Array) -> Array:
+    """The values to a nanometre (or a nanoradian): beyond that, libraries of linear algebra differ."""
+    return np.round(values, 6)
+
+
 def write_npz(path: Path, arrays: dict[str, Array]) -> None:
     """Write `arrays` in their order, with fixed dates."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from .explain import Explanation, Part, explain
+from .hindered import kept_down
 from .plan import Plan, at, combine
 from .summary import Tally, summarize
 
-__all__ = ["Explanation", "Part", "Plan", "Tally", "at", "combine", "explain", "summarize"]
+__all__ = ["Explanation", "Part", "Plan", "Tally", "at", "combine", "explain", "kept_down", "summarize"]

@@ -1,13 +1,24 @@
-"""From a brief to the score: every channel builds, one generator each."""
+"""From a brief to the score: rules propose, what happens is settled, every channel builds.
+
+All channels build, each from generators of its own; a channel that is left out is dropped afterwards, so that
+the others are as they were (paper B, section 3.2).
+"""
 
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 
 from ..core.movement import LipSegment, Movement
 from ..core.score import BlendSettings, Score, check_score
-from . import emotion, idle, lips, manipulators, marks  # noqa: F401 - each registers its channels
+from ..rules.match import events_of, settle
+from . import emotion, gaze, head, lips, manipulators, ruled  # noqa: F401 - each registers its channels
 from .registry import CHANNEL_BUILDERS, Brief, generator
+
+# Channels whose marks keep the events of rules from moving the same parameters meanwhile.
+_MARKED = ("signals", "punctuators", "head", "gaze", "manipulators")
+# Manipulators come last: they look at the blinks of all others.
+_ORDER = ("lips", "emotion", "signals", "punctuators", "regulators", "gaze", "head", "manipulators")
 
 
 def compose(
@@ -19,25 +30,41 @@ def compose(
     """
     for name in without:
         CHANNEL_BUILDERS.get(name)
+    brief = proposed(brief, seed)
     movements: list[Movement] = []
     segments: list[LipSegment] = []
-    for name in CHANNEL_BUILDERS:
-        if name in without:
-            continue
+    for name in _ORDER:
+        brief = replace(brief, built=tuple(movements))
         for built in CHANNEL_BUILDERS.get(name)(brief, generator(seed, name)):
             if isinstance(built, LipSegment):
                 segments.append(built)
             else:
                 movements.append(built)
-    movements.sort(key=lambda m: (m.start, m.channel, m.layer))
-    text = brief.utterance.text if brief.utterance else ""
+    kept = sorted(
+        (m for m in movements if m.channel not in without), key=lambda m: (m.start, m.channel, m.layer)
+    )
     score = Score(
         brief.duration,
-        tuple(movements),
-        tuple(segments),
+        tuple(kept),
+        () if "lips" in without else tuple(segments),
         settings=settings or BlendSettings(),
-        text=text,
+        text=brief.utterance.text if brief.utterance else "",
         seed=seed,
     )
     check_score(score)
     return score
+
+
+def proposed(brief: Brief, seed: int) -> Brief:
+    """Return a brief with the events of its rules; a still face has none."""
+    if not brief.lively:
+        return brief
+    events = events_of(
+        brief.book,
+        brief.units,
+        lambda name: generator(seed, name),
+        conduct=brief.conduct,
+        side=brief.profile.side,
+    )
+    taken = [(m.start, m.end, frozenset(m.targets)) for m in brief.marks if m.channel in _MARKED]
+    return replace(brief, events=tuple(settle(events, taken)))

@@ -1,27 +1,49 @@
-"""Emotion: the displays that the script marks and those asked for beside it."""
+"""Emotion: displays marked and asked for, emblems by rules, and what a face always shows a little."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 
 import numpy as np
 
+from ..core.action_units import check_intensity
 from ..core.movement import Cause, Movement
+from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import InputError
-from ..rules.emotions import Display
+from ..rules.emotions import Display, emotion_key
 from ..rules.emotions import emotion as find_emotion
+from ..rules.fuzzy import blend_targets
+from .head import posture
 from .registry import CHANNEL_BUILDERS, Brief
+from .ruled import movements_of_rules
+
+POSTURE = "emotion.posture.speaker"
+_OVERLAP = 0.05
 
 
 @CHANNEL_BUILDERS.register("emotion")
 def emotion(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
     """Yield the marked displays, then the others, each in a layer of its own so that they blend."""
-    yield from (m for m in brief.marks if m.channel == "emotion")
-    for number, display in enumerate(brief.emotions, 1):
-        yield _movement(display, number, brief.duration)
+    yield from brief.marked("emotion")
+    yield from movements_of_rules(brief, "emotion")
+    if brief.lively:
+        yield from _posture(brief)
+    displays = [_placed(display, brief.duration) for display in brief.emotions]
+    for number, display in enumerate(displays, 1):
+        yield from _movements(display, number, displays)
 
 
-def _movement(display: Display, number: int, duration: float) -> Movement:
+def _posture(brief: Brief) -> Iterator[Movement]:
+    face = {n: v for n, v in posture(brief).items() if PARAMETERS[INDEX[n]].kind is Kind.MUSCLE and v > 0.0}
+    if face:
+        yield Movement(
+            "emotion", 0.0, brief.duration, 0.0, 0.0, face,
+            id=POSTURE, layer="posture", cause=Cause(POSTURE, brief.profile.name),
+        )  # fmt: skip
+
+
+def _placed(display: Display, duration: float) -> Display:
     found = find_emotion(display.emotion)
     start = 0.0 if display.start is None else display.start
     end = duration if display.end is None else display.end
@@ -29,14 +51,34 @@ def _movement(display: Display, number: int, duration: float) -> Movement:
         raise InputError(
             f"emotion {found.name}: from {start:g} to {end:g} s is not a span; expected 0 <= start < end"
         )
-    return Movement(
-        "emotion",
-        start,
-        end,
-        found.onset,
-        found.offset,
-        found.targets(display.intensity),
-        id=f"emotion.{number}.{found.name}",
-        layer=f"{number}.{found.name}",
-        cause=Cause("emotion.display", f"{found.name} {display.intensity:g}", "option"),
-    )
+    return Display(emotion_key(display.emotion), check_intensity(found.name, display.intensity), start, end)
+
+
+def _movements(display: Display, number: int, displays: Sequence[Display]) -> Iterator[Movement]:
+    """Yield a display, in parts where others begin or end beside it: in company it may show less."""
+    found = find_emotion(display.emotion)
+    first, last = float(display.start or 0.0), float(display.end or 0.0)
+    edges = {t for d in displays for t in (d.start, d.end) if t is not None and first < t < last}
+    times = [first, *sorted(edges), last]
+    for start, end in pairwise(times):
+        company = _company(displays, 0.5 * (start + end))
+        yield Movement(
+            "emotion",
+            start,
+            end if end == last else end + _OVERLAP,
+            found.onset,
+            found.offset if end == last else _OVERLAP,
+            blend_targets(display.emotion, company),
+            id=f"emotion.{number}.{found.name}" + (f"@{start:.3f}" if start > first else ""),
+            layer=f"{number}.{found.name}",
+            cause=Cause("emotion.display", f"{found.name} {display.intensity:g}", "option"),
+        )
+
+
+def _company(displays: Sequence[Display], time: float) -> Mapping[str, float]:
+    """Return the emotions displayed at a time with their intensities."""
+    found: dict[str, float] = {}
+    for d in displays:
+        if d.start is not None and d.end is not None and d.start <= time < d.end:
+            found[d.emotion] = max(found.get(d.emotion, 0.0), d.intensity)
+    return found

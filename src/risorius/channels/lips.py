@@ -12,6 +12,7 @@ import numpy as np
 
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
+from ..rules.articulation import is_known, sounds
 from ..rules.lips import LipTable, PhoneShape, lip_table
 from ..speech.phonesets import to_arpabet
 from .registry import CHANNEL_BUILDERS, Brief
@@ -46,11 +47,16 @@ class _Shaper:
     def __post_init__(self) -> None:
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
         self._final = _phrase_final_phones(self.utterance)
+        self._prominence = {
+            index: syllable.prominence
+            for syllable in self.utterance.syllables
+            for index in range(syllable.first_phone, syllable.last_phone)
+        }
 
     def spoken(self, index: int, phone: Phone) -> Iterator[LipSegment]:
-        """Yield the phone's segments: one, two of a diphthong, more of a sound that English spells out."""
+        """Yield the phone's segments: one for each sound it holds, two for a diphthong."""
         scale = self.articulation * self._opening(index, phone)
-        shapes = [shape for part in to_arpabet(phone.symbol) for shape in self.table.shapes(part)]
+        shapes = self._sounds(phone.symbol)
         share = phone.duration / sum(part for _, _, part in shapes)
         start = phone.start
         for symbol, shape, part in shapes:
@@ -58,6 +64,12 @@ class _Shaper:
             cause = Cause(f"lips.{symbol}", self._trigger(phone))
             yield self._segment(symbol, shape, start, _closure_end(start, end, shape), scale, cause)
             start = end
+
+    def _sounds(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
+        """Return a phone's sounds; of one that no table has, those of the class of sounds it looks like."""
+        if is_known(symbol):
+            return sounds(symbol)
+        return tuple(sound for part in to_arpabet(symbol) for sound in self.table.shapes(part))
 
     def silence(self, phone: Phone, opens: bool) -> Iterator[LipSegment]:
         """Yield the rest of a pause, with the in-breath at its end where the mouth opens before speech."""
@@ -94,7 +106,12 @@ class _Shaper:
         if phone.stress < 0:
             return 1.0
         scale = opening.stressed if phone.stress > 0 else opening.unstressed
-        return scale * (opening.phrase_final if index in self._final else 1.0)
+        standing = max(min(self._prominence.get(index, 0.0), opening.most_prominent), -opening.most_prominent)
+        return (
+            scale
+            * (opening.phrase_final if index in self._final else 1.0)
+            * (1.0 + opening.prominence * standing)
+        )
 
     def _trigger(self, phone: Phone) -> str:
         if phone.word < 0:

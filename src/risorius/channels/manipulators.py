@@ -1,66 +1,89 @@
-"""Manipulators: random blinks that wet the eyes (paper A, channel 1)."""
+"""Manipulators: blinks that wet the eyes, random (paper A, channel 1) or periodic (paper B, section 5.2)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from ..core.movement import Cause, Movement
-from ..core.parameters import parameters_named
+from ..rules.match import LIDS
+from ..rules.profiles import Blinks
+from ..rules.synchrony import nearest
+from .blinks import blink
 from .registry import CHANNEL_BUILDERS, Brief
+from .ruled import movements_of_rules
 
-# Blinking after Itti's group: no blink within WAIT seconds of the last, then one per second, ten per second
-# after 2 WAIT, at the latest at 3 WAIT (facts: science/03, section 3.1; as hazards, free of the step).
-WAIT = 1.8
+RANDOM, PERIODIC = "manipulators.lids.random", "manipulators.lids.periodic"
+# Blinks a second after the wait, and after twice the wait (Itti, Dhavale and Pighin 2003, as hazards).
 _HAZARD, _LATE_HAZARD = 1.0, 10.0
+# What closes the eyes so far for no longer than this is a blink, seconds.
+_SHUT, _LONGEST = 0.5, 0.8
+# Seconds between two blinks at least.
+_APART = 0.3
 
-# Closing 75-90 ms, closed 10-50 ms, opening asymptotic 100-240 ms (facts: science/03, section 3.6).
-CLOSING, CLOSED, OPENING = 0.085, 0.045, 0.17
-# Spontaneous blinks are often incomplete (facts: science/03, section 3.5): this share of them, this far.
-_INCOMPLETE = 0.3
-_INCOMPLETE_RANGE = (0.75, 0.95)
-_LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
+Wait = Callable[[float], float]
 
 
 @CHANNEL_BUILDERS.register("manipulators")
 def manipulators(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
-    """Yield the marked blinks and random ones that keep clear of them."""
-    marked = sorted((m for m in brief.marks if m.channel == "manipulators"), key=lambda m: m.start)
-    yield from marked
-    if brief.lively:
-        last = -rng.uniform(0.0, 1.5 * WAIT)
-        while (start := last + blink_interval(rng)) + CLOSING + CLOSED + OPENING < brief.duration:
-            overlapping = _end_of_overlapping(marked, start)
-            if overlapping is None:
-                yield _blink(start, rng)
-            last = overlapping or start + CLOSING + CLOSED + OPENING
+    """Yield the marked blinks, those of rules, and others where too much time passes without one."""
+    known = [*brief.marked("manipulators"), *movements_of_rules(brief, "manipulators")]
+    yield from known
+    if not brief.lively:
+        return
+    voluntary = sorted((m for m in (*known, *brief.built) if _is_blink(m)), key=lambda m: m.start)
+    habits, boundaries = brief.profile.blinks, brief.units.boundaries
+    for start, why in _starts(habits, voluntary, boundaries, brief.duration, rng):
+        depth = float(rng.uniform(*habits.depth)) if rng.random() < habits.incomplete else 1.0
+        yield blink("manipulators", start, depth, habits, boundaries, Cause(why, "eyes to wet"))
 
 
-def blink_interval(rng: np.random.Generator) -> float:
-    """Return a random time in seconds from the end of a blink to the start of the next, WAIT to 3 WAIT."""
+def _is_blink(m: Movement) -> bool:
+    return m.targets.get(LIDS[0], 0.0) >= _SHUT and m.end - m.start <= _LONGEST
+
+
+def _starts(
+    habits: Blinks,
+    voluntary: Sequence[Movement],
+    boundaries: Sequence[float],
+    duration: float,
+    rng: np.random.Generator,
+) -> Iterator[tuple[float, str]]:
+    """Yield when blinks are added, between those that happen anyway, and by which rule."""
+    if habits.manner == "none":
+        return
+    length = habits.closing + habits.closed + habits.opening
+    last = -float(rng.uniform(0.0, 1.5 * habits.wait))
+    others = list(voluntary)
+    while True:
+        start, why = _next(habits, last, boundaries, rng)
+        while others and others[0].start < last:
+            others.pop(0)
+        if others and others[0].start < start + length + _APART:
+            last = others.pop(0).end
+            continue
+        if start + length >= duration:
+            return
+        yield start, why
+        last = start + length
+
+
+def _next(
+    habits: Blinks, last: float, boundaries: Sequence[float], rng: np.random.Generator
+) -> tuple[float, str]:
+    """Return when the next blink comes after the one that ended at `last`."""
+    random = last + blink_interval(rng, habits.wait), RANDOM
+    periodic = max(nearest(last + habits.period, boundaries), last + _APART), PERIODIC
+    if habits.manner == "both":
+        return min(random, periodic)
+    return periodic if habits.manner == "periodic" else random
+
+
+def blink_interval(rng: np.random.Generator, wait: float) -> float:
+    """Return a random time in seconds from the end of a blink to the start of the next, 1 to 3 waits."""
     budget = rng.exponential()
-    early = _HAZARD * WAIT
+    early = _HAZARD * wait
     if budget < early:
-        return WAIT + budget / _HAZARD
-    return min(2.0 * WAIT + (budget - early) / _LATE_HAZARD, 3.0 * WAIT)
-
-
-def _end_of_overlapping(marked: list[Movement], start: float) -> float | None:
-    end = start + CLOSING + CLOSED + OPENING
-    return next((m.end for m in marked if m.start < end and start < m.end), None)
-
-
-def _blink(start: float, rng: np.random.Generator) -> Movement:
-    depth = rng.uniform(*_INCOMPLETE_RANGE) if rng.random() < _INCOMPLETE else 1.0
-    return Movement(
-        "manipulators",
-        start,
-        start + CLOSING + CLOSED + OPENING,
-        CLOSING,
-        OPENING,
-        dict.fromkeys(_LIDS, float(depth)),
-        id=f"blink@{start:.3f}",
-        function="minimum_jerk",
-        cause=Cause("manipulators.blink", "eyes to wet"),
-    )
+        return wait + budget / _HAZARD
+    return min(2.0 * wait + (budget - early) / _LATE_HAZARD, 3.0 * wait)

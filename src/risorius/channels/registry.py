@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from ..core.movement import LipSegment, Movement
 from ..core.utterance import Utterance
 from ..registry import Registry
+from ..rules.book import Book, shipped
+from ..rules.conduct import Conduct
 from ..rules.emotions import Display
+from ..rules.match import Event, felt_conduct
+from ..rules.profiles import NEUTRAL, Attitude, Profile, profile
+from ..rules.situation import Situation
+from ..rules.units import Units
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,17 +25,50 @@ class Brief:
     """All that a channel may build from.
 
     `utterance` is None where nothing is said. `marks`: the script's movements, of all channels. `emotions`:
-    the displays asked for beside the script. `opens`: whether the mouth may open before speech and close
-    after it (plain text). `lively`: whether random blinks, small head and eye movements are wanted.
+    the displays asked for beside the script; `felt`: those that the script marks. `listening`: spans of
+    listening, seconds. `opens`: whether the mouth may open before speech and close after it (plain text).
+    `lively`: whether rules, random blinks, small head and eye movements are wanted. `book`: the rules that
+    hold. `events`: what they propose and `built`: the movements of the channels before, as `compose` fills
+    them in.
     """
 
     duration: float
     utterance: Utterance | None = None
     marks: tuple[Movement, ...] = ()
     emotions: tuple[Display, ...] = ()
+    felt: tuple[Display, ...] = ()
+    listening: tuple[tuple[float, float], ...] = ()
     opens: bool = True
     articulation: float = 1.0
     lively: bool = True
+    profile: Profile = field(default_factory=lambda: profile(NEUTRAL))
+    attitudes: tuple[Attitude, ...] = ()
+    book: Book = field(default_factory=shipped)
+    events: tuple[Event, ...] = ()
+    built: tuple[Movement, ...] = ()
+
+    @property
+    def situation(self) -> Situation:
+        """What rules see."""
+        return Situation(self.duration, self.utterance, (*self.felt, *self.emotions), self.listening)
+
+    @property
+    def units(self) -> Units:
+        """The stretches that rules are tried on."""
+        return Units(self.situation)
+
+    @property
+    def conduct(self) -> tuple[Conduct, ...]:
+        """What the speaker does more or less of, emotions apart."""
+        return (self.profile.conduct, *(a.conduct for a in self.attitudes))
+
+    def conduct_at(self, time: float) -> tuple[Conduct, ...]:
+        """Return what the speaker does more or less of at a time, emotions included."""
+        return (*self.conduct, *felt_conduct(self.situation.emotions_at(time)))
+
+    def marked(self, channel: str) -> tuple[Movement, ...]:
+        """Return the script's movements of a channel."""
+        return tuple(m for m in self.marks if m.channel == channel)
 
 
 Built = Iterable[Movement | LipSegment]
@@ -38,6 +77,6 @@ ChannelBuilder = Callable[[Brief, np.random.Generator], Built]
 CHANNEL_BUILDERS: Registry[ChannelBuilder] = Registry("channel")
 
 
-def generator(seed: int, channel: str) -> np.random.Generator:
-    """Return the channel's own random generator: it depends on the seed and the name alone."""
-    return np.random.Generator(np.random.PCG64(np.random.SeedSequence([seed, zlib.crc32(channel.encode())])))
+def generator(seed: int, name: str) -> np.random.Generator:
+    """Return the random generator of a channel or rule: it depends on the seed and the name alone."""
+    return np.random.Generator(np.random.PCG64(np.random.SeedSequence([seed, zlib.crc32(name.encode())])))

@@ -14,8 +14,6 @@ from types import TracebackType
 import numpy as np
 import numpy.typing as npt
 
-from ..errors import InputError, Place
-
 Samples = npt.NDArray[np.int16]
 
 
@@ -45,29 +43,6 @@ class Audio:
         """Yield the sound in blocks of at most `size` samples."""
         for start in range(0, self.frames, size):
             yield self.read(start, size)
-
-
-def read_wave(path: Path) -> Audio:
-    """Return a 16-bit PCM WAV file as mono; several channels are averaged.
-
-    Raises InputError where there is no such file or it is another kind of sound.
-    """
-    place = Place(str(path))
-    try:
-        with wave.open(str(path), "rb") as source:
-            channels, width = source.getnchannels(), source.getsampwidth()
-            if width != 2:
-                raise InputError(f"has {8 * width} bits per sample; expected a 16-bit WAV file", place)
-            with AudioWriter(source.getframerate()) as writer:
-                while data := source.readframes(65_536):
-                    samples = np.frombuffer(data[: len(data) // (2 * channels) * 2 * channels], "<i2")
-                    mean = samples.reshape(-1, channels).mean(axis=1)
-                    writer.append(np.round(mean).astype(np.int16))
-                return writer.finish()
-    except (wave.Error, EOFError) as error:
-        raise InputError(f"is no WAV file ({error}); expected 16-bit PCM", place) from None
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}; expected a WAV file", place) from None
 
 
 class _Folder:

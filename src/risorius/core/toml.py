@@ -17,26 +17,27 @@ _TOML_POSITION = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of docum
 
 def load_file(cls: type[T], path: Path) -> T:
     """Return a user's file as a `cls`; raise InputError if it cannot be read or does not fit `cls`."""
-    return parse(cls, _text(path), str(path))
+    return parse(cls, read_text(path), str(path))
 
 
 def load_rows(cls: type[T], path: Path) -> dict[str, T]:
     """Return a user's file whose tables are all a `cls`, by their names; raise InputError as `load_file`."""
-    return parse_rows(cls, _text(path), str(path))
+    return parse_rows(cls, read_text(path), str(path))
 
 
 def parse_rows(cls: type[T], text: str, name: str) -> dict[str, T]:
     """Return TOML text whose tables are all a `cls`, by their names; raise InputError as `parse`."""
     source = Source(name, text)
     rows = {}
-    for key, entry in _tables(text, name).items():
+    for key, entry in read_tables(text, name).items():
         if not isinstance(entry, dict):
             raise source.error((key,), f"{key} = {entry!r} cannot be used; expected a table")
         rows[key] = build(cls, entry, source, (key,))
     return rows
 
 
-def _text(path: Path) -> str:
+def read_text(path: Path) -> str:
+    """Return a file's text; raise InputError, with its name, if it cannot be read or is not UTF-8."""
     try:
         return path.read_bytes().decode("utf-8-sig")
     except OSError as error:
@@ -47,10 +48,11 @@ def _text(path: Path) -> str:
 
 def parse(cls: type[T], text: str, name: str) -> T:
     """Return TOML text as a `cls`; raise InputError, with its place in file `name`, if it does not fit."""
-    return build(cls, _tables(text, name), Source(name, text))
+    return build(cls, read_tables(text, name), Source(name, text))
 
 
-def _tables(text: str, name: str) -> dict[str, Any]:
+def read_tables(text: str, name: str) -> dict[str, Any]:
+    """Return what TOML text says; raise InputError, with its place in file `name`, if it is none."""
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:

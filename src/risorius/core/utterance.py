@@ -46,7 +46,12 @@ class Phone:
 
 @dataclass(frozen=True, slots=True)
 class Syllable:
-    """Phones [first_phone, last_phone) around one vowel. `stress` as in Phone. Seconds."""
+    """Phones [first_phone, last_phone) around one vowel. `stress` as in Phone. Seconds.
+
+    `loudness`: dB above the mean syllable of the utterance. `prominence`: how far it stands out by pitch,
+    loudness and length together, in standard deviations of the utterance's syllables. Both are 0 where the
+    sound was not measured.
+    """
 
     first_phone: int
     last_phone: int
@@ -54,6 +59,8 @@ class Syllable:
     end: float
     stress: int
     word: int
+    loudness: float = 0.0
+    prominence: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,13 +87,29 @@ class Pause:
 
 @dataclass(frozen=True, slots=True)
 class Accent:
-    """A pitch accent on a syllable; `label` is ToBI's, "*" where only its place is known. Seconds."""
+    """A pitch accent on a syllable; `label` is ToBI's, "*" where only its place is known. Seconds.
+
+    `confidence` 0..1 in that there is an accent with this label.
+    """
 
     time: float
     word: int
     syllable: int
     label: str = "*"
     nuclear: bool = False
+    confidence: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Boundary:
+    """The tones that end a phrase after `word`; `label` is ToBI's ("L-L%", "H-"), "%" where unknown. Seconds.
+
+    `confidence` 0..1 in that a phrase ends here with this label.
+    """
+
+    time: float
+    word: int
+    label: str = "%"
     confidence: float = 1.0
 
 
@@ -102,6 +125,7 @@ class Utterance:
     syllables: tuple[Syllable, ...] = ()
     pauses: tuple[Pause, ...] = ()
     accents: tuple[Accent, ...] = ()
+    boundaries: tuple[Boundary, ...] = ()
 
     def __post_init__(self) -> None:
         check_continuous(self.phones, self.audio.duration)

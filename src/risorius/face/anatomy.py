@@ -1,7 +1,7 @@
 """The anatomical mode: fields of displacement from lines of pull, for heads that have no sculpted shapes.
 
-A muscle pulls the points of its zone along its line (and, where its type says so, out of the skin), each with
-a weight that varies smoothly over the zone; the spring network at rest turns these forces into displacements
+A muscle pulls the points of its zone along its line, out of the skin and across the line, each with a weight
+that varies smoothly over the zone; the spring network at rest turns these forces into displacements
 (facts: face-model, section 1, column 3). The weights are fitted once to the sculpts of the standard head by
 `tools/fit_anatomy.py` and kept with it: they belong to places on a face, not to vertices of a mesh.
 """
@@ -83,7 +83,10 @@ def influence(points: Array, places: Array) -> Array:
 
 
 def directions(muscle: Muscle, points: Array, normals: Array) -> Array:
-    """Return the unit directions (n, d, 3) in which a muscle's type pulls `points` (n, 3): its own first."""
+    """Return the unit directions (n, d, 3) in which a muscle's type pulls `points` (n, 3).
+
+    Its own come first, and last the one across it in the skin: fibres fan out and gather what lies beside.
+    """
     origin, insertion = (np.array(p) for p in muscle.line)
     along = np.broadcast_to((origin - insertion) / np.linalg.norm(origin - insertion), points.shape)
     towards = _unit(origin - points)
@@ -96,7 +99,8 @@ def directions(muscle: Muscle, points: Array, normals: Array) -> Array:
         "bulge": (along, normals),
         "protrusion": (-along, towards, normals),
     }
-    return np.stack(chosen[muscle.type], axis=1)
+    ways = chosen[muscle.type]
+    return np.stack([*ways, _unit(np.cross(normals, ways[0]))], axis=1)
 
 
 def from_line(muscle: Muscle, points: Array) -> Array:

@@ -161,18 +161,19 @@ def _cover(
 
 
 @compiled
-def narrowest(stations: Array, x: Array, gap: Array) -> npt.NDArray[np.int64]:
-    """Return the contact with the narrowest gap about each station, and half way between, or −1 (2 s − 1,).
+def narrowest(
+    start: float, end: float, places: int, width: float, x: Array, gap: Array
+) -> npt.NDArray[np.int64]:
+    """Return the contact with the narrowest gap about each of `places` even places from `start` to `end`.
 
-    `stations` (s,) mm along x, in order; `x` and `gap` (k,) of the contacts. Contacts within one spacing of
-    neighbouring stations count as being about it.
+    −1 where there is none. `width` is the share of the whole within which a contact is about a place; `x` mm
+    and `gap` (k,) are those of the contacts.
     """
-    found = np.full(2 * len(stations) - 1, -1)
-    for step in range(len(found)):
-        before, after = max((step - 1) // 2, 0), min(step // 2 + 1, len(stations) - 1)
-        place = 0.5 * (stations[step // 2] + stations[(step + 1) // 2])
-        reach = 0.5 * abs(stations[after] - stations[before]) / (after - before)
+    found = np.full(places, -1)
+    reach = 0.5 * width * abs(end - start)
+    for p in range(places):
+        place = start + (end - start) * p / (places - 1)
         for k in range(len(x)):
-            if abs(x[k] - place) <= reach and (found[step] < 0 or gap[k] < gap[found[step]]):
-                found[step] = k
+            if abs(x[k] - place) <= reach and (found[p] < 0 or gap[k] < gap[found[p]]):
+                found[p] = k
     return found

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
+from ..core.look import HAIR_STYLES
 from ..errors import HeadError, Place, unknown
 
 Colour = tuple[int, int, int]
@@ -23,8 +24,10 @@ FILE = "identity.toml"
 class Looks:
     """What is seen besides the shape. Colours are sRGB bytes.
 
-    `skin`, `lips`, `lining` (inside of the mouth) and `cloth`; `hair` of head, brows and lashes; `iris` at
-    the pupil and at the rim; how many hairs grow on the head, and on each brow.
+    `skin`, `lips`, `lining` (inside of the mouth) and `cloth`; `hair` of head and lashes, and of the `brows`
+    where these have no colour of their own; `iris` at the pupil and at the rim. `flush`, 0 to 2, is how far
+    cheeks, nose, ears and lids are redder or darker than the rest. `hair_style` is one of `HAIR_STYLES`;
+    `hairs` and `brow_hairs` are how many grow on the head, and on each brow.
     """
 
     skin: Colour = (212, 165, 140)
@@ -32,7 +35,10 @@ class Looks:
     lining: Colour = (160, 84, 80)
     cloth: Colour = (52, 62, 78)
     hair: Colour = (58, 42, 32)
+    hair_style: str = HAIR_STYLES[0]
+    brows: Colour | None = None
     iris: tuple[Colour, Colour] = ((132, 112, 74), (74, 94, 104))
+    flush: float = 1.0
     hairs: int = 8500
     brow_hairs: int = 360
 
@@ -136,6 +142,12 @@ def _looks(table: dict[str, Any]) -> Looks:
     for key, value in table.items():
         if key in _HAIRS:
             chosen[key] = int(_number(f"looks.{key}", value, *_HAIRS[key]))
+        elif key == "flush":
+            chosen[key] = _number("looks.flush", value, 0.0, 2.0)
+        elif key == "hair_style":
+            if value not in HAIR_STYLES:
+                raise HeadError(unknown("hair style", str(value), HAIR_STYLES))
+            chosen[key] = value
         elif key == "iris":
             if not isinstance(value, list) or len(value) != 2:
                 raise HeadError(f"looks.iris is {value!r}; expected two colours")

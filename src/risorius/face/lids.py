@@ -2,7 +2,8 @@
 
 Each lid turns about the horizontal axis through its eyeball. The blink's field gives the path; what remains
 to the goal of the two margins is carried by the plate of skin around the eye, so that the goal is met under
-every other muscle. At closure a the aperture is (1 − a) times what the other muscles and the gaze leave open.
+every other muscle; skin that others have carried the same way goes less far, as under parallel pulls. At
+closure a the aperture is (1 − a) times what the other muscles and the gaze leave open.
 
 The lids follow the vertical gaze (facts: science/03, section 3.7): the upper one most of the way, the lower
 one enough to keep touching the iris.
@@ -49,7 +50,8 @@ class Lids:
     """The lids of one eye.
 
     closing        (k,) level-0 vertices that the blink moves
-    stroke         (k, 3) their way at closure: x mm, radius mm, angle rad about the eye's horizontal axis
+    angle          (k,) rad about the eye's horizontal axis at which they rest
+    stroke         (k, 3) their way at closure: x mm, radius mm, angle rad
     margin         (2 m, N0) the margins' points at level 1, upper then lower
     margin_stroke  (m,) rad by which the blink alone brings them together
     taper          (m,) 1 at the middle of the eye, 0 at its corners
@@ -60,6 +62,7 @@ class Lids:
     column: int
     centre: Array
     closing: IntArray
+    angle: Array
     stroke: Array
     margin: sp.csr_matrix
     margin_stroke: Array
@@ -76,7 +79,8 @@ class Lids:
         name = f"{BLINK}.{SIDES[eye]}"
         field = head.fields[name]
         at_rest = head.rest[field.vertices]
-        stroke = _cylinder(at_rest + field.displacement - centre) - _cylinder(at_rest - centre)
+        before = _cylinder(at_rest - centre)
+        stroke = _cylinder(at_rest + field.displacement - centre) - before
         pairs = head.lid_pairs[eye]
         margin: sp.csr_matrix = head.skin.matrix[pairs.T.ravel()].tocsr()
         spread = np.zeros((len(head.rest), 3))
@@ -89,6 +93,7 @@ class Lids:
             INDEX[name],
             centre,
             field.vertices,
+            np.ascontiguousarray(before[:, 2]),
             stroke,
             margin,
             apart,
@@ -107,7 +112,7 @@ class Lids:
         goal = self._goal(upper, lower, closure, pitch)
         drop = upper[:, 2] - goal[:count, 2]
         share = float(drop @ self.margin_stroke / (self.margin_stroke @ self.margin_stroke))
-        _turn(skin, self.closing, self.stroke, share, self.centre)
+        _turn(skin, self.closing, self.angle, self.stroke, min(share, 1.0), self.centre)
         after = _cylinder(self.margin @ skin - self.centre)
         goal[:, :2] += self._side(after[:, :2], closure)
         carry(self.region, self.motion, _cartesian(goal) - _cartesian(after), skin)
@@ -162,15 +167,24 @@ def _shell(head: Head, centre: Array, radius: float) -> tuple[IntArray, Array]:
 
 
 @compiled
-def _turn(skin: Array, vertices: IntArray, stroke: Array, share: float, centre: Array) -> None:
+def _turn(skin: Array, vertices: IntArray, rest: Array, stroke: Array, share: float, centre: Array) -> None:
     for k in range(len(vertices)):
         v = vertices[k]
         y, z = skin[v, 1] - centre[1], skin[v, 2] - centre[2]
         radius = np.hypot(y, z) + share * stroke[k, 1]
-        angle = np.arctan2(y, z) + share * stroke[k, 2]
+        angle = np.arctan2(y, z)
+        angle += _limited(share * stroke[k, 2], angle - rest[k])
         skin[v, 0] += share * stroke[k, 0]
         skin[v, 1] = centre[1] + radius * np.sin(angle)
         skin[v, 2] = centre[2] + radius * np.cos(angle)
+
+
+@compiled
+def _limited(way: float, gone: float) -> float:
+    """Return what is left of a `way` for skin that others have `gone` along: as of two parallel pulls."""
+    if way * gone <= 0.0:
+        return way
+    return float(np.cbrt(way * way * way + gone * gone * gone) - gone)
 
 
 @compiled

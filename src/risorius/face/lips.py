@@ -25,6 +25,7 @@ WIDEST = 20.0  # mm: no narrowest gap is wider, so that a seal that sets in chan
 PRESS = 0.05  # mm by which a seal presses the lips together, so that facets do not hold them apart
 SLACK = 0.005  # mm outside its bounds at which a gap is left alone
 PASSES = 3
+PLACES, WIDTH = 61, 0.05  # at which a seal closes the lips, and how wide each is as a share of the mouth
 SWEEPS = 60
 TUCK_WIDTH = 11.0  # mm to either side of the midline over which the lip meets the teeth
 TUCK_ABOVE, TUCK_BEFORE = 0.7, 1.2  # mm that the tucked lip stands above and before the teeth's edge
@@ -60,8 +61,8 @@ class Lips:
         self._facing = mouth.facing
         self._matrix, self._points = Rows.of(mouth.matrix), np.zeros_like(rest)
         self._line = Handles(mouth.line, self._plate)
-        self._middle = Rows.of(sp.csr_matrix(0.5 * np.abs(mouth.line)))
-        self._stations = np.zeros((len(mouth.line), 3))
+        self._ends = Rows.of(sp.csr_matrix(0.5 * np.abs(mouth.line[[0, -1]])))
+        self._corners = np.zeros((2, 3))
         upper, lower = np.maximum(mouth.line, 0.0), np.maximum(-mouth.line, 0.0)
         central = np.abs(lower @ rest[:, 0]) <= TUCK_WIDTH
         self._tucked = Handles(np.vstack([upper[central], lower[central]]), self._plate)
@@ -123,7 +124,8 @@ class Lips:
         return True
 
     def _narrowest(self, points: Array, count: int) -> npt.NDArray[np.int64]:
-        """Return which of the `count` contacts is the narrowest at each station, and between."""
-        stations = self._middle.times(points, self._stations)[:, 0]
-        found = narrowest(stations, self._contacts.x[:count], self._contacts.gap[:count])
+        """Return which of the `count` contacts is the narrowest at each place along the mouth."""
+        start, end = self._ends.times(points, self._corners)[:, 0]
+        x, gap = self._contacts.x[:count], self._contacts.gap[:count]
+        found = narrowest(start, end, PLACES, WIDTH, x, gap)
         return found[found >= 0]

@@ -27,7 +27,6 @@ ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")
 SHEETS = {
     "zygomatic_minor": "levator_labii_superioris",
     "corrugator_supercilii": "depressor_supercilii",
-    "depressor_glabellae": "depressor_supercilii",
 }
 
 
@@ -87,7 +86,7 @@ class MuscleFields:
 
 MOST_SOURCES = 32
 # mm by which two muscles together may move a vertex further than the larger alone, and up to which freely.
-EXCESS, FREE_EXCESS = 2.2, 1.4
+EXCESS, FREE_EXCESS = 2.1, 1.4
 
 
 @compiled

@@ -2,8 +2,8 @@
 
 The chain: linked muscles displace the skin, at its equilibrium or in motion; the jaw carries it, the lids
 slide over the eyeballs, the lips come into contact, the skin is subdivided, what would lie within an eyeball
-is pushed out, and the skin bulges and wrinkles where it is compressed. All that closes comes after the
-motion, so that no closure is late.
+or a tooth is pushed out, and the skin bulges and wrinkles where it is compressed. All that closes comes after
+the motion, so that no closure is late.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from ..core.parameters import INDEX, PARAMETERS, check_value
 from ..errors import ParameterError
 from .ageing import DEFAULT_AGE
 from .biphasic import Biphasic
+from .crowding import Crowding
 from .eyes import eye_rotations, pitch_and_yaw
 from .frame import Array32, FaceFrame
 from .head import Head
@@ -30,6 +31,7 @@ from .network import Network
 from .products import Rows
 from .rotations import head_rotation
 from .springs import Springs
+from .teeth import Teeth
 from .tongue import TongueShapes
 from .wrinkles import Wrinkles
 
@@ -84,11 +86,13 @@ class FaceSolver:
         self.jaw = Jaw.of(head)
         self._links = links or load_links(head.links_file)
         self._muscles = MuscleFields.of(head)
+        self._crowding = Crowding.of(head)
         self._network = Network.of(head)
         self._phases = phases
         self._stiffening = self._second_phase()
         self._lids = both_lids(head)
         self._lips = Lips(head)
+        self._teeth = Teeth.of(head)
         self._tongue = TongueShapes.of(head)
         self._wrinkles = Wrinkles(head, age, wrinkles)
         self._refine = Rows.of(head.skin.matrix)
@@ -124,11 +128,14 @@ class FaceSolver:
         eyes = eye_rotations(self.head.eye_centre, *checked[_GAZE].tolist())
         self._muscles.displace(self._links.apply(checked, self._linked), self._displacement)
         move(self._displacement)
+        self._crowding.relieve(self._displacement)
         skin, wrinkles = self._solve_skin(checked, eyes)
+        tongue = self._tongue.place(checked, self.jaw, opening)
+        self._teeth.keep_in(tongue, opening)
         return FaceFrame(
             skin=skin,
             teeth_lower=self.jaw.carry(self.head.teeth_lower.vertices, opening).astype(np.float32),
-            tongue=self._tongue.place(checked, self.jaw, opening).astype(np.float32),
+            tongue=tongue.astype(np.float32),
             eye_rotation=eyes,
             head_rotation=head_rotation(*checked[_HEAD].tolist()),
             jaw_angle=opening * self.jaw.angle,
@@ -150,5 +157,6 @@ class FaceSolver:
         self._refine.times(skin, self._fine)
         for lids in self._lids:
             lids.keep_off(self._fine)
+        self._teeth.keep_out(self._fine, values[_JAW])
         wrinkles = self._wrinkles.fold(skin, self._fine)
         return self._fine.astype(np.float32), wrinkles

@@ -1,4 +1,8 @@
-"""The tongue: raised, put out or drawn back, and carried by the jaw."""
+"""The tongue: raised, put out or drawn back, and carried by the jaw.
+
+A rigid tongue would fill the open mouth like a wall. As the jaw opens it lies down behind the lower teeth and
+draws back a little, unless it is raised or put out; the back of the mouth comes into view above it.
+"""
 
 from __future__ import annotations
 
@@ -14,13 +18,21 @@ from .jaw import Jaw
 
 Array = npt.NDArray[np.float64]
 
+LYING = 0.62  # share of its height above its floor that the tongue loses with the jaw wide open
+SUNK, DRAWN_BACK = 12.0, 6.0  # mm that its back sinks and its tip draws back then
+STANDS_UP_TO = 0.1  # opening of the jaw up to which it keeps its height: consonants are made there
+COLUMNS = 12  # along its length at which its floor is measured
+
 
 @dataclass(frozen=True, slots=True)
 class TongueShapes:
-    """The tongue at level 1: `rest` (n1, 3) mm and `shapes` (3, n1, 3), its displacements at activation 1."""
+    """The tongue at level 1: `rest` (n1, 3) mm, `shapes` (3, n1, 3), its displacements at activation 1, and
+    `lying` (n1, 3), that in the wide open mouth.
+    """
 
     rest: Array
     shapes: Array
+    lying: Array
     columns: npt.NDArray[np.intp]
 
     @classmethod
@@ -32,9 +44,24 @@ class TongueShapes:
         for shape, name in zip(shapes, TONGUE_FIELDS, strict=True):
             shape[tongue.fields[name].vertices] = tongue.fields[name].displacement
         columns = np.array([INDEX[name] for name in TONGUE_FIELDS])
-        return cls(matrix @ tongue.rest, np.stack([matrix @ shape for shape in shapes]), columns)
+        rest = matrix @ tongue.rest
+        return cls(rest, np.stack([matrix @ shape for shape in shapes]), _lying(rest), columns)
 
     def place(self, values: Array, jaw: Jaw, opening: float) -> Array:
         """Return the tongue (n1, 3) in mm for `values` (46,), with the jaw at `opening` 0..1."""
-        moved = self.rest + np.tensordot(values[self.columns], self.shapes, axes=1)
+        active = values[self.columns]
+        opened = float(np.clip((opening - STANDS_UP_TO) / (1.0 - STANDS_UP_TO), 0.0, 1.0))
+        lies = opened * (2.0 - opened) * (1.0 - float(active.max()))
+        moved = self.rest + np.tensordot(active, self.shapes, axes=1) + lies * self.lying
         return jaw.carry(moved, opening)
+
+
+def _lying(rest: Array) -> Array:
+    """Return how the tongue `rest` (n, 3) lies down (n, 3) mm."""
+    y, z = rest[:, 1], rest[:, 2]
+    places = np.linspace(z.min(), z.max(), COLUMNS)
+    width = places[1] - places[0]
+    floor = np.interp(z, places, [y[np.abs(z - at) <= width].min() for at in places])
+    front = (z - z.min()) / (z.max() - z.min())
+    sunk = LYING * (y - floor) + SUNK * (1.0 - front**2)
+    return np.stack([np.zeros(len(rest)), -sunk, -DRAWN_BACK * front**2], axis=1)

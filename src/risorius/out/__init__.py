@@ -5,6 +5,7 @@ from .bml_feedback import write_bml_feedback
 from .channels_textgrid import write_channels_textgrid
 from .formats import OUTPUTS, Need, Output, deferred, output_for, register
 from .landmarks_csv import write_landmarks_csv
+from .mov import write_mov
 from .mp4 import write_mp4
 from .muscles_csv import write_muscles_csv
 from .oculus_csv import write_oculus_csv
@@ -16,8 +17,11 @@ from .source import Material, WriteOptions
 from .targets import Target, check_target, check_targets, write_targets
 from .textgrid import write_textgrid
 from .wav import write_wav
+from .webm import write_webm
 
-register(".mp4", "video with sound", {"pixels"}, write_mp4)
+register(".mp4", "video with sound", {"pixels"}, write_mp4, opaque=True)
+register(".webm", "video with sound for the web, with alpha if asked", {"pixels"}, write_webm)
+register(".mov", "video with sound for editing, with alpha if asked", {"pixels"}, write_mov)
 register(".png", "one frame, or a sheet of every n-th", {"pixels"}, write_png)
 register(".wav", "the voice", {"speech"}, write_wav)
 register(".muscles.csv", "curves of all muscles and parameters", {"curves"}, write_muscles_csv)

@@ -28,20 +28,26 @@ class Need(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A format: its suffix with the leading dot, what it holds, what it needs, and its writer."""
+    """A format: its suffix with the leading dot, what it holds, what it needs, and its writer.
+
+    `opaque`: it shows pictures and has no place for an alpha channel.
+    """
 
     suffix: str
     description: str
     needs: frozenset[Need]
     write: Writer
+    opaque: bool = False
 
 
 OUTPUTS: Registry[Output] = Registry("output suffix")
 
 
-def register(suffix: str, description: str, needs: Iterable[str], write: Writer) -> None:
+def register(
+    suffix: str, description: str, needs: Iterable[str], write: Writer, *, opaque: bool = False
+) -> None:
     """Add a format. `write(material, path, options)` fills `path`, an empty file beside the final one."""
-    output = Output(suffix, description, frozenset(Need(need) for need in needs), write)
+    output = Output(suffix, description, frozenset(Need(need) for need in needs), write, opaque)
     OUTPUTS.register(suffix)(output)
 
 

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..core.performance import Performance
 from ..errors import InputError
 from .sheet import write_sheet
 from .source import Material, WriteOptions
+
+if TYPE_CHECKING:
+    from PIL.PngImagePlugin import PngInfo
 
 
 def write_png(material: Material, path: Path, options: WriteOptions) -> None:
@@ -22,7 +26,16 @@ def write_png(material: Material, path: Path, options: WriteOptions) -> None:
         return
     index = frame_at(material.performance, options.at)
     for picture in material.pictures(options.size, [index]):
-        Image.fromarray(picture).save(path, format="PNG")
+        Image.fromarray(picture).save(path, format="PNG", pnginfo=srgb())
+
+
+def srgb() -> PngInfo:
+    """Return the chunk that says that colours are sRGB, to be shown as they are."""
+    from PIL.PngImagePlugin import PngInfo
+
+    info = PngInfo()
+    info.add(b"sRGB", b"\0")
+    return info
 
 
 def frame_at(performance: Performance, seconds: float | None) -> int:

@@ -71,7 +71,7 @@ def _paste(sheet: PillowImage, picture: Picture, corner: tuple[int, int], label:
     from PIL import Image, ImageDraw, ImageFont
 
     image = Image.fromarray(picture)
-    sheet.paste(image, corner)
+    sheet.paste(image, corner, image if image.mode == "RGBA" else None)
     ImageDraw.Draw(sheet).text(
         (corner[0] + image.width / 2, corner[1] + image.height + LABEL / 2),
         label,

@@ -30,9 +30,9 @@ class Material:
     """A performance ready to be written, with its stages as callables, so that nothing is computed twice.
 
     `frames()`: the solved faces of all frames in order, one at a time.
-    `pictures(size, indices)`: RGB pictures, uint8 of shape (height, width, 3) for size (width, height), of
-    the frames in `indices` (rising, within the performance), one at a time; a picture is only valid until
-    the next one is asked for.
+    `pictures(size, indices)`: RGB pictures, uint8 of shape (height, width, 3) for size (width, height), or
+    RGBA with four channels where their background is transparent, of the frames in `indices` (rising, within
+    the performance), one at a time; a picture is only valid until the next one is asked for.
     `measures(frame)`: the numbers of `landmarks_csv.COLUMNS` after `time_s`, in that order.
     `utterance` and `audio` are None where nothing is said. `head()`: the head that performs; `arkit()`: its
     performance as ARKit weights, fitted once; both None where there is no face.
@@ -60,11 +60,12 @@ class WriteOptions:
     """How outputs are written.
 
     `size`: width and height of pictures in pixels. `at`: the time in seconds of a single picture, None for
-    the middle; `every`: a contact sheet of every so many frames instead. `voice`: the sound file that a score
-    refers to, None if there is none.
+    the middle; `every`: a contact sheet of every so many frames instead. `alpha`: pictures have an alpha
+    channel. `voice`: the sound file that a score refers to, None if there is none.
     """
 
     size: Size = (720, 720)
     at: float | None = None
     every: int | None = None
+    alpha: bool = False
     voice: Path | None = None

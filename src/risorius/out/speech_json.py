@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.audio import Audio, silence
-from ..core.utterance import Accent, Pause, Phone, Syllable, Utterance, Word
+from ..core.utterance import Accent, Boundary, Pause, Phone, Syllable, Utterance, Word
 from .node import Node
 from .records import from_record, to_record
 
@@ -20,6 +20,7 @@ _PARTS: dict[str, type[Any]] = {
     "syllables": Syllable,
     "pauses": Pause,
     "accents": Accent,
+    "boundaries": Boundary,
 }
 _KEYS = ("language", "text", "audio", "sample_rate", *_PARTS)
 _SAMPLE_RATE = 22_050
@@ -69,6 +70,7 @@ def _check_parts(entries: dict[str, Node], parts: dict[str, tuple[Any, ...]]) ->
             0 <= s.first_phone <= s.last_phone <= counts["phones"] and -1 <= s.word < counts["words"]
         ),
         "accents": lambda a: -1 <= a.word < counts["words"] and -1 <= a.syllable < counts["syllables"],
+        "boundaries": lambda b: -1 <= b.word < counts["words"],
     }
     for node, phone in zip(entries["phones"].items(), parts["phones"], strict=True):
         if not -1 <= phone.stress <= 2:

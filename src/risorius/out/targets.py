@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..errors import OutputError, Place
 from .atomic import os_failure, replacing
-from .formats import Need, Output, output_for
+from .formats import OUTPUTS, Need, Output, output_for
 from .source import Material, WriteOptions
 
 PathLike = str | os.PathLike[str]
@@ -46,9 +46,16 @@ def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Ta
     return target
 
 
-def check_targets(paths: Iterable[PathLike], available: Collection[str] = tuple(Need)) -> tuple[Target, ...]:
-    """Return the targets for all `paths`; raise OutputError as `check_target`, or if one is given twice."""
+def check_targets(
+    paths: Iterable[PathLike], available: Collection[str] = tuple(Need), *, alpha: bool = False
+) -> tuple[Target, ...]:
+    """Return the targets for all `paths`.
+
+    Raises OutputError as `check_target`, if one is given twice, and with `alpha` as `check_alpha`.
+    """
     targets = tuple(check_target(path, available) for path in paths)
+    if alpha:
+        check_alpha(targets)
     seen: set[str] = set()
     for target in targets:
         real = os.path.realpath(target.path)
@@ -58,12 +65,27 @@ def check_targets(paths: Iterable[PathLike], available: Collection[str] = tuple(
     return targets
 
 
+def check_alpha(targets: Iterable[Target]) -> None:
+    """Raise OutputError for a target that cannot hold pictures with a transparent background."""
+    for target in targets:
+        if target.output.opaque:
+            kept = ", ".join(s for s in OUTPUTS if not OUTPUTS.get(s).opaque and _shows(OUTPUTS.get(s)))
+            message = f"{target.output.suffix} has no transparent background; expected one of {kept}"
+            raise OutputError(message, Place(str(target.path)))
+
+
+def _shows(output: Output) -> bool:
+    return Need.PIXELS in output.needs
+
+
 def write_targets(material: Material, targets: Sequence[Target], options: WriteOptions | None = None) -> None:
     """Write all targets; they appear together, when the last is complete, or not at all.
 
     A score refers to the `.wav` among the targets, if there is one. Raises OutputError.
     """
     options = options or WriteOptions()
+    if options.alpha:
+        check_alpha(targets)
     if options.voice is None:
         voices = [target.path for target in targets if target.output.suffix == ".wav"]
         options = replace(options, voice=voices[0] if voices else None)

@@ -1,4 +1,4 @@
-"""`.TextGrid`: words, phones and accents for Praat and aligners (facts: formats/09), long form, UTF-8."""
+"""`.TextGrid`: words, phones, accents and boundaries for Praat and aligners, long form, UTF-8."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _STRESS_DIGIT = {0: "0", 1: "2", 2: "1"}
 
 
 def write_textgrid(material: Material, path: Path, _options: WriteOptions) -> None:
-    """Write tiers `words`, `phones` and `accents`. Raises OutputError if nothing is said."""
+    """Write tiers `words`, `phones`, `accents` and `boundaries`. Raises OutputError if nothing is said."""
     if material.utterance is None:
         raise OutputError("there is nothing said to write; expected a performance that speaks")
     write_lines(path, textgrid_lines(material.utterance))
@@ -30,10 +30,12 @@ def textgrid_lines(utterance: Utterance) -> Iterator[str]:
     words = [(w.start, w.end, w.text) for w in utterance.words]
     phones = [(p.start, p.end, phone_label(p, utterance.language)) for p in utterance.phones]
     accents = [(a.time, a.label) for a in utterance.accents]
+    boundaries = [(b.time, b.label) for b in utterance.boundaries]
     tiers = [("words", words), ("phones", phones)]
-    yield from _head(end, len(tiers) + 1)
+    yield from _head(end, 4)
     yield from _interval_tiers(end, tiers)
-    yield from _point_tier(len(tiers) + 1, "accents", end, accents)
+    yield from _point_tier(3, "accents", end, accents)
+    yield from _point_tier(4, "boundaries", end, boundaries)
 
 
 def grid_lines(duration: float, tiers: list[tuple[str, list[Interval]]]) -> Iterator[str]:

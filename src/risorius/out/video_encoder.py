@@ -29,7 +29,7 @@ _PIPE_BYTES = 1 << 20
 
 
 class VideoEncoder:
-    """Writes one MP4 file through a worker process. Use as a context manager: leaving it completes the file.
+    """Writes one film through a worker process. Use as a context manager: leaving it completes the file.
 
     Pictures are handed over at once and encoded while the next one is made; at most a few wait. Raises
     OutputError if the worker dies, fails or does not answer for `patience` seconds, and OSError for a
@@ -43,8 +43,11 @@ class VideoEncoder:
         fps: Fraction,
         sample_rate: int | None = None,
         patience: float = PATIENCE,
+        *,
+        codec: str = "mp4",
+        channels: int = 3,
     ) -> None:
-        self._size = size
+        self._shape = (size[1], size[0], channels)
         self._patience = patience
         self._silent_too_long = False
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
@@ -53,7 +56,7 @@ class VideoEncoder:
         self._input = cast(io.FileIO, self._process.stdin)
         self._answer = cast(io.FileIO, self._process.stdout)
         _widen(self._input.fileno())
-        self._setup = wire.Setup(str(path.absolute()), *size, str(fps), sample_rate)
+        self._setup = wire.Setup(str(path.absolute()), *size, str(fps), sample_rate, codec, channels)
 
     @property
     def pid(self) -> int:
@@ -61,10 +64,9 @@ class VideoEncoder:
         return self._process.pid
 
     def picture(self, rgb: npt.NDArray[np.uint8]) -> None:
-        """Add the next picture, uint8 of shape (height, width, 3); it may be changed afterwards."""
-        expected = (self._size[1], self._size[0], 3)
-        if rgb.shape != expected or rgb.dtype != np.uint8:
-            raise ValueError(f"a picture is {rgb.dtype}{rgb.shape}; expected uint8{expected}")
+        """Add the next picture, uint8 of shape (height, width, channels); it may be changed afterwards."""
+        if rgb.shape != self._shape or rgb.dtype != np.uint8:
+            raise ValueError(f"a picture is {rgb.dtype}{rgb.shape}; expected uint8{self._shape}")
         self._send(wire.PICTURE, np.ascontiguousarray(rgb).data.cast("B"))
 
     def sound(self, samples: npt.NDArray[np.int16]) -> None:

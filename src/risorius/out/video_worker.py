@@ -1,7 +1,8 @@
 """The video encoder, in a process of its own: `python -m risorius.out.video_worker`.
 
-Reads pictures and sound from standard input (`wire`) and writes H.264 and AAC in MP4. A separate process
-because the encoder's library brings GPL code, may crash, and should work while the next picture is drawn.
+Reads pictures and sound from standard input (`wire`) and writes a film (`codecs`). A separate
+process because the encoder's library brings GPL code, may crash, and should work while the next picture is
+drawn.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ import numpy.typing as npt
 from av.video.reformatter import VideoReformatter
 
 from . import wire
+from .codecs import CODECS, Codec
 
 # The same number on every machine: the encoder's output depends on it.
 THREADS = 4
@@ -31,32 +33,34 @@ WAITING = 4
 BT709 = 1
 LIMITED_RANGE = 1
 BITS_PER_SECOND = 96_000
-# Rates that AAC knows; other sounds are resampled to the next one that loses nothing.
-AAC_RATES = (8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000, 64000, 88200, 96000)
 
 Bytes = npt.NDArray[np.uint8]
 
 
 class Film:
-    """An MP4 file in the making: pictures at k/fps, sound from t = 0."""
+    """A film in the making: pictures at k/fps, sound from t = 0."""
 
     def __init__(self, setup: wire.Setup) -> None:
-        self._size = (setup.height, setup.width)
+        self._codec = codec = CODECS[setup.codec]
+        self._shape = (setup.height, setup.width, setup.channels)
+        alpha = codec.alpha_pixels if setup.channels == 4 else None
+        self._pixels = alpha or codec.pixels
         self._fps = Fraction(setup.fps)
         self._pictures = 0
         self._reformat = VideoReformatter()
-        # The index goes to the front, so that a browser can play before it has the whole file.
-        self._container = av.open(setup.path, "w", format="mp4", options={"movflags": "+faststart"})
+        self._container = av.open(
+            setup.path, "w", format=codec.container, options=dict(codec.container_options)
+        )
         self._video = self._video_stream()
-        self._sound = None if setup.sample_rate is None else Sound(self._container, setup.sample_rate)
+        self._sound = None if setup.sample_rate is None else Sound(self._container, setup.sample_rate, codec)
 
     def _video_stream(self) -> av.VideoStream:
         stream = self._container.add_stream(
-            "libx264", rate=self._fps, options={"preset": "veryfast", "crf": "18"}
+            self._codec.video, rate=self._fps, options=dict(self._codec.options)
         )
-        height, width = self._size
+        height, width, _ = self._shape
         stream.width, stream.height = width + width % 2, height + height % 2
-        stream.pix_fmt = "yuv420p"
+        stream.pix_fmt = self._pixels
         context = stream.codec_context
         context.time_base = 1 / self._fps
         context.thread_count = THREADS
@@ -65,16 +69,18 @@ class Film:
         return stream
 
     def picture(self, data: bytearray) -> None:
-        """Add the next picture: RGB bytes, (height, width, 3) in rows."""
-        rgb = _even(np.frombuffer(data, np.uint8).reshape(*self._size, 3))
+        """Add the next picture: RGB or RGBA bytes, (height, width, channels) in rows."""
+        rgb = _even(np.frombuffer(data, np.uint8).reshape(self._shape))
         frame = self._reformat.reformat(
-            av.VideoFrame.from_ndarray(rgb, format="rgb24"),
-            format="yuv420p",
+            av.VideoFrame.from_ndarray(rgb, format="rgba" if self._shape[2] == 4 else "rgb24"),
+            format=self._pixels,
             dst_colorspace=BT709,
             src_color_range="JPEG",
             dst_color_range="MPEG",
             interpolation="BILINEAR",
         )
+        # ProRes writes what each picture says of itself.
+        frame.color_primaries = frame.color_trc = BT709
         frame.pts = self._pictures
         frame.time_base = 1 / self._fps
         self._pictures += 1
@@ -97,14 +103,16 @@ class Film:
 class Sound:
     """The sound of a film; its time is counted in samples, so that it cannot drift from the pictures."""
 
-    def __init__(self, container: av.container.OutputContainer, rate: int) -> None:
+    def __init__(self, container: av.container.OutputContainer, rate: int, codec: Codec) -> None:
         self._container = container
         self._time_base = Fraction(1, rate)
         self._rate = rate
         self._samples = 0
-        encoded = next((known for known in AAC_RATES if known >= rate), AAC_RATES[-1])
-        self._stream = container.add_stream("aac", rate=encoded, layout="mono")
-        self._stream.bit_rate = BITS_PER_SECOND
+        rates = codec.rates or (rate,)
+        encoded = next((known for known in rates if known >= rate), rates[-1])
+        self._stream = container.add_stream(codec.sound, rate=encoded, layout="mono")
+        if codec.rates:
+            self._stream.bit_rate = BITS_PER_SECOND
 
     def add(self, samples: npt.NDArray[np.int16]) -> None:
         """Encode the next samples, shape (n,)."""

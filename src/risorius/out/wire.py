@@ -22,13 +22,19 @@ _HEADER = struct.Struct("<cI")
 
 @dataclass(frozen=True, slots=True)
 class Setup:
-    """What the worker needs to begin: `fps` as "24000/1001"; `sample_rate` None for a silent film."""
+    """What the worker needs to begin.
+
+    `fps` as "24000/1001"; `sample_rate` None for a silent film; `codec` is a name of `codecs.CODECS`;
+    `channels` of a picture, 3 or 4.
+    """
 
     path: str
     width: int
     height: int
     fps: str
     sample_rate: int | None
+    codec: str = "mp4"
+    channels: int = 3
 
     def encode(self) -> bytes:
         """Return the payload of a SETUP message."""

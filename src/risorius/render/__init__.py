@@ -1,5 +1,6 @@
 """The renderer: a software rasterizer that draws the head without GL."""
 
-from .renderer import QUALITIES, Renderer
+from .pictures import picture_renderer
+from .renderer import Renderer
 
-__all__ = ["QUALITIES", "Renderer"]
+__all__ = ["Renderer", "picture_renderer"]

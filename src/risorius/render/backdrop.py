@@ -1,20 +1,36 @@
-"""What stands behind the head: a soft gradient, in display light."""
+"""What stands behind the head: a soft gradient, a colour or a picture, in display light."""
 
 from __future__ import annotations
 
-import numpy as np
+from pathlib import Path
 
+import numpy as np
+import numpy.typing as npt
+
+from ..core.look import TRANSPARENT
+from ..errors import InputError, Place
 from .raster import FloatArray
 from .tone import srgb_decode
 
 Colour = tuple[int, int, int]
-_CENTRE: Colour = (118, 126, 132)
-_EDGE: Colour = (48, 54, 62)
 _SEED = 3
 
 
-def studio_backdrop(width: int, height: int, centre: Colour = _CENTRE, edge: Colour = _EDGE) -> FloatArray:
-    """Return display light (height, width, 3) float32: brighter behind the head, darker to the corners.
+def backdrop(width: int, height: int, asked: str | None, centre: Colour, edge: Colour) -> FloatArray:
+    """Return display light (height, width, 3) float32 of what is asked for as `Look.background`.
+
+    `centre` and `edge` are those of the gradient that stands where nothing is asked for. Raises InputError
+    for what is neither a colour nor a picture.
+    """
+    if asked is None:
+        return gradient(width, height, centre, edge)
+    if Path(asked).is_file():
+        return _picture(Path(asked), width, height)
+    return np.tile(srgb_decode(np.array(_colour(asked)) / 255.0).astype(np.float32), (height, width, 1))
+
+
+def gradient(width: int, height: int, centre: Colour, edge: Colour) -> FloatArray:
+    """Return display light (height, width, 3) float32: `centre` behind the head, `edge` in the corners.
 
     Half a step of fixed noise hides the bands that eight bits would show.
     """
@@ -26,3 +42,29 @@ def studio_backdrop(width: int, height: int, centre: Colour = _CENTRE, edge: Col
     encoded = outer + share * (inner - outer)
     noise = np.random.default_rng(_SEED).uniform(-0.5, 0.5, (height, width, 1)) / 255.0
     return srgb_decode(np.clip(encoded + noise, 0.0, 1.0)).astype(np.float32)
+
+
+def _colour(asked: str) -> Colour:
+    from PIL import ImageColor
+
+    try:
+        red, green, blue = ImageColor.getrgb(asked)[:3]
+    except ValueError:
+        raise InputError(
+            f"background '{asked}' is neither a file nor a colour; expected e.g. '#203040', 'white', "
+            f"'{TRANSPARENT}' or a picture"
+        ) from None
+    return red, green, blue
+
+
+def _picture(path: Path, width: int, height: int) -> FloatArray:
+    """Return a picture cut to the proportions asked for, about its middle, and brought to that size."""
+    from PIL import Image, ImageOps, UnidentifiedImageError
+
+    try:
+        with Image.open(path) as image:
+            fitted = ImageOps.fit(image.convert("RGB"), (width, height), Image.Resampling.LANCZOS)
+    except (UnidentifiedImageError, OSError, Image.DecompressionBombError) as error:
+        raise InputError(f"not a picture: {error}", Place(str(path))) from error
+    encoded: npt.NDArray[np.uint8] = np.asarray(fitted)
+    return srgb_decode(encoded / 255.0).astype(np.float32)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
@@ -18,19 +16,18 @@ from .tone import srgb_decode
 Array = npt.NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
-class Complexion:
-    """Colours as sRGB bytes: of the skin, the lips, the mouth's lining, and the cloth."""
-
-    skin: tuple[int, int, int] = (216, 165, 139)
-    lips: tuple[int, int, int] = (178, 108, 98)
-    lining: tuple[int, int, int] = (160, 84, 80)
-    cloth: tuple[int, int, int] = (52, 62, 78)
-
-    @classmethod
-    def of(cls, looks: Looks) -> Complexion:
-        """Return the colours that a head has of its own."""
-        return cls(looks.skin, looks.lips, looks.lining, looks.cloth)
+# What the albedo of a region is multiplied by.
+_TINTS = {
+    "cheek": (1.02, 0.79, 0.79),
+    "nose": (1.01, 0.77, 0.75),
+    "nostril": (0.96, 0.82, 0.80),
+    "chin": (1.0, 0.91, 0.91),
+    "under_eye": (0.97, 0.91, 0.93),
+    "socket": (0.97, 0.91, 0.90),
+    "forehead": (1.02, 1.02, 0.98),
+    "ears": (1.0, 0.82, 0.80),
+    "lids": (0.97, 0.91, 0.91),
+}
 
 
 def linear(colour: tuple[int, int, int]) -> Array:
@@ -38,13 +35,13 @@ def linear(colour: tuple[int, int, int]) -> Array:
     return srgb_decode(np.asarray(colour) / 255.0)
 
 
-def paint_skin(anatomy: Anatomy, complexion: Complexion, neckline: Array, curvature: Array) -> FloatArray:
+def paint_skin(anatomy: Anatomy, looks: Looks, neckline: Array, curvature: Array) -> FloatArray:
     """Return attributes (N1, ATTRIBUTES) of the skin, whose column OCCLUSION is still to be filled.
 
     `neckline` (N1,) are mm into the cloth, `curvature` (N1,) 1/mm.
     """
     result = np.zeros((len(anatomy.skin), ATTRIBUTES), np.float32)
-    result[:, ALBEDO : ALBEDO + 3] = _albedo(anatomy, complexion)
+    result[:, ALBEDO : ALBEDO + 3] = _albedo(anatomy, looks)
     roughness, strength = _gloss(anatomy)
     result[:, ROUGHNESS] = roughness
     result[:, SPECULAR] = strength
@@ -72,6 +69,8 @@ def _regions(a: Anatomy) -> dict[str, Array]:
         "under_eye": front * _blob(p, (27 * u, a.eye_height - 12 * u), (13 * u, 5 * u)),
         "socket": front * _blob(p, (22 * u, a.eye_height + 5 * u), (14 * u, 8 * u)),
         "forehead": front * _blob(p, (0.0, a.eye_height + 55 * u), (48 * u, 26 * u)),
+        "ears": a.masks["ears"],
+        "lids": a.masks["lids"] * (p[:, 2] > 0),
     }
 
 
@@ -80,24 +79,18 @@ def _tint(colour: Array, amount: Array, factors: tuple[float, float, float]) -> 
     return colour * (1.0 + amount[:, None] * (np.asarray(factors) - 1.0))
 
 
-def _albedo(a: Anatomy, complexion: Complexion) -> Array:
-    p, region = a.skin, _regions(a)
-    colour = np.tile(linear(complexion.skin), (len(p), 1))
-    colour = _tint(colour, region["cheek"], (1.02, 0.79, 0.79))
-    colour = _tint(colour, region["nose"], (1.01, 0.77, 0.75))
-    colour = _tint(colour, region["nostril"], (0.96, 0.82, 0.80))
-    colour = _tint(colour, region["chin"], (1.0, 0.91, 0.91))
-    colour = _tint(colour, region["under_eye"], (0.97, 0.91, 0.93))
-    colour = _tint(colour, region["socket"], (0.92, 0.84, 0.84))
-    colour = _tint(colour, region["forehead"], (1.02, 1.02, 0.98))
-    colour = _tint(colour, a.masks["ears"], (1.0, 0.82, 0.80))
-    colour = _tint(colour, a.masks["lids"] * (p[:, 2] > 0), (0.95, 0.87, 0.87))
+def _albedo(a: Anatomy, looks: Looks) -> Array:
+    p, flush = a.skin, looks.flush
+    colour = np.tile(linear(looks.skin), (len(p), 1))
+    for name, amount in _regions(a).items():
+        if name in _TINTS:
+            colour = _tint(colour, flush * amount, _TINTS[name])
     uneven = 0.5 * noise_at(p, 26.0) + 0.6 * noise_at(p, 11.0)
-    colour = _tint(colour, 0.026 * uneven, (0.4, 2.0, 1.8))
+    colour = _tint(colour, flush * 0.026 * uneven, (0.4, 2.0, 1.8))
     lips = smoothstep(0.25, 0.75, a.masks["lips"])[:, None]
-    colour = colour + lips * (linear(complexion.lips) - colour)
+    colour = colour + lips * (linear(looks.lips) - colour)
     inner = smoothstep(0.3, 0.9, a.masks["inner_mouth"])[:, None]
-    colour = colour + inner * (linear(complexion.lining) - colour)
+    colour = colour + inner * (linear(looks.lining) - colour)
     return np.asarray(colour)
 
 
@@ -105,8 +98,8 @@ def _gloss(a: Anatomy) -> tuple[Array, Array]:
     """Return roughness squared (N1,) and strength (N1,) of the gloss: oily forehead and nose, wet lips."""
     region = _regions(a)
     oily = np.maximum(region["forehead"], region["nose"])
-    roughness = 0.22 - 0.06 * oily + 0.04 * region["cheek"]
-    strength = 1.0 + 0.4 * oily - 0.15 * region["under_eye"]
+    roughness = 0.21 - 0.07 * oily + 0.02 * region["cheek"]
+    strength = 1.25 + 0.55 * oily - 0.15 * region["under_eye"]
     lips = smoothstep(0.25, 0.75, a.masks["lips"])
     inner = a.masks["inner_mouth"]
     roughness = roughness + lips * (0.085 - roughness)

@@ -12,7 +12,7 @@ from .tone import srgb_decode
 
 _RINGS, _SECTORS = 16, 40
 _WIDEST = np.radians(80.0)
-_IRIS_RINGS, _IRIS_ANGLES = 48, 360
+_IRIS_RINGS, _IRIS_ANGLES = 64, 720
 
 Array = npt.NDArray[np.float64]
 
@@ -45,14 +45,16 @@ def iris_image(inner: tuple[int, int, int], outer: tuple[int, int, int]) -> Floa
     """
     r = (np.arange(_IRIS_RINGS) / (_IRIS_RINGS - 1))[:, None]
     angle = (2 * np.pi * np.arange(_IRIS_ANGLES) / _IRIS_ANGLES)[None, :]
-    fibres = 0.65 * _ring_noise(r, angle, 14.0, 1.2) + 0.45 * _ring_noise(r, angle, 30.0, 2.0)
-    ruff = np.exp(-(((r - 0.22 - 0.04 * _ring_noise(r * 0, angle, 4.0, 0.0)) / 0.11) ** 2))
-    share = np.clip(1.15 * (1 - r) ** 1.3 + 0.10 * fibres, 0.0, 1.0)[..., None]
+    fibres = 0.55 * _ring_noise(r, angle, 16.0, 0.9) + 0.55 * _ring_noise(r, angle, 40.0, 1.6)
+    crypts = np.clip(_ring_noise(r, angle, 7.0, 3.5) - 0.7, 0.0, 1.2)
+    edge = 0.30 + 0.05 * _ring_noise(r * 0, angle, 6.0, 0.0)
+    ruff = np.exp(-(((r - edge) / 0.07) ** 2))
+    share = np.clip(1.25 * (1 - r) ** 1.8 + 0.14 * fibres, 0.0, 1.0)[..., None]
     colour = share * srgb_decode(np.array(inner) / 255) + (1 - share) * srgb_decode(np.array(outer) / 255)
-    light = 1.0 + 0.28 * fibres + 0.30 * ruff - 0.12 * _ring_noise(r, angle, 5.0, 5.0)
-    light *= 1.0 - 0.72 * np.clip((r - 0.72) / 0.28, 0.0, 1.0) ** 1.6
-    light *= 0.55 + 0.45 * np.clip(r / 0.10, 0.0, 1.0)
-    return np.asarray(colour * np.clip(light, 0.1, 2.0)[..., None], np.float32)
+    light = 1.05 + 0.34 * fibres + 0.22 * ruff - 0.42 * crypts * np.clip(4.0 * (r - 0.25), 0.0, 1.0)
+    light *= 1.0 - 0.88 * np.clip((r - 0.70) / 0.30, 0.0, 1.0) ** 1.4
+    light *= 0.45 + 0.55 * np.clip(r / 0.12, 0.0, 1.0)
+    return np.asarray(colour * np.clip(light, 0.08, 2.2)[..., None], np.float32)
 
 
 def _ring_noise(r: Array, angle: Array, across: float, along: float) -> Array:

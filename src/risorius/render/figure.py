@@ -11,10 +11,10 @@ from ..face.head import Head
 from .anatomy import find_anatomy
 from .attach import Surface
 from .brows import grow_brows
-from .complexion import Complexion, linear
+from .complexion import linear
+from .cuts import grow_hair
 from .eyeball import iris_image
 from .garment import neckline
-from .hairstyle import grow_hair
 from .inputs import ALBEDO
 from .lashes import grow_lashes
 from .materials.eye import IRIS
@@ -47,21 +47,22 @@ class Piece:
 
 
 def figure_of(head: Head) -> dict[str, Piece]:
-    """Return the pieces by name: skin, eyes, teeth, tongue, brows, lashes and hair."""
+    """Return the pieces by name: skin, eyes, teeth, tongue, brows, lashes, and hair where there is any."""
     anatomy, looks = find_anatomy(head), head.identity.looks
-    surface, complexion, hair = skin_surface(head, anatomy), Complexion.of(looks), linear(looks.hair)
-    skin = skin_part(head, anatomy, surface, complexion, hair)
+    surface = skin_surface(head, anatomy)
+    hair, brows = linear(looks.hair), linear(looks.brows or looks.hair)
+    skin = skin_part(head, anatomy, surface, looks, brows, hair)
     left, right = eye_parts(head)
     pieces = [
-        _clothed(_piece("skin", skin, 0.5), neckline(anatomy), linear(complexion.cloth)),
+        _clothed(_piece("skin", skin, 0.5), neckline(anatomy), linear(looks.cloth)),
         _piece("eye_left", left, 0.1),
         _piece("eye_right", right, 0.1),
         _piece("teeth_upper", teeth_part(head.teeth_upper), 0.2),
         _piece("teeth_lower", teeth_part(head.teeth_lower), 0.2),
         _piece("tongue", tongue_part(head), 0.3),
-        _ribbons("brows", grow_brows(anatomy, surface, hair, looks.brow_hairs), surface),
+        _ribbons("brows", grow_brows(anatomy, surface, brows, looks.brow_hairs), surface),
         _ribbons("lashes", grow_lashes(head, surface, 0.35 * hair), surface),
-        _ribbons("hair", grow_hair(anatomy, surface, hair, looks.hairs), surface),
+        *(_ribbons("hair", strands, surface) for strands in grow_hair(anatomy, surface, hair, looks)),
     ]
     return {piece.name: piece for piece in pieces}
 

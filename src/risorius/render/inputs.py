@@ -5,9 +5,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from .jit import BANDS
 from .raster import ByteArray, FloatArray, IntArray
+
+BitArray = npt.NDArray[np.int64]
 
 # Columns of a vertex's attributes.
 ALBEDO, OCCLUSION, ROUGHNESS, SPECULAR, CURVATURE, INNER, EXTRA = 0, 3, 4, 5, 6, 7, 8
@@ -45,7 +48,10 @@ class Mesh(NamedTuple):
 
 
 class Light(NamedTuple):
-    """Lamps (n, 7): direction, colour, softness; room (2, 3) from above and below; the key's shadow map."""
+    """Lamps (n, 7): direction, colour, softness; room (2, 3) from above and below; the key's shadow map.
+
+    `pupil` is the radius that the pupils take in this light, in radii of the iris.
+    """
 
     lamps: FloatArray
     room: FloatArray
@@ -53,6 +59,7 @@ class Light(NamedTuple):
     shadow_tiles: FloatArray
     shadow_matrix: FloatArray
     bias: float
+    pupil: float
 
 
 class Pose(NamedTuple):
@@ -88,6 +95,21 @@ class Tables(NamedTuple):
     cloth: FloatArray
     film: FloatArray
     bytes: ByteArray
+
+
+class Paint(NamedTuple):
+    """What an explaining picture shows on the skin.
+
+    `covered` (m,), `place` (N1, M, 2) are those of `muscle_paint.MusclePaint`, `colours` (M, 4) their linear
+    colours and opacities in this frame; `edges` (m, 3) the strength of the line opposite each corner; `ink`
+    (4,) the lines' colour and opacity.
+    """
+
+    covered: BitArray
+    place: FloatArray
+    colours: FloatArray
+    edges: FloatArray
+    ink: FloatArray
 
 
 class Sight(NamedTuple):

@@ -14,14 +14,14 @@ POINTS = 5
 _SEED = 11
 
 
-def grow_lashes(head: Head, surface: Surface, colour: Array, upper: int = 46, lower: int = 26) -> Strands:
+def grow_lashes(head: Head, surface: Surface, colour: Array, upper: int = 64, lower: int = 30) -> Strands:
     """Return `upper` and `lower` lashes for each eye, of an albedo (3,)."""
     groups = []
     for side in range(2):
         pairs = surface.points[head.lid_pairs[side]]
         rng = np.random.default_rng(_SEED)
-        groups.append(_row(surface, pairs[:, 0], head.eye_centre[side], upper, 6.2, 1.0, colour, rng))
-        groups.append(_row(surface, pairs[:, 1], head.eye_centre[side], lower, 3.0, -1.0, colour, rng))
+        groups.append(_row(surface, pairs[:, 0], head.eye_centre[side], upper, 6.8, 1.0, colour, rng))
+        groups.append(_row(surface, pairs[:, 1], head.eye_centre[side], lower, 2.4, -1.0, colour, rng))
     return join(groups)
 
 
@@ -55,7 +55,7 @@ def _row(
     curves = root[:, None, :] + np.concatenate([np.zeros((count, 1, 3)), np.cumsum(steps, axis=1)], axis=1)
     triangles, weights = surface.nearest(root)
     curves += (surface.at(triangles, weights)[0] - root)[:, None, :]
-    widths = np.tile((0.17 if up > 0 else 0.10) * (1 - 0.88 * way**1.3), (count, 1))
+    widths = np.tile((0.15 if up > 0 else 0.085) * (1 - 0.88 * way**1.3), (count, 1))
     return surface.root(
         triangles, weights, curves, widths, np.tile(colour, (count, 1)), np.full(count, 0.3), 0.0
     )

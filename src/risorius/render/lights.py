@@ -38,12 +38,17 @@ class LightRig:
     """The lamps, and the light of the room from above and below.
 
     The first lamp casts shadows that follow the face; what the head itself keeps from the others is found
-    once, at rest. Eyes and mouth are lit by the first two, which should therefore stand in front.
+    once, at rest. Eyes and mouth are lit by the first two, which should therefore stand in front. `centre`
+    and `edge` are sRGB bytes of the backdrop's gradient; `pupil` is the radius of the pupils, in radii of the
+    iris: wide in the dark.
     """
 
     lamps: tuple[Lamp, ...]
     sky: Colour
     ground: Colour
+    centre: tuple[int, int, int] = (118, 126, 132)
+    edge: tuple[int, int, int] = (48, 54, 62)
+    pupil: float = 0.36
 
     def __post_init__(self) -> None:
         if not self.lamps:
@@ -53,14 +58,15 @@ class LightRig:
         """Return the rig as arrays for the kernels."""
         rows = [(*lamp.direction(), *lamp.colour, lamp.softness) for lamp in self.lamps]
         room = np.array([self.sky, self.ground], np.float32)
-        return Lighting(np.array(rows, np.float32), room)
+        return Lighting(np.array(rows, np.float32), room, self.pupil)
 
 
 class Lighting(NamedTuple):
-    """Lamps (n, 7) float32: direction, colour, softness; room (2, 3): from above, from below."""
+    """Lamps (n, 7) float32: direction, colour, softness; room (2, 3): from above, from below; the pupil."""
 
     lamps: FloatArray
     room: FloatArray
+    pupil: float
 
 
 STUDIO = LightRig(
@@ -72,4 +78,32 @@ STUDIO = LightRig(
     ),
     sky=(0.52, 0.53, 0.56),
     ground=(0.30, 0.25, 0.22),
+    centre=(118, 126, 132),
+    edge=(48, 54, 62),
 )
+DAYLIGHT = LightRig(
+    lamps=(
+        Lamp(38.0, 46.0, (2.45, 2.28, 2.00), 0.10),
+        Lamp(-40.0, 18.0, (0.72, 0.80, 0.92), 0.20),
+        Lamp(-150.0, 40.0, (0.85, 0.95, 1.10), 0.16),
+    ),
+    sky=(0.86, 0.94, 1.06),
+    ground=(0.46, 0.42, 0.34),
+    centre=(214, 224, 232),
+    edge=(150, 172, 192),
+    pupil=0.30,
+)
+DARK = LightRig(
+    lamps=(
+        Lamp(-62.0, 28.0, (2.10, 1.62, 1.12), 0.05),
+        Lamp(40.0, 4.0, (0.10, 0.13, 0.18), 0.16),
+        Lamp(128.0, 22.0, (0.95, 1.35, 1.95), 0.08),
+        Lamp(-140.0, 30.0, (0.55, 0.70, 0.95), 0.08),
+    ),
+    sky=(0.10, 0.12, 0.16),
+    ground=(0.06, 0.05, 0.05),
+    centre=(34, 38, 46),
+    edge=(10, 11, 14),
+    pupil=0.47,
+)
+RIGS = {"studio": STUDIO, "daylight": DAYLIGHT, "dark": DARK}

@@ -9,10 +9,11 @@ import numpy.typing as npt
 
 from ..face.head import Head
 from ..face.head import Mesh as RigidMesh
+from ..face.identity import Looks
 from .anatomy import Anatomy
 from .attach import Surface
 from .brows import brow_shade
-from .complexion import Complexion, linear, paint_skin
+from .complexion import linear, paint_skin
 from .curvature import mean_curvature
 from .eyeball import cap
 from .garment import neckline
@@ -31,7 +32,7 @@ from .inputs import (
     TONGUE,
 )
 from .raster import FloatArray, IntArray
-from .scalp import hair_density
+from .scalp import scalp_shade
 
 Array = npt.NDArray[np.float64]
 _TOOTH, _GUM, _TONGUE = (244, 234, 214), (186, 98, 92), (206, 122, 114)
@@ -56,17 +57,19 @@ def skin_surface(head: Head, anatomy: Anatomy) -> Surface:
     return Surface(anatomy.skin, normals.astype(np.float64), head.skin.triangles)
 
 
-def skin_part(head: Head, anatomy: Anatomy, surface: Surface, complexion: Complexion, hair: Array) -> Part:
-    """Return the skin, darkened under brows and hair by the hair's albedo (3,)."""
+def skin_part(
+    head: Head, anatomy: Anatomy, surface: Surface, looks: Looks, brows: Array, hair: Array
+) -> Part:
+    """Return the skin, darkened under the brows by their albedo (3,) and under the hair by its own."""
     quads = head.skin.quads
     curvature = mean_curvature(surface.points, surface.normals, quads)
-    attributes = paint_skin(anatomy, complexion, neckline(anatomy), curvature)
+    attributes = paint_skin(anatomy, looks, neckline(anatomy), curvature)
     under = attributes[:, ALBEDO : ALBEDO + 3]
-    for shade in (
-        0.42 * brow_shade(anatomy),
-        0.9 * hair_density(anatomy, anatomy.skin, anatomy.masks["ears"]) ** 1.5,
+    for shade, colour in (
+        (0.42 * brow_shade(anatomy), brows),
+        (scalp_shade(anatomy, looks.hair_style), hair),
     ):
-        under += shade[:, None].astype(np.float32) * (1.3 * hair.astype(np.float32) - under)
+        under += shade[:, None].astype(np.float32) * (1.3 * colour.astype(np.float32) - under)
         attributes[:, SPECULAR] *= 1.0 - 0.9 * shade
     return Part(anatomy.skin, quads, head.skin.triangles, attributes, SKIN)
 

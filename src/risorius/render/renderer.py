@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
+from ..core.look import QUALITIES
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from .anatomy import Anatomy
-from .backdrop import studio_backdrop
-from .camera import Camera, portrait, project
-from .complexion import Complexion
+from ..face.identity import Looks
+from .backdrop import gradient
+from .camera import Camera, project
+from .cutout import covered, cut_out
+from .diagram import shade_diagram
 from .eyeball import iris_image
-from .inputs import Light, Mesh, Pose, Sight, Tables, empty_batch
+from .framing import frame_head
+from .inputs import Light, Mesh, Paint, Pose, Sight, Tables, empty_batch
 from .jit import f4
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
@@ -21,10 +25,11 @@ from .raster import ByteArray, FloatArray, IntArray, Visibility
 from .scene import HeadScene
 from .shade import shade
 from .shadow import ShadowMap
+from .sketch import Sketch
 from .subsurface import diffuse_table
 from .tone import film_table, tone_table
 
-QUALITIES = {"draft": 1, "normal": 2, "high": 4}  # samples per pixel and side
+Array = npt.NDArray[np.float64]
 SMALLEST, LARGEST = 16, 4096
 
 
@@ -42,23 +47,32 @@ class Renderer:
         *,
         camera: Camera | None = None,
         lights: LightRig = STUDIO,
-        complexion: Complexion | None = None,
+        looks: Looks | None = None,
         background: FloatArray | None = None,
+        alpha: bool = False,
+        style: str = "realistic",
     ) -> None:
         """Prepare to draw `head` at `size` (width, height) in pixels.
 
-        `quality` is draft, normal or high: 1, 4 or 16 samples a pixel. `background` is display light
-        (height, width, 3) float32. Raises InputError for a size or quality that cannot be drawn.
+        `quality` is draft, normal or high: 1, 4 or 16 samples a pixel. `looks` are the head's own where None.
+        `background` is display light (height, width, 3) float32; with `alpha` it is left out and pictures
+        have four channels. Raises InputError for a size or quality that cannot be drawn.
         """
         width, height = check_size(size)
         if quality not in QUALITIES:
             raise InputError(unknown("quality", quality, QUALITIES))
         self.size = (width, height)
         self._lights = lights.lighting()
-        self.scene = HeadScene(head, self._lights.lamps, complexion)
+        self.scene = HeadScene(head, self._lights.lamps, looks)
         self.camera = camera or frame_head(self.scene.anatomy, width / height)
         self._samples = QUALITIES[quality]
+        if alpha:
+            background = np.zeros((height, width, 3), np.float32)
+        elif background is None:
+            background = gradient(width, height, lights.centre, lights.edge)
         self._background = _check_background(background, width, height)
+        self._drawn: ByteArray | None = np.empty((height, width, 3), np.uint8) if alpha else None
+        self._sketch = Sketch(head, len(self.scene.triangles), style) if style != "realistic" else None
         self._eye = np.asarray(self.camera.eye, np.float32)
         self._prepare(width * self._samples, height * self._samples)
 
@@ -71,24 +85,43 @@ class Renderer:
         self._batch = empty_batch(width * self._samples)
         centre, radius = scene.anatomy.sphere()
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
-        iris = iris_image(*scene.head.identity.looks.iris)
+        iris = iris_image(*scene.looks.iris)
         self._tables = Tables(diffuse_table(), noise_tile(), iris, scene.cloth, film_table(), tone_table())
 
-    def render(self, frame: FaceFrame, out: ByteArray | None = None) -> ByteArray:
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """Height, width and channels of the pictures."""
+        return (self.size[1], self.size[0], 3 if self._drawn is None else 4)
+
+    def render(
+        self, frame: FaceFrame, out: ByteArray | None = None, kept_down: Array | None = None
+    ) -> ByteArray:
         """Return the picture (height, width, 3) uint8 sRGB of a frame, written into `out` if given.
 
-        Raises InputError for a frame of another head, and for an `out` that does not fit.
+        With alpha the picture has a fourth channel, and its colours are not multiplied by it. `kept_down`
+        (46,) is how much of each parameter its rivals suppress, which the style "muscles" shows. Raises
+        InputError for a frame of another head, and for an `out` that does not fit.
         """
-        width, height = self.size
         if out is None:
-            out = np.empty((height, width, 3), np.uint8)
-        elif out.shape != (height, width, 3) or out.dtype != np.uint8 or not out.flags.c_contiguous:
+            out = np.empty(self.shape, np.uint8)
+        elif out.shape != self.shape or out.dtype != np.uint8 or not out.flags.c_contiguous:
             raise InputError(
-                f"picture buffer {out.shape} {out.dtype}; expected {(height, width, 3)} uint8, contiguous"
+                f"picture buffer {out.shape} {out.dtype}; expected {self.shape} uint8, contiguous"
             )
+        if self._sketch is not None:
+            self._sketch.update(frame.parameters, kept_down)
+        if self._drawn is None:
+            self._draw(frame, out)
+        else:
+            self._draw(frame, self._drawn)
+            cut_out(self._drawn, covered(self._buffer.ids, self._samples), out)
+        return out
+
+    def _draw(self, frame: FaceFrame, out: ByteArray) -> None:
         scene = self.scene
         scene.check(frame)
-        pose = scene.pose(frame, self._eye)
+        sample = self.camera.millimetres_per_sample(self.size[1] * self._samples)
+        pose = scene.pose(frame, self._eye, 0.9 * sample)
         project(scene.positions, self._matrix, self._xy, self._key)
         self._buffer.draw(self._xy, self._key, scene.triangles, scene.two_sided)
         self._shadow.update(
@@ -97,7 +130,6 @@ class Renderer:
             scene.two_sided[: scene.solid],
         )
         self._shade(pose, out)
-        return out
 
     def _shade(self, pose: Pose, out: ByteArray) -> None:
         scene, shadow, samples = self.scene, self._shadow, self._samples
@@ -121,11 +153,16 @@ class Renderer:
             shadow.tiles,
             shadow.matrix,
             f4(shadow.bias),
+            f4(self._lights.pupil),
         )
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
         pixel = f4(self.camera.millimetres_per_sample(self.size[1]))
         sight = Sight(self._buffer.ids, self._buffer.depth, samples, self._eye, pixel, self._background)
-        shade(sight, mesh, light, pose, self._tables, self._batch, out)
+        if self._sketch is None:
+            shade(sight, mesh, light, pose, self._tables, self._batch, out)
+        else:
+            paint: Paint = self._sketch.paint
+            shade_diagram(sight, mesh, light, pose, self._tables, paint, self._batch, out)
 
 
 def check_size(size: tuple[int, int]) -> tuple[int, int]:
@@ -138,19 +175,7 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
     return width, height
 
 
-def frame_head(anatomy: Anatomy, aspect: float) -> Camera:
-    """Return the portrait camera: from above the hair to the collar, wider where the picture is narrow."""
-    u = anatomy.unit
-    top, bottom = anatomy.top + 22.0 * u, anatomy.chin - 44.0 * u
-    if aspect < 0.9:
-        middle, half = 0.5 * (top + bottom), 0.5 * (top - bottom) * 0.9 / aspect
-        top, bottom = middle + half, middle - half
-    return portrait(top, bottom, (0.0, anatomy.eye_height, 0.0))
-
-
-def _check_background(background: FloatArray | None, width: int, height: int) -> FloatArray:
-    if background is None:
-        return studio_backdrop(width, height)
+def _check_background(background: FloatArray, width: int, height: int) -> FloatArray:
     if background.shape != (height, width, 3):
         raise InputError(f"background {background.shape}; expected {(height, width, 3)}")
     return np.array(background, np.float32)

@@ -8,6 +8,7 @@ import numpy.typing as npt
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat, unit
 from .noise import noise_at
+from .raster import IntArray
 
 Array = npt.NDArray[np.float64]
 
@@ -15,6 +16,10 @@ Array = npt.NDArray[np.float64]
 _ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
 _HEIGHTS = (65, 66, 68, 62, 48, 30, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
 _AXIS = -72.0  # z of the axis, mm
+# How dark the scalp is under each style of hair.
+# How far, in mm, hair of each style stands out over the skin next to it.
+_THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
+_UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.62, "bald": 0.0}
 
 
 def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
@@ -29,6 +34,32 @@ def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
 def hair_density(anatomy: Anatomy, points: Array, ears: Array) -> Array:
     """Return how densely (n,) hair grows at points (n, 3): rising over a centimetre, none on the ears."""
     return smoothstep(-2.5, 15.0, inside_hairline(anatomy, points)) * (1.0 - smoothstep(0.05, 0.3, ears))
+
+
+def scalp_shade(anatomy: Anatomy, style: str) -> Array:
+    """Return how much each skin vertex (N1,) is darkened by hair that stands too close to be drawn."""
+    strength = _UNDER[style]
+    return np.asarray(strength * hair_density(anatomy, anatomy.skin, anatomy.masks["ears"]) ** 1.5)
+
+
+def hair_shade(anatomy: Anatomy, style: str, lamp: npt.NDArray[np.floating]) -> tuple[Array, Array, Array]:
+    """Return the shares of light (n,) that hair keeps from each skin vertex, all 0 under no hair to speak of.
+
+    First what it covers keeps from all lamps, then what the hair above the hairline keeps from the key lamp
+    in direction `lamp` (3,), then what it keeps from the light all around.
+    """
+    skin, ears = anatomy.skin, anatomy.masks["ears"]
+    thick = _THICK[style]
+    if thick == 0.0:
+        return np.zeros(len(skin)), np.zeros(len(skin)), np.zeros(len(skin))
+
+    def ahead(way: npt.NDArray[np.floating]) -> Array:
+        steps = np.linspace(0.0, 1.0, 5)[1:]
+        seen = [(1.0 - 0.7 * s) * hair_density(anatomy, skin + s * thick * way, ears) for s in steps]
+        return np.asarray(np.max(seen, axis=0))
+
+    covered = hair_density(anatomy, skin, ears)
+    return covered, 0.85 * ahead(np.asarray(lamp)), 0.5 * ahead(np.array([0.0, 1.0, 0.0]))
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
@@ -49,7 +80,7 @@ def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
 
 def grow_roots(
     anatomy: Anatomy, surface: Surface, density: Array, count: int, seed: int
-) -> tuple[Array, Array]:
+) -> tuple[IntArray, Array]:
     """Return `count` triangles and weights in them, spread over the skin by area times `density` (N1,)."""
     rng = np.random.default_rng(seed)
     corners = surface.points[surface.triangles]

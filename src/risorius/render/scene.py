@@ -8,24 +8,27 @@ import numpy.typing as npt
 from ..errors import InputError
 from ..face.frame import FaceFrame
 from ..face.head import Head
+from ..face.identity import Looks
 from .anatomy import find_anatomy
 from .aperture import lip_edges
 from .brows import grow_brows
-from .complexion import Complexion, linear
+from .complexion import linear
 from .creases import lay_creases
+from .cuts import grow_hair
 from .eyeball import lid_margins
 from .garment import neckline, standing_off
 from .geometry import Normals, turn
-from .hairstyle import grow_hair
 from .inputs import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR, Pose
+from .jit import f4
 from .lashes import grow_lashes
 from .occlusion import Occluder, bake
 from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
 from .raster import ByteArray, FloatArray, IntArray
-from .scalp import hair_density
+from .scalp import hair_shade
 from .strands import Strands, ribbons
 
 Array = npt.NDArray[np.float64]
+_SOFTENED = 0.8  # light reflected within folds fills them a little
 
 
 class HeadScene:
@@ -36,21 +39,22 @@ class HeadScene:
     `normals` (n, 3) float32 in the world.
     """
 
-    def __init__(self, head: Head, lamps: FloatArray, complexion: Complexion | None = None) -> None:
+    def __init__(self, head: Head, lamps: FloatArray, looks: Looks | None = None) -> None:
+        """Make the scene of a head lit by `lamps` (n, 7); `looks` are its own where None."""
         self.head = head
+        self.looks = looks or head.identity.looks
         self.anatomy = find_anatomy(head)
         surface = skin_surface(head, self.anatomy)
-        looks = head.identity.looks
-        complexion = complexion or Complexion.of(looks)
-        hair = linear(looks.hair)
-        self.cloth: FloatArray = linear(complexion.cloth).astype(np.float32)
-        skin = skin_part(head, self.anatomy, surface, complexion, hair)
+        looks = self.looks
+        hair, brows = linear(looks.hair), linear(looks.brows or looks.hair)
+        self.cloth: FloatArray = linear(looks.cloth).astype(np.float32)
+        skin = skin_part(head, self.anatomy, surface, looks, brows, hair)
         teeth = [teeth_part(head.teeth_upper), teeth_part(head.teeth_lower)]
         parts = [skin, *eye_parts(head), *teeth, tongue_part(head)]
         self._hairs = [
-            grow_brows(self.anatomy, surface, hair, looks.brow_hairs),
+            grow_brows(self.anatomy, surface, brows, looks.brow_hairs),
             grow_lashes(head, surface, 0.35 * hair),
-            grow_hair(self.anatomy, surface, hair, looks.hairs),
+            *grow_hair(self.anatomy, surface, hair, looks),
         ]
         self._offset = standing_off(neckline(self.anatomy), surface.normals).astype(np.float32)
         self._starts = np.concatenate([[0], np.cumsum([len(part.vertices) for part in parts])])
@@ -97,11 +101,13 @@ class HeadScene:
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
         mesh = Occluder(self._local, normals, self.triangles[solid], self.two_sided[solid])
         free, reach = bake(mesh, *self.anatomy.sphere(), lamps)
-        self.attributes[:count, OCCLUSION] = free[:count]
+        self.attributes[:count, OCCLUSION] = free[:count] ** _SOFTENED
         self.reach: FloatArray = np.ones((len(self.rest), len(lamps)), np.float32)
         self.reach[:count, 1:] = reach[:count]
-        covered = hair_density(self.anatomy, self.anatomy.skin, self.anatomy.masks["ears"])
+        covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
         self.reach[:count] *= 1.0 - covered[:, None]
+        self.reach[:count, 0] *= 1.0 - cast
+        self.attributes[:count, OCCLUSION] *= 1.0 - around
 
     def check(self, frame: FaceFrame) -> None:
         """Raise InputError where a frame's vertices are not as many as this head's."""
@@ -114,8 +120,11 @@ class HeadScene:
             if points.shape != (size, 3):
                 raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
-    def pose(self, frame: FaceFrame, eye: FloatArray) -> Pose:
-        """Move all vertices to a frame; `eye` (3,) float32 is where the camera stands."""
+    def pose(self, frame: FaceFrame, eye: FloatArray, sample: float) -> Pose:
+        """Move all vertices to a frame.
+
+        `eye` (3,) float32 is where the camera stands; `sample` mm is the least width that it can show.
+        """
         rotation = frame.head_rotation.astype(np.float32)
         pivot = self.head.head_pivot.astype(np.float32)
         self._place(frame)
@@ -132,6 +141,8 @@ class HeadScene:
                 group.widths,
                 eye,
                 start,
+                f4(group.behind),
+                f4(sample),
             )
         return self._read_pose(frame, rotation, pivot)
 

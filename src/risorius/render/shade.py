@@ -30,17 +30,17 @@ def shade(
         turn = i8(band)  # prange counts without sign, and all below would be compiled a second time
         top, bottom = band_rows(turn, out.shape[0])
         for y in range(top, bottom):
-            n = _collect(turn, y, sight, mesh, batch)
+            n = collect(turn, y, sight, mesh, batch)
             shade_skin(turn, n, batch, mesh, sight, light, pose, tables)
             shade_cloth(turn, n, batch, mesh, sight, light, tables)
             shade_hairs(turn, n, batch, mesh)
             shade_eyes(turn, n, batch, mesh, sight, light, pose, tables)
             shade_mouth(turn, n, batch, mesh, sight, light, pose)
-            _resolve(turn, y, n, sight, batch, tables, out)
+            resolve(turn, y, n, sight, batch, tables, out)
 
 
 @device
-def _collect(turn: int, y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
+def collect(turn: int, y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     """Find the patches of row y; return how many there are."""
     side, n = sight.samples, 0
     for x in range(sight.background.shape[1]):
@@ -150,7 +150,7 @@ def _weights(x: float, y: float, t: int, triangles: IntArray, xy: IntArray, key:
 
 
 @device
-def _resolve(turn: int, y: int, n: int, sight: Sight, batch: Batch, tables: Tables, out: ByteArray) -> None:
+def resolve(turn: int, y: int, n: int, sight: Sight, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Weigh the patches of each pixel of row y by their samples, and what is left by the background."""
     share, k = f4(1) / f4(sight.samples * sight.samples), 0
     for x in range(out.shape[1]):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +14,7 @@ from .raster import FloatArray, IntArray
 from .vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
 
 _BLOCK = 128
-_HIDDEN = f4(-0.45)  # cosine to the camera below which a root lies behind the head
+_GOLDEN = f4(0.61803)  # steps of this part of a turn are spread evenly, however many there are
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +24,8 @@ class Strands:
     `roots` (S, 3) int32 are the triangle's vertices and `weights` (S, 3) float32 the place in it; `curves`
     (S, P, 3) float32 mm stand in the root's frame (first edge made level, the third direction, normal);
     `widths` (S, P) mm are full widths; `colours` (S, 3) linear; `depths` (S,) 0..1 is how little light
-    reaches the root (0 free, 1 buried); `gloss` is the strength of their highlights.
+    reaches the root (0 free, 1 buried); `gloss` is the strength of their highlights; a hair is drawn while
+    the cosine between its root's normal and the way to the camera is more than `behind`.
     """
 
     roots: IntArray
@@ -32,6 +35,7 @@ class Strands:
     colours: FloatArray
     depths: FloatArray
     gloss: float
+    behind: float = -0.45
 
     @property
     def vertices(self) -> int:
@@ -49,8 +53,8 @@ class Strands:
 def join(groups: list[Strands]) -> Strands:
     """Return several groups of hairs, of equally many points, as one."""
     names = ("roots", "weights", "curves", "widths", "colours", "depths")
-    arrays = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
-    return Strands(**arrays, gloss=groups[0].gloss)
+    arrays: dict[str, Any] = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
+    return replace(groups[0], **arrays)
 
 
 def root_frames(
@@ -103,11 +107,14 @@ def ribbons(
     widths: FloatArray,
     eye: FloatArray,
     first: int,
+    behind: float,
+    least: float,
 ) -> None:
     """Write the ribbons' vertices into `positions` and their directions into `normals`, from row `first` on.
 
-    Roots are looked up in the same arrays; `eye` (3,) is where the camera stands. Hairs rooted behind the
-    head are left out.
+    Roots are looked up in the same arrays; `eye` (3,) is where the camera stands. Hairs whose roots face away
+    from it, with a cosine below `behind`, are left out. None is drawn narrower than `least` mm, or it would
+    break up between the samples; of hairs that are, as many are left out as make up for it.
     """
     strands, points = widths.shape
     camera = (eye[0], eye[1], eye[2])
@@ -117,7 +124,9 @@ def ribbons(
             place = (weights[s, 0], weights[s, 1], weights[s, 2])
             origin = weigh(positions, corners, place, 0)
             frame = _frame(positions, normals, corners, place)
-            if dot(frame[2], unit(sub(camera, origin))) < _HIDDEN:
+            spread = f4(s) * _GOLDEN
+            crowded = (spread - math.floor(spread)) * least > widths[s, 0]
+            if crowded or dot(frame[2], unit(sub(camera, origin))) < behind:
                 _collapse(positions, normals, first + 2 * s * points, 2 * points, origin)
                 continue
             here = _point(curves, s, 0, origin, frame)
@@ -127,7 +136,8 @@ def ribbons(
                 if k + 1 < points:
                     here = _point(curves, s, k + 1, origin, frame)
                     ahead = unit(sub(here, point))
-                side = scale(unit(cross(sub(camera, point), ahead)), widths[s, k] * f4(0.5))
+                wide = max(widths[s, k], least) * f4(0.5)
+                side = scale(unit(cross(sub(camera, point), ahead)), wide)
                 row = first + 2 * (s * points + k)
                 for column in range(3):
                     positions[row, column] = point[column] - side[column]

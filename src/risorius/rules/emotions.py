@@ -6,15 +6,22 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated
 
 from ..core.action_units import check_intensity, resolve_targets
 from ..core.schema import Range
 from ..errors import InputError, ParameterError, unknown
-from .load import load_folder
+from .conduct import Conduct
+from .fuzzy_sets import concluded
+from .load import load_file, load_folder
 
 Seconds = Annotated[float, Range(0.0, 10.0)]
+Share = Annotated[float, Range(0.0, 1.0)]
+# What share of its full contraction belongs to each of five intensities.
+Degrees = tuple[Share, Share, Share, Share, Share]
+INTENSITIES = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +39,11 @@ class Emblem:
 
 @dataclass(frozen=True, slots=True)
 class Emotion:
-    """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds."""
+    """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds.
+
+    `degrees`: for units that do not grow with the intensity in proportion, their shares of full contraction
+    at no, low, medium, high and full intensity. `conduct`: what one who feels it does more or less of.
+    """
 
     name: str
     aliases: tuple[str, ...]
@@ -42,14 +53,28 @@ class Emotion:
     offset: Seconds
     units: Mapping[str, float] = field(metadata={"key": "targets"})
     emblem: Emblem
+    conduct: Conduct = field(default_factory=Conduct)
+    degrees: Mapping[str, Degrees] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         resolve_targets(self.units)
         resolve_targets(self.emblem.units)
+        for unit in self.degrees:
+            if unit not in self.units:
+                raise ParameterError(unknown("target with degrees", unit, self.units))
 
     def targets(self, intensity: float) -> dict[str, float]:
-        """Return the parameters' values in a display of `intensity` 0..1; they are linear in it."""
-        return self._scaled(self.units, intensity)
+        """Return the parameters' values in a display of `intensity` 0..1, by fuzzy rules.
+
+        They are continuous and never fall as it rises: linear but for units with degrees of their own.
+        """
+        check_intensity(self.name, intensity)
+        return resolve_targets(
+            {unit: value * self._share(unit, intensity) for unit, value in self.units.items()}
+        )
+
+    def _share(self, unit: str, intensity: float) -> float:
+        return concluded(intensity, INTENSITIES, self.degrees.get(unit, INTENSITIES))
 
     def emblem_targets(self, intensity: float) -> dict[str, float]:
         """Return the parameters' values in an emblem of `intensity` 0..1; they are linear in it."""
@@ -87,20 +112,40 @@ def emotion_names() -> Mapping[str, str]:
 
 
 def emotion(name: str) -> Emotion:
-    """Return the emotion of that name or alias, in any case; raise ParameterError naming the nearest one."""
+    """Return the emotion of that name or alias, in any case, or of that file (`.toml`).
+
+    Raises ParameterError, naming the nearest, for an unknown name, InputError for a file that does not fit.
+    """
+    key = emotion_key(name)
+    return _from_file(key) if key.endswith(_FILE) else emotions()[key]
+
+
+def emotion_key(name: str) -> str:
+    """Return by what `emotion` finds the emotion called `name`: its own name, or its file's path.
+
+    Raises ParameterError, naming the nearest one, for an unknown name.
+    """
+    if name.endswith(_FILE):
+        return name
     known = emotion_names()
     key = name.strip().lower()
     if key not in known:
         raise ParameterError(unknown("emotion", name, known))
-    return emotions()[known[key]]
+    return known[key]
+
+
+@cache
+def _from_file(path: str) -> Emotion:
+    return load_file(Emotion, Path(path))
 
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)"
-_DISPLAY = re.compile(rf"([\w -]+):({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?", re.ASCII)
+_FILE = ".toml"
+_DISPLAY = re.compile(rf"([\w -]+|.+\.toml):({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?", re.ASCII)
 
 
 def parse_display(text: str) -> Display:
-    """Return the display that an option such as `joy:0.7` or `fear:1@0.5-2` asks for.
+    """Return the display that an option such as `joy:0.7`, `fear:1@0.5-2` or `mine.toml:1` asks for.
 
     Raises InputError if it is not of that form, ParameterError for an unknown emotion or intensity above 1.
     """
@@ -109,15 +154,16 @@ def parse_display(text: str) -> Display:
         shown = "".join(c if c.isprintable() else " " for c in text)
         raise InputError(f"emotion '{shown}' is not understood; expected e.g. joy:0.7 or joy:0.7@1-2.5")
     found = emotion(match[1])
+    key = emotion_key(match[1])
     intensity = check_intensity(found.name, float(match[2]))
     if match[3] is None:
-        return Display(found.name, intensity)
+        return Display(key, intensity)
     start, end = float(match[3]), float(match[4])
     if not start < end:
         raise InputError(
             f"emotion {found.name}: from {start:g} to {end:g} s is no span; expected start < end"
         )
-    return Display(found.name, intensity, start, end)
+    return Display(key, intensity, start, end)
 
 
 def _by_any_name(table: Mapping[str, Emotion]) -> dict[str, str]:

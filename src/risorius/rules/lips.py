@@ -49,11 +49,13 @@ class Diphthong:
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """How stress, position and pauses change the opening; seconds and factors."""
+    """How stress, position, the voice and pauses change the opening; seconds and factors."""
 
     stressed: float
     unstressed: float
     phrase_final: float
+    prominence: Annotated[float, Range(0.0, 0.15)]
+    most_prominent: Annotated[float, Range(0.0, 3.0)]
     shortest_pause: Annotated[float, Range(0.0, 5.0)]
     breath_lead: Annotated[float, Range(0.0, 5.0)]
     breath_shape: Mapping[str, Share]

@@ -4,5 +4,9 @@ from .anchor import Anchor
 from .model import Mark, MarkKind, Script, SpokenLine
 from .movements import movements_of
 from .read import read_script
+from .states import felt_in, listening_in
 
-__all__ = ["Anchor", "Mark", "MarkKind", "Script", "SpokenLine", "movements_of", "read_script"]
+__all__ = [
+    "Anchor", "Mark", "MarkKind", "Script", "SpokenLine",
+    "felt_in", "listening_in", "movements_of", "read_script",
+]  # fmt: skip

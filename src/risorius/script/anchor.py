@@ -28,16 +28,23 @@ class Base(StrEnum):
     START = "start"
     WORD = "word"
     WORD_END = "word end"
+    TEXT = "text"
+    TEXT_END = "text end"
     END = "end"
 
 
 @dataclass(frozen=True, slots=True)
 class Anchor:
-    """`seconds` after the start or end of the performance, or of word number `word` (from 1)."""
+    """`seconds` after the start or end of the performance, or of word number `word` (from 1).
+
+    `TEXT` is the start of the first word at or after character `character` of the script's text, `TEXT_END`
+    the end of the last word before it.
+    """
 
     base: Base
     seconds: float
     word: int = 0
+    character: int = 0
     place: Place | None = field(default=None, compare=False)
 
     def after(self, seconds: float) -> Anchor:
@@ -46,7 +53,7 @@ class Anchor:
 
     def same_base(self, other: Anchor) -> bool:
         """Whether both count from the same moment, so that their distance is known without the speech."""
-        return (self.base, self.word) == (other.base, other.word)
+        return (self.base, self.word, self.character) == (other.base, other.word, other.character)
 
     def resolve(self, words: Sequence[Word], duration: float) -> float:
         """Return the time in seconds in an utterance of these words, in a performance of `duration` seconds.
@@ -63,16 +70,32 @@ class Anchor:
             return 0.0
         if self.base is Base.END:
             return duration
+        if self.base in (Base.TEXT, Base.TEXT_END):
+            return self._in_text(words)
         if not 1 <= self.word <= len(words):
             known = f"words 1 to {len(words)}" if words else "none, for nothing is said"
             raise InputError(f"'{self}': there is no word {self.word}; expected {known}", self.place)
         word = words[self.word - 1]
         return word.start if self.base is Base.WORD else word.end
 
+    def _in_text(self, words: Sequence[Word]) -> float:
+        if not words:
+            raise InputError("a time in the speech, but nothing is said", self.place)
+        after = next((w for w in words if w.source_start >= self.character), None)
+        before = next((w for w in reversed(words) if w.source_start < self.character), None)
+        if self.base is Base.TEXT_END:
+            return before.end if before is not None else words[0].start
+        return after.start if after is not None else words[-1].end
+
     def __str__(self) -> str:
         if self.base is Base.START:
             return f"{self.seconds:g}"
-        name = {Base.WORD: f"word:{self.word}", Base.WORD_END: f"word:{self.word}.end"}.get(self.base, "end")
+        name = {
+            Base.WORD: f"word:{self.word}",
+            Base.WORD_END: f"word:{self.word}.end",
+            Base.TEXT: f"character {self.character}",
+            Base.TEXT_END: f"end of character {self.character}",
+        }.get(self.base, "end")
         return name + (f"{self.seconds:+g}" if self.seconds else "")
 
 
@@ -115,4 +138,4 @@ def _relative(text: str, place: Place | None) -> Anchor | None:
     if match["end"]:
         return Anchor(Base.END, seconds, place=place)
     at_end = (match["edge"] or "").lower() == ".end"
-    return Anchor(Base.WORD_END if at_end else Base.WORD, seconds, int(match["word"]), place)
+    return Anchor(Base.WORD_END if at_end else Base.WORD, seconds, int(match["word"]), place=place)

@@ -53,16 +53,18 @@ def read_elements(text: str, source: str) -> list[Element]:
     Raises InputError with its place for what is not well-formed, nested, or not an element; for document
     types and entities; and for more than MAX_BYTES.
     """
-    return _Reader(text.replace("\r\n", "\n").replace("\r", "\n"), source).read()
+    return _ElementReader(text.replace("\r\n", "\n").replace("\r", "\n"), source).read()
 
 
-class _Reader:
-    """One reading: what has been found so far, and how positions are counted."""
+class Reader:
+    """One reading of XML: how positions are counted, and what is open. What is found is kept by its kinds."""
+
+    # What messages give as what was expected.
+    example = EXAMPLE
 
     def __init__(self, text: str, source: str) -> None:
         self.text = self._without_declaration(text, source)
         self.source = source
-        self.elements: list[Element] = []
         self.open: list[Element] = []
         self.data = self.text.encode("utf-8", "surrogatepass")
         if len(self.data) > MAX_BYTES:
@@ -83,7 +85,8 @@ class _Reader:
             )
         return re.sub(r"[^\n]", " ", declaration[0]) + text[declaration.end() :]
 
-    def read(self) -> list[Element]:
+    def parse(self) -> None:
+        """Read everything; raise InputError, with its place, for what is not well-formed."""
         parser = expat.ParserCreate("utf-8")
         parser.ordered_attributes = True
         parser.StartElementHandler = self._start
@@ -94,30 +97,20 @@ class _Reader:
             parser.Parse(_OPENING + self.data + _CLOSING, True)
         except expat.ExpatError as error:
             raise self._syntax_error(error.code, self._index(parser.ErrorByteIndex)) from None
-        return self.elements
 
     def _start(self, name: str, values: list[str]) -> None:
-        if self.parser.CurrentByteIndex == 0:
-            return
-        index = self._index(self.parser.CurrentByteIndex)
-        element = Element(name.upper(), self._attributes(index, values), self._place(index))
-        if self.open and not (self.open[-1].name == CONTAINER and element.name != CONTAINER):
-            outer = self.open[-1].name
-            raise InputError(f"{one_line(name)} stands inside {outer}; expected it after", element.place)
-        self.open.append(element)
-        self.elements.append(element)
+        raise NotImplementedError
 
     def _end(self, name: str) -> None:
-        if self.open:
-            self.open.pop()
+        raise NotImplementedError
 
     def _characters(self, data: str) -> None:
-        bare = data.strip()
-        if bare:
-            index = self._index(self.parser.CurrentByteIndex) + len(data) - len(data.lstrip())
-            raise InputError(
-                f"{quoted(bare)} stands outside elements; expected {EXAMPLE}", self._place(index)
-            )
+        raise NotImplementedError
+
+    def _element(self, name: str, values: list[str]) -> Element:
+        """Return the element that starts where the parser is."""
+        index = self._index(self.parser.CurrentByteIndex)
+        return Element(name, self._attributes(index, values), self._place(index))
 
     def _attributes(self, tag: int, values: list[str]) -> tuple[Attribute, ...]:
         """Pair the parser's names and values with the positions that the tag's own text gives."""
@@ -147,7 +140,7 @@ class _Reader:
         tag = max(self.text.rfind("<", 0, index + 1), 0)
         if self.text.startswith("<!", tag) and not self.text.startswith(("<!--", "<![CDATA["), tag):
             return InputError(
-                f"document types and entity declarations are not allowed; expected {EXAMPLE}",
+                f"document types and entity declarations are not allowed; expected {self.example}",
                 self._place(tag),
             )
         if code == expat.errors.codes[expat.errors.XML_ERROR_TAG_MISMATCH] and self.open:
@@ -168,4 +161,39 @@ class _Reader:
         invalid = code == expat.errors.codes[expat.errors.XML_ERROR_INVALID_TOKEN]
         if invalid and self.text[index : index + 1] == "<":
             return "a '<' inside an element; expected &lt;, or a closing quotation mark before it"
-        return f"{expat.ErrorString(code)}; expected e.g. {EXAMPLE}"
+        return f"{expat.ErrorString(code)}; expected e.g. {self.example}"
+
+
+class _ElementReader(Reader):
+    """Collects a flat list of elements; only CONTAINER may hold others."""
+
+    def __init__(self, text: str, source: str) -> None:
+        super().__init__(text, source)
+        self.elements: list[Element] = []
+
+    def read(self) -> list[Element]:
+        """Return all elements in their order."""
+        self.parse()
+        return self.elements
+
+    def _start(self, name: str, values: list[str]) -> None:
+        if self.parser.CurrentByteIndex == 0:
+            return
+        element = self._element(name.upper(), values)
+        if self.open and not (self.open[-1].name == CONTAINER and element.name != CONTAINER):
+            outer = self.open[-1].name
+            raise InputError(f"{one_line(name)} stands inside {outer}; expected it after", element.place)
+        self.open.append(element)
+        self.elements.append(element)
+
+    def _end(self, name: str) -> None:
+        if self.open:
+            self.open.pop()
+
+    def _characters(self, data: str) -> None:
+        bare = data.strip()
+        if bare:
+            index = self._index(self.parser.CurrentByteIndex) + len(data) - len(data.lstrip())
+            raise InputError(
+                f"{quoted(bare)} stands outside elements; expected {EXAMPLE}", self._place(index)
+            )

@@ -128,16 +128,17 @@ def _function(attributes: Attributes) -> str | None:
 
 def _emotion(attributes: Attributes) -> tuple[Mark, ...]:
     common = _common(attributes)
-    targets, strongest = take_emotions(attributes, emblem=False)
+    targets, intensities, strongest = take_emotions(attributes, emblem=False)
     if not targets:
         raise attributes.error('no emotion is given; expected e.g. surprise="0.7"')
     mark = common.mark(MarkKind.EMOTION, "emotion", targets, common.to_the_end())
+    mark = replace(mark, emotions=intensities)
     return (_timed(mark, strongest.onset, strongest.offset) if strongest else mark,)
 
 
 def _emblem(attributes: Attributes) -> tuple[Mark, ...]:
     common = _common(attributes)
-    targets, strongest = take_emotions(attributes, emblem=True)
+    targets, _, strongest = take_emotions(attributes, emblem=True)
     if strongest is None:
         raise attributes.error('no emotion is given; expected e.g. surprise="0.7"')
     emblem = strongest.emblem

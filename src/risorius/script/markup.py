@@ -6,9 +6,10 @@ from ..errors import InputError, ParameterError, Place, unknown
 from .anchor import LATEST
 from .apart import check_apart
 from .attributes import Attributes
-from .elements import CONTAINER, read_elements
+from .elements import CONTAINER, Attribute, read_elements
 from .marks import ELEMENTS, marks_of
 from .model import Mark, Script, SpokenLine, script_of
+from .notation import read_brackets, read_tune, write_out
 from .quote import one_line
 from .speakable import check_length, check_speakable
 
@@ -42,6 +43,7 @@ def parse_markup(text: str, source: str = "text") -> Script:
 def _line(attributes: Attributes, before: list[SpokenLine]) -> SpokenLine:
     """Return what a PHONEME says; its time, if given, comes after those of the lines before."""
     start, text = attributes.number("time", 0.0, LATEST), attributes.take("text")
+    accents = attributes.take("accents")
     attributes.finish()
     if text is None:
         raise attributes.error('text is missing; expected e.g. text="Hello."')
@@ -49,7 +51,18 @@ def _line(attributes: Attributes, before: list[SpokenLine]) -> SpokenLine:
     last = max((line.start for line in before if line.start is not None), default=None)
     if start is not None and last is not None and start <= last:
         raise attributes.error(f"time = {start:g} comes not after {last:g}, the time of the text before")
-    return SpokenLine(text.value, start, attributes.place)
+    if accents is None:
+        return SpokenLine(text.value, start, attributes.place)
+    tunes = [read_tune(bracket) for bracket in read_brackets(accents.value, _somewhere(accents))]
+    written = write_out(read_brackets(text.value, _somewhere(text)), tunes)
+    return SpokenLine(written.text, start, attributes.place, directions=written.directions)
+
+
+def _somewhere(attribute: Attribute) -> Place:
+    """Return where an attribute's value begins."""
+    place = attribute.place
+    column = None if place.column is None else place.column + len(attribute.name) + len('="')
+    return Place(place.file, place.line, column)
 
 
 def _language(attributes: Attributes, before: str | None) -> str | None:

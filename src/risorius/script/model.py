@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
+from ..core.utterance import Word
 from ..errors import Place
 from .anchor import Anchor, Base
+from .directions import UNDIRECTED, Directions
+
+# Seconds that a mark to the end is held at least, where it has no onset of its own.
+SHORTEST_HOLD = 0.3
 
 
 class MarkKind(StrEnum):
@@ -47,7 +52,8 @@ class Mark:
 
     `targets` maps parameter names to values. `onset`, `offset` in seconds and `function` are None where the
     channel's own holds, `priority` and `release_priority` likewise. `strokes`: the movements that the mark
-    consists of, one for all but gestures of the head. `label`: how the user wrote it.
+    consists of, one for all but gestures of the head. `label`: how the user wrote it. `emotions`: those felt,
+    by name, with their intensities 0..1.
     """
 
     kind: MarkKind
@@ -64,19 +70,23 @@ class Mark:
     layer: str = ""
     function: str | None = None
     strokes: tuple[Stroke, ...] = WHOLE
+    emotions: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
 class SpokenLine:
-    """Words spoken in one go, from `start` seconds on, or after the line before where it is None.
+    """Words spoken in one go, from `start` seconds on; where it is None, `gap` seconds after the line before.
 
     `source_offset`: where the line begins in the script's text. `place`: where it stands in the source.
+    `directions` count the line's own characters. `gap` is the usual one where it is None.
     """
 
     text: str
     start: float | None
     place: Place
     source_offset: int = 0
+    directions: Directions = UNDIRECTED
+    gap: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,11 +104,17 @@ class Script:
     source: str = "text"
     language: str | None = None
 
-    @property
-    def latest(self) -> float:
-        """The last moment in seconds that a mark names: the performance lasts at least so long."""
-        moments = (a.seconds for mark in self.marks for a in (mark.start, mark.end) if a.base is Base.START)
-        return max(moments, default=0.0)
+    def lasting(self, words: Sequence[Word], spoken: float) -> float:
+        """Return how many seconds the performance lasts at least; `words` fill `spoken` seconds.
+
+        A mark that holds to the end has time to appear. Raises InputError for a word that does not exist.
+        """
+        moments = [spoken]
+        for mark in self.marks:
+            for anchor, more in ((mark.start, mark.onset or SHORTEST_HOLD), (mark.end, 0.0)):
+                if anchor.base is not Base.END:
+                    moments.append(anchor.resolve(words, spoken) + more)
+        return max(moments)
 
 
 def script_of(
@@ -113,7 +129,7 @@ def script_of(
     placed: list[SpokenLine] = []
     offset = 0
     for line in lines:
-        placed.append(SpokenLine(line.text, line.start, line.place, offset))
+        placed.append(replace(line, source_offset=offset))
         offset += len(line.text) + len(LINE_END)
     text = LINE_END.join(line.text for line in lines)
     return Script(text, tuple(placed), marks, timed, source, language)

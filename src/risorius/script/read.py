@@ -10,20 +10,27 @@ from pathlib import Path
 
 from ..errors import InputError, Place, unknown
 from ..registry import Registry
+from .bml import parse_bml
 from .files import names_something, read_text
 from .markup import parse_markup
 from .model import Script
 from .plain import parse_plain
 from .quote import LONGEST_PATH, one_line
+from .ssml import parse_ssml
+from .utt import parse_utterance
 
 Reader = Callable[[str, str], Script]
 
 READERS: Registry[Reader] = Registry("suffix")
 READERS.register(".txt")(parse_plain)
 READERS.register(".xml")(parse_markup)
+READERS.register(".utt")(parse_utterance)
+READERS.register(".ssml")(parse_ssml)
+READERS.register(".bml")(parse_bml)
 
 # What is named like an input is a file, never words to speak, even where there is no reader for it.
 INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
+RECORDING_SUFFIXES = (".wav", ".flac", ".ogg", ".mp3")
 
 
 def read_script(given: str, *, text: bool = False, source: str = "text") -> Script:
@@ -48,6 +55,8 @@ def _read_file(path: str, suffix: str) -> Script:
     place = Place(one_line(path, LONGEST_PATH))
     if not names_something(path):
         raise InputError("there is no such file; expected a file, or --text to have the words spoken", place)
+    if suffix in RECORDING_SUFFIXES:
+        raise InputError("is a recording; expected it after --audio", place)
     content = read_text(path)
     if not suffix:
         return parse_plain(content, place.file)

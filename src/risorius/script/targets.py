@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import NamedTuple
 
 from ..core.action_units import ACTION_UNITS, action_unit, resolve_targets
 from ..core.parameters import ALIASES, BASES, PARAMETERS
 from ..errors import RisoriusError
 from ..rules.emotions import Emotion, emotion, emotion_names
+from ..rules.fuzzy import blended
 from .attributes import Attributes, number_of
 from .elements import Attribute
 
@@ -22,8 +24,16 @@ def take_targets(attributes: Attributes) -> dict[str, float]:
     return combined(_resolved(attributes, name, a, _TARGET_NAMES) for name, a in attributes.rest())
 
 
-def take_emotions(attributes: Attributes, *, emblem: bool) -> tuple[dict[str, float], Emotion | None]:
-    """Return as `take_targets`, and emotions by name or alias with their intensity; and the strongest one."""
+class TakenEmotions(NamedTuple):
+    """The parameters' values, the emotions with their intensities 0..1, and the strongest of them."""
+
+    targets: dict[str, float]
+    intensities: dict[str, float]
+    strongest: Emotion | None
+
+
+def take_emotions(attributes: Attributes, *, emblem: bool) -> TakenEmotions:
+    """Return as `take_targets`, and emotions by name or alias with their intensity; displays blend."""
     parts: list[Mapping[str, float]] = []
     given: dict[str, tuple[float, Emotion]] = {}
     for name, attribute in attributes.rest():
@@ -34,9 +44,13 @@ def take_emotions(attributes: Attributes, *, emblem: bool) -> tuple[dict[str, fl
         if found.name in given:
             raise attributes.error(f"{found.name} is given twice; expected it once", attribute.place)
         given[found.name] = (intensity, found)
-        parts.append(found.emblem_targets(intensity) if emblem else found.targets(intensity))
+        if emblem:
+            parts.append(found.emblem_targets(intensity))
+    intensities = {name: intensity for name, (intensity, _) in given.items()}
+    if not emblem:
+        parts.append(blended(intensities))
     strongest = max(given.values(), key=lambda pair: (pair[0], pair[1].name), default=None)
-    return combined(parts), strongest[1] if strongest else None
+    return TakenEmotions(combined(parts), intensities, strongest[1] if strongest else None)
 
 
 def combined(parts: Iterable[Mapping[str, float]]) -> dict[str, float]:

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import NamedTuple, Protocol
 
 from ..core.audio import Samples
+from ..core.manner import PLAIN, Manner
+from ..errors import RisoriusWarning, SpeechError
 from ..registry import Registry
+from ..script.directions import Break, Span
 
 
-class SpeechWarning(UserWarning):
+class SpeechWarning(RisoriusWarning):
     """Something was spoken, but not known exactly."""
 
 
@@ -39,7 +43,8 @@ class SpeechRequest:
     """A stretch of text for an engine to speak in one breath, without line breaks.
 
     `rate` in words per minute and `pitch` 0..99, None for the voice's own. `end_pause` asks for the pause
-    that follows a sentence inside a text.
+    that follows a sentence inside a text. `manner` changes the whole, `directions` parts of it, by characters
+    of the text; an engine leaves out what it cannot do. The pauses of `manner` are made for it.
     """
 
     text: str
@@ -47,6 +52,8 @@ class SpeechRequest:
     rate: int | None = None
     pitch: int | None = None
     end_pause: bool = False
+    manner: Manner = PLAIN
+    directions: tuple[Span | Break, ...] = ()
 
 
 class SpokenPhone(NamedTuple):
@@ -97,6 +104,9 @@ class SpeechEngine(Protocol):
 # Engines by name; each entry makes (or returns) the engine.
 ENGINES: Registry[Callable[[], SpeechEngine]] = Registry("speech engine")
 DEFAULT_ENGINE = "espeak"
+# Voices that are files, by suffix: what makes the engine from the file and a language (BCP 47, None: its
+# own).
+VOICE_FILES: Registry[Callable[[Path, str | None], SpeechEngine]] = Registry("voice file")
 
 
 def load_engine(name: str = DEFAULT_ENGINE) -> SpeechEngine:
@@ -104,3 +114,22 @@ def load_engine(name: str = DEFAULT_ENGINE) -> SpeechEngine:
     from . import espeak  # noqa: F401 - registers itself
 
     return ENGINES.get(name)()
+
+
+def is_voice_file(name: str | None) -> bool:
+    """Tell whether a voice is named by its file: there is one, or the name can be nothing else."""
+    if not name or "\0" in name:
+        return False
+    path = Path(name)
+    return path.is_absolute() or name[0] == "." or path.suffix.lower() in (".onnx", ".py") or path.is_file()
+
+
+def load_voice_file(name: str, language: str | None = None) -> SpeechEngine:
+    """Return the engine of a voice that is a file; raise SpeechError if there is none, or it is no voice."""
+    from . import piper, program  # noqa: F401 - register themselves
+
+    path = Path(name)
+    if not path.is_file():
+        raise SpeechError(f"there is no voice '{name}'; expected a program or a Piper model (.onnx)")
+    suffix = path.suffix.lower()
+    return VOICE_FILES.get(suffix if suffix in VOICE_FILES else "")(path, language)

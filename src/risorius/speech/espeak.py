@@ -15,9 +15,12 @@ from typing import Any
 import numpy as np
 
 from ..errors import SpeechError
+from ..script.directions import Span
 from .engine import ENGINES, Rendition, SpeechRequest, Voice
 from .espeak_events import AMERICAN, needs_ipa, read_word, render
+from .espeak_text import Encoded, encode, parameters, voice_attribute
 from .process import Answer, WorkerError, WorkerProcess
+from .voices import find_voice
 
 WORD_CACHE = 20_000
 
@@ -47,12 +50,15 @@ class EspeakEngine:
 
     def speak(self, request: SpeechRequest) -> Rendition:
         """Speak a text. Equal requests give equal bytes."""
-        ipa = request.voice.language != AMERICAN
-        answer, sound = self._speak(request, ipa)
+        language = request.voice.language
+        ipa = language != AMERICAN
+        encoded = encode(request, language, self._voice_of)
+        answer, sound = self._speak(request, encoded, ipa)
         if not ipa and needs_ipa(answer["phones"]):
-            answer, sound = self._speak(request, ipa=True)
+            answer, sound = self._speak(request, encoded, ipa=True)
+        answer["phones"] = [(start, name, encoded.source(at)) for start, name, at in answer["phones"]]
         samples = np.frombuffer(sound, dtype="<i2").astype(np.int16, copy=False)
-        return render(answer, samples, request.voice.language, request.rate)
+        return render(answer, samples, language, parameters(request)["rate"])
 
     def transcribe(self, words: Sequence[str], voice: Voice) -> tuple[tuple[str, ...], ...]:
         """Return the phones of each word spoken by itself; none for a word that has no sound."""
@@ -86,12 +92,20 @@ class EspeakEngine:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _speak(self, request: SpeechRequest, ipa: bool) -> Answer:
+    def _speak(self, request: SpeechRequest, encoded: Encoded, ipa: bool) -> Answer:
         message = {
-            "op": "speak", "text": request.text, "voice": request.voice.key, "rate": request.rate,
-            "pitch": request.pitch, "end_pause": request.end_pause, "ipa": ipa,
+            "op": "speak", "text": encoded.text, "voice": request.voice.key, "end_pause": request.end_pause,
+            "ipa": ipa, "markup": encoded.markup, "dictated": encoded.markup, **parameters(request),
         }  # fmt: skip
-        return self._request(message, len(request.text))
+        return self._request(message, len(encoded.text))
+
+    def _voice_of(self, span: Span) -> str:
+        """Return the attribute by which SSML names the voice that a span asks for."""
+        try:
+            found = find_voice(span.voice, span.language, self)
+        except SpeechError as error:
+            raise error.at(span.place) from None
+        return voice_attribute(found.key)
 
     def _transcribe(self, words: Sequence[str], voice: Voice) -> None:
         ipa = voice.language != AMERICAN

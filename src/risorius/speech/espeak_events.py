@@ -7,16 +7,19 @@ for two sounds are divided (`phonesets`). English comes out as ARPAbet, other la
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Sequence
 from itertools import pairwise, zip_longest
 from typing import Any, NamedTuple
 
 from ..core.audio import Samples
 from ..core.utterance import SILENCE
+from ..rules.articulation import is_known
 from . import acoustics, phonesets
 from .engine import Rendition, SpokenPhone
 from .normalise import is_english
 from .phonesets import Part, Reading
+from .spellings import as_ipa
 
 AMERICAN = "en-us"
 
@@ -96,12 +99,14 @@ def _events(answer: dict[str, Any]) -> list[_Event]:
 def _read(name: str, ipa: str | None, following: str, language: str) -> Reading:
     if ipa is None:
         return phonesets.from_mnemonic(name, following)
-    # espeak-ng marks variants of a sound with ASCII signs.
-    bare = phonesets.strip_stress(ipa)[0].strip("-.")
+    bare = as_ipa(phonesets.strip_stress(ipa)[0], language)
     if is_english(language):
         return phonesets.from_ipa(bare)
-    reading = phonesets.from_ipa(bare)
-    return Reading((Part(bare, 1.0),) if reading.parts else (), reading.known)
+    return Reading((Part(bare, 1.0),) if _sounds(bare) else (), is_known(bare) or not _sounds(bare))
+
+
+def _sounds(bare: str) -> bool:
+    return any(char.isalpha() and unicodedata.category(char) != "Lm" for char in bare)
 
 
 def _divide(event: _Event, parts: tuple[Part, ...], end: int, closure: int) -> list[SpokenPhone]:

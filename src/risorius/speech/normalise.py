@@ -7,9 +7,12 @@ signs that nobody reads aloud (quotes, emoji, markup characters, invisible chara
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Callable
+from bisect import bisect_left
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
+from ..script.directions import Break, Directions, Span
 from .english import written_out
 from .tokens import APOSTROPHES, BREAKS
 
@@ -46,6 +49,22 @@ def normalise(text: str, start: int, end: int, language: str) -> Spoken:
         at = piece.end
     _clean(text, at, end, put)
     return Spoken("".join(chars), tuple(origin))
+
+
+def placed(
+    directions: Directions, spoken: Spoken, start: int, end: int, *, last: bool = False
+) -> Iterator[Span | Break]:
+    """Yield what `directions` say about characters [start, end) of the source, by characters of `spoken`.
+
+    `last`: no text follows, so that breaks at its end belong here.
+    """
+    for direction in directions.between(start, end, last=last):
+        if isinstance(direction, Break):
+            yield replace(direction, at=bisect_left(spoken.origin, direction.at))
+            continue
+        first, stop = (bisect_left(spoken.origin, at) for at in (direction.start, direction.end))
+        if first < stop:
+            yield replace(direction, start=first, end=stop)
 
 
 def _clean(text: str, start: int, end: int, put: Callable[[str, int], None]) -> None:

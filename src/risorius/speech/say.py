@@ -9,14 +9,17 @@ from itertools import pairwise
 from typing import TypeVar
 
 from ..core.audio import Audio, AudioWriter
-from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Phone, Syllable, Utterance, Word
-from ..errors import InputError
+from ..core.utterance import SILENCE, Accent, Boundary, Pause, PauseKind, Phone, Syllable, Utterance, Word
+from ..errors import InputError, SpeechError
 from ..script import Script, SpokenLine
+from .affect import Feeling, coloured, common_manner
+from .engine import is_voice_file
 from .synthesis import synthesize
 
 # Seconds between lines where the second has no time of its own.
 LINE_PAUSE = 0.3
 
+Speaker = Callable[..., Utterance]
 Timed = TypeVar("Timed", Phone, Word, Syllable, Pause)
 
 
@@ -33,40 +36,60 @@ def say(
     script: Script,
     *,
     voice: str | None = None,
+    language: str | None = None,
     rate: int | None = None,
     lead: float = 0.5,
     tail: float = 0.7,
+    felt: Sequence[Feeling] = (),
 ) -> Utterance:
     """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
 
-    Without `voice`, the script's language is spoken by its first voice, English where it names none.
-    Raises InputError, with the line's place, where a line starts before the one before it has ended;
-    SpeechError if the engine fails.
+    Without `voice`, `language`, or else the script's, is spoken by its first voice, English where neither is
+    named. `felt`: emotions that change the voice. Raises InputError, with the line's place,
+    where a line starts before the one before it has ended; SpeechError if the engine fails.
     """
-    speak = partial(synthesize, voice=voice, language=None if voice else script.language, rate=rate)
+    spoken = language
+    if spoken is None and (voice is None or is_voice_file(voice)):
+        spoken = script.language
+    speak = partial(synthesize, voice=voice, language=spoken, rate=rate)
     if not script.timed:
-        return _located(script.lines[0], partial(speak, lead=lead, tail=tail))
+        speak = partial(speak, lead=lead, tail=tail)
+    manner = common_manner(felt)
+    try:
+        if manner is not None:
+            return _speak(script, partial(speak, manner=manner))
+        return _speak(coloured(script, felt, _speak(script, speak)), speak)
+    except SpeechError as error:
+        # The script is at fault only where it names the language itself.
+        named = spoken is not None and language is None
+        raise error.at(script.lines[0].place) if named else error from None
+
+
+def _speak(script: Script, speak: Speaker) -> Utterance:
+    if not script.timed:
+        return _located(script.lines[0], speak)
     placed = list(_place(script.lines, speak))
     if len(placed) == 1 and placed[0].first_sample == 0:
         return placed[0].utterance
     return _join(script.text, placed)
 
 
-def _located(line: SpokenLine, speak: Callable[[str], Utterance]) -> Utterance:
+def _located(line: SpokenLine, speak: Speaker) -> Utterance:
     """Speak a line; what is wrong with it is raised with its place."""
     try:
-        return speak(line.text)
+        return speak(line.text, directions=line.directions)
     except InputError as error:
         raise error.at(line.place) from None
 
 
-def _place(lines: Sequence[SpokenLine], speak: Callable[[str], Utterance]) -> Iterator[_Placed]:
+def _place(lines: Sequence[SpokenLine], speak: Speaker) -> Iterator[_Placed]:
     """Speak the lines in order of their time and yield each with its first sample."""
     end = 0
     for line in lines:
         utterance = _located(line, speak)
         sample_rate = utterance.audio.sample_rate
-        follows = end + round(LINE_PAUSE * sample_rate) if end else 0
+        gap = LINE_PAUSE if line.gap is None else line.gap
+        follows = end + round(gap * sample_rate) if end else 0
         first = follows if line.start is None else round(line.start * sample_rate)
         if first < end:
             raise InputError(
@@ -86,6 +109,7 @@ class _Joiner:
     syllables: list[Syllable] = field(default_factory=list)
     pauses: list[Pause] = field(default_factory=list)
     accents: list[Accent] = field(default_factory=list)
+    boundaries: list[Boundary] = field(default_factory=list)
 
     def add(self, part: _Placed) -> None:
         """Add a line, and the pause before it."""
@@ -102,6 +126,7 @@ class _Joiner:
             replace(a, time=a.time + at, word=a.word + words, syllable=a.syllable + syllables)
             for a in said.accents
         ]
+        self.boundaries += [replace(b, time=b.time + at, word=b.word + words) for b in said.boundaries]
 
     def _pause_until(self, at: float) -> None:
         edge = self.phones[-1].end if self.phones else 0.0
@@ -112,8 +137,8 @@ class _Joiner:
     def utterance(self, text: str, language: str, audio: Audio) -> Utterance:
         """Return what was collected."""
         phones = _without_rounding_gaps(self.phones, audio.duration)
-        rest = (tuple(self.words), tuple(self.syllables), tuple(self.pauses), tuple(self.accents))
-        return Utterance(text, language, audio, phones, *rest)
+        rest = (self.words, self.syllables, self.pauses, self.accents, self.boundaries)
+        return Utterance(text, language, audio, phones, *map(tuple, rest))  # type: ignore[arg-type]
 
 
 def _join(text: str, placed: Sequence[_Placed]) -> Utterance:

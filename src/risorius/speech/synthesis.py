@@ -8,13 +8,25 @@ from dataclasses import replace
 from itertools import chain
 
 from ..core.audio import AudioWriter
+from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance
 from ..errors import InputError, ParameterError
-from .accents import place_accents
+from ..script.directions import UNDIRECTED, Directions
+from .accents import intone
 from .assemble import Part, assemble, place, silence
-from .engine import SpeechEngine, SpeechRequest, SpeechWarning, load_engine
-from .normalise import normalise
+from .engine import (
+    SpeechEngine,
+    SpeechRequest,
+    SpeechWarning,
+    Voice,
+    is_voice_file,
+    load_engine,
+    load_voice_file,
+)
+from .lengthen import scale_pauses
+from .normalise import is_english, normalise, placed
 from .pauses import find_pauses
+from .retime import is_timed, retime
 from .sentences import divide
 from .syllables import syllabify
 from .tokens import is_speakable, tokenize
@@ -35,24 +47,27 @@ def synthesize(
     pitch: int | None = None,
     lead: float = 0.0,
     tail: float = 0.0,
+    manner: Manner = PLAIN,
+    directions: Directions = UNDIRECTED,
     engine: SpeechEngine | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Utterance:
     """Speak `text` and return the utterance, with `lead` and `tail` seconds of silence around it.
 
-    `voice` is a name from `voices` (default `en-us`); with `language` alone its first voice speaks.
-    `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own. `progress` is told
-    the share (0..1) that is done. Same arguments, same bytes.
+    `voice` is a name from `voices` (default `en-us`) or a voice's file; with `language` alone its first
+    voice speaks. `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own.
+    `manner` changes the whole, `directions` parts of it. `progress` is told the share (0..1) that is done.
+    Same arguments, same bytes.
 
     Raises InputError for text that is empty, has nothing to speak or is longer than 100,000 characters,
     ParameterError for a number out of range, SpeechError for an unknown voice or a failing engine.
     """
     _check_text(text)
     _check_numbers(rate, pitch, lead, tail)
-    engine = engine or load_engine()
-    chosen = find_voice(voice, language, engine)
+    engine, chosen = _voice(voice, language, engine)
     tokens = tokenize(text)
-    parts = _speak(text, SpeechRequest("", chosen, rate, pitch), engine, progress)
+    request = SpeechRequest("", chosen, rate, pitch, manner=manner)
+    parts = _speak(text, request, directions, engine, progress)
     first = next(parts)
     with AudioWriter(first.rendition.sample_rate) as writer:
         segments = silence(writer, lead)
@@ -64,22 +79,50 @@ def synthesize(
     phones, words = assemble(segments, text, tokens, audio.sample_rate)
     if not words:
         raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
+    if is_timed(directions):
+        _check_dictated(directions, chosen)
+        audio, phones, words = retime(audio, phones, words, directions)
     syllables = syllabify(phones, words)
     pauses = find_pauses(text, phones, words)
-    accents = place_accents(phones, words, syllables, pauses)
-    return Utterance(text, chosen.language, audio, phones, words, syllables, pauses, accents)
+    said = Utterance(text, chosen.language, audio, phones, words, syllables, pauses)
+    return intone(said, directions)
+
+
+def _voice(name: str | None, language: str | None, engine: SpeechEngine | None) -> tuple[SpeechEngine, Voice]:
+    if engine is None and name is not None and is_voice_file(name):
+        engine = load_voice_file(name, language)
+        return engine, engine.voices()[0]
+    engine = engine or load_engine()
+    return engine, find_voice(name, language, engine)
+
+
+def _check_dictated(directions: Directions, voice: Voice) -> None:
+    timed = next(span for span in directions.spans if span.seconds)
+    if not is_english(voice.language):
+        message = f"durations of phonemes in '{voice.language}'; expected an English voice for them"
+        raise InputError(message, timed.place)
 
 
 def _speak(
-    text: str, request: SpeechRequest, engine: SpeechEngine, progress: Callable[[float], None] | None
+    text: str,
+    request: SpeechRequest,
+    directions: Directions,
+    engine: SpeechEngine,
+    progress: Callable[[float], None] | None,
 ) -> Iterator[Part]:
     """Speak the stretches of `text` in the manner of `request`; warn of sounds that had to be guessed."""
     stretches = divide(text)
     guessed: dict[str, None] = {}
     for number, stretch in enumerate(stretches):
         spoken = normalise(text, stretch.start, stretch.end, request.voice.language)
-        pause = stretch.ends_sentence and number + 1 < len(stretches)
-        part = Part(stretch, spoken, engine.speak(replace(request, text=spoken.text, end_pause=pause)))
+        last = number + 1 == len(stretches)
+        asked = replace(
+            request,
+            text=spoken.text,
+            end_pause=stretch.ends_sentence and not last,
+            directions=tuple(placed(directions, spoken, stretch.start, stretch.end, last=last)),
+        )
+        part = Part(stretch, spoken, scale_pauses(engine.speak(asked), request.manner.pauses))
         guessed.update(dict.fromkeys(part.rendition.guessed))
         yield part
         if progress is not None:

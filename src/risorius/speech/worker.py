@@ -6,8 +6,9 @@ answer is one line of JSON on standard output, followed by `bytes` raw bytes of 
 little-endian). End of input ends the program. It needs the standard library alone, so that it starts fast,
 and it imports nothing of Risorius: espeak-ng is GPL and must share no process with the rest.
 
-Requests, by `op`: `speak` (text, voice, rate, pitch, ipa, end_pause), `transcribe` (texts, voice, ipa),
-`voices`.
+Requests, by `op`: `speak` (text, voice, rate, pitch, range, volume, ipa, end_pause, markup, dictated),
+`transcribe` (texts, voice, ipa), `voices`. `markup`: the text is SSML. `dictated`: what stands in `[[ ]]` are
+mnemonics of phonemes.
 """
 
 from __future__ import annotations
@@ -24,8 +25,11 @@ from typing import Any, BinaryIO
 
 SYNCHRONOUS = 2
 PHONEME_EVENTS, IPA_NAMES, NO_EXIT = 0x1, 0x2, 0x8000
-UTF8, END_PAUSE = 0x1, 0x1000
-RATE, PITCH = 1, 3
+UTF8 = 0x1
+# espeak-ng's flags of synthesis, by the names they have in requests.
+FLAGS = {"markup": 0x10, "dictated": 0x100, "end_pause": 0x1000}
+# espeak-ng's numbers of its parameters, by the names they have in requests.
+PARAMETERS = {"rate": 1, "volume": 2, "pitch": 3, "range": 4}
 PHONEME = 7
 NAME_BYTES = 8
 # Between the phonemes of a transcription; a character that no phoneme name contains.
@@ -102,7 +106,7 @@ class Espeak:
             raise RequestError(f"espeak-ng does not know the voice '{name}'")
 
     def set_parameter(self, number: int, value: int | None) -> None:
-        """Set the rate or pitch; None leaves the voice's own."""
+        """Set a parameter by its number; None leaves the voice's own."""
         if value is not None:
             self._lib.espeak_SetParameter(number, int(value), 0)
 
@@ -117,13 +121,12 @@ class Espeak:
                 self._phones.append((event.sample, name.decode("utf-8", "ignore"), position))
         return 0
 
-    def speak(self, text: str, end_pause: bool) -> tuple[bytes, list[tuple[int, str, int]]]:
+    def speak(self, text: str, flags: int) -> tuple[bytes, list[tuple[int, str, int]]]:
         """Return the sound and the phonemes: sample, name, position of the word in the text."""
         data = text.encode()
-        flags = UTF8 | (END_PAUSE if end_pause else 0)
         code = self._lib.espeak_Synth(
             data, ctypes.c_size_t(len(data) + 1), ctypes.c_uint(0), ctypes.c_int(1), ctypes.c_uint(0),
-            ctypes.c_uint(flags), None, None,
+            ctypes.c_uint(UTF8 | flags), None, None,
         )  # fmt: skip
         if code:
             raise RequestError(f"espeak-ng could not speak (code {code})")
@@ -218,9 +221,10 @@ class Worker:
     def _run(self, request: dict[str, Any], ipa: bool) -> tuple[int, bytes, list[tuple[int, str, int]]]:
         with self._espeak(ipa) as espeak:
             espeak.set_voice(request["voice"])
-            espeak.set_parameter(RATE, request.get("rate"))
-            espeak.set_parameter(PITCH, request.get("pitch"))
-            return espeak.sample_rate, *espeak.speak(request["text"], bool(request.get("end_pause")))
+            for name, number in PARAMETERS.items():
+                espeak.set_parameter(number, request.get(name))
+            flags = sum(flag for name, flag in FLAGS.items() if request.get(name))
+            return espeak.sample_rate, *espeak.speak(request["text"], flags)
 
 
 def _reply(out: BinaryIO, answer: dict[str, Any], sound: bytes = b"") -> None:

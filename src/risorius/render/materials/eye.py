@@ -33,12 +33,12 @@ LID_STEPS = 32
 _FRONT = 2  # lamps: those further on stand behind the head
 IRIS = f4(0.365)  # radius of the iris in radii of the eye
 _LIMBUS = f4(0.045)  # half the width of its soft edge
-_PUPIL = f4(0.36)  # radius of the pupil in radii of the iris
 _CORNEA = f4(0.46)  # where the centre of the cornea's own sphere stands on the axis, in radii of the eye
-_DEPTH = f4(0.06)  # of the iris behind the limbus, in radii of the eye
+_DEPTH = f4(0.075)  # of the iris behind the limbus, in radii of the eye
 _REFRACTION = f4(1 / 1.336)
-_WHITE = (f4(0.72), f4(0.64), f4(0.58))
-_PINK = (f4(0.52), f4(0.27), f4(0.23))
+_WHITE = (f4(0.70), f4(0.635), f4(0.585))
+_PINK = (f4(0.56), f4(0.25), f4(0.21))
+_FLESH = (f4(0.50), f4(0.185), f4(0.155))  # the caruncle, in the inner corner
 
 
 @device
@@ -63,8 +63,9 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
     local = unrotate(pose.eye_axes[side], outward)
     in_head = unrotate(pose.rotation, outward)
     radius = pose.eye_radius[side]
-    below, above = _lid_distances(pose.lids, pose.lid_span, side, in_head, radius)
-    shade = (f4(1) - f4(0.72) * math.exp(-below * f4(0.62))) * (f4(1) - f4(0.45) * math.exp(-above * f4(1.0)))
+    below, above = lid_distances(pose.lids, pose.lid_span, side, in_head, radius)
+    inner, outer = _corner_distances(pose.lid_span, side, in_head, radius)
+    shade = lid_shade(below, above, inner, outer)
     ring = math.sqrt(local[0] * local[0] + local[1] * local[1])
     iris_share = f4(0)
     if local[2] > f4(0):
@@ -72,18 +73,20 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
     shadow = key_share(light, p) * shade
     total = (f4(0), f4(0), f4(0))
     if iris_share < f4(1):
-        total = _sclera(light, tables, local, in_head, outward, side, radius, shade, shadow)
+        total = _sclera(light, tables, local, outward, radius, above, inner, outer, shade, shadow)
     facing = outward
     if iris_share > f4(0):
         bulge = unit((local[0], local[1], local[2] - _CORNEA))
         facing = rotate(pose.eye_axes[side], bulge)
         facing = unit(mix(outward, facing, iris_share))
         total = mix(total, _iris(light, pose, tables, side, local, facing, view, shade, shadow), iris_share)
-    return add(total, _wet(light.lamps, light.room, facing, outward, view, shade, shadow, above))
+    return add(
+        total, _wet(light.lamps, light.room, facing, outward, view, shade, shadow, below, above, inner)
+    )
 
 
 @device
-def _lid_distances(
+def lid_distances(
     lids: FloatArray, span: FloatArray, side: int, in_head: Vec, radius: float
 ) -> tuple[float, float]:
     """Return mm below the upper and above the lower lid's margin."""
@@ -97,28 +100,50 @@ def _lid_distances(
     return max(upper - y, f4(0)), max(y - lower, f4(0))
 
 
+@device
+def _corner_distances(span: FloatArray, side: int, in_head: Vec, radius: float) -> tuple[float, float]:
+    """Return mm across from the inner and from the outer corner of the lids."""
+    x = in_head[0] * radius
+    first, second = max(x - span[side, 0], f4(0)), max(span[side, 1] - x, f4(0))
+    return (first, second) if side == 0 else (second, first)
+
+
+@device
+def lid_shade(below: float, above: float, inner: float, outer: float) -> float:
+    """Return the share of light, 0..1, that lids, lashes and corners of the eye let through."""
+    upper = f4(1) - f4(0.52) * math.exp(-below * f4(0.75)) - f4(0.30) * math.exp(-below * f4(0.22))
+    lower = f4(1) - f4(0.38) * math.exp(-above * f4(0.9))
+    corners = (f4(1) - f4(0.42) * math.exp(-inner * f4(0.34))) * (
+        f4(1) - f4(0.5) * math.exp(-outer * f4(0.34))
+    )
+    return upper * lower * corners
+
+
 @inlined
 def _sclera(
     light: Light,
     tables: Tables,
     local: Vec,
-    in_head: Vec,
     normal: Vec,
-    side: int,
     radius: float,
+    above: float,
+    inner: float,
+    outer: float,
     shade: float,
     shadow: float,
 ) -> Vec:
-    """Return the light scattered by the white of the eye: pinker towards the corners, with faint veins."""
-    inward = -in_head[0] if side == 0 else in_head[0]  # towards the nose
-    corner = smooth(f4(0.42), f4(0.86), inward) + f4(0.7) * smooth(f4(0.45), f4(0.95), -inward)
+    """Return the light scattered by the white of the eye: redder and veined to the corners; the caruncle."""
     x, y, z = scale(local, radius)
-    vein = abs(grain(tables.grain, (x * f4(0.5), y, z), f4(3))[0])
-    vein = (f4(1) - smooth(f4(0), f4(0.22), vein)) * smooth(f4(0.36), f4(0.8), abs(inward))
-    albedo = mix(_WHITE, _PINK, saturate(corner * f4(0.75) + vein * f4(0.22)))
-    total = times(albedo, scale(room_light(light.room, normal, shade), f4(1.05)))
+    vein = abs(grain(tables.grain, (x * f4(0.45), y, z), f4(2.6))[0])
+    near = math.exp(-inner * f4(0.14)) + f4(0.8) * math.exp(-outer * f4(0.16))
+    vein = (f4(1) - smooth(f4(0), f4(0.16), vein)) * near
+    red = f4(0.46) * math.exp(-inner * f4(0.30)) + f4(0.34) * math.exp(-outer * f4(0.3))
+    red += f4(0.30) * math.exp(-above * f4(1.1)) + f4(0.42) * vein
+    albedo = mix(_WHITE, _PINK, saturate(red))
+    albedo = mix(albedo, _FLESH, f4(1) - smooth(f4(0.7), f4(2.5), inner))
+    total = times(albedo, scale(room_light(light.room, normal, shade), f4(0.95)))
     for k in range(min(len(light.lamps), _FRONT)):
-        wrapped = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.3)) * f4(1 / 1.3))
+        wrapped = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.4)) * f4(1 / 1.4))
         total = along(
             total, times(albedo, lamp_colour(light.lamps, k)), wrapped * (shadow if k == 0 else shade)
         )
@@ -146,7 +171,7 @@ def _iris(
     way = (plane - local[2]) / min(ray[2], f4(-0.1))
     x, y = (local[0] + ray[0] * way) / IRIS, (local[1] + ray[1] * way) / IRIS
     distance = math.sqrt(x * x + y * y)
-    albedo = _iris_colour(tables.iris, x, y, distance)
+    albedo = _iris_colour(tables.iris, light.pupil, x, y, distance)
     axis = (pose.eye_axes[side, 0, 2], pose.eye_axes[side, 1, 2], pose.eye_axes[side, 2, 2])
     total = times(albedo, scale(room_light(light.room, axis, shade), f4(1.1)))
     for k in range(min(len(light.lamps), _FRONT)):
@@ -158,18 +183,17 @@ def _iris(
 
 
 @device
-def _iris_colour(image: FloatArray, x: float, y: float, distance: float) -> Vec:
+def _iris_colour(image: FloatArray, pupil: float, x: float, y: float, distance: float) -> Vec:
     """Return the albedo at a place in the iris' plane (radius 1): pupil, fibres, dark limbus."""
     rings, angles = image.shape[0], image.shape[1]
-    ring = saturate((distance - _PUPIL) / (f4(1) - _PUPIL)) * f4(rings - 1.001)
+    ring = saturate((distance - pupil) / (f4(1) - pupil)) * f4(rings - 1.001)
     turn = (math.atan2(y, x) * f4(0.15915494) + f4(0.5)) * f4(angles)
     i, j = int(ring), int(turn)
     s, t = ring - f4(i), turn - f4(j)
     a, b = j % angles, (j + 1) % angles
     low = mix(_texel(image, i, a), _texel(image, i, b), t)
     high = mix(_texel(image, i + 1, a), _texel(image, i + 1, b), t)
-    pupil = smooth(_PUPIL - f4(0.03), _PUPIL + f4(0.05), distance)
-    return scale(mix(low, high, s), pupil)
+    return scale(mix(low, high, s), smooth(pupil - f4(0.03), pupil + f4(0.045), distance))
 
 
 @device
@@ -186,33 +210,39 @@ def _wet(
     view: Vec,
     shade: float,
     shadow: float,
+    below: float,
     above: float,
+    inner: float,
 ) -> Vec:
-    """Return what the tear film mirrors: lamps in the cornea, the room, and a line on the lower lid."""
-    total = scale(room_light(room, facing, f4(1)), schlick(dot(facing, view), f4(0.03)) * shade * f4(0.7))
+    """Return what the tear film mirrors: lamps and room, and more on the lower lid's rim and the caruncle."""
+    # A mirror shows the lid above it rather than its shadow.
+    free = smooth(f4(0.3), f4(1.6), below) * (f4(0.5) + f4(0.5) * shade)
+    total = scale(room_light(room, facing, f4(1)), schlick(dot(facing, view), f4(0.03)) * free)
     back = along(scale(view, f4(-1)), facing, f4(2) * dot(facing, view))
     for k in range(min(len(lamps), _FRONT)):
         direction, colour = lamp_direction(lamps, k), lamp_colour(lamps, k)
-        arriving = shade if k else max(shadow, f4(0.55) * shade)
-        size = f4(0.30) if k == 0 else f4(0.42)
-        total = along(
-            total, colour, _window(back, direction, size) * arriving * (f4(0.9) if k == 0 else f4(0.22))
-        )
-    line = unit(add(outward, (f4(0), f4(0.75), f4(0))))
-    tears = (f4(1) - smooth(f4(0.15), f4(0.75), above)) * gloss(
-        line, view, lamp_direction(lamps, 0), f4(0.12), f4(0.04)
-    )
-    return along(total, lamp_colour(lamps, 0), tears * shadow)
+        size = f4(0.23) if k == 0 else f4(0.26)
+        bright = f4(1.9) if k == 0 else f4(0.5)
+        total = along(total, colour, _window(back, direction, size) * free * bright)
+    line = unit(add(outward, (f4(0), f4(0.8), f4(0))))
+    tears = smooth(f4(0), f4(0.22), above) * (f4(1) - smooth(f4(0.35), f4(0.8), above))
+    flesh = f4(1) - smooth(f4(1.2), f4(3.2), inner)
+    key = lamp_direction(lamps, 0)
+    glint = f4(0.045) + gloss(line, view, key, f4(0.16), f4(0.05))
+    moist = gloss(unit(add(outward, (f4(0), f4(0.2), f4(0)))), view, key, f4(0.10), f4(0.05))
+    return along(total, lamp_colour(lamps, 0), tears * glint * shadow * f4(1.3) + flesh * moist * shade)
 
 
 @device
 def _window(back: Vec, direction: Vec, size: float) -> float:
-    """Return 1 where the mirrored ray meets a square lamp of half-width `size` (tangent), softly edged."""
+    """Return 1 where the mirrored ray meets a softbox of half-width `size` (tangent), with round corners."""
     ahead = dot(back, direction)
     if ahead <= f4(0.1):
         return f4(0)
     side = unit(cross((f4(0), f4(1), f4(0)), direction))
-    across, up = dot(back, side) / ahead, dot(back, cross(direction, side)) / ahead
-    edge = f4(0.12)
-    wide = f4(1) - smooth(size - edge, size + edge, abs(across))
-    return wide * (f4(1) - smooth(size * f4(1.25) - edge, size * f4(1.25) + edge, abs(up)))
+    across, up = (
+        dot(back, side) / (ahead * size),
+        dot(back, cross(direction, side)) / (ahead * size * f4(1.25)),
+    )
+    across, up = across * across, up * up
+    return f4(1) - smooth(f4(0.55), f4(1.35), across * across + up * up)

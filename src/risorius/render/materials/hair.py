@@ -85,6 +85,6 @@ def _shine(albedo: Vec, colour: Vec, direction: Vec, view: Vec, lamp: Vec) -> Ve
     half = unit(add(view, lamp))
     tilt = dot(direction, half)
     first, second = tilt + f4(0.09), tilt - f4(0.14)
-    white = math.exp(-first * first * f4(60)) * f4(0.07)
-    tinted = math.exp(-second * second * f4(16)) * f4(1.3)
+    white = math.exp(-first * first * f4(60)) * f4(0.085)
+    tinted = math.exp(-second * second * f4(14)) * f4(1.9)
     return along(scale(colour, white), times(albedo, colour), tinted)

@@ -42,12 +42,10 @@ def lamp_colour(lamps: FloatArray, k: int) -> Vec:
 def lamp_share(
     reach: FloatArray, corners: tuple[int, int, int], weights: Vec, k: int, shadow: float
 ) -> float:
-    """Return how much of lamp k arrives: the key's by its shadow, the others' as baked on the vertices."""
-    if k == 0:
-        return shadow
+    """Return how much of lamp k arrives: as baked on the vertices, and the key's also by its `shadow`."""
     a, b, c = corners
     share: float = weights[0] * reach[a, k] + weights[1] * reach[b, k] + weights[2] * reach[c, k]
-    return share
+    return share * shadow if k == 0 else share
 
 
 @device

@@ -8,7 +8,7 @@ from ..brdf import gloss
 from ..inputs import ALBEDO, OCCLUSION, TEETH, TONGUE, Batch, Light, Mesh, Pose, Sight
 from ..jit import device, f4, inlined
 from ..raster import FloatArray
-from ..vec import Vec, along, dot, saturate, scale, sub, times, unit, unrotate, weigh
+from ..vec import Vec, along, dot, saturate, scale, smooth, sub, times, unit, unrotate, weigh
 from .lit import key_share, lamp_colour, lamp_direction, room_light
 from .patch import Corners, corners_of, put, towards, weights_of
 
@@ -68,17 +68,33 @@ def shade_mouth(turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light
             corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k)
             p = weigh(mesh.positions, corners, weights, 0)
             normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
-            put(batch.colour, turn, k, _wet(mesh, light, pose, corners, weights, p, normal, view))
+            put(
+                batch.colour,
+                turn,
+                k,
+                _wet(mesh, light, pose, mesh.surfaces[t], corners, weights, p, normal, view),
+            )
 
 
 @inlined
 def _wet(
-    mesh: Mesh, light: Light, pose: Pose, corners: Corners, weights: Vec, p: Vec, normal: Vec, view: Vec
+    mesh: Mesh,
+    light: Light,
+    pose: Pose,
+    surface: int,
+    corners: Corners,
+    weights: Vec,
+    p: Vec,
+    normal: Vec,
+    view: Vec,
 ) -> Vec:
     """Return the light from teeth, gums and tongue: wet, and dark with their depth behind the lips."""
     albedo = weigh(mesh.attributes, corners, weights, ALBEDO)
     free, roughness, strength = weigh(mesh.attributes, corners, weights, OCCLUSION)
     deep = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p) * free
+    if surface == TEETH:
+        # Light that enters a tooth comes out of it and its neighbours again.
+        deep = min(f4(1.35) * math.sqrt(deep), f4(1.15)) * smooth(f4(0), f4(0.12), deep)
     shadow = key_share(light, p)
     # Light from all sides of the mouth is warm with the colour of its lining.
     around = times(room_light(light.room, normal, f4(1)), (f4(2.0), f4(1.75), f4(1.6)))

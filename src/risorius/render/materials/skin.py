@@ -16,8 +16,9 @@ from .patch import Corners, corners_of, put, towards, weights_of
 
 _DARK = f4(0.004)  # a lamp of which less arrives is left out
 _FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
+_FRONT = 2  # lamps: those further on stand behind the head
 _FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
-_PORES = f4(6.5 / 0.95)  # grain cells to the millimetre: pores 0.95 mm apart
+_PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 
 @device
@@ -78,7 +79,8 @@ def _skin(
     # Close above the collar its edge takes the light away.
     free *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), cloth)
     fine, soft, bumpy = _relief(tables.grain, pose.rotation, rest, normal, pixel, f4(1) - inner)
-    albedo = scale(albedo, f4(1) + f4(0.02) * fine)
+    albedo = scale(albedo, f4(1) + f4(0.025) * fine)
+    strength *= f4(1) + f4(0.2) * min(fine, f4(1))
     if mesh.crease_regions[t]:
         folds, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, dot(normal, view), pixel)
         soft, bumpy = bent(soft, folds, _FLESH), bent(bumpy, folds, f4(1))
@@ -96,16 +98,21 @@ def _skin(
     for k in range(len(light.lamps)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
         share = lamp_share(mesh.reach, corners, weights, k, shadow)
+        if k >= _FRONT:
+            share *= share  # between vertices that see the lamp and such that don't, light leaks
         if share < _DARK:
             continue
         below = scattered(tables.diffuse, dot(soft, direction), curvature)
         total = add(total, times(times(albedo, colour), times(below, warm_edge(share))))
         wide = roughness + light.lamps[k, 6]
         mirrored = gloss(bumpy, view, direction, wide, _FACING)
-        if k == 0:
+        if k >= _FRONT:
+            mirrored *= f4(0.4)  # a lamp behind the head grazes it, where a mirror would outshine all
+        elif k == 0:
             mirrored = f4(0.7) * mirrored + f4(0.3) * gloss(bumpy, view, direction, wide * f4(2.2), _FACING)
         shine = along(shine, colour, mirrored * share * strength)
-    edge = schlick(dot(soft, view), _FACING) * opened * strength
+    # A rough surface mirrors less along its outline than a smooth one.
+    edge = min(schlick(dot(soft, view), _FACING), f4(0.16)) * opened * strength
     shine = along(shine, room_light(light.room, soft, f4(1)), edge * f4(0.8))
     return add(total, shine)
 
@@ -117,7 +124,7 @@ def _relief(
     """Return the pores' height and the normal with a little and with all of their slopes."""
     height, gx, gy, gz = grain(tile, rest, _PORES)
     # Pores smaller than two pixels would flicker as the head moves.
-    depth = f4(0.013) * amount * (f4(1) - smooth(f4(0.35), f4(1.1), pixel))
+    depth = f4(0.0075) * amount * (f4(1) - smooth(f4(0.22), f4(0.7), pixel))
     slope = rotate(rotation, (gx, gy, gz))
     slope = along(slope, normal, -dot(slope, normal))
     return height, unit(along(normal, slope, -depth * f4(0.5))), unit(along(normal, slope, -depth))

@@ -1,4 +1,4 @@
-"""Hair on the head: short, combed back from the face, in locks, with a soft hairline."""
+"""Short hair, combed back from the face, in locks, with a soft hairline."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from scipy.spatial import cKDTree
 
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat
+from .locks import gather_locks, over_skin, smoothed
 from .scalp import flow, grow_roots, hair_density, inside_hairline
 from .strands import Strands
 
 Array = npt.NDArray[np.float64]
 POINTS = 6
-_LOCKS = 700
 _LAYERS = 4
 _SEED = 21
 
 
-def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 8500) -> Strands:
+def grow_short(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
     """Return `count` hairs of an albedo (3,)."""
     rng = np.random.default_rng(_SEED)
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
@@ -34,7 +34,7 @@ def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 85
     length = _lengths(anatomy, origin, within) * (0.75 + 0.5 * rng.random(count))
     layer = (1.0 - (np.arange(count) * _LAYERS // count + rng.random(count)) / _LAYERS) ** 0.7
     curves = _walk(anatomy, surface, origin, normal, length, layer, rng)
-    curves, lock = _gather_locks(curves, length, smoothstep(0.0, 18.0, within), rng)
+    curves, lock = gather_locks(smoothed(curves), length, smoothstep(0.0, 18.0, within), rng)
     shade = (0.72 + 0.4 * rng.random(count)) * lock * (1.9 - 0.9 * smoothstep(0.0, 12.0, within))
     way = np.linspace(0.0, 1.0, POINTS)
     fine = 0.36 + 0.64 * smoothstep(0.0, 14.0, within)
@@ -71,27 +71,8 @@ def _walk(
     for k in range(1, POINTS):
         way = k / (POINTS - 1)
         place = curves[-1] + flat(ahead + stray, normal) * (length / (POINTS - 1))[:, None]
-        _, nearest = tree.query(place)
-        normal = surface.normals[nearest]
-        above = ((place - surface.points[nearest]) * normal).sum(axis=1)
+        above, normal = over_skin(tree, surface, place)
         wanted = height * np.sin(np.pi / 2 * min(1.0, 1.6 * way)) * (1 - 0.25 * way**2) + 0.3
         curves.append(place + (wanted - above)[:, None] * normal)
         ahead = flow(anatomy, curves[-1], normal)
     return np.stack(curves, axis=1)
-
-
-def _gather_locks(
-    curves: Array, length: Array, amount: Array, rng: np.random.Generator
-) -> tuple[Array, Array]:
-    """Draw hairs by `amount` (S,) to the guides of their locks, more at their tips; add each lock's shade."""
-    count = len(curves)
-    guides = rng.permutation(count)[: min(_LOCKS, count)]
-    middle = curves[:, POINTS // 2]
-    _, mine = cKDTree(middle[guides]).query(middle)
-    way = np.linspace(0.0, 1.0, POINTS)[None, :, None]
-    offset = curves - curves[:, :1]
-    wanted = (
-        offset[guides][mine] * (length / length[guides][mine])[:, None, None] + curves[guides][mine][:, :1]
-    )
-    drawn = curves + 0.6 * amount[:, None, None] * way**1.3 * (wanted - curves)
-    return drawn, 0.82 + 0.36 * rng.random(len(guides))[mine]

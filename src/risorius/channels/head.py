@@ -1,0 +1,131 @@
+"""Head: marks, verbal heads, a speaker's posture, the voice's melody, and a living head's noise.
+
+Paper A, section 2 (noise); paper B, section 2.1 (a final pause is stillness), after Hadar et al. 1983.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from ..core.action_units import resolve_targets
+from ..core.movement import Cause, Movement
+from ..core.parameters import INDEX, PARAMETERS, Kind
+from ..core.utterance import PauseKind
+from ..rules.conduct import size_of
+from ..rules.rule import TurnState
+from .registry import CHANNEL_BUILDERS, Brief
+from .ruled import movements_of_rules, with_eyes
+
+NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.prominence", "head.posture.speaker"
+# Seconds in which one movement of a chain gives way to the next.
+_OVERLAP = 0.02
+_POSTURE_ONSET = 0.8
+_HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
+
+
+@CHANNEL_BUILDERS.register("head")
+def head(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+    """Yield the marked movements, those of rules, and a smooth wander about the speaker's posture."""
+    yield from brief.marked("head")
+    yield from movements_of_rules(brief, "head")
+    if brief.lively:
+        yield from _posture(brief)
+        yield from _melody(brief)
+        yield from _noise(brief, rng)
+
+
+def posture(brief: Brief) -> dict[str, float]:
+    """Return what the profile and the attitudes hold throughout, added up within each parameter's range."""
+    total: dict[str, float] = {}
+    for held in (brief.profile.posture, *(a.posture for a in brief.attitudes)):
+        for name, value in resolve_targets(held).items():
+            p = PARAMETERS[INDEX[name]]
+            total[name] = min(max(total.get(name, 0.0) + value, p.low), p.high)
+    return total
+
+
+def _posture(brief: Brief) -> Iterator[Movement]:
+    targets = {name: value for name, value in posture(brief).items() if name in _HEAD}
+    if targets:
+        yield Movement(
+            "head", 0.0, brief.duration, 0.0, 0.0, with_eyes(targets),
+            id=POSTURE, layer="posture", function="minimum_jerk", cause=Cause(POSTURE, brief.profile.name),
+        )  # fmt: skip
+
+
+def _melody(brief: Brief) -> Iterator[Movement]:
+    """Yield a chain in which the head rises and falls with how prominent each syllable sounds."""
+    degrees = brief.profile.head.melody
+    said = brief.utterance
+    if said is None or degrees == 0.0 or not any(s.prominence for s in said.syllables):
+        return
+    starts = [s.start for s in said.syllables]
+    for s, following in zip(said.syllables, [*starts[1:], said.syllables[-1].end], strict=True):
+        size = degrees * size_of(MELODY, brief.conduct_at(s.start))
+        yield _link(
+            s.start, following, {"head_pitch": size * min(max(s.prominence, -2.0), 2.0)}, "melody",
+            Cause(MELODY, f'"{said.words[s.word].text}"'),
+        )  # fmt: skip
+
+
+def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+    """Yield a chain of smooth movements to random targets; in pauses they go only a part of the way."""
+    habits = brief.profile.head
+    deviations = dict(zip(_HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
+    calm = _Calm(brief)
+    targets = dict.fromkeys(_HEAD, 0.0)
+    times = _times(habits.dwell, calm.edges, brief.duration, rng)
+    for start, end in pairwise(times):
+        left, size = calm.at(start), size_of(NOISE, brief.conduct_at(start))
+        for name, sd in deviations.items():
+            drawn = size * sd * float(np.clip(rng.standard_normal(), -2.0, 2.0))
+            targets[name] = left * drawn + (0.0 if calm.rests(start) else (1.0 - left) * targets[name])
+        yield _link(start, end, dict(targets), "noise", Cause(NOISE, "a living head"))
+
+
+def _times(
+    dwell: tuple[float, float], edges: Sequence[float], duration: float, rng: np.random.Generator
+) -> list[float]:
+    """Return when the head sets out for the next target: at random, and where a pause begins or ends."""
+    times = [0.0]
+    while times[-1] < duration:
+        wanted = times[-1] + float(rng.uniform(*dwell))
+        index = bisect_right(edges, times[-1] + dwell[0] / 2)
+        edge = edges[index] if index < len(edges) else wanted
+        times.append(min(wanted, edge))
+    return times
+
+
+def _link(start: float, end: float, targets: dict[str, float], layer: str, cause: Cause) -> Movement:
+    """Return one movement of a chain: all the way to the next one it is on its way."""
+    return Movement(
+        "head", start, end + _OVERLAP, end - start, _OVERLAP, with_eyes(targets),
+        id=f"{cause.rule}@{start:.3f}", layer=layer, function="minimum_jerk", cause=cause,
+    )  # fmt: skip
+
+
+class _Calm:
+    """How much of the noise is left at a time: all in speech, less in pauses and while listening."""
+
+    def __init__(self, brief: Brief) -> None:
+        habits = brief.profile.head
+        still = {PauseKind.COMMA: habits.comma, PauseKind.HESITATION: habits.comma}
+        self._situation, self._listening = brief.situation, habits.listening
+        pauses = brief.utterance.pauses if brief.utterance else ()
+        self._last = [p.start for p in pauses if p.kind is PauseKind.FINAL]
+        self._spans = [(p.start, p.end, still.get(p.kind, habits.final)) for p in pauses]
+        self.edges = sorted({t for start, end, _ in self._spans for t in (start, end)})
+
+    def at(self, time: float) -> float:
+        """Return the share 0..1 at a time."""
+        if self._situation.turn_at(time) is TurnState.LISTENING:
+            return self._listening
+        return next((left for start, end, left in self._spans if start <= time < end), 1.0)
+
+    def rests(self, time: float) -> bool:
+        """Tell whether nothing more is to be said, so that the head goes back to rest (paper B, 5.2)."""
+        return any(start <= time for start in self._last)

@@ -1,0 +1,106 @@
+"""Channels made by rules: events become movements, beside what the script marks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from ..core.movement import Cause, Movement
+from ..rules.markup import markup_table
+from ..rules.match import Event
+from ..rules.timing import channel_timing
+from ..script.gestures import strokes_of
+from .blinks import blink
+from .registry import CHANNEL_BUILDERS, Brief, ChannelBuilder
+
+# While the head moves the eyes stay on what they look at: the vestibulo-ocular reflex, of gain 1.
+_COUNTER = {"head_pitch": "gaze_pitch", "head_yaw": "gaze_yaw"}
+
+
+def with_eyes(targets: Mapping[str, float]) -> dict[str, float]:
+    """Return targets of the head with the eyes turned against them, so that gaze stays where it is."""
+    counter = {_COUNTER[name]: -value for name, value in targets.items() if name in _COUNTER}
+    return {**targets, **counter}
+
+
+def movements_of_rules(brief: Brief, channel: str) -> Iterator[Movement]:
+    """Yield the movements of a channel's events; looks are left to the gaze."""
+    boundaries = brief.units.boundaries
+    for event in brief.events:
+        if event.rule.channel != channel:
+            continue
+        if event.targets:
+            yield _held(event)
+        if event.rule.effect.gesture is not None:
+            yield from _gesture(event)
+        if event.rule.effect.blink is not None:
+            depth = min(event.rule.effect.blink, 1.0)
+            yield blink(
+                channel,
+                event.span.start,
+                depth,
+                brief.profile.blinks,
+                boundaries,
+                _cause(event),
+                _layer(event),
+            )
+
+
+def _cause(event: Event) -> Cause:
+    return Cause(event.rule.id, event.unit.text)
+
+
+def _layer(event: Event) -> str:
+    """A blink beside other targets has a layer of its own."""
+    return f"{event.rule.part}.lids" if event.targets else event.rule.part
+
+
+def _held(event: Event) -> Movement:
+    span, rule = event.span, event.rule
+    return Movement(
+        rule.channel,
+        span.start,
+        span.end,
+        span.apex - span.start,
+        max(span.end - span.release, 0.0),
+        with_eyes(event.targets),
+        id=f"{rule.id}@{span.start:.3f}",
+        layer=rule.part,
+        function=rule.timing.function or channel_timing(rule.channel).function,
+        cause=_cause(event),
+    )
+
+
+def _gesture(event: Event) -> Iterator[Movement]:
+    rule = event.rule
+    gesture = markup_table().head[str(rule.effect.gesture)]
+    strokes = strokes_of(gesture, rule.effect.times)
+    seconds = gesture.seconds * (len(strokes) + 1)
+    amplitude = gesture.amplitude * rule.effect.size * event.size
+    for number, stroke in enumerate(strokes, 1):
+        start = event.span.start + stroke.start * seconds
+        yield Movement(
+            rule.channel,
+            start,
+            event.span.start + stroke.end * seconds,
+            (stroke.onset or 0.0) * seconds,
+            (stroke.offset or 0.0) * seconds,
+            with_eyes({gesture.parameter: stroke.scale * amplitude}),
+            id=f"{rule.id}@{event.span.start:.3f}.{number}",
+            layer=f"{rule.part}.gesture",
+            function=rule.timing.function or "minimum_jerk",
+            cause=_cause(event),
+        )
+
+
+def _ruled(channel: str) -> ChannelBuilder:
+    def build(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+        yield from brief.marked(channel)
+        yield from movements_of_rules(brief, channel)
+
+    return build
+
+
+for _channel in ("signals", "punctuators", "regulators"):
+    CHANNEL_BUILDERS.register(_channel)(_ruled(_channel))

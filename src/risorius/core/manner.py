@@ -1,0 +1,29 @@
+"""How a stretch of speech differs from a voice's usual manner."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Manner:
+    """Changes of a voice: factors of rate, range of pitch and pauses, semitones of pitch, dB of loudness."""
+
+    rate: float = 1.0
+    pitch: float = 0.0
+    range: float = 1.0
+    volume: float = 0.0
+    pauses: float = 1.0
+
+    def then(self, other: Manner) -> Manner:
+        """Return both changes as one; the order does not matter."""
+        return Manner(
+            self.rate * other.rate,
+            self.pitch + other.pitch,
+            self.range * other.range,
+            self.volume + other.volume,
+            self.pauses * other.pauses,
+        )
+
+
+PLAIN = Manner()

@@ -1,0 +1,215 @@
+"""The teeth as an obstacle: lips and cheeks stay before them, the tongue behind or between them.
+
+A row of teeth is read as a table over the angle about the middle of its arch and the height: how far out its
+front and its back stand. Its front is kept from the skin, its back and its edges from the tongue; the lower
+row is looked up in the frame of the jaw.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+from scipy.ndimage import maximum_filter1d, minimum_filter
+
+from .head import Head, Mesh
+from .jaw import Jaw
+from .jit import compiled
+from .rotations import about_axis
+
+Array = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int32]
+
+ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians to either side of the middle they span
+ROW = 0.8  # mm of height of a row of the tables
+BORDER = 3  # rows beyond the teeth
+ROUNDING = 3.0  # mm by which a row recedes with each row beyond its edge: no step for skin to fall over
+WIDENED = 5  # columns over which the front is widened: faces of skin lie between their corners
+SAMPLES = 6  # along each side of a triangle
+CLEARANCE = 0.3  # mm of skin before the teeth's front
+DEEPEST, LOST = 5.0, 8.0  # mm behind the front: up to here skin is pushed out, from there on it is elsewhere
+LINING_REACH = 14.0  # mm from the teeth's vertices to the skin that can meet them
+AHEAD = 6.0  # mm from the hindmost tooth to the middle: the last tooth has a back to go round
+NONE = 1e3  # mm: where a row has no back
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A row of teeth as tables: `middle` (z, lowest y), `front` and `back` (ANGLES, rows) mm from the middle,
+    and the height `edge` (ANGLES,) of its cutting edge; `up` is 1 for the upper row, −1 for the lower one.
+    """
+
+    middle: Array
+    front: Array
+    back: Array
+    edge: Array
+    up: float
+
+    @classmethod
+    def of(cls, teeth: Mesh, up: float) -> Self:
+        """Measure the row `teeth`."""
+        crowns = teeth.vertices[teeth.material < 0.5]
+        middle = np.array([crowns[:, 2].min() + AHEAD, crowns[:, 1].min() - BORDER * ROW])
+        points = _samples(teeth)
+        angle, radius = _polar(points, middle[0])
+        rows = int((crowns[:, 1].max() - middle[1]) / ROW) + BORDER + 2
+        cell = (angle, np.rint((points[:, 1] - middle[1]) / ROW).astype(int))
+        front, back = np.zeros((ANGLES, rows)), np.full((ANGLES, rows), NONE)
+        np.maximum.at(front, cell, radius)
+        np.minimum.at(back, cell, radius)
+        edge = np.full(ANGLES, NONE * up)
+        (np.minimum if up > 0.0 else np.maximum).at(edge, _polar(crowns, middle[0])[0], crowns[:, 1])
+        front = maximum_filter1d(_rounded(front), WIDENED, axis=0, mode="nearest")
+        edge = -up * maximum_filter1d(-up * edge, 3, mode="nearest")
+        return cls(middle, front, minimum_filter(back, 3, mode="nearest"), edge, up)
+
+
+def _samples(mesh: Mesh) -> Array:
+    """Return points (n, 3) all over the teeth, not the gums, of `mesh`."""
+    crowns = mesh.triangles[(mesh.material[mesh.triangles] < 0.5).all(axis=1)]
+    share = np.linspace(0.0, 1.0, SAMPLES)
+    first, second = (w.ravel() for w in np.meshgrid(share, share))
+    inside = first + second <= 1.0
+    weights = np.stack([1.0 - first - second, first, second], axis=1)[inside]
+    return np.asarray((weights @ mesh.vertices[crowns]).reshape(-1, 3))
+
+
+def _polar(points: Array, middle: float) -> tuple[npt.NDArray[np.intp], Array]:
+    """Return the column (n,) and the distance (n,) of points (n, 3) about the `middle` z of an arch."""
+    out = points[:, 2] - middle
+    column = np.rint((np.arctan2(points[:, 0], out) / HALF_TURN + 1.0) * 0.5 * (ANGLES - 1)).astype(int)
+    return np.clip(column, 0, ANGLES - 1), np.hypot(points[:, 0], out)
+
+
+def _rounded(front: Array) -> Array:
+    """Return the table with rows that recede evenly where there is nothing."""
+    result = front.copy()
+    for way in (1, -1):
+        for row in range(1, front.shape[1]):
+            here, before = (row, row - 1) if way > 0 else (-1 - row, -row)
+            result[:, here] = np.maximum(result[:, here], result[:, before] - ROUNDING)
+    return np.maximum(result, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Teeth:
+    """Both rows of a head, and the level-1 vertices `lining` (k,) of the skin that can meet them."""
+
+    upper: Row
+    lower: Row
+    lining: IntArray
+    jaw: Jaw
+
+    @classmethod
+    def of(cls, head: Head) -> Self:
+        """Measure the teeth of `head`."""
+        rest = head.skin.matrix @ head.rest
+        soft = head.skin.matrix @ np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > 0.3
+        front = max(mesh.vertices[:, 2].max() for mesh in (head.teeth_upper, head.teeth_lower))
+        back = min(mesh.vertices[:, 2].min() for mesh in (head.teeth_upper, head.teeth_lower))
+        near = (rest[:, 2] > back - LINING_REACH) & (rest[:, 2] < front + LINING_REACH)
+        lining = np.flatnonzero(soft & near).astype(np.int32)
+        return cls(Row.of(head.teeth_upper, 1.0), Row.of(head.teeth_lower, -1.0), lining, Jaw.of(head))
+
+    def keep_out(self, skin: Array, opening: float) -> None:
+        """Push the level-1 `skin` (N1, 3) before the teeth in place, with the jaw at `opening` 0..1."""
+        for row, turn in self._rows(opening):
+            _keep_out(skin, self.lining, row.middle, row.front, turn, self.jaw.point)
+
+    def keep_in(self, tongue: Array, opening: float) -> None:
+        """Push the `tongue` (n, 3) behind the teeth, or between them, in place."""
+        for row, turn in self._rows(opening):
+            _keep_in(tongue, row.middle, row.back, row.edge, row.up, turn, self.jaw.point)
+
+    def _rows(self, opening: float) -> tuple[tuple[Row, Array], tuple[Row, Array]]:
+        return (self.upper, np.eye(3)), (self.lower, about_axis(self.jaw.axis, self.jaw.angle * opening))
+
+
+@compiled
+def _to_row(point: Array, turn: Array, hinge: Array, out: Array) -> None:
+    """Write `point` (3,) in the frame of a row that was turned by `turn` (3, 3) about `hinge` to `out`."""
+    for a in range(3):
+        out[a] = hinge[a]
+        for b in range(3):
+            out[a] += turn[b, a] * (point[b] - hinge[b])
+
+
+@compiled
+def _from_row(place: Array, turn: Array, hinge: Array, out: Array) -> None:
+    for a in range(3):
+        out[a] = hinge[a]
+        for b in range(3):
+            out[a] += turn[a, b] * (place[b] - hinge[b])
+
+
+@compiled
+def _column(x: float, out: float) -> float:
+    angle = np.arctan2(x, out) / HALF_TURN
+    return float(min(max((angle + 1.0) * 0.5 * (ANGLES - 1), 0.0), ANGLES - 1.001))
+
+
+@compiled
+def _look_up(table: Array, column: float, row: float) -> float:
+    """Return the value of `table` (ANGLES, rows) between its entries; the last ones are kept beyond it."""
+    last = table.shape[1] - 1.001
+    row = min(max(row, 0.0), last)
+    i, j = int(column), int(row)
+    s, t = column - i, row - j
+    low = (1.0 - s) * table[i, j] + s * table[i + 1, j]
+    high = (1.0 - s) * table[i, j + 1] + s * table[i + 1, j + 1]
+    return float((1.0 - t) * low + t * high)
+
+
+@compiled
+def _depth(place: Array, middle: Array, front: Array) -> float:
+    """Return how far `place` (3,), in the frame of a row, lies behind its front; negative before it."""
+    row = (place[1] - middle[1]) / ROW
+    beyond = max(0.0, -row, row - front.shape[1] + 1.0)
+    x, out = place[0], place[2] - middle[0]
+    radius = _look_up(front, _column(x, out), row) - ROUNDING * beyond
+    return float(radius + CLEARANCE - np.hypot(x, out))
+
+
+@compiled
+def _keep_out(
+    skin: Array, vertices: IntArray, middle: Array, front: Array, turn: Array, hinge: Array
+) -> None:
+    place = np.empty(3)
+    for v in vertices:
+        _to_row(skin[v], turn, hinge, place)
+        depth = _depth(place, middle, front)
+        if depth <= 0.0 or depth >= LOST:
+            continue
+        x, out = place[0], place[2] - middle[0]
+        push = depth * min(1.0, (LOST - depth) / (LOST - DEEPEST)) / max(np.hypot(x, out), CLEARANCE)
+        place[0] += push * x
+        place[2] += push * out
+        _from_row(place, turn, hinge, skin[v])
+
+
+@compiled
+def _keep_in(
+    tongue: Array, middle: Array, back: Array, edge: Array, up: float, turn: Array, hinge: Array
+) -> None:
+    place = np.empty(3)
+    for v in range(len(tongue)):
+        _to_row(tongue[v], turn, hinge, place)
+        x, out = place[0], place[2] - middle[0]
+        radius = np.hypot(x, out)
+        column = _column(x, out)
+        i, s = int(column), column - int(column)
+        beyond = up * (place[1] - ((1.0 - s) * edge[i] + s * edge[i + 1]))
+        if beyond <= 0.0 or radius < 1.0:
+            continue
+        nearest = round(min(max((place[1] - middle[1]) / ROW, 0.0), back.shape[1] - 1.0))
+        behind = radius - min(back[i, nearest], back[i + 1, nearest])
+        if behind <= 0.0:
+            continue
+        if beyond < behind:
+            place[1] -= up * beyond
+        else:
+            place[0] -= behind * x / radius
+            place[2] -= behind * out / radius
+        _from_row(place, turn, hinge, tongue[v])

@@ -1,0 +1,56 @@
+"""Films: pictures with sound, whatever the codec.
+
+Picture k is shown at k/fps exactly, and sample n is heard at n/rate. A picture with an odd side gets its last
+row or column twice, because most formats have even sides only. Colours are BT.709 and tagged so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.audio import Audio
+from .source import Material, WriteOptions
+from .video_encoder import VideoEncoder
+
+
+def write_film(material: Material, path: Path, options: WriteOptions, codec: str) -> None:
+    """Write all frames at `options.size`, with the material's sound if it has one.
+
+    `codec` is a name of `codecs.CODECS`. Raises OutputError if the encoder fails, OSError for a fault of the
+    disk.
+    """
+    performance, audio = material.performance, material.audio
+    frames = range(len(performance.values))
+    rate = None if audio is None else audio.sample_rate
+    channels = 4 if options.alpha else 3
+    with VideoEncoder(path, options.size, performance.fps, rate, codec=codec, channels=channels) as encoder:
+        sound = _Sound(audio)
+        for index, picture in zip(frames, material.pictures(options.size, frames), strict=True):
+            encoder.picture(picture)
+            # Sound goes along with the pictures: the file interleaves them, and nothing piles up.
+            for block in sound.until(float((index + 1) / performance.fps)):
+                encoder.sound(block)
+        for block in sound.until(float("inf")):
+            encoder.sound(block)
+
+
+class _Sound:
+    """Hands out a sound in blocks of about a second, no earlier than they are needed."""
+
+    def __init__(self, audio: Audio | None) -> None:
+        self._rate = 1 if audio is None else audio.sample_rate
+        self._blocks = iter(()) if audio is None else audio.blocks(audio.sample_rate)
+        self._given = 0
+
+    def until(self, seconds: float) -> Iterator[npt.NDArray[np.int16]]:
+        """Yield blocks until at least `seconds` of the sound are given, or its end is reached."""
+        while self._given < seconds * self._rate:
+            block = next(self._blocks, None)
+            if block is None:
+                return
+            self._given += len(block)
+            yield block

@@ -1,0 +1,13 @@
+"""`.mov`: video with sound for editing; ProRes 4444 and PCM, with alpha before a transparent background."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from .film import write_film
+from .source import Material, WriteOptions
+
+
+def write_mov(material: Material, path: Path, options: WriteOptions) -> None:
+    """Write all frames; raises as `write_film`."""
+    write_film(material, path, options, "mov")

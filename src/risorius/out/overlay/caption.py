@@ -1,0 +1,66 @@
+"""The words that are said, the current one bright."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from ...core.utterance import Word
+from ..source import Size
+from .ink import BRIGHT, INK, PANEL, Subject, font
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+_PAUSE = 0.35  # seconds of silence that end a line
+_LINGER = 0.6  # and for which a line stays when it has been said
+
+
+class Caption:
+    """One line of words at the foot of the picture."""
+
+    below = 0
+
+    def __init__(self, subject: Subject, size: Size) -> None:
+        self._times = subject.performance.times
+        self._text = font(round(0.045 * min(size)))
+        words = subject.utterance.words if subject.utterance else ()
+        self._space = self._text.getlength(" ")
+        self._lines = lines_of(words, 0.86 * size[0], self._width, self._space)
+
+    def _width(self, word: Word) -> float:
+        return self._text.getlength(word.text)
+
+    def draw(self, image: Image, height: int, frame: int) -> None:
+        """Draw the line that is being said, or was a moment ago."""
+        from PIL import ImageDraw
+
+        time = float(self._times[frame])
+        line = next((li for li in self._lines if li[0].start - 0.15 <= time <= li[-1].end + _LINGER), None)
+        if line is None:
+            return
+        pen, high = ImageDraw.Draw(image, "RGBA"), self._text.size
+        total = sum(map(self._width, line)) + self._space * (len(line) - 1)
+        x, y = 0.5 * (image.width - total), height - 2.1 * high
+        box = (x - 0.6 * high, y - 0.3 * high, x + total + 0.6 * high, y + 1.45 * high)
+        pen.rounded_rectangle(box, radius=0.4 * high, fill=PANEL)
+        for word in line:
+            said = word.start <= time < word.end
+            pen.text((x, y), word.text, font=self._text, fill=BRIGHT if said else INK)
+            x += self._width(word) + self._space
+
+
+def lines_of(
+    words: Sequence[Word], wide: float, width: Callable[[Word], float], space: float
+) -> list[list[Word]]:
+    """Return words by line: a line ends at a pause, and where the next word would not fit in `wide`."""
+    lines: list[list[Word]] = []
+    used = 0.0
+    for word in words:
+        length = width(word)
+        if not lines or word.start - lines[-1][-1].end > _PAUSE or used + space + length > wide:
+            lines.append([])
+            used = -space
+        lines[-1].append(word)
+        used += space + length
+    return lines

@@ -1,0 +1,50 @@
+"""What all layers share: their subject, font and colours."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Protocol
+
+from ...core.performance import Performance
+from ...core.utterance import Utterance
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+    from PIL.ImageFont import FreeTypeFont
+
+Colour = tuple[int, int, int, int]
+INK: Colour = (245, 247, 249, 255)
+SOFT: Colour = (245, 247, 249, 150)
+PANEL: Colour = (14, 18, 24, 150)
+BRIGHT: Colour = (255, 196, 84, 255)
+GROUND: Colour = (18, 22, 28, 255)
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """What the layers tell of: a performance, and what is said in it, None where nothing is."""
+
+    performance: Performance
+    utterance: Utterance | None
+
+
+class Layer(Protocol):
+    """One kind of explanation; `below` is how many rows it needs under the picture."""
+
+    below: int
+
+    def draw(self, image: Image, height: int, frame: int) -> None:
+        """Draw what holds at a frame on an image whose picture is `height` rows high."""
+
+
+@lru_cache(maxsize=32)
+def font(size: int) -> FreeTypeFont:
+    """Return the font that comes with Pillow, `size` pixels high."""
+    from PIL import ImageFont
+    from PIL.ImageFont import FreeTypeFont
+
+    found = ImageFont.load_default(size=max(size, 6))
+    if not isinstance(found, FreeTypeFont):
+        raise RuntimeError("Pillow was built without FreeType")
+    return found

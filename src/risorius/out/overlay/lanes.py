@@ -1,0 +1,99 @@
+"""The channels under the picture: what each one does when."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from ...core.movement import CHANNELS, Movement
+from ...core.score import Score
+from ..source import Size
+from .ink import BRIGHT, GROUND, INK, SOFT, Colour, Subject, font
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+    from PIL.ImageDraw import ImageDraw
+
+_SPAN = 3.0  # seconds shown of a longer performance
+_SHARE = 0.24  # of the picture's height, at most
+_COLOURS: tuple[Colour, ...] = (
+    (11, 140, 130, 255),
+    (209, 73, 91, 255),
+    (91, 111, 181, 255),
+    (201, 138, 44, 255),
+    (122, 92, 160, 255),
+    (70, 150, 84, 255),
+    (160, 96, 76, 255),
+    (96, 128, 148, 255),
+)
+
+
+class Span(NamedTuple):
+    """A movement from `start` to `end` seconds, and its name."""
+
+    start: float
+    end: float
+    label: str
+
+
+class Lanes:
+    """One lane for each channel that moves, with the movements as blocks and a line for now."""
+
+    def __init__(self, subject: Subject, size: Size) -> None:
+        self._times = subject.performance.times
+        self._duration = max(subject.performance.duration, 1e-3)
+        self._spans = {name: found for name, found in spans_of(subject.performance.score).items() if found}
+        high = round(0.026 * min(size))
+        row = min(1.55 * high, _SHARE * size[1] / max(len(self._spans), 1))
+        self._text, self._row = font(max(min(high, int(row / 1.3)), 6)), row
+        self.below = round(row * len(self._spans) + 0.6 * row) if self._spans else 0
+
+    def draw(self, image: Image, height: int, frame: int) -> None:
+        """Draw all lanes and where a frame stands in them."""
+        from PIL.ImageDraw import Draw
+
+        pen, time = Draw(image, "RGBA"), float(self._times[frame])
+        shown = min(self._duration, _SPAN)
+        first = min(max(time - 0.5 * shown, 0.0), self._duration - shown)
+        left, right = 5.2 * self._text.size, image.width - 0.6 * self._text.size
+        scale = (right - left) / shown
+        pen.rectangle((0, height, image.width, image.height), fill=GROUND)
+        for k, (name, spans) in enumerate(self._spans.items()):
+            y = height + (k + 0.3) * self._row
+            pen.text((0.5 * self._text.size, y), name, font=self._text, fill=SOFT)
+            colour = _COLOURS[CHANNELS.index(name) % len(_COLOURS)]
+            for span in spans:
+                start, end = left + (span.start - first) * scale, left + (span.end - first) * scale
+                self._block(
+                    pen, (max(start, left), y, min(end, right), y + 0.82 * self._row), colour, span.label
+                )
+        now = left + (time - first) * scale
+        pen.line((now, height, now, image.height), fill=BRIGHT, width=2)
+
+    def _block(
+        self, pen: ImageDraw, box: tuple[float, float, float, float], colour: Colour, label: str
+    ) -> None:
+        if box[2] - box[0] < 1.0:
+            return
+        pen.rounded_rectangle(box, radius=0.2 * self._row, fill=colour, outline=GROUND)
+        if self._text.getlength(label) + 6.0 < box[2] - box[0]:
+            # On the left, where no later movement of the lane lies over it.
+            pen.text((box[0] + 4.0, 0.5 * (box[1] + box[3])), label, font=self._text, fill=INK, anchor="lm")
+
+
+def _name(movement: Movement) -> str:
+    return movement.cause.trigger or movement.cause.rule or movement.label
+
+
+def spans_of(score: Score) -> dict[str, list[Span]]:
+    """Return what each channel does, in the channels' order; the lips' segments go by their phones."""
+    spans: dict[str, list[Span]] = {name: [] for name in CHANNELS}
+    for movement in score.movements:
+        spans[movement.channel].append(Span(movement.start, movement.end, _name(movement)))
+    for segment in score.lips:
+        if segment.phone:
+            spans["lips"].append(Span(segment.start, segment.end, segment.phone))
+    for curve in score.manual:
+        times = [time for keys in curve.keys.values() for time, _ in keys]
+        if times:
+            spans["manual"].append(Span(min(times), max(max(times), min(times) + 0.01), "drawn by hand"))
+    return spans

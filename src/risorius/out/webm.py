@@ -1,0 +1,13 @@
+"""`.webm`: video with sound for the web; VP9 and Opus, with alpha before a transparent background."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from .film import write_film
+from .source import Material, WriteOptions
+
+
+def write_webm(material: Material, path: Path, options: WriteOptions) -> None:
+    """Write all frames; raises as `write_film`."""
+    write_film(material, path, options, "webm")

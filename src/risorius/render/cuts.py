@@ -1,0 +1,24 @@
+"""The styles of hair by name."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from ..face.identity import Looks
+from .anatomy import Anatomy
+from .attach import Surface
+from .medium_hair import grow_medium
+from .short_hair import grow_short
+from .strands import Strands
+from .stubble import grow_stubble
+
+Array = npt.NDArray[np.float64]
+
+_CUTS = {"short": grow_short, "medium": grow_medium, "shaved": grow_stubble}
+
+
+def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> list[Strands]:
+    """Return the hair of an albedo (3,) that `looks` asks for, none on a bald head."""
+    grow = _CUTS.get(looks.hair_style)
+    return [grow(anatomy, surface, colour, looks.hairs)] if grow else []

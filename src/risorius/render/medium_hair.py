@@ -1,0 +1,122 @@
+"""Hair of chin length, parted at the side and combed off the face; it hangs over the ears."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial import cKDTree
+
+from .anatomy import Anatomy, smoothstep
+from .attach import Surface, flat, unit
+from .locks import gather_locks, over_skin, smoothed
+from .noise import noise_at
+from .scalp import grow_roots, hair_density, inside_hairline
+from .strands import Strands
+
+Array = npt.NDArray[np.float64]
+POINTS = 9
+_LAYERS = 4
+_SEED = 45
+_SHARE = 0.40  # longer hairs are drawn wider and in smaller number
+_PARTING = -24.0  # x of the parting, mm
+_AXIS = -72.0  # z of the axis about which hair is kept off the face, mm
+# Heights over the eyes in mm, and the angle from the front within which no hair hangs there.
+_FACE = ((-20.0, 10.0, 30.0, 48.0, 60.0, 66.0), (64.0, 68.0, 62.0, 54.0, 44.0, 0.0))
+
+
+def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
+    """Return hairs of an albedo (3,) for a head that has `count` short ones."""
+    rng = np.random.default_rng(_SEED)
+    density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
+    front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
+    # Hairs alone on the forehead would look like scratches.
+    density = density * (1.0 + 0.8 * front) * smoothstep(1.0, 9.0, inside_hairline(anatomy, surface.points))
+    # Upper layers come first: what lies under them then fails the depth test at once.
+    each = round(_SHARE * count) // _LAYERS
+    rounds = [grow_roots(anatomy, surface, density, each, _SEED + k) for k in range(_LAYERS)]
+    triangles, weights = (np.concatenate(part) for part in zip(*rounds, strict=True))
+    count = len(triangles)
+    origin, normal = surface.at(triangles, weights)
+    layer = (1.0 - (np.arange(count) * _LAYERS // count + rng.random(count)) / _LAYERS) ** 0.8
+    length = _lengths(anatomy, origin) * (0.84 + 0.19 * rng.random(count) ** 0.6)
+    curves = smoothed(_hang(anatomy, surface, origin, normal, length, layer, rng), 3)
+    within = inside_hairline(anatomy, origin)
+    curves, lock = gather_locks(curves, length, 0.45 * smoothstep(0.0, 18.0, within), rng)
+    shade = (0.74 + 0.36 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
+    way = np.linspace(0.0, 1.0, POINTS)
+    fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)
+    widths = 0.98 * fine[:, None] * (1.0 - 0.8 * way**3)
+    depths = 0.6 * (1.0 - layer) * smoothstep(2.0, 14.0, within)
+    hairs = surface.root(triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0)
+    # Hair from the nape shows beside the neck.
+    return dataclasses.replace(hairs, behind=-2.0)
+
+
+def _lengths(anatomy: Anatomy, origin: Array) -> Array:
+    """Return lengths in mm with which all hair ends a little above the chin."""
+    u = anatomy.unit
+    end = 0.55 * float(anatomy.mouth[1]) + 0.45 * anatomy.chin
+    high = smoothstep(20.0 * u, 90.0 * u, origin[:, 1] - anatomy.eye_height)
+    away = np.where(origin[:, 0] > _PARTING * u, -1.0, 1.0)
+    across = np.clip(72.0 * u + away * origin[:, 0], 0.0, None)
+    return np.asarray(np.maximum(1.04 * (origin[:, 1] - end) + 0.62 * high * across, 24.0 * u))
+
+
+def _hang(
+    anatomy: Anatomy,
+    surface: Surface,
+    origin: Array,
+    normal: Array,
+    length: Array,
+    layer: Array,
+    rng: np.random.Generator,
+) -> Array:
+    """Return curves (S, POINTS, 3) that run over the skull from the parting and then hang."""
+    skull = anatomy.masks["ears"] < 0.05
+    smooth = Surface(surface.points[skull], surface.normals[skull], surface.triangles)
+    tree = cKDTree(smooth.points)
+    stray = rng.normal(0.0, 0.07, origin.shape)
+    volume = (5.0 + 11.0 * layer) * anatomy.unit * (0.35 + 0.65 * smoothstep(0.0, 20.0, length))
+    volume *= 0.5 + 0.5 * smoothstep(-2.0, 16.0, inside_hairline(anatomy, origin))
+    curves, step = [origin], (length / (POINTS - 1))[:, None]
+    for k in range(1, POINTS):
+        way = k / (POINTS - 1)
+        place = curves[-1] + step * unit(_ahead(anatomy, curves[-1], normal) + stray)
+        above, normal = over_skin(tree, smooth, place)
+        wanted = volume * np.sin(np.pi / 2 * min(1.0, 3.2 * way)) + 0.3
+        lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)
+        # Hair never enters the head; where it lies on the skull it does not stand off it either.
+        shift = np.maximum(wanted - above, 0.0) + lying * np.minimum(wanted - above, 0.0)
+        curves.append(_off_face(anatomy, place + shift[:, None] * normal))
+    return np.stack(curves, axis=1)
+
+
+def _ahead(anatomy: Anatomy, place: Array, normal: Array) -> Array:
+    """Return the unit directions (S, 3) in which hair goes on from places (S, 3)."""
+    u = anatomy.unit
+    aside = np.tanh((place[:, 0] - _PARTING * u) / (10.0 * u))
+    high = smoothstep(35.0 * u, 88.0 * u, place[:, 1] - anatomy.eye_height)
+    wave = np.stack([noise_at(place + shift, 60.0) for shift in (0.0, 91.0, 57.0)], axis=1)
+    back = 1.0 - smoothstep(-40.0 * u, 10.0 * u, place[:, 2])
+    combed = np.stack([aside * high, -1.1 * (1.0 - high), -0.4 * high * back - 0.06], axis=1)
+    combed = unit(combed) + 0.06 * wave
+    lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)[:, None]
+    return unit(lying * flat(combed, normal) + (1.0 - lying) * combed)
+
+
+def _off_face(anatomy: Anatomy, place: Array) -> Array:
+    """Return places (S, 3) turned back about the skull's axis until they hang beside the face.
+
+    Over the temples the face ends at the hairline, below them at an angle from the front.
+    """
+    u = anatomy.unit
+    depth = place[:, 2] - _AXIS * u
+    angle, reach = np.arctan2(np.abs(place[:, 0]), depth), np.hypot(place[:, 0], depth)
+    least = np.radians(np.interp((place[:, 1] - anatomy.eye_height) / u, *_FACE))
+    turned = np.maximum(angle, least)
+    moved = place.copy()
+    moved[:, 0] = np.where(place[:, 0] < 0.0, -1.0, 1.0) * reach * np.sin(turned)
+    moved[:, 2] = _AXIS * u + reach * np.cos(turned)
+    return moved

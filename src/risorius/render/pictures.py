@@ -1,0 +1,35 @@
+"""From the choices of a look to the renderer that draws it."""
+
+from __future__ import annotations
+
+from ..core.look import Look
+from ..face.head import Head
+from .anatomy import find_anatomy
+from .backdrop import backdrop
+from .dress import dressed
+from .framing import frame_head
+from .lights import RIGS
+from .renderer import Renderer, check_size
+
+
+def picture_renderer(head: Head, size: tuple[int, int], look: Look | None = None) -> Renderer:
+    """Return the renderer of `head` at `size` (width, height) as `look` wants it.
+
+    Raises InputError for a size that cannot be drawn, and for a background that cannot be read.
+    """
+    look = look or Look()
+    width, height = check_size(size)
+    rig = RIGS[look.light]
+    return Renderer(
+        head,
+        (width, height),
+        look.quality,
+        camera=frame_head(find_anatomy(head), width / height, look.camera, look.lens),
+        lights=rig,
+        looks=dressed(head.identity.looks, look),
+        background=None
+        if look.transparent
+        else backdrop(width, height, look.background, rig.centre, rig.edge),
+        alpha=look.transparent,
+        style=look.style,
+    )

@@ -1,0 +1,41 @@
+"""What explaining pictures show on the skin, frame by frame."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import NEUTRAL
+from ..face.head import Head
+from .inputs import Paint
+from .muscle_paint import MusclePaint, colours, lay_muscles
+from .raster import FloatArray
+from .wires import edge_strengths
+
+Array = npt.NDArray[np.float64]
+_NO_LINES, _LINES = (0.0, 0.0, 0.0, 0.0), (0.75, 1.15, 1.5, 0.9)  # linear colour and opacity
+
+
+class Sketch:
+    """What a style other than the realistic one draws on the skin: `paint` holds for the last `update`."""
+
+    def __init__(self, head: Head, triangles: int, style: str) -> None:
+        """Prepare for a scene of so many `triangles`; `style` is clay, muscles or wireframe."""
+        self._muscles = lay_muscles(head, triangles) if style == "muscles" else _no_muscles(triangles)
+        edges: FloatArray = np.zeros((triangles, 3), np.float32)
+        ink = np.array(_NO_LINES, np.float32)
+        if style == "wireframe":
+            edges, ink = edge_strengths(head, triangles), np.array(_LINES, np.float32)
+        count = len(self._muscles.columns)
+        still = np.zeros((count, 4), np.float32)
+        self.paint = Paint(self._muscles.covered, self._muscles.place, still, edges, ink)
+
+    def update(self, parameters: Array, kept_down: Array | None = None) -> None:
+        """Colour the muscles by their activations (46,) and by how much rivals keep them down (46,)."""
+        hot = np.zeros(len(NEUTRAL)) if kept_down is None else kept_down
+        self.paint.colours[:] = colours(self._muscles, parameters, hot)
+
+
+def _no_muscles(triangles: int) -> MusclePaint:
+    place: FloatArray = np.zeros((1, 1, 2), np.float32)
+    return MusclePaint(np.zeros(triangles, np.int64), place, np.zeros(0, np.intp))

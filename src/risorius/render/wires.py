@@ -1,0 +1,28 @@
+"""Which edges of the mesh a wireframe shows, and how strongly."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..face.head import Head
+from .raster import FloatArray
+
+_FINE = 0.28  # strength of the lines that subdivision added
+
+
+def edge_strengths(head: Head, triangles: int) -> FloatArray:
+    """Return the strength (m, 3) float32, 0..1, of the edge opposite each corner of a scene's triangles.
+
+    The edges of the skin's coarse quads count in full, those that subdivision adds less, diagonals not.
+    """
+    strengths = np.zeros((triangles, 3), np.float32)
+    faces = head.skin.triangles
+    count, coarse = len(head.rest), head.skin.matrix.shape[0] - len(head.quads)
+    # Each fine quad runs vertex, edge, face, edge; its two triangles share the diagonal vertex–face.
+    vertex, face = faces < count, faces >= coarse
+    for corner in range(3):
+        one, other = (corner + 1) % 3, (corner + 2) % 3
+        diagonal = (vertex[:, one] & face[:, other]) | (face[:, one] & vertex[:, other])
+        outer = vertex[:, one] | vertex[:, other]
+        strengths[: len(faces), corner] = np.where(diagonal, 0.0, np.where(outer, 1.0, _FINE))
+    return strengths

@@ -1,0 +1,134 @@
+"""The book of rules: ours, and what a user's file adds, replaces and deletes (paper B, section 3.2)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+
+from ..core.schema import Source
+from ..core.toml import parse, read_text
+from ..errors import ParameterError, Place, unknown
+from .conduct import is_under
+from .load import DATA
+from .rule import Level, Rule
+
+FOLDER = "rules"
+_RULE = re.compile(r"^\[\[\s*rule\s*\]\][^\n]*\n", re.MULTILINE)
+
+
+@dataclass(frozen=True, slots=True)
+class RuleFile:
+    """A file of rules. `delete`: ids, or their beginnings up to a dot, of rules that do not hold."""
+
+    rule: tuple[Rule, ...] = ()
+    delete: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A rule, where it stands, and as what."""
+
+    rule: Rule
+    place: Place
+    text: str
+
+
+@dataclass(frozen=True)
+class Book:
+    """The rules that hold, by id, in the order of their files."""
+
+    entries: Mapping[str, Entry] = field(default_factory=dict)
+
+    def __iter__(self) -> Iterator[Rule]:
+        return (entry.rule for entry in self.entries.values())
+
+    def of_channel(self, channel: str) -> tuple[Rule, ...]:
+        """Return a channel's rules."""
+        return tuple(rule for rule in self if rule.channel == channel)
+
+    def levels(self) -> frozenset[Level]:
+        """Return the levels that rules look at."""
+        return frozenset(rule.level for rule in self)
+
+    def get(self, name: str) -> Entry:
+        """Return the rule `name`; raise ParameterError naming the nearest one if there is none."""
+        if name not in self.entries:
+            raise ParameterError(unknown("rule", name, self.entries))
+        return self.entries[name]
+
+
+@cache
+def shipped() -> Book:
+    """Return the package's rules."""
+    book = Book()
+    names = sorted(entry.name for entry in (DATA / FOLDER).iterdir() if entry.name.endswith(".toml"))
+    for name in names:
+        book = extended(book, (DATA / FOLDER / name).read_text(encoding="utf-8"), f"{FOLDER}/{name}")
+    return book
+
+
+def book_of(path: Path | None) -> Book:
+    """Return the package's rules as a user's file changes them; raise InputError if it cannot be used."""
+    return shipped() if path is None else extended(shipped(), read_text(path), str(path))
+
+
+def extended(book: Book, text: str, name: str) -> Book:
+    """Return a book with the rules of TOML `text`, from the file `name`.
+
+    A rule with the id of one in the book replaces it, and so does one that names it in `replaces`. Raises
+    InputError, with its place, for rules that do not fit the schema, an id given twice, an unknown rule to
+    replace or delete, and replacements that go round in a circle.
+    """
+    source = Source(name, text)
+    file = parse(RuleFile, text, name)
+    entries = dict(book.entries)
+    for index, prefix in enumerate(file.delete):
+        found = [known for known in entries if is_under(known, prefix)]
+        if not found:
+            raise source.error(("delete", index), unknown("rule", prefix, entries))
+        for known in found:
+            del entries[known]
+    texts = _rule_texts(text)
+    own = {rule.id: Entry(rule, source.place(("rule", i)), texts[i]) for i, rule in enumerate(file.rule)}
+    _check_own(file, own, book, source)
+    gone = {old for rule in file.rule for old in rule.replaces}
+    kept = {key: entry for key, entry in entries.items() if key not in gone}
+    return Book({**kept, **{key: entry for key, entry in own.items() if key not in gone}})
+
+
+def _rule_texts(text: str) -> list[str]:
+    """Return each rule's lines, the comments before the next one left out."""
+    parts = _RULE.split(text)[1:]
+    return ["[[rule]]\n" + re.sub(r"(\n\s*(#[^\n]*)?)+\Z", "", part) for part in parts]
+
+
+def _check_own(file: RuleFile, own: Mapping[str, Entry], book: Book, source: Source) -> None:
+    seen: set[str] = set()
+    for index, rule in enumerate(file.rule):
+        path = ("rule", index, "replaces")
+        if rule.id in seen:
+            raise source.error(("rule", index, "id"), f"rule '{rule.id}' is given twice; expected it once")
+        seen.add(rule.id)
+        for old in rule.replaces:
+            if old not in own and old not in book.entries:
+                raise source.error(path, unknown("rule", old, (*own, *book.entries)))
+        if circle := _circle(rule.id, own):
+            raise source.error(path, f"replacements go round in a circle: {' → '.join(circle)}")
+
+
+def _circle(start: str, own: Mapping[str, Entry]) -> tuple[str, ...]:
+    """Return the replacements that lead from a rule back to itself, nothing where none do."""
+    waiting: list[tuple[str, ...]] = [(start,)]
+    seen: set[str] = set()
+    while waiting:
+        trail = waiting.pop()
+        for old in own[trail[-1]].rule.replaces if trail[-1] in own else ():
+            if old == start:
+                return (*trail, start)
+            if old not in seen:
+                seen.add(old)
+                waiting.append((*trail, old))
+    return ()

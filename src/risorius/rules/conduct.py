@@ -1,0 +1,54 @@
+"""How much more or less of something somebody does: factors on how often rules fire and how large they are.
+
+Profiles, attitudes and emotions all change conduct so, never where or what the accents are (paper B, 3.2.1,
+4.1 and 4.2).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Annotated
+
+from ..core.schema import Range
+
+Factor = Annotated[float, Range(0.0, 5.0)]
+
+
+@dataclass(frozen=True, slots=True)
+class Conduct:
+    """Factors by rule id, or by its beginning up to a dot; those of several beginnings multiply."""
+
+    rates: Mapping[str, Factor] = field(default_factory=dict)
+    sizes: Mapping[str, Factor] = field(default_factory=dict)
+
+    def at(self, intensity: float) -> Conduct:
+        """Return the conduct at an intensity 0..1: at 0 nothing is changed."""
+        return Conduct(
+            *({k: 1.0 + intensity * (v - 1.0) for k, v in t.items()} for t in (self.rates, self.sizes))
+        )
+
+    def prefixes(self) -> frozenset[str]:
+        """Return all ids and beginnings that it names."""
+        return frozenset((*self.rates, *self.sizes))
+
+
+def rate_of(name: str, conducts: Iterable[Conduct]) -> float:
+    """Return the factor on how often the rule `name` fires."""
+    return math.prod(_factor(name, conduct.rates) for conduct in conducts)
+
+
+def size_of(name: str, conducts: Iterable[Conduct]) -> float:
+    """Return the factor on how large the rule `name`'s movements are."""
+    return math.prod(_factor(name, conduct.sizes) for conduct in conducts)
+
+
+def _factor(name: str, factors: Mapping[str, float]) -> float:
+    parts = name.split(".")
+    return math.prod(factors.get(".".join(parts[: i + 1]), 1.0) for i in range(len(parts)))
+
+
+def is_under(name: str, prefix: str) -> bool:
+    """Tell whether a rule's id is `prefix` or begins with it up to a dot."""
+    return name == prefix or name.startswith(prefix + ".")

@@ -1,0 +1,79 @@
+"""The doctor: rules that hold no error, yet can do nothing or not what they say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ..core.utterance import PauseKind
+from ..errors import Place
+from .book import Book, Entry
+from .conduct import is_under
+from .rule import NOTHING_FELT, Level, Question, Rule
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What ails a rule, and where it stands."""
+
+    place: Place
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.place}: {self.message}"
+
+
+def examine(book: Book) -> tuple[Finding, ...]:
+    """Return all that ails a book of rules, in its order."""
+    return tuple(
+        Finding(entry.place, f"rule '{entry.rule.id}' {message}")
+        for entry in book.entries.values()
+        for message in _ailments(entry, book)
+    )
+
+
+def _ailments(entry: Entry, book: Book) -> Iterator[str]:
+    rule = entry.rule
+    if rule.probability == 0.0:
+        yield "can never fire: its probability is 0"
+    yield from _contradictions(rule)
+    for prefix in rule.pauses:
+        if not any(is_under(name, prefix) for name in book.entries):
+            yield f"pauses '{prefix}', which is no rule"
+        if is_under(rule.id, prefix):
+            yield "pauses itself"
+    if rule.effect.look is not None and rule.effect.targets:
+        yield "has a look and targets; the look alone goes to the eyes, the targets to its own channel"
+    if not rule.source.strip() or not rule.comment.strip():
+        yield "lacks a source or a comment"
+    twins = [r.id for r in book if r.id < rule.id and _same(r, rule)]
+    if twins:
+        yield f"does what '{twins[0]}' does at the same time"
+
+
+def _contradictions(rule: Rule) -> Iterator[str]:
+    """Yield why no unit can be all that a rule asks for."""
+    when = rule.when
+    kinds, questions = set(when.pause), set(when.question)
+    if when.nuclear and not when.accent:
+        yield 'asks for a nuclear accent without naming accents; expected accent = ["any"] as well'
+    if rule.level is Level.PAUSE and kinds and PauseKind.QUESTION not in kinds and _asks(questions):
+        yield "can never fire: a question is followed by a pause of the kind question"
+    if when.intensity > 0.0 and set(when.emotion) == {NOTHING_FELT}:
+        yield "can never fire: where nothing is felt there is no intensity"
+    if when.words and all(word != word.lower() for word in when.words):
+        yield "can never fire: words are compared in lower case"
+    if rule.level is not Level.PAUSE and kinds == {PauseKind.INITIAL}:
+        yield "can never fire: nothing is said before the initial pause"
+    if set(when.stress) == {-1} and rule.level is not Level.PHONEME:
+        yield "can never fire: only consonants have a stress of -1"
+
+
+def _asks(questions: set[Question]) -> bool:
+    return bool(questions) and Question.NONE not in questions
+
+
+def _same(one: Rule, other: Rule) -> bool:
+    """Tell whether two rules move the same part on the same units at the same time."""
+    keys = [(r.channel, r.part, r.level, r.when, r.timing.at, r.timing.lead) for r in (one, other)]
+    return keys[0] == keys[1] and set(one.effect.targets) == set(other.effect.targets) != set()

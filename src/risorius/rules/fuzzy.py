@@ -1,0 +1,106 @@
+"""From intensities of emotions to contractions, by fuzzy rules (`fuzzy.toml`; after Bui et al. 2001)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated
+
+from ..core.parameters import INDEX, PARAMETERS
+from ..core.schema import Range
+from ..errors import InputError
+from .emotions import emotion
+from .fuzzy_sets import check_centres, concluded
+from .load import load
+
+Share = Annotated[float, Range(0.0, 1.0)]
+Shares = tuple[Share, Share, Share, Share, Share]
+Centres = tuple[float, float, float, float, float]
+UPPER = ("brows", "lids")
+
+
+@dataclass(frozen=True, slots=True)
+class Keeps:
+    """What an emotion keeps of the upper and the lower face, by how much stronger than the other it is."""
+
+    upper: Shares
+    lower: Shares
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Two emotions and what each keeps beside the other."""
+
+    one: str
+    other: str
+    upper: Shares
+    lower: Shares
+    other_upper: Shares
+    other_lower: Shares
+
+    def __post_init__(self) -> None:
+        if emotion(self.one) is emotion(self.other):
+            raise InputError(f"{self.one} is paired with itself; expected two emotions")
+
+
+@dataclass(frozen=True, slots=True)
+class FuzzyTable:
+    """The table `fuzzy.toml`."""
+
+    difference: Centres
+    default: Keeps
+    pair: tuple[Pair, ...]
+
+    def __post_init__(self) -> None:
+        check_centres(self.difference)
+
+    def keeps(self, name: str, other: str) -> Keeps:
+        """Return the rules for what an emotion keeps beside another."""
+        for pair in self.pair:
+            if (pair.one, pair.other) == (name, other):
+                return Keeps(pair.upper, pair.lower)
+            if (pair.other, pair.one) == (name, other):
+                return Keeps(pair.other_upper, pair.other_lower)
+        return self.default
+
+
+@cache
+def fuzzy_table() -> FuzzyTable:
+    """Return the package's table."""
+    return load(FuzzyTable, "fuzzy.toml")
+
+
+def blend_targets(name: str, company: Mapping[str, float]) -> dict[str, float]:
+    """Return what an emotion contracts among emotions with intensities 0..1, itself one of them.
+
+    Of several others the strongest counts. Continuous in all intensities; rising in its own, falling in the
+    other's where the rules' shares do.
+    """
+    own = company[name]
+    targets = emotion(name).targets(own)
+    others = {n: i for n, i in company.items() if n != name}
+    if not others:
+        return targets
+    other = max(others, key=lambda n: (others[n], n))
+    return dict(_kept(targets, fuzzy_table(), name, other, own - others[other], others[other]))
+
+
+def _kept(
+    targets: Mapping[str, float], table: FuzzyTable, name: str, other: str, difference: float, strength: float
+) -> Iterator[tuple[str, float]]:
+    keeps = table.keeps(name, other)
+    upper, lower = (concluded(difference, table.difference, s) for s in (keeps.upper, keeps.lower))
+    for parameter, value in targets.items():
+        share = upper if PARAMETERS[INDEX[parameter]].group in UPPER else lower
+        # What is hardly felt takes nothing away.
+        yield parameter, value * (1.0 - strength * (1.0 - share))
+
+
+def blended(company: Mapping[str, float]) -> dict[str, float]:
+    """Return the values of emotions displayed together: of each parameter the one furthest from rest."""
+    total: dict[str, float] = {}
+    for name in company:
+        for parameter, value in blend_targets(name, company).items():
+            total[parameter] = max(total.get(parameter, 0.0), value, key=abs)
+    return {p.name: total[p.name] for p in PARAMETERS if p.name in total}

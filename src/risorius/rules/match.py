@@ -1,0 +1,223 @@
+"""The matcher: rules × units → events. Rules propose; `settle` decides which of rival events happen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..core.action_units import resolve_targets
+from ..core.parameters import INDEX, PARAMETERS, parameters_named
+from .conduct import Conduct, is_under, rate_of, size_of
+from .emotions import emotion, emotion_key
+from .markup import markup_table
+from .rule import ANY, NOTHING_FELT, Anchor, Rule, When
+from .synchrony import Span, snapped, synchrony
+from .units import Unit, Units
+
+LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
+EYES = ("gaze_pitch", "gaze_yaw")
+SIDED = ("head_yaw", "head_roll", "gaze_yaw")
+# Events of one part of the face closer than this would be one movement, seconds.
+APART = 0.05
+
+Generators = Callable[[str], np.random.Generator]
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """What a rule makes of a unit. `targets`: its own, scaled; `size`: how far its gesture goes."""
+
+    rule: Rule
+    unit: Unit
+    span: Span
+    targets: Mapping[str, float]
+    size: float
+
+    @property
+    def moves(self) -> frozenset[str]:
+        """The parameters that it moves."""
+        effect = self.rule.effect
+        names = set(self.targets)
+        if effect.gesture is not None:
+            names.add(markup_table().head[effect.gesture].parameter)
+        if effect.look is not None:
+            names.update(EYES)
+        if effect.blink is not None:
+            names.update(LIDS)
+        return frozenset(names)
+
+
+def events_of(
+    rules: Iterable[Rule],
+    units: Units,
+    generators: Generators,
+    *,
+    conduct: Sequence[Conduct] = (),
+    side: float = 0.0,
+) -> list[Event]:
+    """Return all events that rules propose, in order of time and id.
+
+    A rule draws for every unit of its level, whether or not it fits, from its own generator: what another
+    rule, an emotion or a profile changes leaves its other events as they are. `side`: how much the speaker
+    prefers the left, -1 to 1.
+    """
+    found = [e for rule in rules for e in _matched(rule, units, generators(rule.id), conduct, side)]
+    return sorted(found, key=lambda e: (e.span.start, e.rule.id))
+
+
+def _matched(
+    rule: Rule, units: Units, rng: np.random.Generator, conduct: Sequence[Conduct], side: float
+) -> Iterator[Event]:
+    tried = units.of(rule.level)
+    chances = rng.random(len(tried))
+    sizes, sides = rng.standard_normal(len(tried)), rng.random(len(tried))
+    for index, unit in enumerate(tried):
+        if not fits(rule.when, unit):
+            continue
+        ways = (*conduct, *felt_conduct(unit.emotions))
+        if chances[index] >= rule.probability * rate_of(rule.id, ways):
+            continue
+        draw = min(unit.group, len(tried) - 1) if rule.effect.grouped else index
+        size = size_of(rule.id, ways) * max(
+            0.3, 1.0 + rule.effect.vary * float(np.clip(sizes[draw], -2.0, 2.0))
+        )
+        left = sides[draw] < 0.5 * (1.0 + side)
+        yield _event(rule, unit, units, size, mirrored=rule.effect.mirror and not left)
+
+
+def felt_conduct(felt: Mapping[str, float]) -> tuple[Conduct, ...]:
+    """Return how emotions with their intensities change conduct."""
+    return tuple(emotion(name).conduct.at(intensity) for name, intensity in felt.items())
+
+
+def fits(when: When, unit: Unit) -> bool:
+    """Tell whether a unit is all that a rule asks for."""
+    return (
+        _labelled(when.accent, [a.label for a in unit.accents])
+        and when.nuclear in (None, any(a.nuclear for a in unit.accents))
+        and _labelled(when.boundary, [unit.boundary] if unit.boundary else [])
+        and (not when.pause or unit.pause in when.pause)
+        and (not when.question or unit.question in when.question)
+        and (not when.stress or unit.stress in when.stress)
+        and (not when.position or unit.position in when.position)
+        and (not when.phones or unit.phone in when.phones)
+        and (not when.words or not unit.words.isdisjoint(when.words))
+        and _within(when.rate, unit.rate)
+        and _within(when.lasting, unit.end - unit.start)
+        and (not when.turn or unit.turn in when.turn)
+        and _felt(when, unit.emotions)
+    )
+
+
+def _labelled(wanted: Sequence[str], found: Sequence[str]) -> bool:
+    return not wanted or any(ANY in wanted or label in wanted for label in found)
+
+
+def _within(limits: tuple[float, float] | None, value: float) -> bool:
+    return limits is None or limits[0] <= value <= limits[1]
+
+
+def _felt(when: When, felt: Mapping[str, float]) -> bool:
+    strongest = max(felt, key=lambda name: (felt[name], name), default=NOTHING_FELT)
+    if when.intensity and felt.get(strongest, 0.0) < when.intensity:
+        return False
+    return not when.emotion or strongest in {_canonical(name) for name in when.emotion}
+
+
+def _canonical(name: str) -> str:
+    return name if name == NOTHING_FELT else emotion_key(name)
+
+
+def _event(rule: Rule, unit: Unit, units: Units, size: float, *, mirrored: bool) -> Event:
+    if not rule.effect.grouped:
+        size *= synchrony().size.factor(unit.rate)
+    span = _span(rule, unit)
+    if rule.timing.snap:
+        span = snapped(span, units.boundaries)
+    return Event(rule, unit, _inside(span, units.situation.duration), _targets(rule, size, mirrored), size)
+
+
+def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
+    targets = {}
+    effect = rule.effect
+    given = resolve_targets(effect.targets)
+    if effect.emblem is not None:
+        size = min(size * effect.size, 1.0)
+        given |= emotion(effect.emblem).emblem_targets(1.0)
+    for name, value in given.items():
+        parameter = PARAMETERS[INDEX[name]]
+        sign = -1.0 if mirrored and name in SIDED else 1.0
+        targets[name] = float(np.clip(sign * size * value, parameter.low, parameter.high))
+    return targets
+
+
+def _span(rule: Rule, unit: Unit) -> Span:
+    timing = rule.timing
+    tempo = synchrony().duration.factor(unit.rate)
+    onset, offset = timing.onset * tempo, timing.offset * tempo
+    start = _anchored(timing.at, unit) - timing.lead
+    if timing.at is Anchor.WHOLE:
+        end = max(unit.end, start + 0.1)
+        scale = min(1.0, (end - start) / max(onset + offset, 1e-9))
+        return Span(start, start + scale * onset, end - scale * offset, end)
+    held = unit.end if timing.apex is None else start + onset + timing.apex * tempo
+    release = max(held, start + onset)
+    return Span(start, start + onset, release, release + offset)
+
+
+def _anchored(at: Anchor, unit: Unit) -> float:
+    if at is Anchor.ACCENT and unit.accented is not None:
+        return unit.accented
+    return {Anchor.MIDDLE: unit.middle, Anchor.END: unit.end}.get(at, unit.start)
+
+
+def _inside(span: Span, duration: float) -> Span:
+    """Return a span that starts at 0 at the earliest and before the end of the clip."""
+    moved = max(-span.start, 0.0)
+    start, apex, release, end = (t + moved for t in (span.start, span.apex, span.release, span.end))
+    return Span(start, apex, release, min(end, max(duration, start + 1e-3)))
+
+
+def settle(events: Iterable[Event], taken: Iterable[tuple[float, float, frozenset[str]]] = ()) -> list[Event]:
+    """Return the events that happen, in order.
+
+    Those that another's rule pauses do not; nor, regulators apart, those that move what the script moves at
+    the time: `taken` are its spans and parameters. Of two that start together in one part the larger stays.
+    """
+    spans = list(taken)
+    found = [e for e in events if not _is_taken(e, spans)]
+    pausing = [e for e in found if e.rule.pauses]
+    return _apart([e for e in found if not any(_pauses(other, e) for other in pausing)])
+
+
+def _is_taken(event: Event, taken: Iterable[tuple[float, float, frozenset[str]]]) -> bool:
+    return event.rule.channel != "regulators" and any(
+        start < event.span.end and event.span.start < end and not event.moves.isdisjoint(names)
+        for start, end, names in taken
+    )
+
+
+def _pauses(other: Event, event: Event) -> bool:
+    meet = other.span.start < event.span.end and event.span.start < other.span.end
+    return meet and any(is_under(event.rule.id, prefix) for prefix in other.rule.pauses)
+
+
+def _apart(events: Sequence[Event]) -> list[Event]:
+    kept: dict[tuple[str, str], list[Event]] = {}
+    for event in sorted(events, key=lambda e: (e.span.start, e.rule.id)):
+        row = kept.setdefault((event.rule.channel, event.rule.part), [])
+        if row and event.span.start - row[-1].span.start < APART:
+            if _weight(event) > _weight(row[-1]):
+                row[-1] = event
+        else:
+            row.append(event)
+    return sorted((e for row in kept.values() for e in row), key=lambda e: (e.span.start, e.rule.id))
+
+
+def _weight(event: Event) -> float:
+    effect = event.rule.effect
+    gesture = markup_table().head[effect.gesture].amplitude * effect.size if effect.gesture else 0.0
+    return math.fsum(abs(v) for v in event.targets.values()) + event.size * (gesture + (effect.blink or 0.0))

@@ -1,0 +1,213 @@
+"""Who speaks and how: profiles of speakers, and attitudes that lie over them (paper B, section 3.2.1)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from ..core.action_units import resolve_targets
+from ..core.schema import Range, Source, build
+from ..core.toml import read_tables, read_text
+from ..errors import ParameterError, unknown
+from .conduct import Conduct, Factor
+from .load import DATA, load_folder
+
+NEUTRAL = "neutral"
+Seconds = Annotated[float, Range(0.0, 60.0)]
+Degrees = Annotated[float, Range(0.0, 60.0)]
+Share = Annotated[float, Range(0.0, 1.0)]
+Normal = tuple[Seconds, Seconds]
+"""Mean and standard deviation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Blinks:
+    """How the eyes are kept wet.
+
+    `manner`: "random" (paper A), "periodic" (paper B), "both" or "none". `wait`: no random blink so soon
+    after another, and one at the latest after three times as long; `period`: of periodic ones. `kinematics`:
+    "measured" or "paper" (paper B's, snapped to phonemes); closing, closed and opening seconds of the
+    measured. `incomplete`: the share of blinks that close only in part, within `depth`. `shift`: the
+    probability that a turn of the eyes by 33 degrees brings one.
+    """
+
+    manner: Literal["random", "periodic", "both", "none"]
+    wait: Annotated[float, Range(0.2, 60.0)]
+    period: Annotated[float, Range(0.5, 60.0)]
+    kinematics: Literal["measured", "paper"]
+    closing: Annotated[float, Range(0.04, 1.0)]
+    closed: Seconds
+    opening: Annotated[float, Range(0.04, 1.0)]
+    incomplete: Share
+    depth: tuple[Share, Share]
+    shift: Share
+
+
+@dataclass(frozen=True, slots=True)
+class Aversion:
+    """Looking away: mean and deviation of the seconds that it lasts and that pass before the next."""
+
+    length: Normal
+    gap: Normal
+
+
+@dataclass(frozen=True, slots=True)
+class Gaze:
+    """Where the eyes go when no rule says.
+
+    `speaking`, `listening`: how the eyes leave the listener; `directions`: weights of up, down and side;
+    `pitch`, `yaw`: mean and deviation of how far they go, degrees; `scan`: mean seconds of a fixation on the
+    listener's face, and its deviations in pitch and yaw.
+    """
+
+    speaking: Aversion
+    listening: Aversion
+    directions: Mapping[str, Annotated[float, Range(0.0, 1.0)]]
+    pitch: tuple[Degrees, Degrees]
+    yaw: tuple[Degrees, Degrees]
+    scan: Seconds
+    scan_pitch: Degrees
+    scan_yaw: Degrees
+
+
+@dataclass(frozen=True, slots=True)
+class Head:
+    """The smooth noise of a living head: deviations in degrees, seconds from one target to the next.
+
+    `comma`, `final`: what is left of it in such pauses; `listening`: while another speaks. `melody`: degrees
+    of pitch by standard deviation of a syllable's prominence, where the sound was measured.
+    """
+
+    pitch: Degrees
+    yaw: Degrees
+    roll: Degrees
+    dwell: tuple[Seconds, Seconds]
+    comma: Share
+    final: Share
+    listening: Share
+    melody: Degrees
+
+
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """A speaker. `side`: how much the left is preferred, -1 to 1. `posture`: targets held throughout.
+
+    `rates`, `sizes`: as in `Conduct`. `age`, `wrinkles`: the skin's, where the user does not choose; of the
+    head where None.
+    """
+
+    name: str
+    description: str
+    source: str
+    blinks: Blinks
+    gaze: Gaze
+    head: Head
+    side: Annotated[float, Range(-1.0, 1.0)] = 0.0
+    rates: Mapping[str, Factor] = field(default_factory=dict)
+    sizes: Mapping[str, Factor] = field(default_factory=dict)
+    posture: Mapping[str, float] = field(default_factory=dict)
+    age: Annotated[float, Range(0.0, 100.0)] | None = None
+    wrinkles: Mapping[str, Annotated[float, Range(0.0, 2.0)]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        resolve_targets(self.posture)
+        for name in self.gaze.directions:
+            if name not in ("up", "down", "side"):
+                raise ParameterError(unknown("direction", name, ("up", "down", "side")))
+
+    @property
+    def conduct(self) -> Conduct:
+        """What the speaker does more or less of."""
+        return Conduct(self.rates, self.sizes)
+
+
+@dataclass(frozen=True, slots=True)
+class Attitude:
+    """What the speaker wants to convey: changes of conduct, and targets held throughout."""
+
+    name: str
+    description: str
+    source: str
+    rates: Mapping[str, Factor] = field(default_factory=dict)
+    sizes: Mapping[str, Factor] = field(default_factory=dict)
+    posture: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        resolve_targets(self.posture)
+
+    @property
+    def conduct(self) -> Conduct:
+        """What the speaker does more or less of."""
+        return Conduct(self.rates, self.sizes)
+
+
+@cache
+def profiles() -> Mapping[str, Profile]:
+    """Return the package's profiles by name."""
+    texts = _texts()
+    return {name: profile_from(text, f"profiles/{name}.toml", texts) for name, text in texts.items()}
+
+
+@cache
+def _texts() -> Mapping[str, str]:
+    folder = DATA / "profiles"
+    names = sorted(entry.name for entry in folder.iterdir() if entry.name.endswith(".toml"))
+    return {name.removesuffix(".toml"): (folder / name).read_text(encoding="utf-8") for name in names}
+
+
+def profile_from(text: str, name: str, bases: Mapping[str, str]) -> Profile:
+    """Return the profile of TOML `text`: what it leaves out stands in its base's, one of `bases`.
+
+    Raises InputError, with its place, if it does not fit.
+    """
+    source = Source(name, text)
+    data = read_tables(text, name)
+    seen = [data.get("name")]
+    while (base := data.get("base")) is not None:
+        if base not in bases:
+            raise source.error(("base",), unknown("profile", str(base), bases))
+        if base in seen:
+            raise source.error(("base",), f"profile '{base}' rests on itself; expected another base")
+        seen.append(base)
+        under = read_tables(bases[base], base)
+        data = {**_merged(under, data), "base": under.get("base")}
+    data.pop("base", None)
+    return build(Profile, data, source)
+
+
+def _merged(under: dict[str, Any], over: dict[str, Any]) -> dict[str, Any]:
+    both = {**under, **over}
+    for key in under.keys() & over.keys():
+        if isinstance(under[key], dict) and isinstance(over[key], dict):
+            both[key] = _merged(under[key], over[key])
+    return both
+
+
+@cache
+def attitudes() -> Mapping[str, Attitude]:
+    """Return the package's attitudes by name."""
+    return {a.name: a for a in load_folder(Attitude, "attitudes").values()}
+
+
+def profile_of(given: str) -> Profile:
+    """Return the profile of that name, or of a file (`.toml`) whose base, if any, is one of ours."""
+    if not given.endswith(".toml"):
+        return profile(given)
+    return profile_from(read_text(Path(given)), given, _texts())
+
+
+def profile(name: str) -> Profile:
+    """Return the profile `name`; raise ParameterError naming the nearest one if there is none."""
+    if name not in profiles():
+        raise ParameterError(unknown("profile", name, profiles()))
+    return profiles()[name]
+
+
+def attitude(name: str) -> Attitude:
+    """Return the attitude `name`; raise ParameterError naming the nearest one if there is none."""
+    if name not in attitudes():
+        raise ParameterError(unknown("attitude", name, attitudes()))
+    return attitudes()[name]

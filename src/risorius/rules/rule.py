@@ -1,0 +1,248 @@
+"""What a rule is: where it looks, what it asks for, what it does and when (paper B, sections 3.1 to 4.2).
+
+The dataclasses are the schema of the rule files: a key that they lack, an unknown phone, emotion, tone or
+action unit, and a probability above 1 are errors with their place.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from enum import StrEnum
+from typing import Annotated
+
+from ..core.action_units import resolve_targets
+from ..core.functions import ONSET_FUNCTIONS
+from ..core.schema import Range
+from ..core.tobi import boundary_tone, pitch_accent
+from ..core.utterance import PauseKind
+from ..errors import InputError, ParameterError, unknown
+from .emotions import emotion
+from .lips import lip_table
+from .markup import markup_table
+
+ANY = "any"
+AWAY = "away"
+Share = Annotated[float, Range(0.0, 1.0)]
+Seconds = Annotated[float, Range(0.0, 10.0)]
+Shift = Annotated[float, Range(-5.0, 5.0)]
+
+
+class Level(StrEnum):
+    """The stretches of a performance that a rule is tried on, one after another.
+
+    ITEM is the word, in slow speech the syllable (paper B, section 4.1). An UTTERANCE is a sentence, a TURN
+    all that is said up to the next listening, a MOMENT a second of the clip.
+    """
+
+    PHONEME = "phoneme"
+    SYLLABLE = "syllable"
+    WORD = "word"
+    ITEM = "item"
+    PHRASE = "phrase"
+    UTTERANCE = "utterance"
+    TURN = "turn"
+    PAUSE = "pause"
+    MOMENT = "moment"
+
+
+class Position(StrEnum):
+    """Where a unit stands among those of its level within the next larger stretch."""
+
+    FIRST = "first"
+    INNER = "inner"
+    LAST = "last"
+    ONLY = "only"
+
+
+class Question(StrEnum):
+    """How an utterance asks. UNMARKED: only the question mark tells (paper B, section 5.2)."""
+
+    NONE = "none"
+    WH = "wh"
+    YES_NO = "yes_no"
+    ALTERNATIVE = "alternative"
+    UNMARKED = "unmarked"
+
+
+class TurnState(StrEnum):
+    """Whose turn it is."""
+
+    SPEAKING = "speaking"
+    LISTENING = "listening"
+
+
+class Anchor(StrEnum):
+    """What of a unit a movement starts from; WHOLE spans it all."""
+
+    START = "start"
+    MIDDLE = "middle"
+    END = "end"
+    ACCENT = "accent"
+    WHOLE = "whole"
+
+
+@dataclass(frozen=True, slots=True)
+class When:
+    """What a unit must be; an empty condition asks for nothing.
+
+    `accent`, `boundary`: ToBI labels, or "any". `pause`: the pause's kind, or that of the one after the unit.
+    `rate`: lowest and highest, syllables a second; `lasting`: likewise, seconds. `emotion`: the strongest one
+    felt, by name, at `intensity` at least; "none" where nothing is felt.
+    """
+
+    accent: tuple[str, ...] = ()
+    nuclear: bool | None = None
+    boundary: tuple[str, ...] = ()
+    pause: tuple[PauseKind, ...] = ()
+    question: tuple[Question, ...] = ()
+    stress: tuple[Annotated[int, Range(-1, 2)], ...] = ()
+    position: tuple[Position, ...] = ()
+    phones: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
+    rate: tuple[float, float] | None = None
+    lasting: tuple[float, float] | None = None
+    emotion: tuple[str, ...] = ()
+    intensity: Share = 0.0
+    turn: tuple[TurnState, ...] = ()
+
+    def __post_init__(self) -> None:
+        for label in self.accent:
+            if label != ANY:
+                pitch_accent(label)
+        for label in self.boundary:
+            if label != ANY:
+                boundary_tone(label)
+        for phone in self.phones:
+            lip_table().shape(phone)
+        for name in self.emotion:
+            if name != NOTHING_FELT:
+                emotion(name)
+        for what, limits in (("rate", self.rate), ("lasting", self.lasting)):
+            if limits is not None and not 0.0 <= limits[0] < limits[1]:
+                raise InputError(
+                    f"{what} = {list(limits)} can never be met; expected [low, high], low < high"
+                )
+
+    def asked(self) -> tuple[str, ...]:
+        """Return the names of the conditions that ask for something."""
+        return tuple(f.name for f in fields(self) if getattr(self, f.name) not in ((), None, 0.0))
+
+
+NOTHING_FELT = "none"
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """What a rule does: targets at full size, a gesture of the head, a look, a blink.
+
+    `targets`: action units, muscles, degrees. `gesture`: a name in `markup.toml`, made `times` times at
+    `size` times its amplitude. `look`: a direction there; "away" draws one. `blink`: how far the lids close.
+    `emblem`: an emotion's. `vary`: the standard deviation of the size from one event to the next, as a share.
+    `mirror`: the head's turns and tilts go to either side, by the speaker's preference; `grouped`: alike for
+    related utterances.
+    """
+
+    targets: Mapping[str, float] = field(default_factory=dict)
+    gesture: str | None = None
+    times: Annotated[int, Range(1, 10)] = 1
+    size: Annotated[float, Range(0.0, 3.0)] = 1.0
+    look: str | None = None
+    blink: Share | None = None
+    emblem: str | None = None
+    vary: Annotated[float, Range(0.0, 1.0)] = 0.0
+    mirror: bool = False
+    grouped: bool = False
+
+    def __post_init__(self) -> None:
+        resolve_targets(self.targets)
+        table = markup_table()
+        if self.gesture is not None and self.gesture not in table.head:
+            raise ParameterError(unknown("gesture", self.gesture, table.head))
+        if self.look is not None and self.look not in table.gaze:
+            raise ParameterError(unknown("direction", self.look, table.gaze))
+        if self.emblem is not None:
+            emotion(self.emblem)
+        if not (self.targets or self.gesture or self.look or self.blink or self.emblem):
+            raise InputError("the effect does nothing; expected targets, gesture, look, blink or emblem")
+
+
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """When a rule's movement comes and goes, seconds.
+
+    It starts `lead` before the anchor, is held for `apex` (to the unit's end where None), and is snapped to
+    the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's where None.
+    """
+
+    at: Anchor = Anchor.START
+    lead: Shift = 0.0
+    onset: Seconds = 0.1
+    apex: Seconds | None = None
+    offset: Seconds = 0.2
+    snap: bool = True
+    function: str | None = None
+
+    def __post_init__(self) -> None:
+        if self.function is not None:
+            ONSET_FUNCTIONS.get(self.function)
+
+
+_ID = re.compile(r"[a-z_]+(?:\.[\w-]+){2,}")
+RULED_CHANNELS = ("signals", "punctuators", "regulators", "manipulators", "emotion", "gaze", "head")
+# Conditions that units of a level can meet; all others would keep a rule from ever firing.
+_ALWAYS = frozenset({"rate", "lasting", "emotion", "intensity", "turn"})
+_SPOKEN = frozenset({"accent", "nuclear", "boundary", "pause", "question", "stress", "position", "words"})
+CONDITIONS: Mapping[Level, frozenset[str]] = {
+    Level.PHONEME: _ALWAYS | {"phones", "stress", "position", "words", "question", "pause"},
+    Level.SYLLABLE: _ALWAYS | _SPOKEN,
+    Level.WORD: _ALWAYS | _SPOKEN,
+    Level.ITEM: _ALWAYS | _SPOKEN,
+    Level.PHRASE: _ALWAYS | (_SPOKEN - {"stress", "words", "nuclear"}),
+    Level.UTTERANCE: _ALWAYS | {"boundary", "pause", "question", "position"},
+    Level.TURN: _ALWAYS | {"question", "position"},
+    Level.PAUSE: _ALWAYS | {"pause", "question", "position"},
+    Level.MOMENT: _ALWAYS - {"lasting"},
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """One rule. `id`: the channel, the part that moves (a layer of the channel), and a name.
+
+    `pauses`: ids, or their beginnings up to a dot, of rules that do not act while this one does. `replaces`:
+    ids of the rules that this one stands for. `source`: where it comes from; `comment`: why it is so.
+    """
+
+    id: str
+    level: Level
+    effect: Effect
+    source: str
+    comment: str
+    when: When = field(default_factory=When)
+    timing: Timing = field(default_factory=Timing)
+    probability: Share = 1.0
+    pauses: tuple[str, ...] = ()
+    replaces: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.channel not in RULED_CHANNELS:
+            raise ParameterError(unknown(f"channel of rule '{self.id}'", self.channel, RULED_CHANNELS))
+        if not _ID.fullmatch(self.id):
+            raise InputError(f"rule id '{self.id}' cannot be used; expected channel.part.name")
+        for name in self.when.asked():
+            if name not in CONDITIONS[self.level]:
+                known = ", ".join(sorted(CONDITIONS[self.level]))
+                message = f"rule '{self.id}' can never fire: no {self.level} has '{name}'; expected {known}"
+                raise InputError(message)
+
+    @property
+    def channel(self) -> str:
+        """The channel that performs it."""
+        return self.id.partition(".")[0]
+
+    @property
+    def part(self) -> str:
+        """The part of the face that moves."""
+        return self.id.split(".")[1]

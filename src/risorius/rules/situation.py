@@ -1,0 +1,36 @@
+"""What a performance is about, as rules see it: what is said, what is felt, whose turn it is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ..core.utterance import Utterance
+from .emotions import Display, emotion_key
+from .rule import TurnState
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """`felt`: emotions with their spans. `listening`: spans of listening in order, seconds."""
+
+    duration: float
+    utterance: Utterance | None = None
+    felt: tuple[Display, ...] = ()
+    listening: tuple[tuple[float, float], ...] = ()
+
+    def emotions_at(self, time: float) -> Mapping[str, float]:
+        """Return the emotions felt at a time, by name, with their intensities 0..1."""
+        found: dict[str, float] = {}
+        for display in self.felt:
+            start = 0.0 if display.start is None else display.start
+            end = self.duration if display.end is None else display.end
+            if start <= time <= end:
+                name = emotion_key(display.emotion)
+                found[name] = max(found.get(name, 0.0), display.intensity)
+        return found
+
+    def turn_at(self, time: float) -> TurnState:
+        """Return whose turn it is at a time."""
+        heard = any(start <= time < end for start, end in self.listening)
+        return TurnState.LISTENING if heard else TurnState.SPEAKING

@@ -1,0 +1,82 @@
+"""Synchrony: movements begin, arrive, leave and end where phonemes do (paper B, sections 3.1 and 5.2)."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated
+
+from ..core.schema import Range
+from .load import load
+from .units import USUAL_RATE
+
+Exponent = Annotated[float, Range(0.0, 2.0)]
+
+
+@dataclass(frozen=True, slots=True)
+class RateLaw:
+    """The factor (usual / rate) ^ exponent within limits."""
+
+    exponent: Exponent
+    limits: tuple[float, float]
+
+    def factor(self, rate: float) -> float:
+        """Return the factor at a rate in syllables a second."""
+        low, high = self.limits
+        factor: float = (USUAL_RATE / max(rate, 0.1)) ** self.exponent
+        return min(max(factor, low), high)
+
+
+@dataclass(frozen=True, slots=True)
+class Synchrony:
+    """The table `synchrony.toml`. `reach`: seconds to a phoneme's boundary at most."""
+
+    reach: Annotated[float, Range(0.0, 1.0)]
+    duration: RateLaw
+    size: RateLaw
+
+
+@cache
+def synchrony() -> Synchrony:
+    """Return the package's table."""
+    return load(Synchrony, "synchrony.toml")
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """When a movement starts, is there, begins to leave and has ended, seconds, in that order."""
+
+    start: float
+    apex: float
+    release: float
+    end: float
+
+
+def snapped(span: Span, boundaries: Sequence[float]) -> Span:
+    """Return a span with each time moved to the closest phoneme boundary within reach.
+
+    The apex is where the time from the new start is closest to the onset, and likewise the end. Onset and
+    offset keep a length: where one would vanish, its time stays unsnapped.
+    """
+    start = nearest(span.start, boundaries)
+    onset, offset = span.apex - span.start, span.end - span.release
+    apex = _after(start, start + onset, boundaries) if onset > 0.0 else start
+    release = max(nearest(max(span.release, apex), boundaries), apex)
+    end = _after(release, release + offset, boundaries) if offset > 0.0 else release
+    return Span(start, apex, release, end)
+
+
+def nearest(time: float, boundaries: Sequence[float], reach: float | None = None) -> float:
+    """Return the boundary closest to a time, the time itself where none is within reach."""
+    reach = synchrony().reach if reach is None else reach
+    index = bisect_left(boundaries, time)
+    near = boundaries[max(0, index - 1) : index + 1]
+    best = min(near, key=lambda b: abs(b - time), default=time)
+    return best if abs(best - time) <= reach else time
+
+
+def _after(earlier: float, wanted: float, boundaries: Sequence[float]) -> float:
+    found = nearest(wanted, boundaries)
+    return found if found > earlier else wanted

@@ -1,0 +1,90 @@
+"""Amounts in SSML's attributes: times, factors, semitones, decibels."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+
+from ..errors import InputError, ParameterError, unknown
+from .anchor import NUMBER
+from .elements import Attribute
+from .quote import one_line, quoted
+from .tree import Node, Unknowns
+
+LONGEST_BREAK = 60.0
+_SECONDS = re.compile(rf"({NUMBER})(ms|s)", re.ASCII)
+_AMOUNT = re.compile(rf"([+-]?)({NUMBER})(%|st|Hz|dB)?", re.ASCII | re.IGNORECASE)
+
+
+def read_seconds(attribute: Attribute) -> float:
+    """Return a time such as `250ms` or `2s`; raise InputError if it is none."""
+    match = _SECONDS.fullmatch(attribute.value.strip())
+    seconds = float(match[1]) * (0.001 if match[2] == "ms" else 1.0) if match else -1.0
+    if not 0.0 <= seconds <= LONGEST_BREAK:
+        shown = f"{attribute.name} = {quoted(attribute.value)}"
+        raise InputError(
+            f"{shown} is no time; expected e.g. 250ms or 2s, {LONGEST_BREAK:g}s at most", attribute.place
+        )
+    return seconds
+
+
+def factor(node: Node, name: str, words: Mapping[str, float]) -> float:
+    """Return a factor: a word of the table, `120%` of the usual, or a change such as `+20%`."""
+    attribute = node.get(name)
+    if attribute is None:
+        return 1.0
+    value = attribute.value.strip()
+    if value in words:
+        return words[value]
+    match = _AMOUNT.fullmatch(value)
+    if match is None or match[3] not in ("%", None):
+        raise _no_amount(attribute, (*words, "120%", "+20%"))
+    amount = float(match[2]) * (0.01 if match[3] else 1.0)
+    factor = 1.0 + amount if match[1] == "+" else 1.0 - amount if match[1] == "-" else amount
+    if not 0.1 <= factor <= 10.0:
+        raise InputError(f"{name} = {quoted(value)} is out of range; expected 10% to 1000%", attribute.place)
+    return factor
+
+
+def semitones(unknowns: Unknowns, node: Node, words: Mapping[str, float]) -> float:
+    """Return a pitch in semitones from the usual: a word of the table, `+2st` or `+10%`."""
+    attribute = node.get("pitch")
+    if attribute is None:
+        return 0.0
+    value = attribute.value.strip()
+    if value in words:
+        return words[value]
+    match = _AMOUNT.fullmatch(value)
+    if match is None or (match[3] or "").lower() not in ("%", "st", "hz"):
+        raise _no_amount(attribute, (*words, "+2st", "+10%"))
+    if match[3].lower() == "hz":
+        unknowns.tell("pitch in Hz", attribute.place)
+        return 0.0
+    amount = float(match[1] + match[2])
+    if match[3] == "%":
+        share = 1.0 + 0.01 * amount if match[1] else 0.01 * amount
+        amount = 12.0 * math.log2(max(share, 0.01))
+    if not -24.0 <= amount <= 24.0:
+        raise InputError(
+            f"pitch = {quoted(value)} is out of range; expected two octaves at most", attribute.place
+        )
+    return amount
+
+
+def decibels(node: Node, words: Mapping[str, float]) -> float:
+    """Return a volume in dB from the usual: a word of the table, or `+6dB`."""
+    attribute = node.get("volume")
+    if attribute is None:
+        return 0.0
+    value = attribute.value.strip()
+    if value in words:
+        return words[value]
+    match = _AMOUNT.fullmatch(value)
+    if match is None or (match[3] or "").lower() != "db":
+        raise _no_amount(attribute, (*words, "+6dB"))
+    return max(-60.0, min(float(match[1] + match[2]), 12.0))
+
+
+def _no_amount(attribute: Attribute, known: Sequence[str]) -> ParameterError:
+    return ParameterError(unknown(attribute.name, one_line(attribute.value), known), attribute.place)

@@ -1,0 +1,176 @@
+"""BML 1.0 blocks: speech with sync points, and behaviours of face, gaze and head around it.
+
+A new behaviour is a function in `bml_behaviours`, and its lines there and in `bml_shapes`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+from ..errors import InputError, Place, RisoriusError, unknown
+from .anchor import Anchor, Base
+from .apart import check_apart
+from .bml_behaviours import BEHAVIOURS, Times
+from .bml_shapes import ANY, ATTRIBUTES, SHAPES
+from .bml_speech import in_text, read_words
+from .model import Mark, Script, SpokenLine, script_of
+from .quote import one_line
+from .speakable import check_speakable
+from .sync import Behaviour, Timetable, read_reference
+from .tree import Node, Unknowns, read_tree
+
+ROOT = "bml"
+SPEECH = "speech"
+
+
+def parse_bml(text: str, source: str = "text") -> Script:
+    """Return the script of a BML block.
+
+    Raises InputError or ParameterError, with file, line and column, for anything that is not as expected;
+    warns (ScriptWarning) of what is not understood.
+    """
+    reading = _Reading(source)
+    for node in read_tree(text, source, ROOT).elements():
+        reading.add(node)
+    return reading.script()
+
+
+@dataclass
+class _Reading:
+    """What has been read of a block."""
+
+    source: str
+    unknowns: Unknowns = field(default_factory=Unknowns)
+    behaviours: dict[str, Behaviour] = field(default_factory=dict)
+    nodes: dict[str, Node] = field(default_factory=dict)
+    lines: dict[str, SpokenLine] = field(default_factory=dict)
+    constraints: list[Node] = field(default_factory=list)
+
+    def add(self, node: Node) -> None:
+        """Take up a behaviour, a constraint, or what a container holds."""
+        if node.name == "required":
+            for child in node.elements():
+                self.add(child)
+        elif node.name == "constraint":
+            self.constraints += node.elements()
+        elif node.name == "face":
+            self._face(node)
+        elif node.name == SPEECH:
+            self._speak(node)
+        elif node.name in SHAPES:
+            self._behave(node)
+        else:
+            self.unknowns.tell(f"<{one_line(node.written)}>", node.place)
+
+    def _face(self, node: Node) -> None:
+        """Take up what a face holds, or, where it holds nothing, the face itself."""
+        held = list(node.elements())
+        kind = "faceFacs" if node.get("au") is not None else "faceLexeme"
+        for child in held or [replace(node, name=kind)]:
+            self.add(child.inheriting(node))
+
+    def _behave(self, node: Node) -> None:
+        name = self._name(node)
+        self.unknowns.check(node, (*ANY, *SHAPES[node.name](node), *ATTRIBUTES[node.name]))
+        behaviour = Behaviour(name, node.place, SHAPES[node.name](node))
+        for point in behaviour.shape:
+            if (attribute := node.get(point)) is not None:
+                behaviour.given[point] = read_reference(attribute)
+        self.behaviours[name] = behaviour
+        self.nodes[name] = node
+
+    def _name(self, node: Node) -> str:
+        given = node.get("id")
+        name = given.value.strip() if given is not None else f"{node.name}.{len(self.behaviours) + 1}"
+        if name in self.behaviours:
+            place = given.place if given is not None else node.place
+            raise InputError(f"id '{one_line(name)}' is given twice; expected another", place)
+        return name
+
+    def _speak(self, node: Node) -> None:
+        name = self._name(node)
+        offset = sum(len(line.text) + 1 for line in self.lines.values())
+        text, directions = read_words(node, self.unknowns)
+        check_speakable(text, self.source, node.place)
+        if (end := node.get("end")) is not None:
+            self.unknowns.tell("end of <speech>", end.place)
+        begin = node.get("start")
+        line = SpokenLine(text, None, node.place, directions=directions)
+        reference = read_reference(begin) if begin is not None else None
+        self.lines[name] = line
+        fixed = {sync.name: in_text(sync, text, offset) for sync in directions.syncs}
+        fixed["start"] = Anchor(Base.TEXT, 0.0, character=offset, place=node.place)
+        fixed["end"] = Anchor(Base.TEXT_END, 0.0, character=offset + len(text), place=node.place)
+        given = {"start": reference} if reference is not None else {}
+        self.behaviours[name] = Behaviour(name, node.place, {}, given, fixed)
+
+    def _constrain(self, node: Node) -> None:
+        """Let points of behaviours follow another point."""
+        if node.name not in ("synchronize", "after", "before"):
+            self.unknowns.tell(f"<{one_line(node.written)}>", node.place)
+            return
+        reference = read_reference(node.required("ref", 'ref="speech1:start"'))
+        for child in node.elements():
+            behaviour, point, seconds = self._point(child)
+            if node.name != "synchronize" and point in behaviour.given:
+                self.unknowns.tell(f"<{node.name}> for a point with a time", child.place, "the point stays")
+                continue
+            # "after" and "before" hold at the very moment, too.
+            behaviour.given[point] = replace(reference, seconds=reference.seconds - seconds)
+
+    def _point(self, node: Node) -> tuple[Behaviour, str, float]:
+        """Return the point that a constraint's `<sync ref="…">` names, and the seconds it names after it."""
+        target = read_reference(node.required("ref", 'ref="gaze1:start"'))
+        if node.name != "sync" or target.point is None:
+            raise InputError(f'<{node.name}>: expected e.g. <sync ref="gaze1:start" />', node.place)
+        name, point = target.point
+        if name not in self.behaviours:
+            known: tuple[str, ...] = tuple(self.behaviours) or ("none",)
+            raise InputError(unknown("behaviour", one_line(name), known), target.place)
+        shape = self.behaviours[name].shape
+        if point not in shape:
+            known = tuple(shape) or ("none that can be moved",)
+            raise InputError(unknown(f"sync point of '{name}'", one_line(point), known), target.place)
+        return self.behaviours[name], point, target.seconds
+
+    def script(self) -> Script:
+        """Return what has been read, all references resolved."""
+        for node in self.constraints:
+            self._constrain(node)
+        table = Timetable(self.behaviours)
+        marks = [mark for name in self.nodes for mark in self._marks(name, table)]
+        check_apart((mark, mark.start) for mark in marks)
+        if not marks and not self.lines:
+            raise InputError("nothing is said or shown; expected a behaviour", Place(self.source, 1))
+        lines = tuple(self._placed(name) for name in self.lines)
+        return script_of(lines, tuple(marks), timed=True, source=self.source)
+
+    def _marks(self, name: str, table: Timetable) -> Iterator[Mark]:
+        node = self.nodes[name]
+        times = Times(name, table)
+        try:
+            yield from BEHAVIOURS[node.name](node, times, self.unknowns)
+        except RisoriusError as error:
+            raise error.at(node.place) from None
+
+    def _placed(self, name: str) -> SpokenLine:
+        """Return a spoken line with its time: seconds, or how long after the one before."""
+        line = self.lines[name]
+        begin = self.behaviours[name].given.get("start")
+        if begin is None:
+            return line
+        if begin.point is None:
+            return replace(line, start=begin.seconds)
+        names = list(self.lines)
+        before = names[names.index(name) - 1] if names.index(name) else None
+        if begin.point[0] not in self.behaviours:
+            raise InputError(unknown("behaviour", one_line(begin.point[0]), self.behaviours), begin.place)
+        if begin.point[0] == name:
+            raise InputError(
+                f"a cycle of sync references: {name}:start → {':'.join(begin.point)}", begin.place
+            )
+        if begin.point != (before, "end") or begin.seconds < 0.0:
+            message = "speech starts at a time or after the end of the speech before; expected e.g. "
+            raise InputError(f'{message}start="{before or "speech1"}:end+0.5"', begin.place)
+        return replace(line, gap=begin.seconds)

@@ -1,0 +1,81 @@
+"""BML's behaviours: what each may say, and the sync points that it has by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from ..core.parameters import INDEX, PARAMETERS
+from ..rules.bml import bml_table
+from ..rules.markup import markup_table
+from ..rules.timing import channel_timing
+from .gestures import MOST_REPETITIONS, strokes_of
+from .model import Stroke
+from .tree import Node
+
+USUAL_AMOUNT = 0.5
+SHIFT_SECONDS = 0.4
+_HEAD_POINTS = ("start", "ready", "strokeStart", "stroke", "strokeEnd", "relax", "end")
+# What any behaviour may say beside its sync points, and each of them.
+ANY = ("id",)
+_DIRECTED = ("target", "influence", "offsetAngle", "offsetDirection")
+ATTRIBUTES: Mapping[str, tuple[str, ...]] = {
+    "faceLexeme": ("lexeme", "amount"),
+    "faceFacs": ("au", "side", "amount"),
+    "faceShift": ("lexeme", "au", "side", "amount"),
+    "gaze": _DIRECTED,
+    "gazeShift": _DIRECTED,
+    "head": ("lexeme", "repetition", "amount"),
+    "headDirectionShift": _DIRECTED,
+}
+
+
+def limited(values: Mapping[str, float]) -> dict[str, float]:
+    """Return the values of parameters, each within its range."""
+    parameters = {name: PARAMETERS[INDEX[name]] for name in values}
+    return {
+        name: min(max(value, parameters[name].low), parameters[name].high) for name, value in values.items()
+    }
+
+
+def gesture_of(node: Node) -> tuple[tuple[Stroke, ...], dict[str, float], float]:
+    """Return the strokes, targets and seconds of a head's lexeme."""
+    gestures = markup_table().head
+    node.required("lexeme", 'lexeme="NOD"')
+    gesture = gestures[node.choice("lexeme", tuple(gestures), "nod")]
+    times = int(node.number("repetition", 1, MOST_REPETITIONS, 1))
+    size = gesture.amplitude * node.number("amount", 0.0, 1.0, USUAL_AMOUNT) / USUAL_AMOUNT
+    strokes = strokes_of(gesture, times)
+    return strokes, limited({gesture.parameter: size}), gesture.seconds * (len(strokes) + 1)
+
+
+def _face_shape(node: Node) -> Mapping[str, float]:
+    timing, length = channel_timing("signals"), bml_table().duration.face
+    return {"start": 0.0, "attackPeak": timing.onset, "relax": length - timing.offset, "end": length}
+
+
+def _gaze_shape(node: Node) -> Mapping[str, float]:
+    timing, length = channel_timing("gaze"), bml_table().duration.gaze
+    return {"start": 0.0, "ready": timing.onset, "relax": length - timing.offset, "end": length}
+
+
+def _shift_shape(node: Node) -> Mapping[str, float]:
+    return {"start": 0.0, "end": SHIFT_SECONDS}
+
+
+def _head_shape(node: Node) -> Mapping[str, float]:
+    _, _, seconds = gesture_of(node)
+    # Ready at the start; the strokes lie in the middle, and the last swing leads back to rest.
+    shares = (0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0)
+    return {point: share * seconds for point, share in zip(_HEAD_POINTS, shares, strict=True)}
+
+
+SHAPES: Mapping[str, Callable[[Node], Mapping[str, float]]] = {
+    "faceLexeme": _face_shape,
+    "faceFacs": _face_shape,
+    "faceShift": _shift_shape,
+    "gaze": _gaze_shape,
+    "gazeShift": _shift_shape,
+    "head": _head_shape,
+    "headDirectionShift": _shift_shape,
+}
+"""The sync points of each behaviour in seconds after its start."""

@@ -1,0 +1,56 @@
+"""What BML's speech says, and where its sync points lie in the text."""
+
+from __future__ import annotations
+
+from ..errors import InputError
+from .anchor import Anchor, Base
+from .directions import Directions, Sync
+from .quote import one_line
+from .ssml import ROOT as SSML_ROOT
+from .ssml import Writer
+from .tree import Node, Unknowns
+
+SSML_TYPE = "application/ssml+xml"
+
+
+class _SpeechWriter(Writer):
+    """Writes a speech's text; `<sync id="tm1"/>` names a place in it."""
+
+    def perform(self, node: Node) -> None:
+        """Do what an element asks for."""
+        if node.name != "sync":
+            super().perform(node)
+            return
+        name = node.required("id", 'id="tm1"').value.strip()
+        if any(sync.name == name for sync in self.syncs):
+            raise InputError(f"sync point '{one_line(name)}' is set twice; expected it once", node.place)
+        self.syncs.append(Sync(name, len(self.text), node.place))
+
+
+def read_words(node: Node, unknowns: Unknowns) -> tuple[str, Directions]:
+    """Return what a speech says: its SSML where it has some, else its text."""
+    parts = [child for child in node.children if isinstance(child, Node)]
+    writer = _SpeechWriter(unknowns)
+    for part in parts:
+        if part.name == "description" and (part.text_of("type") or SSML_TYPE) == SSML_TYPE:
+            inner = [c for c in part.children if isinstance(c, Node) and c.name == SSML_ROOT]
+            for speak in inner:
+                writer.write(speak)
+            if inner:
+                return writer.finished()
+        elif part.name == "description":
+            unknowns.tell(f"description of type '{one_line(part.text_of('type') or '')}'", part.place)
+        elif part.name != "text":
+            unknowns.tell(f"<{one_line(part.name)}> in <speech>", part.place)
+    texts = [part for part in parts if part.name == "text"]
+    if not texts:
+        raise InputError("<speech>: text is missing; expected <text>Hello.</text>", node.place)
+    writer.write(texts[0])
+    return writer.finished()
+
+
+def in_text(sync: Sync, text: str, offset: int) -> Anchor:
+    """Return when a sync point of a speech is reached, whose text begins at `offset` of the script's."""
+    if sync.at >= len(text):
+        return Anchor(Base.TEXT_END, 0.0, character=offset + len(text), place=sync.place)
+    return Anchor(Base.TEXT, 0.0, character=offset + sync.at, place=sync.place)

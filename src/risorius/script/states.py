@@ -1,0 +1,30 @@
+"""What a script says about the speaker's state: emotions felt, and when the other one speaks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ..core.utterance import Word
+from ..rules.emotions import Display
+from .model import Mark, MarkKind, Script
+
+
+def felt_in(script: Script, words: Sequence[Word], duration: float) -> tuple[Display, ...]:
+    """Return the emotions that the script marks as felt, with their spans in seconds."""
+    return tuple(display for mark in script.marks for display in _displays(mark, words, duration))
+
+
+def _displays(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[Display]:
+    start, end = mark.start.resolve(words, duration), mark.end.resolve(words, duration)
+    for name, intensity in mark.emotions.items():
+        yield Display(name, intensity, start, end)
+
+
+def listening_in(script: Script, words: Sequence[Word], duration: float) -> tuple[tuple[float, float], ...]:
+    """Return the spans of listening in order, seconds; one that is marked twice counts once."""
+    spans = {
+        (mark.start.resolve(words, duration), mark.end.resolve(words, duration))
+        for mark in script.marks
+        if mark.kind is MarkKind.LISTEN
+    }
+    return tuple(sorted(spans))

@@ -1,0 +1,152 @@
+"""`.TextGrid`: labelled intervals and points, as Praat and forced aligners write them, long or short.
+
+The format is a stream of free-standing numbers, quoted strings and flags; all else (names, equals signs,
+indices in brackets, comments) is for the reader's eye (Praat manual, "TextGrid file formats"). So both forms
+are read by the same rules, and every label keeps its line.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from ..errors import InputError, Place
+from .files import decode, names_something
+from .quote import LONGEST_PATH, one_line, quoted
+
+MAX_BYTES = 64_000_000
+INTERVALS, POINTS = "IntervalTier", "TextTier"
+# Free-standing: not within a word such as "item[1]" or "xmin2".
+_TOKEN = re.compile(
+    r'"(?P<string>(?:[^"]|"")*)"|(?<![^\s])(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?%?)(?![^\s])'
+    r"|(?P<flag><[a-z]+>)|(?P<comment>!.*)"
+)
+
+
+class Label(NamedTuple):
+    """A label on [start, end] seconds, or at a point where both are the same; its line in the file."""
+
+    start: float
+    end: float
+    text: str
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Tier:
+    """Labels in the order of the file; `kind` is INTERVALS or POINTS."""
+
+    name: str
+    kind: str
+    labels: tuple[Label, ...]
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class TextGrid:
+    """Tiers over [start, end] seconds, and the file's name."""
+
+    source: str
+    start: float
+    end: float
+    tiers: tuple[Tier, ...]
+
+
+def read_textgrid(path: str) -> TextGrid:
+    """Return a TextGrid file's tiers; raise InputError, with the line, for what is none."""
+    place = Place(one_line(path, LONGEST_PATH))
+    if not names_something(path):
+        raise InputError("there is no such file; expected a TextGrid", place)
+    try:
+        with Path(path).open("rb") as source:
+            data = source.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}", place) from None
+    if len(data) > MAX_BYTES:
+        raise InputError(f"is larger than {MAX_BYTES:,} bytes; expected less", place)
+    return parse_textgrid(decode(data, place.file), place.file)
+
+
+def parse_textgrid(text: str, source: str = "text") -> TextGrid:
+    """Return the tiers of a TextGrid's text; raise InputError, with the line, for what is none."""
+    stream = _Stream(text, source)
+    for expected in ("ooTextFile", "TextGrid"):
+        if not stream.string("the header").startswith(expected):
+            raise stream.fault(f'is no TextGrid; expected "{expected}"')
+    start, end = stream.number("the start"), stream.number("the end")
+    if stream.flag() != "<exists>":
+        raise stream.fault("has no tiers; expected words and phones")
+    count = stream.count("the number of tiers")
+    return TextGrid(source, start, end, tuple(_tier(stream) for _ in range(count)))
+
+
+def _tier(stream: _Stream) -> Tier:
+    kind = stream.string("the tier's class")
+    if kind not in (INTERVALS, POINTS):
+        raise stream.fault(f"{quoted(kind)} is no class of tiers; expected {INTERVALS} or {POINTS}")
+    line = stream.line
+    name = stream.string("the tier's name")
+    stream.number("the tier's start")
+    stream.number("the tier's end")
+    labels = tuple(_label(stream, kind) for _ in range(stream.count("the number of labels")))
+    return Tier(name, kind, labels, line)
+
+
+def _label(stream: _Stream, kind: str) -> Label:
+    start = stream.number("the label's time")
+    line = stream.line
+    end = stream.number("the interval's end") if kind == INTERVALS else start
+    if end < start:
+        raise stream.fault(f"the interval ends at {end:g} s, before it starts at {start:g} s")
+    return Label(start, end, stream.string("the label"), line)
+
+
+class _Stream:
+    """The tokens of a file one by one, and the line of the last."""
+
+    def __init__(self, text: str, source: str) -> None:
+        self._tokens = self._found(text)
+        self._source = source
+        self.line = 1
+
+    def _found(self, text: str) -> Iterator[re.Match[str]]:
+        reached, line = 0, 1
+        for match in _TOKEN.finditer(text):
+            line += text.count("\n", reached, match.start())
+            reached = match.start()
+            if match["comment"] is None:
+                self.line = line
+                yield match
+
+    def _next(self, kind: str, what: str) -> str:
+        match = next(self._tokens, None)
+        if match is None:
+            raise self.fault(f"the file ends before {what}; expected a whole TextGrid")
+        if match.lastgroup != kind:
+            raise self.fault(f"{quoted(match.group())} stands where {what} should; expected a {kind}")
+        return match[kind]
+
+    def string(self, what: str) -> str:
+        return self._next("string", what).replace('""', '"')
+
+    def number(self, what: str) -> float:
+        number = float(self._next("number", what).rstrip("%"))
+        if not math.isfinite(number):
+            raise self.fault(f"{what} is beyond all bounds; expected a number")
+        return number
+
+    def flag(self) -> str:
+        return self._next("flag", "<exists>")
+
+    def count(self, what: str) -> int:
+        number = self.number(what)
+        if number < 0 or number != int(number):
+            raise self.fault(f"{what} is {number:g}; expected a whole number")
+        return int(number)
+
+    def fault(self, message: str) -> InputError:
+        return InputError(message, Place(self._source, self.line))

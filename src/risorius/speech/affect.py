@@ -1,0 +1,83 @@
+"""Emotion in the voice: which words are spoken under which emotions (paper B, section 2.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+
+from ..core.manner import PLAIN, Manner
+from ..core.utterance import Utterance, Word
+from ..rules.emotions import Display
+from ..rules.voice_emotion import voice_manner
+from ..script import Anchor, Script, SpokenLine
+from ..script.anchor import Base
+from ..script.directions import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Feeling:
+    """Emotions by name with their intensities 0..1, from `start` to `end` (None: the very ends)."""
+
+    intensities: Mapping[str, float]
+    start: Anchor | None = None
+    end: Anchor | None = None
+
+    @property
+    def throughout(self) -> bool:
+        """Whether it colours everything that is said."""
+        from_start = self.start is None or (self.start.base is Base.START and self.start.seconds == 0.0)
+        return from_start and (self.end is None or (self.end.base is Base.END and self.end.seconds >= 0.0))
+
+    def holds(self, word: Word, utterance: Utterance) -> bool:
+        """Tell whether the middle of a word lies within."""
+        middle = 0.5 * (word.start + word.end)
+        start = 0.0 if self.start is None else self.start.resolve(utterance.words, utterance.duration)
+        end = None if self.end is None else self.end.resolve(utterance.words, utterance.duration)
+        return start <= middle and (end is None or middle < end)
+
+
+def feelings(script: Script, displays: Sequence[Display]) -> tuple[Feeling, ...]:
+    """Return the emotions that a script marks and those displayed beside it."""
+    marked = [Feeling(m.emotions, m.start, m.end) for m in script.marks if m.emotions]
+    return (*marked, *(_displayed(display) for display in displays))
+
+
+def _displayed(display: Display) -> Feeling:
+    start, end = (None if at is None else Anchor(Base.START, at) for at in (display.start, display.end))
+    return Feeling({display.emotion: display.intensity}, start, end)
+
+
+def common_manner(found: Sequence[Feeling]) -> Manner | None:
+    """Return the manner of the whole where the emotions colour all of it, else None."""
+    if not all(feeling.throughout for feeling in found):
+        return None
+    return _manner(found)
+
+
+def coloured(script: Script, found: Sequence[Feeling], plain: Utterance) -> Script:
+    """Return the script with each word's manner, found where `plain`, the same without emotion, has it."""
+    manners = [_manner([f for f in found if f.holds(word, plain)]) for word in plain.words]
+    return replace(script, lines=tuple(_coloured_line(line, plain.words, manners) for line in script.lines))
+
+
+def _coloured_line(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -> SpokenLine:
+    spans = tuple(_spans(line, words, manners))
+    return replace(line, directions=replace(line.directions, spans=(*spans, *line.directions.spans)))
+
+
+def _spans(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -> Iterator[Span]:
+    first, last = line.source_offset, line.source_offset + len(line.text)
+    inside = [(w, m) for w, m in zip(words, manners, strict=True) if first <= w.source_start < last]
+    for manner, group in groupby(inside, key=lambda pair: pair[1]):
+        run = [word for word, _ in group]
+        if manner != PLAIN:
+            yield Span(run[0].source_start - first, run[-1].source_end - first, line.place, manner)
+
+
+def _manner(found: Sequence[Feeling]) -> Manner:
+    intensities: dict[str, float] = {}
+    for feeling in found:
+        for name, value in feeling.intensities.items():
+            intensities[name] = max(intensities.get(name, 0.0), value)
+    return voice_manner(intensities)

@@ -1,0 +1,69 @@
+"""Words of a transcript that the recording does not bear out."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+
+from ...errors import InputError
+from ..engine import SpeechWarning
+from .decoder import Found
+from .lexicon import ScriptWord
+
+# Mean log likelihood per 10 ms frame, in pocketsphinx's units. In 80 read sentences one word in a hundred was
+# below -58, two below -40, and no sentence below -24; three in four of the words put in by mistake were below
+# -54, and every sentence with another's transcript was below -49. Real silences were above -20.
+DOUBTFUL_WORD = -50.0
+# Where so much of the speech is in words as poor as this, or in none, the transcript is another's.
+POOR_WORD, WRONG_SHARE = -38.0, 0.6
+# Silence so unlikely, and so long (seconds), is speech that the transcript lacks.
+DOUBTFUL_SILENCE, LEAST_MISSING = -40.0, 0.15
+_SHOWN = 8
+
+
+def check_words(words: Sequence[ScriptWord], found: Sequence[Found]) -> None:
+    """Raise InputError if the words as a whole do not fit; warn (SpeechWarning) of those that may not."""
+    spans = _spans(len(words), found)
+    doubtful = [index for index, span in enumerate(spans) if mean_score(span) < DOUBTFUL_WORD]
+    missing = [
+        f for f in found if f.word < 0 and f.score < DOUBTFUL_SILENCE and f.end - f.start >= LEAST_MISSING
+    ]
+    reasons = []
+    if doubtful:
+        named = _listed([f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful])
+        reasons.append(
+            f"not sure to be said in the recording ({len(doubtful)} of {len(words)} words): {named}"
+        )
+    if missing:
+        places = _listed([f"{f.start:.2f} to {f.end:.2f} s" for f in missing])
+        reasons.append(f"something is said that the transcript lacks: {places}")
+    wrong = _seconds(missing) + sum(_seconds(span) for span in spans if mean_score(span) < POOR_WORD)
+    if wrong > WRONG_SHARE * (_seconds(missing) + sum(map(_seconds, spans))):
+        raise InputError("; ".join(["the transcript does not fit the recording", *reasons]))
+    for reason in reasons:
+        warnings.warn(reason, SpeechWarning, stacklevel=3)
+
+
+def mean_score(found: Sequence[Found]) -> float:
+    """Return the mean log likelihood per frame, 0 for nothing."""
+    seconds = _seconds(found)
+    if seconds <= 0.0:
+        return 0.0
+    return sum(f.score * (f.end - f.start) for f in found) / seconds
+
+
+def _seconds(found: Sequence[Found]) -> float:
+    return sum(f.end - f.start for f in found)
+
+
+def _listed(items: Sequence[str]) -> str:
+    more = f" and {len(items) - _SHOWN} more" if len(items) > _SHOWN else ""
+    return ", ".join(items[:_SHOWN]) + more
+
+
+def _spans(count: int, found: Sequence[Found]) -> list[list[Found]]:
+    spans: list[list[Found]] = [[] for _ in range(count)]
+    for phone in found:
+        if phone.word >= 0:
+            spans[phone.word].append(phone)
+    return spans

@@ -1,0 +1,97 @@
+"""Readings of a transcript's words: the dictionary's, and espeak-ng's for what it lacks.
+
+The whole transcript is spoken by espeak-ng first. That reads numbers and abbreviations out, tells every word
+its stress in context, and gives a reading to words out of the dictionary. The words of the dictionary
+(CMUdict) keep all their readings there: the decoder hears which one is said.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+from collections.abc import Iterator, Sequence
+from itertools import islice, product
+from pathlib import Path
+from typing import NamedTuple
+
+from ...core.utterance import Utterance, Word
+from .. import phonesets
+from ..synthesis import synthesize
+from .decoder import Reading, Readings, dictionary_path
+from .numbers import number_readings
+
+MOST_READINGS = 8
+_CURLY = str.maketrans("\u2019\u02bc\u2010\u2011", "''--")
+_ALTERNATIVE = re.compile(r"\(\d+\)$")
+
+
+class ScriptWord(NamedTuple):
+    """A word of the transcript: its place, how it may be said, and its vowels' stress in context."""
+
+    word: Word
+    readings: Readings
+    stresses: tuple[int, ...]
+
+
+def read_transcript(text: str) -> tuple[Utterance, tuple[ScriptWord, ...]]:
+    """Return the transcript as espeak-ng says it, and its words; raise InputError if nothing can be said."""
+    spoken = synthesize(text)
+    return spoken, tuple(_script_word(spoken, word) for word in spoken.words)
+
+
+def stresses_of(reading: Sequence[str], engine: Sequence[int]) -> list[int]:
+    """Return the stress of every phone of a reading (-1 for consonants), given the engine's per vowel."""
+    vowels = [index for index, phone in enumerate(reading) if phonesets.is_vowel(phone)]
+    found = [-1] * len(reading)
+    for number, index in enumerate(vowels):
+        if not engine:
+            found[index] = 0
+        elif len(engine) == len(vowels):
+            found[index] = engine[number]
+        else:
+            found[index] = engine[round(number * (len(engine) - 1) / max(len(vowels) - 1, 1))]
+    return found
+
+
+def _script_word(spoken: Utterance, word: Word) -> ScriptWord:
+    phones = spoken.phones[word.first_phone : word.last_phone]
+    sounding = [phone for phone in phones if phone.symbol]
+    stresses = tuple(phone.stress for phone in sounding if phone.stress >= 0)
+    readings = written_readings(word.text) or (tuple(phone.symbol for phone in sounding),)
+    return ScriptWord(word, readings, stresses)
+
+
+def written_readings(text: str) -> Readings:
+    """Return the readings of a written word by dictionary and rules; none where these do not know it."""
+    plain = text.translate(_CURLY)
+    if numbers := number_readings(plain):
+        return _first(reading for words in numbers for reading in _read_all(words.split()))
+    found = [*_dictionary().get(plain.lower(), ())]
+    if len(plain) > 1 and plain.isupper() and plain.isalpha():
+        found += _read_all(list(plain))
+    if not found and "-" in plain:
+        found += _read_all([part for part in plain.split("-") if part])
+    return _first(iter(found))
+
+
+def _first(readings: Iterator[Reading]) -> Readings:
+    return tuple(islice(dict.fromkeys(readings), MOST_READINGS))
+
+
+def _read_all(words: Sequence[str]) -> list[Reading]:
+    """Return the readings of words in a row; none if one of them is not in the dictionary."""
+    known = [_dictionary().get(word.lower(), ()) for word in words]
+    return [
+        tuple(phone for part in parts for phone in part) for parts in islice(product(*known), MOST_READINGS)
+    ]
+
+
+@functools.cache
+def _dictionary() -> dict[str, Readings]:
+    entries: dict[str, Readings] = {}
+    with Path(dictionary_path()).open(encoding="utf-8") as lines:
+        for line in lines:
+            word, *phones = line.split()
+            name = _ALTERNATIVE.sub("", word)
+            entries[name] = (*entries.get(name, ()), tuple(phones))
+    return entries

@@ -1,0 +1,47 @@
+"""Which of the silences that the decoder puts between words are silences."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...core.utterance import SILENCE
+from .. import phonesets
+from .decoder import Found
+
+# Seconds. Shorter silence belongs to a sound beside it: a stop's closure, or the end of the sound before.
+SHORTEST = 0.05
+LONGEST_CLOSURE = 0.09
+
+
+def without_gaps(found: Sequence[Found]) -> list[Found]:
+    """Return the phones with short silences given to their neighbours, and adjacent silences joined."""
+    kept: list[Found] = []
+    for index, phone in enumerate(found):
+        after = found[index + 1] if index + 1 < len(found) else None
+        before = kept[-1] if kept else None
+        if before and before.symbol == SILENCE and (phone.symbol == SILENCE or _is_closure(before, phone)):
+            kept[-1] = phone._replace(start=before.start, score=_joint_score(before, phone))
+        elif phone.symbol == SILENCE and before and after and phone.end - phone.start < SHORTEST:
+            if phonesets.is_stop(after.symbol):
+                kept.append(phone)
+            else:
+                kept[-1] = before._replace(end=phone.end)
+        else:
+            kept.append(phone)
+    return kept
+
+
+def _joint_score(silence: Found, phone: Found) -> float:
+    """Return the mean score of two silences in a row; a closure's is that of its stop."""
+    if phone.symbol != SILENCE:
+        return phone.score
+    lengths = silence.end - silence.start, phone.end - phone.start
+    return (silence.score * lengths[0] + phone.score * lengths[1]) / max(sum(lengths), 1e-9)
+
+
+def _is_closure(silence: Found, phone: Found) -> bool:
+    return (
+        phonesets.is_stop(phone.symbol)
+        and silence.start > 0.0
+        and silence.end - silence.start < LONGEST_CLOSURE
+    )

@@ -1,0 +1,39 @@
+"""An utterance with what its sound tells of how it is said."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...core.utterance import Utterance
+from ..listening import Listening
+from .accents import find_accents
+from .boundaries import find_boundaries
+from .contour import contour_of
+from .cues import cues_of
+from .pitch import measure_pitch
+
+
+def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = True) -> Utterance:
+    """Return the utterance with its syllables' loudness and prominence, its accents and boundaries measured.
+
+    What is not asked for stays as it is.
+    """
+    listening = Listening(utterance.audio)
+    contour = contour_of(measure_pitch(listening))
+    cues = cues_of(utterance, listening, contour)
+    syllables = tuple(
+        replace(syllable, loudness=round(float(loudness), 3), prominence=round(float(prominence), 3))
+        for syllable, loudness, prominence in zip(
+            utterance.syllables, cues.loudness, cues.prominence, strict=True
+        )
+    )
+    ends = find_boundaries(utterance, cues, contour) if boundaries else utterance.boundaries
+    last_words = {boundary.word for boundary in ends}
+    tones = find_accents(utterance, cues, contour, last_words) if accents else utterance.accents
+    return replace(utterance, syllables=syllables, accents=tones, boundaries=ends)
+
+
+def speech_rate(utterance: Utterance) -> float:
+    """Return syllables per second of speech, pauses left out; 0 where nothing is said."""
+    spoken = sum(word.end - word.start for word in utterance.words)
+    return len(utterance.syllables) / spoken if spoken > 0.0 else 0.0

@@ -1,0 +1,185 @@
+"""Fundamental frequency by YIN, its path through the frames chosen as a whole.
+
+De Cheveigné and Kawahara (2002): per frame the difference function d(τ) of the sound and itself τ later, made
+independent of loudness by its running mean; periods are its minima, their depth the aperiodicity. Up to five
+minima per frame are kept and one path is found through them and "unvoiced" by dynamic programming, as in
+Boersma (1993), which is what spares the octave errors of frame-by-frame choice. A second path keeps to the
+range that the first one found of the speaker (De Looze and Hirst 2008).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from scipy.signal import firwin
+
+from ..listening import RATE, Listening, Sound
+
+# Seconds between frames, and of each frame's window.
+STEP, WINDOW = 0.01, 0.03
+LOWEST, HIGHEST = 60.0, 500.0
+CANDIDATES = 5
+# Costs: of a frame without voice, per octave of a jump, of a change of voicing, and per octave below HIGHEST
+# (the period's multiples are minima nearly as deep).
+UNVOICED_COST, JUMP_COST, VOICING_COST, LOW_COST = 0.55, 1.2, 0.1, 0.03
+# Frames so far (dB) below the loud ones have no voice.
+SILENCE_BELOW = 35.0
+# The speaker's range: shares of the quartiles of what the first path found, and the cost outside of it.
+FLOOR_OF_LOWER, CEILING_OF_UPPER, OUTSIDE_COST = 0.72, 1.9, 0.15
+_FEWEST_VOICED = 20
+_CHUNK_SECONDS = 10.0
+# What is above 2.5 kHz is mostly noise.
+_LOW_PASS = firwin(31, 2_500.0, fs=RATE)
+_LOUD_PERCENTILE = 95.0
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Pitch:
+    """F0 in Hz every STEP seconds, frame k at k STEP, NaN where there is no voice; shape (frames,)."""
+
+    hertz: Floats
+
+    @property
+    def times(self) -> Floats:
+        """Seconds."""
+        return np.asarray(STEP * np.arange(len(self.hertz)), dtype=np.float64)
+
+    @property
+    def semitones(self) -> Floats:
+        """F0 in semitones above 1 Hz, NaN where there is no voice."""
+        return np.asarray(12.0 * np.log2(self.hertz))
+
+
+class _Candidates(NamedTuple):
+    """Per frame: frequencies in Hz and their aperiodicities, (frames, CANDIDATES), NaN and inf where none."""
+
+    hertz: Floats
+    aperiodicity: Floats
+
+
+def measure_pitch(listening: Listening) -> Pitch:
+    """Return the pitch of a recording, read chunk by chunk."""
+    duration = listening.audio.duration
+    frames = int(duration / STEP) + 1
+    per_chunk = round(_CHUNK_SECONDS / STEP)
+    found = [
+        _candidates(listening, range(first, min(first + per_chunk, frames)))
+        for first in range(0, frames, per_chunk)
+    ]
+    candidates = _Candidates(*(np.concatenate(parts) for parts in zip(*found, strict=True)))
+    quiet = _quiet(listening, frames)
+    hertz = _path(candidates, quiet, LOWEST, HIGHEST)
+    voiced = hertz[np.isfinite(hertz)]
+    if len(voiced) >= _FEWEST_VOICED:
+        low, high = np.percentile(voiced, [25.0, 75.0])
+        hertz = _path(candidates, quiet, FLOOR_OF_LOWER * low, CEILING_OF_UPPER * high)
+    return Pitch(_centred(hertz))
+
+
+def _candidates(listening: Listening, frames: range) -> _Candidates:
+    longest = int(RATE / LOWEST) + 2
+    size = round(WINDOW * RATE)
+    # Frame k looks at a window and its copies up to `longest` later, all of it around k STEP.
+    lead = 0.5 * (size + longest) / RATE
+    start, end = frames.start * STEP - lead, (frames.stop - 1) * STEP + lead
+    half = len(_LOW_PASS) // 2
+    sound = np.convolve(listening.read(start - half / RATE, end + (1 + half) / RATE), _LOW_PASS, mode="valid")
+    hop = round(STEP * RATE)
+    rows = np.lib.stride_tricks.sliding_window_view(
+        _long_enough(sound, frames, hop, size + longest), size + longest
+    )
+    normalised = _normalised_difference(rows[::hop][: len(frames)], size, longest)
+    return _minima(normalised)
+
+
+def _long_enough(sound: Sound, frames: range, hop: int, width: int) -> Sound:
+    missing = (len(frames) - 1) * hop + width - len(sound)
+    return np.pad(sound, (0, max(missing, 0)))
+
+
+def _normalised_difference(rows: Sound, size: int, longest: int) -> Floats:
+    """Return d'(τ) for τ = 0 … longest - 1, shape (frames, longest)."""
+    rows = rows - rows.mean(axis=1, keepdims=True)
+    length = 1 << int(np.ceil(np.log2(rows.shape[1] + size)))
+    spectra = np.conj(np.fft.rfft(rows[:, :size], length)) * np.fft.rfft(rows, length)
+    products = np.fft.irfft(spectra, length)[:, :longest]
+    sums = np.concatenate((np.zeros((len(rows), 1)), np.cumsum(rows**2, axis=1)), axis=1)
+    energy = sums[:, size : size + longest] - sums[:, :longest]
+    difference = np.maximum(energy[:, :1] + energy - 2.0 * products, 0.0)
+    mean = np.cumsum(difference[:, 1:], axis=1) / np.arange(1, longest)
+    normalised = np.ones_like(difference)
+    normalised[:, 1:] = difference[:, 1:] / (mean + 1e-9)
+    return normalised
+
+
+def _minima(normalised: Floats) -> _Candidates:
+    """Return the deepest minima of each row between the shortest and longest period, placed by parabolas."""
+    shortest = int(RATE / HIGHEST)
+    inner = normalised[:, shortest:-1]
+    dips = (inner < normalised[:, shortest - 1 : -2]) & (inner <= normalised[:, shortest + 1 :])
+    depths = np.where(dips, inner, np.inf)
+    order = np.argsort(depths, axis=1, kind="stable")[:, :CANDIDATES]
+    aperiodicity = np.take_along_axis(depths, order, axis=1)
+    lags = order + shortest
+    before, at, after = (np.take_along_axis(normalised, lags + shift, axis=1) for shift in (-1, 0, 1))
+    curvature = before - 2.0 * at + after
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shift = np.where(curvature > 0.0, 0.5 * (before - after) / curvature, 0.0)
+        hertz = np.where(np.isfinite(aperiodicity), RATE / (lags + shift), np.nan)
+    return _Candidates(hertz, aperiodicity)
+
+
+def _centred(hertz: Floats) -> Floats:
+    """Return the F0 at the frames' times: what was compared lies the earlier, the shorter the period."""
+    longest = int(RATE / LOWEST) + 2
+    times = STEP * np.arange(len(hertz)) - 0.5 * (longest / RATE - 1.0 / hertz)
+    centred = hertz.copy()
+    voiced = np.concatenate(([False], np.isfinite(hertz), [False]))
+    for first, last in np.flatnonzero(np.diff(voiced)).reshape(-1, 2):
+        centred[first:last] = np.interp(STEP * np.arange(first, last), times[first:last], hertz[first:last])
+    return centred
+
+
+def _quiet(listening: Listening, frames: int) -> npt.NDArray[np.bool_]:
+    """Return which frames are too quiet to be voiced."""
+    levels = np.asarray(listening.levels, dtype=np.float64)
+    # A window of three: a frame lies at the edge of two.
+    smooth = np.convolve(np.pad(levels, 1, mode="edge"), np.full(3, 1 / 3), mode="valid")
+    at = np.minimum(np.arange(frames), len(smooth) - 1)
+    return np.asarray(smooth[at] < np.percentile(smooth, _LOUD_PERCENTILE) - SILENCE_BELOW)
+
+
+def _path(candidates: _Candidates, quiet: npt.NDArray[np.bool_], floor: float, ceiling: float) -> Floats:
+    """Return the F0 of each frame on the cheapest path, NaN where it is unvoiced."""
+    octaves = np.log2(np.where(np.isfinite(candidates.hertz), candidates.hertz, HIGHEST))
+    cost = candidates.aperiodicity + LOW_COST * (np.log2(HIGHEST) - octaves)
+    outside = np.maximum(np.log2(floor) - octaves, 0.0) + np.maximum(octaves - np.log2(ceiling), 0.0)
+    cost = np.where(quiet[:, None], np.inf, cost + np.where(outside > 0.0, OUTSIDE_COST + outside, 0.0))
+    cost = np.concatenate((cost, np.full((len(cost), 1), UNVOICED_COST)), axis=1)
+    chosen = _cheapest(octaves, cost)
+    hertz = np.concatenate((candidates.hertz, np.full((len(cost), 1), np.nan)), axis=1)
+    return np.asarray(np.take_along_axis(hertz, chosen[:, None], axis=1)[:, 0])
+
+
+def _cheapest(octaves: Floats, cost: Floats) -> npt.NDArray[np.int64]:
+    """Return the column of each row on the cheapest path; the last column is "unvoiced"."""
+    states = cost.shape[1]
+    jumps = np.full((states, states), VOICING_COST)
+    jumps[-1, -1] = 0.0
+    total = cost[0]
+    came_from = np.zeros(cost.shape, dtype=np.int64)
+    for frame in range(1, len(cost)):
+        jumps[:-1, :-1] = JUMP_COST * np.abs(octaves[frame - 1][:, None] - octaves[frame])
+        reached = total[:, None] + jumps
+        came_from[frame] = reached.argmin(axis=0)
+        total = reached.min(axis=0) + cost[frame]
+    chosen = np.empty(len(cost), dtype=np.int64)
+    chosen[-1] = int(total.argmin())
+    for frame in range(len(cost) - 1, 0, -1):
+        chosen[frame - 1] = came_from[frame, chosen[frame]]
+    return chosen

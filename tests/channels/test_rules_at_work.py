@@ -1,0 +1,321 @@
+"""The channels of paper B, each by its rules, on small utterances."""
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from risorius.channels import CHANNEL_BUILDERS, Brief, Display, compose
+from risorius.core.movement import Movement
+from risorius.core.utterance import PauseKind, Utterance
+from risorius.rules.book import extended, shipped
+from risorius.rules.profiles import attitude, profile
+
+Maker = Callable[..., Utterance]
+LID = "orbicularis_oculi_palpebralis.left"
+INNER, FROWN = "frontalis_medialis.left", "corrugator_supercilii.left"
+SAID = "Well[H*], what about Julia[H*]? She likes popcorn[L+H*]. I am sure[H*], very sure[H*]!"
+LONG = " ".join([SAID] * 12)
+
+
+def certain(prefix: str) -> str:
+    """Return a file that makes our rules under a prefix fire wherever they can."""
+    texts = [e.text for e in shipped().entries.values() if e.rule.id.startswith(prefix)]
+    lines = [line for text in texts for line in text.splitlines() if not line.startswith("probability")]
+    return "\n".join(lines)
+
+
+def movements(said: Utterance, *prefixes: str, seed: int = 0, **brief: object) -> tuple[Movement, ...]:
+    """Return what is composed with only our rules under the prefixes, which fire wherever they can."""
+    others = [r.id for r in shipped() if not r.id.startswith(prefixes)]
+    text = f"delete = {json.dumps(others)}\n" + "\n".join(certain(p) for p in prefixes)
+    book = extended(shipped(), text, "my.toml")
+    return compose(Brief(said.duration, said, book=book, **brief), seed=seed).movements  # type: ignore[arg-type]
+
+
+def by_rule(found: Sequence[Movement], rule: str) -> list[Movement]:
+    return [m for m in found if m.cause.rule == rule]
+
+
+def test_accents_gather_brows_head_mouth_and_blinks(sentence_of: Maker) -> None:
+    found = movements(sentence_of("She likes popcorn[L+H*]."), "signals.")
+    rules = {m.cause.rule for m in found if m.channel == "signals"}
+    assert "signals.brows.contrast" in rules
+    assert "signals.mouth.accent" in rules
+    assert "signals.lids.blink" in rules
+    assert rules & {"signals.nod.accent", "signals.nod.overshoot"}
+    assert {m.cause.trigger for m in found if m.channel == "signals"} == {'"popcorn"'}
+
+
+def test_brows_lead_the_accented_syllable(sentence_of: Maker) -> None:
+    said = sentence_of("She likes popcorn[H*] most.", phone=0.06)
+    (raise_,) = by_rule(movements(said, "signals.brows.nuclear"), "signals.brows.nuclear")
+    lead = said.syllables[2].start - raise_.start
+    assert 0.0 <= lead <= 0.13
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "rule", "moved"),
+    [
+        ("One two. Three.", PauseKind.FULL_STOP, "punctuators.brows.full_stop", FROWN),
+        ("Is it one? Three.", PauseKind.QUESTION, "punctuators.brows.question", INNER),
+        ("You won? Three.", PauseKind.QUESTION, "punctuators.brows.unmarked", INNER),
+        ("One! Three.", PauseKind.EXCLAMATION, "punctuators.brows.exclamation", INNER),
+        ("One, three.", PauseKind.COMMA, "punctuators.brows.comma", INNER),
+        ("Um… three.", PauseKind.HESITATION, "punctuators.brows.hesitation", FROWN),
+    ],
+)
+def test_pauses_are_punctuated_by_their_kind_from_start_to_end(
+    text: str, kind: PauseKind, rule: str, moved: str, sentence_of: Maker
+) -> None:
+    said = sentence_of(text)
+    pause = next(p for p in said.pauses if p.kind is kind)
+    found = by_rule(movements(said, "punctuators.brows"), rule)
+    assert found[0].end == pytest.approx(pause.end)
+    assert pause.start - 0.25 <= found[0].start <= pause.start
+    assert found[0].targets[moved] > 0.0
+
+
+@pytest.mark.parametrize(
+    ("felt", "rule", "moved"),
+    [
+        ("anger", "punctuators.brows.angry", FROWN),
+        ("disgust", "punctuators.nose.disgusted", "levator_labii_nasi.left"),
+        ("happiness", "punctuators.mouth.happy", "zygomatic_major.left"),
+        ("sadness", "punctuators.mouth.sad", "triangularis.left"),
+    ],
+)
+def test_the_type_of_punctuation_depends_on_the_emotion(
+    felt: str, rule: str, moved: str, sentence_of: Maker
+) -> None:
+    said = sentence_of("One two, three four.")
+    with_it = movements(said, "punctuators.", emotions=(Display(felt, 0.8),))
+    assert by_rule(with_it, rule)[0].targets[moved] > 0.0
+    assert not by_rule(movements(said, "punctuators."), rule)
+
+
+def test_speakers_look_away_at_the_start_and_at_the_listener_at_the_end(sentence_of: Maker) -> None:
+    said = sentence_of(LONG)
+    found = movements(said, "regulators.eyes")
+    away = by_rule(found, "regulators.eyes.state")[0]
+    assert away.start == 0.0
+    assert np.hypot(away.targets["gaze_pitch"], away.targets["gaze_yaw"]) > 3.0
+    last = [m for m in found if m.layer == "look" and m.end > said.words[-1].end - 2.3]
+    assert last
+    # Where a face is, seen from 0.8 m.
+    assert all(np.hypot(m.targets["gaze_pitch"], m.targets["gaze_yaw"]) < 5.0 for m in last)
+
+
+def test_short_turns_do_not_begin_with_a_look_away(sentence_of: Maker) -> None:
+    assert not by_rule(movements(sentence_of("Oh really?"), "regulators.eyes"), "regulators.eyes.state")
+
+
+def test_listeners_nod_and_blink_back(sentence_of: Maker) -> None:
+    said = sentence_of("One two. Three.", tail=12.0)
+    listening = ((3.0, 12.0),)
+    found = movements(said, "regulators.", listening=listening)
+    for rule in ("regulators.nod.listening", "regulators.lids.listening", "regulators.brows.listening"):
+        inside = by_rule(found, rule)
+        assert inside
+        assert all(m.start >= 3.0 for m in inside)
+    assert not by_rule(movements(said, "regulators."), "regulators.nod.listening")
+
+
+def test_related_utterances_share_a_head_pattern(sentence_of: Maker) -> None:
+    said = sentence_of("One two. Three four. Five six.")
+    found = by_rule(movements(said, "regulators.head"), "regulators.head.pattern")
+    assert len(found) == 3
+    assert len({tuple(m.targets.items()) for m in found}) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "rule", "moved"),
+    [
+        ("Yes, I do.", "head.verbal.yes", "head_pitch"),
+        ("No, I do not.", "head.verbal.no", "head_yaw"),
+        ("I don't know.", "signals.shrug.unknown", "frontalis_lateralis.left"),
+    ],
+)
+def test_words_that_the_head_or_brows_say_too(text: str, rule: str, moved: str, sentence_of: Maker) -> None:
+    found = by_rule(movements(sentence_of(text), "head.verbal", "signals.shrug"), rule)
+    assert found
+    assert all(m.targets[moved] != 0.0 for m in found)
+
+
+def test_beats_pause_while_the_head_says_no(sentence_of: Maker) -> None:
+    said = sentence_of("No[H*], never[H*].")
+    found = movements(said, "signals.nod", "signals.swing", "head.verbal")
+    shakes = [m for m in found if m.cause.rule.startswith("head.verbal")]
+    beats = [m for m in found if m.channel == "signals"]
+    assert shakes
+    assert not any(b.start < s.end and s.start < b.end for b in beats for s in shakes)
+
+
+def test_an_emblem_is_shown_at_the_word_that_refers_to_it(sentence_of: Maker) -> None:
+    said = sentence_of("She was very sad[H*] then.")
+    (emblem,) = by_rule(movements(said, "emotion.emblem"), "emotion.emblem.sadness")
+    assert emblem.start < said.words[3].end
+    assert said.words[3].start < emblem.end
+    assert emblem.end - emblem.start < 1.5
+    assert all(n.startswith(("frontalis", "triangularis", "mentalis")) for n in emblem.targets)
+
+
+@pytest.mark.parametrize(("felt", "more"), [("sadness", False), ("fear", True)])
+def test_a_sad_speaker_moves_less_and_a_fearful_one_more(felt: str, more: bool, sentence_of: Maker) -> None:
+    said = sentence_of(LONG)
+    plain, moved = (
+        [m for m in compose(Brief(said.duration, said, emotions=e)).movements if m.channel == "signals"]
+        for e in ((), (Display(felt, 1.0),))
+    )
+    assert len(moved) > 1.15 * len(plain) if more else len(moved) < 0.7 * len(plain)
+
+
+@pytest.mark.parametrize("felt", ["anger", "disgust", "fear", "happiness", "sadness", "surprise", "boredom"])
+def test_emotion_changes_neither_place_nor_type_of_accents(felt: str, sentence_of: Maker) -> None:
+    said = sentence_of(LONG)
+    before = said.accents
+    found = compose(Brief(said.duration, said, emotions=(Display(felt, 1.0),))).movements
+    assert said.accents == before
+    texts = {f'"{said.words[a.word].text}"' for a in before}
+    on_accents = [m for m in found if m.cause.rule in ("signals.nod.accent", "signals.mouth.accent")]
+    assert on_accents
+    assert {m.cause.trigger for m in on_accents} <= texts
+
+
+def test_periodic_blinks_fill_what_is_left_between_voluntary_ones(sentence_of: Maker) -> None:
+    said = sentence_of(LONG)
+    habits = replace(profile("neutral").blinks, manner="periodic", period=1.5)
+    found = movements(said, "punctuators.lids.comma", profile=replace(profile("neutral"), blinks=habits))
+    blinks = sorted((m for m in found if LID in m.targets), key=lambda m: m.start)
+    assert {m.channel for m in blinks} >= {"manipulators", "punctuators"}
+    gaps = [b.start - a.end for a, b in pairwise(blinks)]
+    assert max(gaps) < 2.1
+
+
+def test_blinks_of_paper_b_last_a_quarter_of_a_second_on_phonemes(sentence_of: Maker) -> None:
+    said = sentence_of(LONG, phone=0.085)
+    habits = replace(profile("neutral").blinks, kinematics="paper")
+    found = movements(said, "signals.lids", profile=replace(profile("neutral"), blinks=habits))
+    blinks = by_rule(found, "signals.lids.blink")
+    edges = np.array([p.end for p in said.phones])
+    assert len(blinks) > 20
+    assert np.mean([b.end - b.start for b in blinks]) == pytest.approx(0.25, abs=0.06)
+    assert all(np.abs(edges - b.start).min() < 1e-9 for b in blinks)
+
+
+@pytest.mark.parametrize("dropped", [*(set(CHANNEL_BUILDERS) - {"lips"})])
+def test_a_channel_left_out_leaves_the_others_as_they_were(dropped: str, sentence_of: Maker) -> None:
+    said = sentence_of(LONG)
+    brief = Brief(said.duration, said, emotions=(Display("joy", 0.5),), attitudes=(attitude("ironic"),))
+    whole, less = (compose(brief, without=w) for w in ((), (dropped,)))
+    assert [m for m in whole.movements if m.channel != dropped] == list(less.movements)
+    assert whole.lips == less.lips
+    assert len(less.movements) < len(whole.movements)
+
+
+@pytest.mark.parametrize(
+    "pair", [("lively", "reserved"), ("lively", "authoritative"), ("neutral", "reserved")]
+)
+def test_profiles_differ_in_how_much_the_face_moves(pair: tuple[str, str], sentence_of: Maker) -> None:
+    said = sentence_of(LONG)
+
+    def amount(name: str) -> float:
+        found = compose(Brief(said.duration, said, profile=profile(name))).movements
+        return sum(abs(m.targets.get("head_pitch", 0.0)) for m in found if m.channel in ("signals", "head"))
+
+    assert amount(pair[0]) > 1.3 * amount(pair[1])
+
+
+def test_attitudes_hold_their_posture(sentence_of: Maker) -> None:
+    said = sentence_of("One two.")
+    found = compose(Brief(said.duration, said, attitudes=(attitude("ironic"),))).movements
+    (face,) = by_rule(found, "emotion.posture.speaker")
+    assert face.targets["frontalis_lateralis.left"] > face.targets.get("frontalis_lateralis.right", 0.0)
+    (held,) = by_rule(found, "head.posture.speaker")
+    assert held.targets["head_roll"] < 0.0
+
+
+def test_the_head_follows_prominence_where_the_sound_was_measured(sentence_of: Maker) -> None:
+    said = sentence_of("One two[H*] three.")
+    loud = tuple(replace(s, prominence=2.0 if i == 1 else -0.5) for i, s in enumerate(said.syllables))
+    found = by_rule(movements(replace(said, syllables=loud), "none"), "head.melody.prominence")
+    assert [np.sign(m.targets["head_pitch"]) for m in found] == [-1.0, 1.0, -1.0]
+    assert not by_rule(movements(said, "none"), "head.melody.prominence")
+
+
+def test_a_comma_is_underlined_by_slow_movement(sentence_of: Maker) -> None:
+    found = movements(sentence_of("One two[H*], three four."), "punctuators.tilt", "signals.nod")
+    (tilt,) = by_rule(found, "punctuators.tilt.comma")
+    speed = abs(tilt.targets["head_roll"]) / tilt.onset
+    beats = [m for m in found if m.channel == "signals"]
+    assert beats
+    assert speed < 0.5 * min(abs(b.targets["head_pitch"]) / b.onset for b in beats)
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"), [("One, two.", "punctuators.lids.comma"), ("One. Two.", "punctuators.lids.stop")]
+)
+def test_blinks_occur_in_pauses(text: str, rule: str, sentence_of: Maker) -> None:
+    said = sentence_of(text)
+    blinks = by_rule(movements(said, "punctuators.lids"), rule)
+    assert blinks
+    for blink in blinks:
+        assert any(p.start - 0.05 <= blink.start <= p.end for p in said.pauses)
+
+
+def test_all_four_sets_of_regulators_are_there(sentence_of: Maker) -> None:
+    found = movements(sentence_of(LONG), "regulators.eyes")
+    rules = {m.cause.rule for m in found}
+    assert {f"regulators.eyes.{n}" for n in ("state", "within", "continuation")} <= rules
+    assert shipped().get("regulators.eyes.turn").rule.effect.look == "listener"
+
+
+def test_a_question_that_only_the_voice_asks_raises_the_brows_more(sentence_of: Maker) -> None:
+    def size(text: str) -> float:
+        found = movements(sentence_of(text), "signals.brows.unmarked", "signals.brows.yes_no")
+        return max((m.targets[INNER] for m in found if m.channel == "signals"), default=0.0)
+
+    assert size("You like it[L*]?") > size("Do you like it[L*]?") > 0.0
+    assert size("You like it[H*].") == 0.0
+
+
+def test_where_no_rule_asks_the_eyes_scan_the_listener_s_face(sentence_of: Maker) -> None:
+    said = sentence_of("One two.", tail=30.0)
+    scans = by_rule(movements(said, "none"), "gaze.scan.face")
+    about = [m for m in scans if m.cause.trigger == "the listener's face"]
+    points = np.array([(m.targets["gaze_pitch"], m.targets["gaze_yaw"]) for m in about])
+    assert len(points) > 10
+    assert np.hypot(*points.T).max() < 5.0
+    assert points.std(axis=0).min() > 0.5
+    assert len(np.unique(np.diff([m.start for m in about]).round(3))) > 8
+
+
+def test_noise_is_halved_at_commas_and_a_fifth_in_final_pauses(sentence_of: Maker) -> None:
+    said = sentence_of("One two, three four. " * 40, pause=1.2, phone=0.3)
+
+    def change(kind: PauseKind | None) -> float:
+        spans = [(p.start, p.end) for p in said.pauses if kind in (None, p.kind)]
+        found = by_rule(compose(Brief(said.duration, said)).movements, "head.noise.idle")
+        steps = pairwise(found)
+        return float(
+            np.std(
+                [
+                    b.targets["head_pitch"] - a.targets["head_pitch"]
+                    for a, b in steps
+                    if any(s <= b.start < e for s, e in spans) == (kind is not None)
+                ]
+            )
+        )
+
+    assert change(PauseKind.COMMA) == pytest.approx(0.5 * change(None), rel=0.35)
+    assert change(PauseKind.FULL_STOP) == pytest.approx(0.2 * change(None), rel=0.45)
+
+
+def test_at_the_end_the_head_goes_back_to_rest(sentence_of: Maker) -> None:
+    said = sentence_of(LONG, tail=3.0)
+    last = [m for m in movements(said, "none") if m.cause.rule == "head.noise.idle"][-1]
+    assert abs(last.targets["head_pitch"]) < 1.6
+    assert all(m.end < said.duration + 0.1 for m in movements(said, "signals.") if m.channel == "signals")

@@ -1,0 +1,124 @@
+"""Lips and tongue against the teeth: they meet where they must and pierce nowhere."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from risorius.face.jaw import Jaw
+from risorius.face.teeth import Row, Teeth
+from risorius.rules.emotions import emotion
+
+from .conftest import values_of
+from .teeth import TeethTester
+
+PIERCED = 0.3  # mm
+EMOTIONS = ("happiness", "sadness", "anger", "disgust", "fear", "surprise")
+# What the demonstration sentences do to the mouth, one phone each.
+PHONES = {
+    "closure": {"masseter": 0.1, "lip_seal": 1.0},
+    "f": {"masseter": 0.08, "lip_tuck": 1.0},
+    "th": {"masseter": 0.12, "tongue_out": 1.0, "depressor_labii": 0.2},
+    "l": {"masseter": 0.15, "tongue_up": 1.0, "depressor_labii": 0.25},
+    "o": {"masseter": 0.45, "orbicularis_oris_funneler": 0.45},
+    "a": {"masseter": 0.5, "depressor_labii": 0.2, "tongue_back": 0.5},
+}
+
+
+@pytest.fixture(scope="module")
+def tester(head):
+    return TeethTester(head)
+
+
+@pytest.fixture(scope="module")
+def teeth(head):
+    return Teeth.of(head)
+
+
+def foremost(mesh):
+    """The foremost vertex (3,) of a row's crowns."""
+    crowns = mesh.vertices[mesh.material < 0.5]
+    return crowns[crowns[:, 2].argmax()]
+
+
+def under(name, phone):
+    return {**emotion(name).targets(1.0), **PHONES[phone]}
+
+
+@pytest.mark.parametrize("phone", PHONES)
+@pytest.mark.parametrize("name", EMOTIONS)
+def test_nothing_pierces_the_teeth_in_speech_under_emotion(solver, tester, name, phone):
+    frame = solver.solve(values_of(under(name, phone)))
+    assert tester.in_lips(frame) <= PIERCED
+    assert tester.lips_in(frame) <= PIERCED
+    assert max(tester.tongue_in(frame)) <= PIERCED
+
+
+def test_the_tester_finds_what_pierces(solver, tester, head):
+    frame = solver.solve(values_of({}))
+    frame.skin[:, 2] -= 4.0
+    frame.tongue[:, 2] += 4.0
+    assert tester.in_lips(frame) > 1.0
+    assert max(tester.tongue_in(frame)) > 1.0
+
+
+def test_the_tongue_shows_between_the_teeth_for_th(solver, head):
+    frame = solver.solve(values_of(PHONES["th"]))
+    edge = head.teeth_upper.vertices[head.teeth_upper.material < 0.5]
+    front = edge[np.abs(edge[:, 0]) < 4.0]
+    tip = frame.tongue[frame.tongue[:, 2].argmax()]
+    assert tip[2] > front[:, 2].max() - 1.0
+    assert tip[1] < front[:, 1].min()
+
+
+def test_the_tongue_rises_to_the_ridge_for_l(solver, head):
+    frame, flat = (solver.solve(values_of({**PHONES["l"], "tongue_up": up})) for up in (1.0, 0.0))
+    tip = np.argsort(flat.tongue[:, 2])[-20:]
+    assert (frame.tongue[tip, 1] - flat.tongue[tip, 1]).min() > 6.0
+    edge = head.teeth_upper.vertices[head.teeth_upper.material < 0.5][:, 1].min()
+    assert frame.tongue[:, 1].max() > edge + 3.0
+
+
+@pytest.mark.parametrize("opening", [0.0, 0.4, 1.0])
+def test_what_is_far_from_the_teeth_stays(teeth, opening):
+    far = np.array([[0.0, -65.0, 60.0], [50.0, -65.0, 0.0], [0.0, 40.0, 0.0], [0.0, -66.0, -60.0]])
+    moved = far.copy()
+    whole = replace(teeth, lining=np.arange(len(far), dtype=np.int32))
+    whole.keep_out(moved, opening)
+    np.testing.assert_array_equal(moved, far)
+
+
+def test_a_tongue_behind_the_teeth_stays_and_one_in_them_does_not(teeth, head):
+    crown = foremost(head.teeth_upper)
+    behind, inside = crown - [0.0, 0.0, 12.0], crown - [0.0, 0.0, 0.5]
+    moved = np.array([behind, inside])
+    teeth.keep_in(moved, 0.0)
+    np.testing.assert_array_equal(moved[0], behind)
+    assert np.linalg.norm(moved[1] - inside) > 0.5
+
+
+def test_at_rest_the_skin_is_before_the_teeth(teeth, rest):
+    kept = rest.copy()
+    teeth.keep_out(kept, 0.0)
+    np.testing.assert_array_equal(kept, rest)
+
+
+def test_the_lower_row_goes_with_the_jaw(teeth, head):
+    front = foremost(head.teeth_lower)
+    inside = front - [0.0, 0.0, 1.0]
+    turned = Jaw.of(head).carry(inside[None], 0.5)
+    alone = replace(teeth, lining=np.zeros(1, np.int32))
+    closed, opened = inside[None].copy(), turned.copy()
+    alone.keep_out(closed, 0.0)
+    alone.keep_out(opened, 0.5)
+    assert closed[0, 2] > front[2]
+    np.testing.assert_allclose(Jaw.of(head).carry(closed, 0.5), opened, atol=1e-9)
+
+
+def test_a_row_is_as_wide_as_its_teeth(head):
+    row = Row.of(head.teeth_upper, 1.0)
+    crowns = head.teeth_upper.vertices[head.teeth_upper.material < 0.5]
+    assert row.front.max() >= np.hypot(crowns[:, 0], crowns[:, 2] - row.middle[0]).max() - 0.5
+    assert row.edge[np.abs(row.edge) < 900.0].min() == pytest.approx(crowns[:, 1].min())

@@ -1,0 +1,15 @@
+"""A spoken line whose phones are known: espeak-ng's own times."""
+
+from __future__ import annotations
+
+import pytest
+
+from risorius.core.utterance import Utterance
+from risorius.speech import synthesize
+
+LINE = "My baby brother put the big map by the beam."
+
+
+@pytest.fixture(scope="session")
+def spoken() -> Utterance:
+    return synthesize(LINE, lead=0.3, tail=0.3)

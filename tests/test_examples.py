@@ -1,0 +1,30 @@
+"""Every example performs, without a warning."""
+
+from pathlib import Path
+
+import pytest
+
+from risorius.pipeline import speak
+
+EXAMPLES = sorted((Path(__file__).parent.parent / "examples").iterdir())
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.name)
+def test_it_performs(path: Path, tmp_path: Path) -> None:
+    take = speak(str(path))
+    take.write(tmp_path / "x.muscles.csv", tmp_path / "x.TextGrid")
+    assert take.curves["lip_seal"].max() > 0.9 or take.curves["masseter"].max() > 0.2
+
+
+@pytest.mark.parametrize("name", ["01-julia.utt", "04-intonation.xml", "05-timed.utt"])
+def test_julia_prefers_popcorn(name: str) -> None:
+    said = speak(str(next(p for p in EXAMPLES if p.name == name))).utterance
+    assert said is not None
+    assert [(said.words[a.word].text, a.label) for a in said.accents] == [
+        ("Julia", "L+H*"),
+        ("popcorn", "H*"),
+    ]
+    assert [(said.words[b.word].text, b.label) for b in said.boundaries] == [
+        ("prefers", "L-H%"),
+        ("popcorn", "L-L%"),
+    ]

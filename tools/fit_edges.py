@@ -1,0 +1,254 @@
+"""Learn how the aligner's edges are off, and what edges between phones sound like, from labelled speech.
+
+Run from the repository's root: `python tools/fit_edges.py FOLDER [OUT.toml]`, FOLDER in TIMIT's layout
+(`benchmarks/timit.py`). It prints how far edges are from the labels, each speaker judged by what was learned
+from the others, then learns from all and writes the table (`src/risorius/speech/alignment/data/edges.toml`).
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+from scipy.optimize import minimize
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
+from timit import Label, Sentence, matched, sentences
+
+from risorius.speech.alignment.aligner import decoded
+from risorius.speech.alignment.edges import (
+    FEATURES,
+    REACH,
+    EdgeModel,
+    EdgeTable,
+    candidate_features,
+    compiled,
+)
+from risorius.speech.alignment.lexicon import read_transcript
+from risorius.speech.alignment.spectra import STEP_SECONDS, band_levels
+from risorius.speech.listening import Listening
+from risorius.speech.recording import read_recording
+
+Floats = npt.NDArray[np.float64]
+
+TABLE = Path("src/risorius/speech/alignment/data/edges.toml")
+CLASSES = {
+    "vowel": "AA AE AH AO AW AY EH EY IH IY OW OY UH UW",
+    "rhotic": "R ER",
+    "lateral": "L",
+    "glide": "W Y",
+    "voiceless_stop": "P T K",
+    "voiced_stop": "B D G",
+    "affricate": "CH JH",
+    "sibilant": "S Z SH ZH",
+    "voiceless_fricative": "F TH",
+    "voiced_fricative": "V DH",
+    "aspirate": "HH",
+    "nasal": "M N NG",
+    "silence": "",
+}
+NUMBERS = {p: n for n, phones in enumerate(CLASSES.values()) for p in (phones.split() or [""])}
+# A median of n errors counts as n of so many more.
+PRIOR_ERRORS = 3
+# Penalties on squared weights: common to all edges, and of one class.
+COMMON_PENALTY, CLASS_PENALTY = 1.0, 10.0
+# Seconds: labels are taken to be so exact.
+LABEL_SPREAD = 0.005
+# Errors beyond this are other phones than those labelled.
+MISMATCH = 0.15
+
+
+@dataclass(frozen=True)
+class Edges:
+    """Edges of many sentences, shape (n,) each: classes, seconds before and as labelled; their sentences."""
+
+    left: npt.NDArray[np.int64]
+    right: npt.NDArray[np.int64]
+    before: Floats
+    labelled: Floats
+    sentence: npt.NDArray[np.int64]
+
+    def where(self, chosen: npt.NDArray[np.bool_]) -> Edges:
+        """Return some of the edges."""
+        return Edges(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
+
+
+def collect(spoken: list[Sentence]) -> tuple[Edges, list[Floats]]:
+    """Return the decoder's edges with their labels, and each sentence's band levels."""
+    rows: list[tuple[int, int, float, float, int]] = []
+    levels: list[Floats] = []
+    for number, sentence in enumerate(spoken):
+        listening = Listening(read_recording(sentence.sound))
+        _, words = read_transcript(sentence.text)
+        (found,) = decoded(listening, [word.readings for word in words])
+        levels.append(band_levels(listening.read(0.0, listening.audio.duration)))
+        ours = [Label(f.symbol, f.start, f.end) for f in found]
+        for i, j in matched(ours, sentence.labels):
+            error = ours[i].start - sentence.labels[j].start
+            if i and (ours[i].symbol == "") == (sentence.labels[j].symbol == "") and abs(error) < MISMATCH:
+                pair = NUMBERS[ours[i - 1].symbol], NUMBERS[ours[i].symbol]
+                rows.append((*pair, ours[i].start, sentence.labels[j].start, number))
+    left, right, before, labelled, which = np.array(rows).T
+    classes = left.astype(np.int64), right.astype(np.int64)
+    return Edges(*classes, before, labelled, which.astype(np.int64)), levels
+
+
+def fit(edges: Edges, levels: list[Floats]) -> EdgeTable:
+    """Learn the table from edges."""
+    bias = median_errors(edges)
+    steps = np.round((edges.before - bias[edges.left, edges.right]) / STEP_SECONDS).astype(np.int64)
+    features = gathered(edges, steps, levels)
+    times = (steps[:, None] + np.arange(-REACH, REACH + 1)) * STEP_SECONDS
+    near = np.abs(edges.labelled - times[:, REACH]) < REACH * STEP_SECONDS
+    wanted = np.exp(-0.5 * ((times - edges.labelled[:, None]) / LABEL_SPREAD) ** 2)[near]
+    wanted /= wanted.sum(axis=1, keepdims=True)
+    scale = features[near].std(axis=(0, 1)) + 1e-9
+    weights = logit(features[near] / scale, wanted, edges.where(near)) / scale
+    return tabulated(bias, weights)
+
+
+def median_errors(edges: Edges) -> Floats:
+    """Return the decoder's median error by class to the left and right, drawn to 0 where edges are few."""
+    count = len(CLASSES)
+    bias = np.zeros((count, count))
+    for pair in np.ndindex(count, count):
+        errors = (edges.before - edges.labelled)[(edges.left == pair[0]) & (edges.right == pair[1])]
+        if len(errors):
+            bias[pair] = np.median(errors) * len(errors) / (len(errors) + PRIOR_ERRORS)
+    return bias
+
+
+def gathered(edges: Edges, steps: npt.NDArray[np.int64], levels: list[Floats]) -> Floats:
+    """Return the features of all candidates, shape (n, candidates, FEATURES)."""
+    features = np.empty((len(steps), 2 * REACH + 1, FEATURES))
+    for number in np.unique(edges.sentence):
+        inside = edges.sentence == number
+        features[inside] = candidate_features(levels[number], steps[inside])
+    return features
+
+
+def logit(features: Floats, wanted: Floats, edges: Edges) -> Floats:
+    """Return weights (1 + 2 classes, FEATURES) of a conditional logit: common, by left, by right class."""
+    count = len(CLASSES)
+    shape = (1 + 2 * count, FEATURES)
+    penalty = np.full((shape[0], 1), CLASS_PENALTY)
+    penalty[0] = COMMON_PENALTY
+
+    def loss(flat: Floats) -> tuple[float, Floats]:
+        weights = flat.reshape(shape)
+        own = weights[0] + weights[1 + edges.left] + weights[1 + count + edges.right]
+        scores = np.einsum("ecf,ef->ec", features, own)
+        scores -= scores.max(axis=1, keepdims=True)
+        total = np.exp(scores).sum(axis=1, keepdims=True)
+        slope = np.einsum("ec,ecf->ef", np.exp(scores) / total - wanted, features)
+        gradient = penalty * weights
+        gradient[0] += slope.sum(axis=0)
+        np.add.at(gradient, 1 + edges.left, slope)
+        np.add.at(gradient, 1 + count + edges.right, slope)
+        surprise = -float((wanted * (scores - np.log(total))).sum())
+        return surprise + 0.5 * float((penalty * weights**2).sum()), gradient.ravel()
+
+    start = np.zeros(shape[0] * shape[1])
+    found = minimize(loss, start, jac=True, method="L-BFGS-B", options={"maxiter": 200})
+    return np.asarray(found.x.reshape(shape))
+
+
+def tabulated(bias: Floats, weights: Floats) -> EdgeTable:
+    """Return what was learned as a table, rounded."""
+    names = list(CLASSES)
+
+    def row(values: Floats) -> tuple[float, ...]:
+        return tuple(round(float(v), 3) for v in values)
+
+    by_class = [row(values) for values in weights[1:]]
+    return EdgeTable(
+        classes={name: tuple(phones.split() or [""]) for name, phones in CLASSES.items()},
+        bias={
+            f"{names[i]} {names[j]}": round(float(bias[i, j]), 4)
+            for i, j in np.ndindex(bias.shape)
+            if bias[i, j]
+        },
+        common=row(weights[0]),
+        left=dict(zip(names, by_class[: len(names)], strict=True)),
+        right=dict(zip(names, by_class[len(names) :], strict=True)),
+    )
+
+
+def errors(edges: Edges, levels: list[Floats], table: EdgeTable) -> dict[str, Floats]:
+    """Return the errors in seconds of the decoder's edges, of those less their bias, and of those placed."""
+    model: EdgeModel = compiled(table)
+    corrected = edges.before - model.bias[edges.left, edges.right]
+    steps = np.round(corrected / STEP_SECONDS).astype(np.int64)
+    weights = model.left[edges.left] + model.right[edges.right]
+    scores = np.einsum("ecf,ef->ec", gathered(edges, steps, levels), weights)
+    chosen = (steps + scores.argmax(axis=1) - REACH) * STEP_SECONDS
+    found = {"decoder": edges.before, "less bias": corrected, "placed": chosen}
+    return {name: times - edges.labelled for name, times in found.items()}
+
+
+def cross_validated(edges: Edges, levels: list[Floats], speakers: npt.NDArray[np.str_]) -> Iterator[str]:
+    """Yield lines on how well edges are placed for speakers from whom nothing was learned."""
+    found: dict[str, list[Floats]] = {}
+    for speaker in np.unique(speakers):
+        held_out = speakers[edges.sentence] == speaker
+        table = fit(edges.where(~held_out), levels)
+        for name, values in errors(edges.where(held_out), levels, table).items():
+            found.setdefault(name, []).append(np.abs(values))
+    for name, parts in found.items():
+        away = np.concatenate(parts)
+        within = "  ".join(f"{100 * (away <= ms / 1000).mean():.1f} % in {ms} ms" for ms in (10, 20, 30, 50))
+        yield f"{name:10s} {within}  median {1000 * np.median(away):.1f} ms  ({len(away)} edges)"
+
+
+def written(table: EdgeTable, speakers: int, count: int) -> Iterator[str]:
+    """Yield the lines of the table's file."""
+    yield "# Edges between phones: the aligner's bias, and weights of what an edge sounds like."
+    yield "# Licence: CC0 1.0. Author: the Risorius project."
+    yield f"# Learned by tools/fit_edges.py from {count} edges in hand-labelled sentences of {speakers}"
+    yield "# speakers of TIMIT (Garofolo et al. 1993): statistics only, nothing of the recordings."
+    yield "# Weights: 12 bands of the step at the edge, of the levels before, of those after, of their"
+    yield "# sum from the corrected edge on; size of the step, near and far; distance, plain and squared."
+    yield f"common = {_listed(table.common)}"
+    yield ""
+    yield "[classes]"
+    yield from (f"{name} = {_quoted(phones)}" for name, phones in table.classes.items())
+    yield ""
+    yield "# Seconds by which the decoder's edges come late."
+    yield "[bias]"
+    yield from (f'"{pair}" = {seconds}' for pair, seconds in table.bias.items())
+    for side, rows in (("left", table.left), ("right", table.right)):
+        yield ""
+        yield f"[{side}]"
+        yield from (f"{name} = {_listed(row)}" for name, row in rows.items())
+
+
+def _listed(row: tuple[float, ...]) -> str:
+    return f"[{', '.join(f'{value:g}' for value in row)}]"
+
+
+def _quoted(phones: tuple[str, ...]) -> str:
+    return "[" + ", ".join(f'"{phone}"' for phone in phones) + "]"
+
+
+def main(folder: Path, out: Path) -> None:
+    """Print the cross-validated figures and write the table."""
+    spoken = list(sentences(folder))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        edges, levels = collect(spoken)
+    speakers = np.array([sentence.speaker for sentence in spoken])
+    for line in cross_validated(edges, levels, speakers):
+        print(line)
+    out.parent.mkdir(exist_ok=True)
+    lines = written(fit(edges, levels), len(np.unique(speakers)), len(edges.before))
+    out.write_text("\n".join(lines) + "\n")
+    print(f"Wrote {out}")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), Path(sys.argv[2]) if len(sys.argv) > 2 else TABLE)
