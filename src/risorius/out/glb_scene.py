@@ -34,6 +34,7 @@ class GlbScene:
     posed: Mapping[str, Array] = field(default_factory=dict)
     nodes: dict[str, int] = field(default_factory=dict)
     targets: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    _normals: dict[str, Array] = field(default_factory=dict)
 
     def build(self) -> None:
         """Add all nodes and meshes; the skin turns with the head by its neck weights, the rest as a whole."""
@@ -67,10 +68,11 @@ class GlbScene:
     def _mesh(self, piece: Piece, about: Array) -> int:
         points = self.posed.get(piece.name, piece.points)
         gltf = self.gltf
+        self._normals[piece.name] = normals(points, piece.triangles)
         place = ((points - about) * METRES).astype(np.float32)
         attributes = {
             "POSITION": gltf.accessor(place, VERTICES),
-            "NORMAL": gltf.accessor(normals(points, piece.triangles).astype(np.float32), VERTICES),
+            "NORMAL": gltf.accessor(self._normals[piece.name].astype(np.float32), VERTICES),
         }
         if piece.name in _EYES:
             across = (points - about) / self.head.eye_radius[_EYES.index(piece.name)]
@@ -97,8 +99,7 @@ class GlbScene:
     def _target(self, piece: Piece, move: Array) -> dict[str, int]:
         target = {"POSITION": self.gltf.sparse((move * METRES).astype(np.float32))}
         if piece.roots is None:
-            before = normals(piece.points, piece.triangles)
-            change = normals(piece.points + move, piece.triangles) - before
+            change = normals(piece.points + move, piece.triangles) - self._normals[piece.name]
             still = np.abs(change).max(axis=1) < 1e-3
             target["NORMAL"] = self.gltf.sparse(np.where(still[:, None], 0.0, change).astype(np.float32))
         return target

@@ -25,6 +25,7 @@ from .tone import srgb_encode
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 _IRIS, _PUPIL = float(IRIS), 0.36 * float(IRIS)  # of the eyeball's radius
+HEM = 10.0  # mm over which skin becomes cloth: triangles there are that wide
 _SCLERA = (228, 220, 212)
 
 
@@ -92,7 +93,7 @@ def _piece(name: str, part: Part, roughness: float) -> Piece:
 
 def _clothed(skin: Piece, inside: Array, cloth: Array) -> Piece:
     """Return the skin in the colour of the cloth where it is worn; `inside` (n,) mm from its edge."""
-    share = np.clip(inside + 0.5, 0.0, 1.0)[:, None]
+    share = np.clip(0.5 + inside / HEM, 0.0, 1.0)[:, None]
     colours = skin.colours + share * (cloth - skin.colours)
     return Piece(skin.name, skin.points, skin.triangles, colours, skin.roughness)
 
