@@ -27,6 +27,7 @@ from risorius.face.shapes import FILE  # noqa: E402
 
 HEADS = ROOT / "src" / "risorius" / "heads"
 TEMPLATE = HEADS / "standard"
+RECIPES = TEMPLATE / "muscles.toml"
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -54,7 +55,7 @@ def write_shapes(source: Source, folder: Path, template: Shape, output: Path) ->
     same = folder.resolve() == TEMPLATE.resolve()
     shape = template if same else Shape.of(source, read_identity(folder / IDENTITY), template)
     output.mkdir(parents=True, exist_ok=True)
-    write_npz(output / FILE, build_shapes(shape))
+    write_npz(output / FILE, build_shapes(shape, RECIPES))
 
 
 if __name__ == "__main__":

@@ -26,7 +26,8 @@ from .shapes import ArkitShapes, arkit_shapes
 Array = npt.NDArray[np.float64]
 
 # Shares of the mean square of a shape: what keeps nearly parallel shapes, and opposed ones, from fighting.
-RIDGE, AGAINST = 5e-5, 1e-4
+RIDGE, AGAINST = 3e-5, 5e-5
+LIPS = 2.0  # how much more the lips count: they are few vertices, and what is looked at
 HIDDEN = 3.0  # mm before the eyeball's front plane up to which the socket's lining is not seen
 MOVED = 0.3  # mm by which some shape must move a vertex for it to count in the residual
 
@@ -76,8 +77,11 @@ class ArkitFit:
         self._basis = np.ascontiguousarray(dense[:, columns])
         fitted = self._basis.copy()
         fitted[_CLOSE] += fitted[_JAW]
-        self._fitted = fitted[self._free]
-        self._factor = np.linalg.cholesky(_regular(fitted)[np.ix_(self._free, self._free)])
+        lips = head.skin.matrix @ head.masks["lips"]
+        heavy = fitted * np.repeat(1.0 + LIPS * lips[self._counted], 3)
+        self._fitted = heavy[self._free]
+        self._shared = self._fitted @ self._basis.T
+        self._factor = np.linalg.cholesky(_regular(heavy @ fitted.T)[np.ix_(self._free, self._free)])
 
     def weights(self, frame: FaceFrame) -> Array:
         """Return the weights (52,) of a frame, 0..1."""
@@ -122,7 +126,7 @@ class ArkitFit:
 
     def _solve(self, displacement: Array, given: Array) -> Array:
         given = given * self._given
-        right = self._fitted @ (displacement - given @ self._basis)
+        right = self._fitted @ displacement - self._shared @ given
         weights = given.copy()
         weights[self._free] = nnls(self._factor.T, np.linalg.solve(self._factor, right))[0]
         weights[_JAW] += weights[_CLOSE]
@@ -175,9 +179,8 @@ def _seen(head: Head, rest: Array) -> npt.NDArray[np.bool_]:
     return seen
 
 
-def _regular(basis: Array) -> Array:
-    """Return the normal equations (52, 52) of `basis`, held by the ridge and between opposed shapes."""
-    normal = basis @ basis.T
+def _regular(normal: Array) -> Array:
+    """Return normal equations (52, 52) held by the ridge and between opposed shapes."""
     scale = np.trace(normal) / len(normal)
     result = normal + RIDGE * scale * np.eye(len(normal))
     for pair in OPPOSED:

@@ -26,35 +26,40 @@ class ClipBasis:
     rest: Array
     tolerance: float = TOLERANCE
     most: int = MOST
-    _shapes: list[Array32] = field(default_factory=list)
-    _weights: list[Array] = field(default_factory=list)
+    _shapes: Array32 = field(init=False)
+    _count: int = 0
+    _weights: list[Array32] = field(default_factory=list)
     _errors: list[tuple[float, float]] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self._shapes = np.zeros((self.most, self.rest.size), np.float32)
 
     def show(self, points: npt.NDArray[np.floating]) -> None:
         """Take in the next frame, points (n, 3) in mm."""
-        rest = (points - self.rest).ravel()
-        weights, rest = self._split(rest)
-        if self._worst(rest) > self.tolerance and len(self._shapes) < self.most:
-            size = float(np.linalg.norm(rest))
-            self._shapes.append((rest / size).astype(np.float32))
+        weights, rest = self._split((points - self.rest).ravel().astype(np.float32))
+        if _distances(rest).max() > self.tolerance and self._count < self.most:
+            # Twice, because the first time leaves a little of the others in it.
+            direction = self._split(rest)[1]
+            self._shapes[self._count] = direction / np.linalg.norm(direction)
+            self._count += 1
             more, rest = self._split(rest)
-            weights = np.append(weights, 0.0) + more
+            weights = np.append(weights, np.float32(0.0)) + more
         self._weights.append(weights)
-        distance = np.linalg.norm(rest.reshape(-1, 3), axis=1)
+        distance = _distances(rest)
         self._errors.append((float((distance**2).mean()), float(distance.max())))
 
     def finish(self) -> tuple[Array, Array]:
         """Return shapes (k, n, 3) mm and weights (frames, k) of about unit size, the largest first."""
-        count = len(self._shapes)
+        count = self._count
         weights = np.zeros((len(self._weights), count))
         for row, found in zip(weights, self._weights, strict=True):
             row[: len(found)] = found
         if not count:
             return np.zeros((0, *self.rest.shape)), weights
-        _, _, turn = np.linalg.svd(weights, full_matrices=False)
+        turn = np.linalg.svd(weights, full_matrices=False)[2]
         turned = weights @ turn.T
         scale = np.maximum(np.abs(turned).max(axis=0), 1e-9)
-        shapes = np.einsum("jk,kn->jn", turn * scale[: len(turn), None], np.array(self._shapes))
+        shapes = (turn * scale[:, None]) @ self._shapes[:count].astype(np.float64)
         return shapes.reshape(len(turn), *self.rest.shape), turned / scale
 
     @property
@@ -63,14 +68,12 @@ class ClipBasis:
         errors = np.array(self._errors)
         return float(np.sqrt(errors[:, 0].mean())), float(errors[:, 1].max())
 
-    def _split(self, rest: Array) -> tuple[Array, Array]:
+    def _split(self, rest: Array32) -> tuple[Array32, Array32]:
         """Return the weights of the shapes so far, and what they leave over."""
-        weights = np.zeros(len(self._shapes))
-        for k, shape in enumerate(self._shapes):
-            weights[k] = float(shape @ rest)
-            rest = rest - weights[k] * shape
-        return weights, rest
+        shapes = self._shapes[: self._count]
+        weights = shapes @ rest
+        return weights, np.asarray(rest - weights @ shapes, np.float32)
 
-    @staticmethod
-    def _worst(rest: Array) -> float:
-        return float(np.linalg.norm(rest.reshape(-1, 3), axis=1).max())
+
+def _distances(rest: Array32) -> Array32:
+    return np.asarray(np.linalg.norm(rest.reshape(-1, 3), axis=1))
