@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
 
@@ -19,6 +20,9 @@ from risorius.core.utterance import (
     Utterance,
     Word,
 )
+from risorius.pipeline import speak
+from risorius.settings import Settings
+from risorius.take import Take
 
 VOWELS = frozenset({"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"})
 UtteranceMaker = Callable[..., Utterance]
@@ -54,6 +58,13 @@ def utterance_of() -> UtteranceMaker:
         return Utterance(text, "en-us", audio, tuple(phones), tuple(words), pauses=tuple(pauses))
 
     return make
+
+
+@pytest.fixture(scope="session")
+def clip() -> Take:
+    """A short sentence, performed by the standard head without inertia at 10 frames per second."""
+    settings = Settings(fps=Fraction(10), dynamics="static", lead=0.3, tail=0.3)
+    return speak("Oh, my mother!", emotion={"happiness": 0.5}, settings=settings)
 
 
 _PAUSES = {

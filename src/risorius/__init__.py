@@ -14,13 +14,14 @@ if TYPE_CHECKING:
     from .pipeline import align as align
     from .pipeline import load as load
     from .pipeline import mix as mix
+    from .pipeline import play as play
     from .pipeline import pose as pose
     from .pipeline import speak as speak
     from .settings import Settings as Settings
     from .take import Take as Take
 
 __version__ = "0.1.0"
-__all__ = ["RisoriusError", "Settings", "Take", "align", "load", "mix", "pose", "speak"]
+__all__ = ["RisoriusError", "Settings", "Take", "align", "load", "mix", "play", "pose", "speak"]
 
 _HOMES = {
     "RisoriusError": "errors",
@@ -29,6 +30,7 @@ _HOMES = {
     "align": "pipeline",
     "load": "pipeline",
     "mix": "pipeline",
+    "play": "pipeline",
     "pose": "pipeline",
     "speak": "pipeline",
 }

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 DEFAULT_OUTPUT = "performance.mp4"
 LONGEST_INPUT = 4_000_000
-WITHOUT_SPEECH = ("curves", "vertices", "pixels")
+WITHOUT_SPEECH = ("curves", "vertices", "pixels", "head")
 EXIT_FAULT, EXIT_INTERRUPTED = 2, 130
 
 _LISTED = ("muscles", "channels", "emotions", "profiles", "attitudes", "voices", "outputs", "heads")
@@ -370,6 +370,101 @@ def pose(
     check_outputs(outputs, WITHOUT_SPEECH, alpha=settings.look.transparent)
     take = hold(_assignments(targets), emotion=_displays(emotions), settings=settings)
     take.write(*outputs)
+
+
+@commands.command()
+@click.argument("capture", type=click.Path(path_type=Path, dir_okay=True))
+@click.option("--audio", metavar="FILE", help="A sound to go with it: WAV, FLAC, OGG or MP3.")
+@_OUTPUT_OPTION
+@_SAMPLING_OPTION
+@_SKIN_OPTION
+@_picture_options
+def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: Any) -> None:
+    """Perform a captured face: CAPTURE is .arkit.csv, .au.csv, .fap, a score or a performance (.json).
+
+    Any other .csv is read as a take of the Live Link Face app.
+    """
+    from .console import Console
+    from .pipeline import check_outputs
+    from .pipeline import play as perform
+
+    if not outputs:
+        raise OutputError("no output named; expected -o y.mp4")
+    with Console() as console:
+        check_outputs(outputs)
+        take = perform(capture, audio=audio, settings=_settings(**chosen))
+        take.write(*outputs, progress=console.progress)
+        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
+
+
+@commands.command()
+@click.argument("source", metavar="INPUT")
+@click.option("--protocol", default="livelink", metavar="NAME", help="livelink, vmc or ifacialmocap.")
+@click.option("--to", default="127.0.0.1", metavar="HOST[:PORT]", help="Who receives it.")
+@click.option("--subject", metavar="NAME", help="The name that the receiver shows.  [default: risorius]")
+@click.option("--names", metavar="SET", help="Expressions over VMC: vrm0, vrm1, arkit or ARKit.")
+@click.option("--without-sound", is_flag=True, help="Do not play the voice here; the machine's clock counts.")
+@click.option("--emotion", "emotions", multiple=True, metavar="NAME:INTENSITY[@START-END]", help="Show one.")
+@_SAMPLING_OPTION
+@click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]")
+def stream(
+    source: str,
+    protocol: str,
+    to: str,
+    subject: str | None,
+    names: str | None,
+    without_sound: bool,
+    emotions: tuple[str, ...],
+    **chosen: Any,
+) -> None:
+    """Perform INPUT for another program, live: the sound is the clock, late frames are dropped."""
+    from .console import Console
+    from .pipeline import speak as perform
+    from .pipeline import stream as send
+    from .stream import PROTOCOLS, Options, parse_address
+
+    given = {"subject": subject, "names": names}
+    options = Options(**{name: value for name, value in given.items() if value is not None})
+    parse_address(to, PROTOCOLS.get(protocol).port)
+    with Console() as console:
+        take = perform(
+            source, emotion=_displays(emotions), settings=_settings(**chosen), progress=console.progress
+        )
+        sent = send(take, protocol, to, options=options, sound=not without_sound, progress=console.progress)
+        console.say(f"Sent {sent.frames} frames, dropped {sent.dropped}")
+
+
+@commands.command()
+@click.argument("character", type=click.Path(path_type=Path, dir_okay=True))
+@click.option(
+    "--map", "map_file", type=click.Path(path_type=Path), help="TOML that says which target is which."
+)
+@click.option("--perform", metavar="INPUT", help="A text or file to perform on the character; needs -o.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="The character's .glb with its animation."
+)
+@_SAMPLING_OPTION
+@click.option("--head", metavar="NAME", help="The head that performs and measures.  [default: standard]")
+def rig(
+    character: Path, map_file: Path | None, perform: str | None, output: Path | None, **chosen: Any
+) -> None:
+    """Say what a CHARACTER of yours (.glb with blend shapes) can show; perform on it.
+
+    Without --map the targets are guessed by name and shown as a table to correct: save it and give it back.
+    """
+    from .console import Console
+    from .narration import tell_rig
+    from .pipeline import rig as report
+    from .pipeline import speak as speak_
+
+    if (perform is None) != (output is None):
+        raise InputError("--perform and -o go together; expected both or neither")
+    settings = _settings(**chosen)
+    with Console() as console:
+        take = speak_(perform, settings=settings, progress=console.progress) if perform is not None else None
+        found, rows = report(character, map_file=map_file, take=take, output=output, settings=settings)
+        for line in tell_rig(found, rows, guessed=map_file is None):
+            click.echo(line)
 
 
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:

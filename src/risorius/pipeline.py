@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .blend import combine
 from .channels import Brief, Display, compose
@@ -25,9 +25,15 @@ from .script import Script, felt_in, listening_in, movements_of, read_script
 from .settings import Settings
 from .speech import feelings, say
 from .speech.heard import holds_labels, listen
+from .speech.recording import read_recording
 from .take import Progress, Take, lip_rig, quiet
 
-__all__ = ["align", "check_outputs", "load", "mix", "perform", "pose", "speak"]
+if TYPE_CHECKING:
+    from .rig import Rig, Shown
+    from .stream import Options
+    from .stream.send import Sent
+
+__all__ = ["align", "check_outputs", "load", "mix", "perform", "play", "pose", "rig", "speak", "stream"]
 
 # Seconds that a script without speech lasts at least.
 SILENT_DURATION = 1.0
@@ -148,6 +154,82 @@ def load(performance: str | PathLike[str], *, settings: Settings | None = None) 
     file = read_performance_file(Path(performance))
     settings = replace(settings or Settings(), fps=file.performance.fps)
     return Take(file.performance, settings, file.utterance)
+
+
+def play(
+    capture: str | PathLike[str],
+    *,
+    audio: str | PathLike[str] | None = None,
+    settings: Settings | None = None,
+) -> Take:
+    """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
+
+    `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used.
+    """
+    settings, path = settings or Settings(), Path(capture)
+    if path.name.lower().endswith(".performance.json"):
+        take = load(path, settings=settings)
+    elif path.name.lower().endswith(".json"):
+        take = mix(path, settings=settings)
+    else:
+        from .playback import captured
+
+        take = perform(captured(path, settings), settings)
+    return take if audio is None else replace(take, sound=read_recording(audio))
+
+
+def stream(
+    take: Take,
+    protocol: str,
+    to: str = "127.0.0.1",
+    *,
+    options: Options | None = None,
+    sound: bool = False,
+    progress: Progress = quiet,
+) -> Sent:
+    """Send a take to another program in real time; return how many frames were sent and dropped.
+
+    `protocol` is livelink, vmc or ifacialmocap, `to` HOST or HOST:PORT. With `sound` the voice is played here
+    and is the clock. Raises InputError for a wrong protocol or address, OutputError where nothing listens.
+    """
+    from .stream import PROTOCOLS, Options, parse_address, send
+    from .stream.clock import MachineClock, SoundClock
+
+    chosen = PROTOCOLS.get(protocol)
+    address = parse_address(to, chosen.port)
+    progress("Fitting weights …")
+    packets = chosen.make(take.arkit, take.performance.fps, options or Options())
+    audio = take.sound or (take.utterance.audio if take.utterance else None)
+    clock = SoundClock(audio) if sound and audio is not None else MachineClock()
+    progress(f"Sending to {address} …")
+    return send(packets, len(take.performance.values), take.performance.fps, address, clock)
+
+
+def rig(
+    character: str | PathLike[str],
+    *,
+    map_file: str | PathLike[str] | None = None,
+    take: Take | None = None,
+    output: str | PathLike[str] | None = None,
+    settings: Settings | None = None,
+) -> tuple[Rig, list[Shown]]:
+    """Return what a character (`.glb` with blend shapes) has and how well it shows each of our muscles.
+
+    With `take` and `output` the character is written with the take's animation. Raises RisoriusError.
+    """
+    from .face.arkit_fit import ArkitFit
+    from .face.head import load_head
+    from .out.atomic import replacing
+    from .out.glb_file import save_glb
+    from .rig import animated, read_rig, report
+
+    settings = settings or Settings()
+    found = read_rig(Path(character), None if map_file is None else Path(map_file))
+    if take is not None and output is not None:
+        track = ArkitFit(take.head, found.shapes).track(take.faces())
+        with replacing(Path(output)) as path:
+            save_glb(animated(found, track, take.times), path)
+    return found, report(found, load_head(settings.head, age=settings.age))
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import astuple, dataclass, field
+from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property, partial
 from os import PathLike
 from typing import TYPE_CHECKING
@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .core.articulators import ARTICULATORS
+from .core.audio import Audio
 from .core.lip_rig import LipRig
 from .core.parameters import NAMES, parameters_named
 from .core.performance import Performance
@@ -23,6 +24,7 @@ from .settings import Settings
 
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally
+    from .face.arkit_fit import ArkitTrack
     from .face.frame import FaceFrame
     from .face.head import Head
     from .face.measure import Gauge
@@ -53,13 +55,14 @@ def _announced_if_slow(progress: Progress) -> Iterator[None]:
 class Take:
     """What `speak`, `mix` and `pose` return.
 
-    `utterance` is None where nothing is said. Faces and pictures are made when they are asked for, one frame
-    at a time.
+    `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces
+    and pictures are made when they are asked for, one frame at a time.
     """
 
     performance: Performance
     settings: Settings = field(default_factory=Settings)
     utterance: Utterance | None = None
+    sound: Audio | None = None
 
     @property
     def score(self) -> Score:
@@ -164,10 +167,12 @@ class Take:
         return Material(
             performance=self.performance,
             utterance=self.utterance,
-            audio=self.utterance.audio if self.utterance else None,
+            audio=self.sound or (self.utterance.audio if self.utterance else None),
             frames=self.faces,
             pictures=partial(self.pictures, progress=progress),
             measures=self._measured,
+            head=lambda: self._dressed,
+            arkit=lambda: self.arkit,
         )
 
     def _measured(self, face: FaceFrame) -> list[float]:
@@ -179,6 +184,24 @@ class Take:
         from .face.measure import Gauge
 
         return Gauge(self.head)
+
+    @cached_property
+    def _dressed(self) -> Head:
+        """The head in the looks that the settings choose."""
+        from .render.dress import dressed
+
+        looks = dressed(self.head.identity.looks, self.settings.look)
+        return replace(self.head, identity=replace(self.head.identity, looks=looks))
+
+    @cached_property
+    def arkit(self) -> ArkitTrack:
+        """The performance as weights of ARKit's 52 shapes, with what they leave over in mm.
+
+        Raises HeadError where the head has no such shapes.
+        """
+        from .face.arkit_fit import ArkitFit
+
+        return ArkitFit(self.head).track(self.faces())
 
     @cached_property
     def head(self) -> Head:

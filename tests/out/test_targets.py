@@ -9,7 +9,7 @@ import pytest
 from risorius.core.audio import Audio
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
-from risorius.out import OUTPUTS, Material, WriteOptions, check_target, check_targets, write_targets
+from risorius.out import OUTPUTS, Material, Need, WriteOptions, check_target, check_targets, write_targets
 
 MaterialMaker = Callable[..., Material]
 NOWHERE = Path("/proc")
@@ -111,7 +111,7 @@ def test_all_formats_are_written_twice_with_the_same_bytes(
 ) -> None:
     utterance = utterance_of("M AA M", lead=0.3, tail=0.4)
     material = material_of(audio=utterance.audio, utterance=utterance)
-    suffixes = [suffix[1:] for suffix in OUTPUTS]
+    suffixes = [suffix[1:] for suffix in OUTPUTS if Need.HEAD not in OUTPUTS.get(suffix).needs]
     written = []
     for folder in (tmp_path / "a", tmp_path / "b"):
         folder.mkdir()

@@ -145,11 +145,11 @@ def mirrored(bust: Bust, field: Array) -> Array:
 
 def _field(bust: Bust, rest: Array, recipe: dict[str, Any], side: str) -> Array:
     total = sum((w * _sided(bust, shape, side) for shape, w in recipe["shapes"].items()), np.zeros_like(rest))
-    field = _ironed(bust, PARTS[recipe["part"]](bust.places, total), recipe["smooth"])
+    field = ironed(bust, PARTS[recipe["part"]](bust.places, total), recipe["smooth"])
     return close_lids(bust, rest, field, side) if recipe["part"] == "lids to their meeting" else field
 
 
-def _ironed(bust: Bust, field: Array, stiffness: float) -> Array:
+def ironed(bust: Bust, field: Array, stiffness: float) -> Array:
     """The field without the sharp folds of the sculpt, by bending energy; lips and lids are held."""
     if stiffness == 0.0:
         return field

@@ -22,12 +22,17 @@ def load_file(cls: type[T], path: Path) -> T:
 
 def load_rows(cls: type[T], path: Path) -> dict[str, T]:
     """Return a user's file whose tables are all a `cls`, by their names; raise InputError as `load_file`."""
-    source = Source(str(path), read_text(path))
+    return parse_rows(cls, read_text(path), str(path))
+
+
+def parse_rows(cls: type[T], text: str, name: str) -> dict[str, T]:
+    """Return TOML text whose tables are all a `cls`, by their names; raise InputError as `parse`."""
+    source = Source(name, text)
     rows = {}
-    for name, entry in read_tables(source.text, source.name).items():
+    for key, entry in read_tables(text, name).items():
         if not isinstance(entry, dict):
-            raise source.error((name,), f"{name} = {entry!r} cannot be used; expected a table")
-        rows[name] = build(cls, entry, source, (name,))
+            raise source.error((key,), f"{key} = {entry!r} cannot be used; expected a table")
+        rows[key] = build(cls, entry, source, (key,))
     return rows
 
 

@@ -28,6 +28,14 @@ def head_rotation(pitch: float, yaw: float, roll: float) -> Array:
     return np.asarray(turn @ nod @ tilt)
 
 
+def rotation_angles(rotation: Array) -> tuple[float, float, float]:
+    """Return pitch, yaw and roll in degrees of a head's rotation (3, 3): the inverse of `head_rotation`."""
+    pitch = math.asin(min(max(float(rotation[1, 2]), -1.0), 1.0))
+    yaw = math.atan2(float(rotation[0, 2]), float(rotation[2, 2]))
+    roll = math.atan2(float(rotation[1, 0]), float(rotation[1, 1]))
+    return math.degrees(pitch), math.degrees(yaw), -math.degrees(roll)
+
+
 def direction(pitch: float, yaw: float) -> Array:
     """Return the unit vector (3,) at `pitch` degrees up and `yaw` degrees to the subject's left of +z."""
     p, y = math.radians(pitch), math.radians(yaw)

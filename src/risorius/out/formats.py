@@ -6,6 +6,7 @@ import difflib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from importlib import import_module
 from pathlib import Path
 
 from ..errors import OutputError, Place
@@ -22,6 +23,7 @@ class Need(StrEnum):
     VERTICES = "vertices"
     PIXELS = "pixels"
     SPEECH = "speech"
+    HEAD = "head"
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +51,18 @@ def register(
     OUTPUTS.register(suffix)(output)
 
 
+def deferred(module: str, name: str) -> Writer:
+    """Return a writer of this package that is imported when it is first used.
+
+    What draws or fits faces takes a second to import, and most commands need none of it.
+    """
+
+    def write(material: Material, path: Path, options: WriteOptions) -> None:
+        getattr(import_module(f".{module}", __package__), name)(material, path, options)
+
+    return write
+
+
 def output_for(path: Path) -> Output:
     """Return the format that a file's name asks for; the longest suffix wins, in upper or lower case.
 
@@ -67,8 +81,8 @@ def _unknown_suffix(path: Path) -> str:
         return f"the name has no suffix; expected one of {known}"
     known_by_lower = {suffix.lower(): suffix for suffix in OUTPUTS}
     for asked in ("".join(path.suffixes[-2:]).lower(), path.suffix.lower()):
-        near = difflib.get_close_matches(asked, known_by_lower, n=1, cutoff=0.6)
-        near = near or [suffix for suffix in known_by_lower if suffix.endswith(asked)]
+        near = [suffix for suffix in known_by_lower if suffix.endswith(asked)]
+        near = near or difflib.get_close_matches(asked, known_by_lower, n=1, cutoff=0.6)
         if near:
             nearest = known_by_lower[near[0]]
             return f"unknown suffix '{path.suffix}'; did you mean '{nearest}'? Known: {known}"

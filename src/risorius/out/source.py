@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -13,10 +13,14 @@ import numpy.typing as npt
 from ..core.audio import Audio
 from ..core.performance import Performance
 from ..core.utterance import Utterance
+from ..errors import OutputError
 
 if TYPE_CHECKING:
+    from ..face.arkit_fit import ArkitTrack
     from ..face.frame import FaceFrame
+    from ..face.head import Head
 
+T = TypeVar("T")
 Picture = npt.NDArray[np.uint8]
 Size = tuple[int, int]
 
@@ -30,7 +34,8 @@ class Material:
     RGBA with four channels where their background is transparent, of the frames in `indices` (rising, within
     the performance), one at a time; a picture is only valid until the next one is asked for.
     `measures(frame)`: the numbers of `landmarks_csv.COLUMNS` after `time_s`, in that order.
-    `utterance` and `audio` are None where nothing is said.
+    `utterance` and `audio` are None where nothing is said. `head()`: the head that performs; `arkit()`: its
+    performance as ARKit weights, fitted once; both None where there is no face.
     """
 
     performance: Performance
@@ -39,6 +44,15 @@ class Material:
     frames: Callable[[], Iterator[FaceFrame]]
     pictures: Callable[[Size, Sequence[int]], Iterator[Picture]]
     measures: Callable[[FaceFrame], Sequence[float] | npt.NDArray[np.float64]]
+    head: Callable[[], Head] | None = None
+    arkit: Callable[[], ArkitTrack] | None = None
+
+
+def needed(make: Callable[[], T] | None) -> T:
+    """Return what a writer cannot do without; raise OutputError where the material has no face."""
+    if make is None:
+        raise OutputError("needs a head, and here is none")
+    return make()
 
 
 @dataclass(frozen=True, slots=True)

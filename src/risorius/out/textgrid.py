@@ -31,17 +31,33 @@ def textgrid_lines(utterance: Utterance) -> Iterator[str]:
     phones = [(p.start, p.end, phone_label(p, utterance.language)) for p in utterance.phones]
     accents = [(a.time, a.label) for a in utterance.accents]
     boundaries = [(b.time, b.label) for b in utterance.boundaries]
+    tiers = [("words", words), ("phones", phones)]
+    yield from _head(end, 4)
+    yield from _interval_tiers(end, tiers)
+    yield from _point_tier(3, "accents", end, accents)
+    yield from _point_tier(4, "boundaries", end, boundaries)
+
+
+def grid_lines(duration: float, tiers: list[tuple[str, list[Interval]]]) -> Iterator[str]:
+    """Yield the lines of a TextGrid of interval tiers, each a name and its intervals in order."""
+    end = _rounded(duration)
+    yield from _head(end, len(tiers))
+    yield from _interval_tiers(end, tiers)
+
+
+def _head(end: float, size: int) -> Iterator[str]:
     yield 'File type = "ooTextFile"'
     yield 'Object class = "TextGrid"'
     yield ""
     yield from _span("", end)
     yield "tiers? <exists>"
-    yield "size = 4"
+    yield f"size = {size}"
     yield "item []:"
-    yield from _interval_tier(1, "words", end, words)
-    yield from _interval_tier(2, "phones", end, phones)
-    yield from _point_tier(3, "accents", end, accents)
-    yield from _point_tier(4, "boundaries", end, boundaries)
+
+
+def _interval_tiers(end: float, tiers: list[tuple[str, list[Interval]]]) -> Iterator[str]:
+    for number, (name, marked) in enumerate(tiers, 1):
+        yield from _interval_tier(number, name, end, marked)
 
 
 def phone_label(phone: Phone, language: str) -> str:

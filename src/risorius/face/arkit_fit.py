@@ -1,0 +1,189 @@
+"""ARKit weights of a face: the non-negative least squares of its skin over the head's 52 sculpted shapes.
+
+The eyes' shapes stand for the eyes' rotation and `tongueOut` for the tongue, so these are not fitted: weight
+1 is the farthest that the table of parameters allows. `mouthClose` closes what `jawOpen` opens, so it is
+never more than it: the two are fitted as an opening, and an opening with the lips together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from scipy.optimize import nnls
+
+from ..core.arkit import INDEX, OPPOSED, SHAPES
+from ..core.parameters import INDEX as PARAMETER
+from ..core.parameters import PARAMETERS
+from .eyes import pitch_and_yaw
+from .frame import FaceFrame
+from .head import Head
+from .lids import FRONT, LID_REACH
+from .shapes import ArkitShapes, arkit_shapes
+
+Array = npt.NDArray[np.float64]
+
+# Shares of the mean square of a shape: what keeps nearly parallel shapes, and opposed ones, from fighting.
+RIDGE, AGAINST = 3e-5, 5e-5
+LIPS = 2.0  # how much more the lips count: they are few vertices, and what is looked at
+HIDDEN = 3.0  # mm before the eyeball's front plane up to which the socket's lining is not seen
+MOVED = 0.3  # mm by which some shape must move a vertex for it to count in the residual
+
+_JAW, _CLOSE, _TONGUE = INDEX["jawOpen"], INDEX["mouthClose"], INDEX["tongueOut"]
+_GIVEN = np.array([name.startswith("eyeLook") or name == "tongueOut" for name in SHAPES])
+_PITCH, _YAW = (PARAMETERS[PARAMETER[name]].high for name in ("gaze_pitch", "gaze_yaw"))
+_SIDES = (("Left", 1.0), ("Right", -1.0))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArkitTrack:
+    """A performance in ARKit's terms, frame by frame.
+
+    weights  (frames, 52) 0..1 in the order of `core.arkit.SHAPES`
+    head     (frames, 3) yaw, pitch, roll of the head in degrees: to the subject's left, up, tilted left
+    eyes     (frames, 2, 3) the same of the left and the right eye in the head; no roll
+    rms      (frames,) mm between the skin that the weights make and the face, where shapes move it
+    worst    (frames,) mm of the vertex that fits least
+    """
+
+    weights: Array
+    head: Array
+    eyes: Array
+    rms: Array
+    worst: Array
+
+    @property
+    def residual(self) -> tuple[float, float]:
+        """The root mean square over all frames and the worst vertex, in mm."""
+        return float(np.sqrt((self.rms**2).mean())), float(self.worst.max())
+
+
+class ArkitFit:
+    """Fits frames of one head by the shapes `available` (all where None); the others get 0.
+
+    Raises HeadError where the head has no sculpted shapes.
+    """
+
+    def __init__(self, head: Head, available: Collection[str] | None = None) -> None:
+        self._free, self._given = _roles(SHAPES if available is None else available)
+        self.shapes: ArkitShapes = arkit_shapes(head)
+        self.rest: Array = head.skin.matrix @ head.rest
+        dense = self.shapes.skin.toarray()
+        size = np.linalg.norm(dense.reshape(len(SHAPES), -1, 3), axis=2).max(axis=0)
+        self._counted = np.flatnonzero(_seen(head, self.rest) & (size > MOVED))
+        columns = (3 * self._counted[:, None] + np.arange(3)).ravel()
+        self._basis = np.ascontiguousarray(dense[:, columns])
+        fitted = self._basis.copy()
+        fitted[_CLOSE] += fitted[_JAW]
+        lips = head.skin.matrix @ head.masks["lips"]
+        heavy = fitted * np.repeat(1.0 + LIPS * lips[self._counted], 3)
+        self._fitted = heavy[self._free]
+        self._shared = self._fitted @ self._basis.T
+        self._factor = np.linalg.cholesky(_regular(heavy @ fitted.T)[np.ix_(self._free, self._free)])
+
+    def weights(self, frame: FaceFrame) -> Array:
+        """Return the weights (52,) of a frame, 0..1."""
+        return self._solve(self.displacement(frame.skin), _given(frame))
+
+    def of_skin(self, skin: npt.NDArray[np.floating], given: Array | None = None) -> Array:
+        """Return the weights (52,) of a level-1 skin (N1, 3) mm; `given` (52,) are those not fitted."""
+        return self._solve(self.displacement(skin), np.zeros(len(SHAPES)) if given is None else given)
+
+    def skin(self, weights: Array) -> Array:
+        """Return the level-1 skin (N1, 3) in mm that `weights` (52,) make."""
+        return np.asarray(self.rest + (weights @ self.shapes.skin).reshape(-1, 3))
+
+    def residual(self, frame: FaceFrame, weights: Array) -> tuple[float, float]:
+        """Return the root mean square and the greatest distance in mm between a frame and its weights' skin.
+
+        Over the vertices that are seen and that some shape moves.
+        """
+        rest = self.displacement(frame.skin) - weights @ self._basis
+        distance = np.linalg.norm(rest.reshape(-1, 3), axis=1)
+        return float(np.sqrt((distance**2).mean())), float(distance.max())
+
+    def track(self, frames: Iterable[FaceFrame]) -> ArkitTrack:
+        """Fit all frames in order."""
+        rows = [self._row(frame) for frame in frames]
+        weights, head, eyes, errors = (np.array(part) for part in zip(*rows, strict=True))
+        return ArkitTrack(weights, head, eyes, errors[:, 0], errors[:, 1])
+
+    def _row(self, frame: FaceFrame) -> tuple[Array, Array, Array, tuple[float, float]]:
+        weights = self.weights(frame)
+        eyes = np.array([(yaw, pitch, 0.0) for pitch, yaw in map(pitch_and_yaw, frame.eye_rotation)])
+        head = frame.parameters[[PARAMETER[f"head_{axis}"] for axis in ("yaw", "pitch", "roll")]]
+        return weights, head, eyes, self.residual(frame, weights)
+
+    def seen_displacement(self, weights: Array) -> Array:
+        """Return the displacements (frames, 3 k) in mm that `weights` (frames, 52) make of what is seen."""
+        return np.asarray(weights @ self._basis)
+
+    def displacement(self, skin: npt.NDArray[np.floating]) -> Array:
+        """Return the displacement (3 k,) in mm of what is seen of a level-1 skin (N1, 3)."""
+        return np.asarray((skin[self._counted] - self.rest[self._counted]).ravel(), dtype=np.float64)
+
+    def _solve(self, displacement: Array, given: Array) -> Array:
+        given = given * self._given
+        right = self._fitted @ displacement - self._shared @ given
+        weights = given.copy()
+        weights[self._free] = nnls(self._factor.T, np.linalg.solve(self._factor, right))[0]
+        weights[_JAW] += weights[_CLOSE]
+        weights = np.minimum(weights, 1.0)
+        weights[_CLOSE] = min(weights[_CLOSE], weights[_JAW])
+        return weights
+
+
+def _roles(available: Collection[str]) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
+    """Return which shapes (52,) are fitted and which are given, of those that are available."""
+    there = np.array([name in available for name in SHAPES])
+    there[_CLOSE] &= there[_JAW]  # what closes an opening is nothing without it
+    return there & ~_GIVEN, there & _GIVEN
+
+
+def _given(frame: FaceFrame) -> Array:
+    """Return the weights (52,) that are not fitted: where the eyes look, and the tongue."""
+    result = np.zeros(len(SHAPES))
+    for (side, outwards), rotation in zip(_SIDES, frame.eye_rotation, strict=True):
+        pitch, yaw = pitch_and_yaw(rotation)
+        for name, share in (
+            ("Up", pitch / _PITCH),
+            ("Down", -pitch / _PITCH),
+            ("Out", outwards * yaw / _YAW),
+            ("In", -outwards * yaw / _YAW),
+        ):
+            result[INDEX[f"eyeLook{name}{side}"]] = np.clip(share, 0.0, 1.0)
+    result[_TONGUE] = frame.parameters[PARAMETER["tongue_out"]]
+    return result
+
+
+def gaze_of(weights: Array) -> tuple[Array, Array]:
+    """Return pitch and yaw (n,) of the gaze in degrees from weights (n, 52): the mean of both eyes."""
+
+    def of(name: str) -> Array:
+        return np.asarray(weights[:, INDEX[f"eyeLook{name}"]])
+
+    pitch = 0.5 * _PITCH * sum(of(f"Up{side}") - of(f"Down{side}") for side, _ in _SIDES)
+    yaw = 0.5 * _YAW * sum(sign * (of(f"Out{side}") - of(f"In{side}")) for side, sign in _SIDES)
+    return np.asarray(pitch), np.asarray(yaw)
+
+
+def _seen(head: Head, rest: Array) -> npt.NDArray[np.bool_]:
+    """Return which vertices (N1,) can be seen: not those inside the mouth or behind the lids."""
+    seen = np.asarray(head.skin.matrix @ head.masks["inner_mouth"] < 0.5)
+    for centre, radius in zip(head.eye_centre, head.eye_radius, strict=True):
+        place = rest - centre
+        near = np.linalg.norm(place, axis=1) < radius + LID_REACH
+        seen &= ~(near & (place[:, 2] < FRONT * radius + HIDDEN))
+    return seen
+
+
+def _regular(normal: Array) -> Array:
+    """Return normal equations (52, 52) held by the ridge and between opposed shapes."""
+    scale = np.trace(normal) / len(normal)
+    result = normal + RIDGE * scale * np.eye(len(normal))
+    for pair in OPPOSED:
+        rows = [INDEX[name] for name in pair]
+        result[np.ix_(rows, rows)] += AGAINST * scale
+    return np.asarray(result)

@@ -1,0 +1,58 @@
+"""What each muscle does to a face, and which muscles do what is wanted: for faces captured elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import numpy.typing as npt
+from scipy.optimize import nnls
+
+from ..core.parameters import INDEX, MUSCLES, NEUTRAL, PARAMETERS
+from .frame import FaceFrame
+from .solve import FaceSolver
+
+Array = npt.NDArray[np.float64]
+Measure = Callable[[FaceFrame], Array]
+
+FITTED = (*(muscle.name for muscle in MUSCLES), "lip_tuck")
+# Of muscles that do nearly the same none is driven high against another.
+_RIDGE = 2e-3
+
+
+class Responses:
+    """Non-negative least squares of measures over the muscles of one head.
+
+    `measure` gives numbers (n,) of a frame, 0 at rest. Each column is what a muscle alone does at activation
+    1, its linked muscles included; muscles together are taken to add up, which the solver's limits on
+    near-parallel pulls make a little too much.
+    """
+
+    def __init__(self, solver: FaceSolver, measure: Measure) -> None:
+        rest = measure(solver.solve(NEUTRAL))
+        self._columns = np.stack([measure(solver.solve(_alone(name))) - rest for name in FITTED], axis=1)
+
+    def values(self, wanted: Array, rows: Sequence[int] | None = None) -> Array:
+        """Return values (frames, 46) whose muscles come nearest to measures `wanted` (frames, n).
+
+        `rows` are the measures that count, all where None. Parameters that are not fitted stay at rest.
+        """
+        chosen = slice(None) if rows is None else list(rows)
+        columns = self._columns[chosen]
+        normal = columns.T @ columns
+        scale = float(np.trace(normal)) / len(normal)
+        factor = np.linalg.cholesky(normal + _RIDGE * scale * np.eye(len(normal)))
+        result = np.tile(NEUTRAL, (len(wanted), 1))
+        for row, target in zip(result, wanted[:, chosen], strict=True):
+            found = nnls(factor.T, np.linalg.solve(factor, columns.T @ target))[0]
+            row[_COLUMNS] = np.minimum(found, 1.0)
+        return result
+
+
+_COLUMNS = [INDEX[name] for name in FITTED]
+
+
+def _alone(name: str) -> Array:
+    values = np.array(NEUTRAL)
+    values[INDEX[name]] = PARAMETERS[INDEX[name]].high
+    return values

@@ -1,0 +1,114 @@
+"""`.arkit.csv`: the 52 ARKit weights and nine rotations, as the Live Link Face app writes and Unreal reads.
+
+Header and order are those of the app's takes. Rotations are in radians: yaw to the subject's left, pitch up,
+roll to the left are positive; no vendor's document says how the app counts them. Lost: what 52 shapes cannot
+show (the fit's residual), wrinkles, the tongue but for `TongueOut`, the sound.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS
+from ..errors import InputError, Place, unknown
+from ..face.arkit_fit import ArkitTrack
+from .capture import Table, check_times, read_table, require
+from .source import Material, WriteOptions, needed
+from .table import write_lines
+
+Array = npt.NDArray[np.float64]
+
+APP_RATE = 60.0  # frames per second of the app's takes
+_TIMECODE = re.compile(r"(\d+):(\d{2}):(\d{2})[:;](\d+(?:\.\d+)?)")
+COLUMNS = ("Timecode", "BlendshapeCount", *CSV_SHAPES, *ROTATIONS)
+COUNT = len(CSV_SHAPES) + len(ROTATIONS)
+_ORDER = [INDEX[name[0].lower() + name[1:]] for name in CSV_SHAPES]
+
+
+def write_arkit_csv(material: Material, path: Path, _options: WriteOptions) -> None:
+    """Write one row per frame, ten decimals; raise OutputError where the head has no ARKit shapes."""
+    write_lines(path, rows(needed(material.arkit), material.performance.fps))
+
+
+def rows(track: ArkitTrack, fps: Fraction) -> Iterator[str]:
+    """Yield the lines, the header first."""
+    yield ",".join(COLUMNS)
+    for number, values in enumerate(values_of(track)):
+        numbers = ",".join(f"{value:.10f}" for value in values + 0.0)
+        yield f"{timecode(number, fps)},{COUNT},{numbers}"
+
+
+def values_of(track: ArkitTrack) -> Array:
+    """Return the 61 values (frames, 61) in the order of the columns, rotations in radians."""
+    angles = np.radians(np.concatenate([track.head[:, None], track.eyes], axis=1)).reshape(-1, len(ROTATIONS))
+    values = np.concatenate([track.weights[:, _ORDER], angles], axis=1)
+    return np.where(np.abs(values) < 5e-11, 0.0, values)
+
+
+def timecode(number: int, fps: Fraction) -> str:
+    """Return `HH:MM:SS:FF.mmm` of a frame: frames in the second, then thousandths of a frame."""
+    time = number / fps
+    whole = int(time)
+    thousandths = round((time - whole) * fps * 1000)
+    hours, minutes, seconds = whole // 3600 % 24, whole // 60 % 60, whole % 60
+    return f"{hours:02d}:{minutes:02d}:{seconds:02d}:{thousandths // 1000:02d}.{thousandths % 1000:03d}"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArkitTake:
+    """What a CSV holds: times (n,) in seconds, weights (n, 52) in ARKit's order, rotations (n, 9) radians."""
+
+    times: Array
+    weights: Array
+    rotations: Array
+
+
+def read_arkit_csv(path: Path) -> ArkitTake:
+    """Read a take of Live Link Face, or one written here; columns are found by name, in any order.
+
+    Weights are brought within 0 to 1; rotations that are not there are 0. Raises InputError for a column that
+    is missing or unknown, a cell that is no number, a time code that is none or goes back.
+    """
+    table = read_table(path)
+    known = {name.lower(): name for name in COLUMNS}
+    for name in table.columns:
+        if name.lower() not in known:
+            raise InputError(unknown("column", name, COLUMNS), Place(str(path), 1))
+    columns = tuple(known[name.lower()] for name in table.columns)
+    table = Table(path, columns, table.rows, table.lines)
+    require(table, ("Timecode", *CSV_SHAPES), "a Live Link Face take")
+    weights = np.empty((len(table.rows), len(INDEX)))
+    weights[:, _ORDER] = np.clip(table.numbers(CSV_SHAPES), 0.0, 1.0)
+    turned = [name for name in ROTATIONS if name in columns]
+    rotations = np.zeros((len(table.rows), len(ROTATIONS)))
+    rotations[:, [ROTATIONS.index(name) for name in turned]] = table.numbers(turned)
+    return ArkitTake(_times(table), weights, rotations)
+
+
+def _times(table: Table) -> Array:
+    parts = []
+    for text, line in zip(table.texts("Timecode"), table.lines, strict=True):
+        match = _TIMECODE.fullmatch(text)
+        if match is None:
+            raise InputError(f"'{text[:30]}' is no time code HH:MM:SS:FF.mmm", Place(str(table.path), line))
+        parts.append([float(part) for part in match.groups()])
+    clock = np.array(parts)
+    seconds = clock[:, :3] @ [3600.0, 60.0, 1.0]
+    return check_times(seconds + clock[:, 3] / _rate(seconds, clock[:, 3]), table.path, table.lines)
+
+
+def _rate(seconds: Array, frames: Array) -> float:
+    """Return the frames of a second: as fit evenly where one ends, or the app's rate."""
+    step, whole = np.diff(frames), np.diff(seconds)
+    ends = whole == 1.0
+    if not ends.any():
+        return APP_RATE
+    usual = float(np.median(step[whole == 0.0])) if (whole == 0.0).any() else 1.0
+    return max(round(float(np.median(usual - step[ends])), 2), 1.0)

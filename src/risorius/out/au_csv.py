@@ -1,0 +1,155 @@
+"""`.au.csv`: action units, gaze and head pose in the columns of OpenFace 2.x (sequences).
+
+Intensities `AUnn_r` run from 0 to 5, presences `AUnn_c` are 1 from intensity 1 on. Axes are those of a
+camera: x to the picture's right, y down, z away; the face looks at it from `DISTANCE` mm; angles in radians,
+the pose's as Rx·Ry·Rz. `AU25` is measured on the lips. Lost: sides, phones' shapes of the lips but for the
+units' own, units that OpenFace does not know, wrinkles. OpenFace's eye and face landmarks are left out, as it
+may itself.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.action_unit_fit import ActionUnitFit
+from ..core.action_units import action_unit
+from ..errors import InputError, Place
+from ..face.frame import FaceFrame
+from ..face.rotations import about_axis, rotation_angles
+from .capture import Table, check_times, read_table, require
+from .landmarks_csv import MEASURES
+from .source import Material, WriteOptions
+from .table import write_lines
+
+Array = npt.NDArray[np.float64]
+
+INTENSITIES = (1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 45)
+PRESENCES = (1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 28, 45)
+SCALE, PRESENT = 5.0, 1.0
+DISTANCE = 800.0
+_PARTED = 8.0  # mm of lip gap at which lips are parted as far as the scale goes
+_GAZE = (*(f"gaze_{eye}_{axis}" for eye in (0, 1) for axis in "xyz"), "gaze_angle_x", "gaze_angle_y")
+_POSE = (*(f"pose_T{axis}" for axis in "xyz"), *(f"pose_R{axis}" for axis in "xyz"))
+COLUMNS = (
+    *("frame", "face_id", "timestamp", "confidence", "success", *_GAZE, *_POSE),
+    *(f"AU{number:02d}_r" for number in INTENSITIES),
+    *(f"AU{number:02d}_c" for number in PRESENCES),
+)
+CAMERA = np.diag([1.0, -1.0, -1.0])
+"""From the head's axes to the camera's, and back."""
+
+
+def write_au_csv(material: Material, path: Path, _options: WriteOptions) -> None:
+    """Write one row per frame, counted from 1."""
+    write_lines(path, _lines(material))
+
+
+def _lines(material: Material) -> Iterator[str]:
+    numbers = tuple(dict.fromkeys((*INTENSITIES, *PRESENCES)))
+    # Units outside the columns take up what they do, so that no other unit has to.
+    fit = ActionUnitFit((*numbers, 16, 22, 24, 11))
+    units = fit.intensities(material.performance.values)[:, : len(numbers)]
+    gap = MEASURES.index("lip_gap_mm")
+    yield ", ".join(COLUMNS)
+    rows = zip(material.performance.times, units, material.frames(), strict=True)
+    for number, (time, found, frame) in enumerate(rows, 1):
+        strength = dict(zip(numbers, SCALE * found, strict=True))
+        strength[25] = max(strength[25], SCALE * min(float(material.measures(frame)[gap]) / _PARTED, 1.0))
+        parts = [f"{number}", "0", f"{time:.3f}", "1.00", "1", *(f"{v + 0.0:.6f}" for v in _seen(frame))]
+        parts += [f"{strength[au]:.2f}" for au in INTENSITIES]
+        parts += ["1" if strength[au] >= PRESENT else "0" for au in PRESENCES]
+        yield ", ".join(parts)
+
+
+def _seen(frame: FaceFrame) -> Array:
+    """Return gaze and pose in the camera's axes; eye 0 is the one on the picture's left, the right eye."""
+    turn = CAMERA @ frame.head_rotation @ CAMERA
+    left, right = (CAMERA @ frame.head_rotation @ eye[:, 2] for eye in frame.eye_rotation)
+    mean = left + right
+    angles = np.arctan2(mean[:2], -mean[2])
+    numbers = np.concatenate([right, left, angles, [0.0, 0.0, DISTANCE], pose_angles(turn)])
+    return np.where(np.abs(numbers) < 5e-7, 0.0, numbers)
+
+
+def pose_angles(turn: Array) -> tuple[float, float, float]:
+    """Return (x, y, z) in radians with Rx·Ry·Rz = `turn` (3, 3)."""
+    y = np.arcsin(np.clip(turn[0, 2], -1.0, 1.0))
+    return (
+        float(np.arctan2(-turn[1, 2], turn[2, 2])),
+        float(y),
+        float(np.arctan2(-turn[0, 1], turn[0, 0])),
+    )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ActionUnitTake:
+    """What a CSV holds: times (n,) s, intensities (n,) 0..1 by unit, head and gaze (n, 3) and (n, 2) degrees.
+
+    `head` is pitch, yaw, roll, `gaze` pitch and yaw of the eyes in the head.
+    """
+
+    times: Array
+    units: dict[int, Array]
+    head: Array
+    gaze: Array
+
+
+def read_au_csv(path: Path) -> ActionUnitTake:
+    """Read action units, pose and gaze of OpenFace's CSV (of a sequence); other columns are passed over.
+
+    Frames in which no face was found (`success` 0) hold the one before. Raises InputError for columns that
+    are missing, units that we do not know, and cells that are no numbers.
+    """
+    table = read_table(path)
+    names = [name for name in table.columns if re.fullmatch(r"AU\d+_r", name)]
+    require(table, ("timestamp", *([] if names else ["AU01_r"])), "OpenFace")
+    units = {int(name[2:-2]): name for name in names}
+    for number in units:
+        action_unit(f"AU{number}")
+    found = _held(table)
+    strengths = np.clip(table.numbers(list(units.values()))[found] / SCALE, 0.0, 1.0)
+    times = check_times(table.numbers(["timestamp"])[:, 0], path, table.lines)
+    turns = [_turn(row) for row in _block(table, [f"pose_R{axis}" for axis in "xyz"])[found]]
+    head = np.array([rotation_angles(CAMERA @ turn @ CAMERA) for turn in turns])
+    angles = _block(table, ["gaze_angle_x", "gaze_angle_y"])[found]
+    return ActionUnitTake(times, dict(zip(units, strengths.T, strict=True)), head, _gaze(angles, turns))
+
+
+def _held(table: Table) -> npt.NDArray[np.int64]:
+    """Return for each row (n,) the last one up to it in which a face was found."""
+    rows = np.arange(len(table.rows))
+    if "success" not in table.columns:
+        return rows
+    good = table.numbers(["success"])[:, 0] > 0.0
+    if not good.any():
+        raise InputError("no row has success 1; expected a face", Place(str(table.path)))
+    first = int(np.argmax(good))
+    return np.maximum.accumulate(np.where(good, rows, first))
+
+
+def _block(table: Table, names: list[str]) -> Array:
+    if not set(names) <= set(table.columns):
+        return np.zeros((len(table.rows), len(names)))
+    return table.numbers(names)
+
+
+def _turn(angles: Array) -> Array:
+    """Return Rx·Ry·Rz (3, 3) of angles in radians, the inverse of `pose_angles`."""
+    x, y, z = (about_axis(axis, float(angle)) for axis, angle in zip(np.eye(3), angles, strict=True))
+    return np.asarray(x @ y @ z)
+
+
+def _gaze(angles: Array, turns: list[Array]) -> Array:
+    """Return pitch and yaw (n, 2) in the head of gaze angles (n, 2) against the camera."""
+    across, down = np.tan(angles).T
+    ahead = np.stack([across, down, -np.ones(len(angles))], axis=1)
+    local = [CAMERA @ turn.T @ way for turn, way in zip(turns, ahead, strict=True)]
+    x, y, z = np.array(local).T
+    pitch, yaw = np.arctan2(y, np.hypot(x, z)), np.arctan2(x, z)
+    return np.asarray(np.degrees(np.stack([pitch, yaw], axis=1)))

@@ -1,0 +1,45 @@
+"""`.feedback.xml`: the plan as BML 1.0 feedback: when each behaviour will start and end (predictionFeedback).
+
+Behaviours are the words, and the movements of all channels but the lips. Times in seconds. Lost: targets and
+curves; progress feedback belongs to a running agent and is not predicted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+from .source import Material, WriteOptions
+from .table import write_lines
+
+NAMESPACE = "http://www.bml-initiative.org/bml/bml-1.0"
+_BLOCK = "risorius"
+_ELEMENTS = {"gaze": "gaze", "head": "head"}
+
+
+def write_bml_feedback(material: Material, path: Path, _options: WriteOptions) -> None:
+    """Write one block with its predicted times."""
+    write_lines(path, _lines(material))
+
+
+def _lines(material: Material) -> Iterator[str]:
+    end = f"{material.performance.duration:.6f}"
+    yield '<?xml version="1.0" encoding="utf-8"?>'
+    yield f'<predictionFeedback xmlns="{NAMESPACE}">'
+    yield f'  <bml id="{_BLOCK}" globalStart="0" globalEnd="{end}"/>'
+    if material.utterance is not None:
+        yield f'  <speech id="{_BLOCK}:speech" start="0" end="{end}">'
+        for number, word in enumerate(material.utterance.words):
+            yield f'    <sync id="word{number}" time="{word.start:.6f}"/>'
+        yield "  </speech>"
+    for number, movement in enumerate(material.performance.score.movements):
+        element = _ELEMENTS.get(movement.channel, "face")
+        name = quoteattr(f"{_BLOCK}:{movement.id or f'{movement.channel}{number}'}")
+        peak = min(movement.start + movement.onset, movement.end)
+        relax = max(movement.end - movement.offset, peak)
+        yield (
+            f'  <{element} id={name} start="{movement.start:.6f}" attackPeak="{peak:.6f}" '
+            f'relax="{relax:.6f}" end="{movement.end:.6f}"/>'
+        )
+    yield "</predictionFeedback>"

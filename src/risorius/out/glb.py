@@ -1,0 +1,162 @@
+"""`.glb` and `.rig.glb`: the head with eyes, teeth, tongue and hair in motion, as binary glTF 2.0.
+
+`.glb` moves the skin by the clip's own basis: few shapes, exact to the residual that the file states.
+`.rig.glb` moves it by the 52 ARKit shapes under their names, so that the clip drives other characters that
+have them, and these characters' clips drive the head. Head and eyes turn as nodes in both. A pose of one
+frame is a still: the posed points themselves. Lost: the muscles and causes; fine wrinkles that the renderer
+draws between vertices; the sound, whose file's name stands in the asset's extras when a `.wav` is written
+along.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.arkit import SHAPES
+from ..face.frame import FaceFrame
+from ..face.head import Head
+from ..face.shapes import ArkitShapes, arkit_shapes
+from ..render.figure import Piece, figure_of
+from .basis import ClipBasis
+from .glb_scene import ON_SKIN, GlbScene, riding
+from .gltf import Gltf, quaternions
+from .source import Material, WriteOptions, needed
+
+Array = npt.NDArray[np.float64]
+GENERATOR = "Risorius"
+_SMALL = 1e-3  # mm: displacements below it are none
+_MOVED = ("skin", "tongue", "teeth_lower")
+
+
+def write_glb(material: Material, path: Path, options: WriteOptions) -> None:
+    """Write the clip by its own basis, or one frame as a still."""
+    head = needed(material.head)
+    pieces = figure_of(head)
+    if len(material.performance.values) <= 2 and material.audio is None:
+        still(head, pieces, next(material.frames()), _asset(options)).save(path)
+        return
+    rest = np.concatenate([pieces[name].points for name in _MOVED])
+    basis, turns = ClipBasis(rest), Turns()
+    for frame in material.frames():
+        basis.show(np.concatenate([frame.skin, frame.tongue, frame.teeth_lower]))
+        turns.append(frame)
+    shapes, weights = basis.finish()
+    rms, worst = basis.residual
+    gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
+    cuts = np.cumsum([len(pieces[name].points) for name in _MOVED])[:-1]
+    moving = {
+        f"clip_{number:02d}": _moves(pieces, dict(zip(_MOVED, np.split(shape, cuts), strict=True)))
+        for number, shape in enumerate(shapes)
+    }
+    scene = GlbScene(head, gltf, pieces, moving)
+    scene.build()
+    animate(scene, material.performance.times, dict(zip(moving, weights.T, strict=True)), turns)
+    gltf.save(path)
+
+
+def write_rig_glb(material: Material, path: Path, options: WriteOptions) -> None:
+    """Write the clip as weights of the 52 ARKit shapes; raise HeadError where the head has none."""
+    head, track = needed(material.head), needed(material.arkit)
+    rms, worst = track.residual
+    gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
+    scene = rig_scene(head, gltf)
+    turns = Turns()
+    for frame in material.frames():
+        turns.append(frame)
+    animate(scene, material.performance.times, dict(zip(SHAPES, track.weights.T, strict=True)), turns)
+    gltf.save(path)
+
+
+def rig_scene(head: Head, gltf: Gltf) -> GlbScene:
+    """Build the head at rest with its 52 shapes as morph targets; raise HeadError where it has none."""
+    pieces, shapes = figure_of(head), arkit_shapes(head)
+    moving = {name: _moves(pieces, _shape(shapes, index)) for index, name in enumerate(SHAPES)}
+    for moves in moving.values():
+        moves.setdefault("skin", np.zeros_like(pieces["skin"].points))
+    scene = GlbScene(head, gltf, pieces, moving)
+    scene.build()
+    return scene
+
+
+def still(head: Head, pieces: Mapping[str, Piece], frame: FaceFrame, asset: Mapping[str, object]) -> Gltf:
+    """Return one frame as a document without animation."""
+    skin = frame.skin.astype(np.float64)
+    posed = {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
+    posed["teeth_lower"] = frame.teeth_lower.astype(np.float64)
+    moved = riding(pieces, skin - pieces["skin"].points)
+    gltf = Gltf(**asset)
+    scene = GlbScene(head, gltf, pieces, posed=posed | {n: pieces[n].points + moved[n] for n in ON_SKIN})
+    scene.build()
+    turns = Turns()
+    turns.append(frame)
+    for name, rotations in turns.all().items():
+        gltf.document["nodes"][scene.nodes[name]]["rotation"] = rotations[0].tolist()
+    return gltf
+
+
+class Turns:
+    """Rotations of head and eyes, frame by frame."""
+
+    def __init__(self) -> None:
+        self._rotations: dict[str, list[Array]] = {"head": [], "eye_left": [], "eye_right": []}
+
+    def append(self, frame: FaceFrame) -> None:
+        """Take in the next frame."""
+        for rotations, turn in zip(
+            self._rotations.values(), (frame.head_rotation, *frame.eye_rotation), strict=True
+        ):
+            rotations.append(turn)
+
+    def all(self) -> dict[str, npt.NDArray[np.float32]]:
+        """Return quaternions (frames, 4) by node, without jumps of sign."""
+        return {name: _continuous(quaternions(rotations)) for name, rotations in self._rotations.items()}
+
+
+def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: Turns) -> None:
+    """Add the animation: `weights` (frames,) by morph target, and the rotations."""
+    gltf = scene.gltf
+    clock = gltf.accessor(times.astype(np.float32))
+    samplers: list[dict[str, object]] = []
+    channels: list[dict[str, object]] = []
+
+    def drive(node: str, path: str, values: npt.NDArray[np.float32]) -> None:
+        samplers.append({"input": clock, "output": gltf.accessor(values), "interpolation": "LINEAR"})
+        target = {"node": scene.nodes[node], "path": path}
+        channels.append({"sampler": len(samplers) - 1, "target": target})
+
+    for node, names in scene.targets.items():
+        rows = np.stack([weights[name] for name in names], axis=1).astype(np.float32)
+        drive(node, "weights", rows.ravel())
+    for node, rotations in turns.all().items():
+        drive(node, "rotation", rotations)
+    gltf.add("animations", {"name": "performance", "channels": channels, "samplers": samplers})
+
+
+def _moves(pieces: Mapping[str, Piece], moved: Mapping[str, Array]) -> dict[str, Array]:
+    """Return displacements by piece: those given, and of the hairs on the skin; none for what stays."""
+    everything = {**moved, **riding(pieces, moved["skin"])}
+    return {name: move for name, move in everything.items() if np.abs(move).max() > _SMALL}
+
+
+def _shape(shapes: ArkitShapes, index: int) -> dict[str, Array]:
+    return {
+        "skin": shapes.skin_at(index),
+        "tongue": shapes.tongue[index],
+        "teeth_lower": shapes.teeth_lower[index],
+    }
+
+
+def _continuous(rotations: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    against = (rotations[1:] * rotations[:-1]).sum(axis=1) < 0.0
+    signs = np.concatenate([[1.0], np.cumprod(np.where(against, -1.0, 1.0))])
+    return np.asarray(rotations * signs[:, None], np.float32)
+
+
+def _asset(options: WriteOptions, **extras: object) -> dict[str, object]:
+    if options.voice is not None:
+        extras["audio"] = options.voice.name
+    return {"generator": GENERATOR, "copyright": "Head: CC0 1.0", **({"extras": extras} if extras else {})}

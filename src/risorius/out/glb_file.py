@@ -1,0 +1,94 @@
+"""A `.glb` file read: its JSON and its bytes, checked as far as they are used."""
+
+from __future__ import annotations
+
+import json
+import struct
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..errors import InputError, Place
+
+LARGEST = 1_000_000_000  # bytes
+_HEADER, _CHUNK = struct.Struct("<4sII"), struct.Struct("<I4s")
+
+
+@dataclass(frozen=True, slots=True)
+class GlbFile:
+    """The document and its binary chunk, empty where there is none."""
+
+    path: Path
+    document: dict[str, Any]
+    binary: bytes
+
+    def morph_targets(self) -> dict[int, tuple[str, ...]]:
+        """Return the names of morph targets by mesh; raise InputError where names and targets differ."""
+        found = {}
+        for index, mesh in enumerate(self._list("meshes")):
+            targets = [len(primitive.get("targets", ())) for primitive in mesh.get("primitives", ())]
+            if not any(targets):
+                continue
+            names = (mesh.get("extras") or {}).get("targetNames") or []
+            if len(set(targets)) != 1 or (names and len(names) != targets[0]):
+                message = f"mesh {index} has {targets[0]} morph targets and {len(names)} names"
+                raise InputError(message, Place(str(self.path)))
+            found[index] = tuple(map(str, names)) or tuple(f"target_{k}" for k in range(targets[0]))
+        return found
+
+    def nodes_of(self, mesh: int) -> list[int]:
+        """Return the nodes that show a mesh."""
+        return [k for k, node in enumerate(self._list("nodes")) if node.get("mesh") == mesh]
+
+    def _list(self, kind: str) -> list[dict[str, Any]]:
+        entries = self.document.get(kind, [])
+        if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+            raise InputError(f"'{kind}' is no list of objects", Place(str(self.path)))
+        return entries
+
+
+def save_glb(file: GlbFile, path: Path) -> None:
+    """Write a document with its bytes as `.glb`."""
+    text = json.dumps(file.document, ensure_ascii=False, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    data = file.binary + b"\0" * (-len(file.binary) % 4)
+    parts = [_CHUNK.pack(len(text), b"JSON"), text]
+    if data:
+        parts += [_CHUNK.pack(len(data), b"BIN\0"), data]
+    length = _HEADER.size + sum(map(len, parts))
+    path.write_bytes(b"".join([_HEADER.pack(b"glTF", 2, length), *parts]))
+
+
+def read_glb(path: Path) -> GlbFile:
+    """Read a binary glTF 2.0 file; raise InputError where it is none, is cut off or larger than 1 GB."""
+    place = Place(str(path))
+    try:
+        if path.stat().st_size > LARGEST:
+            raise InputError(f"is larger than {LARGEST // 1_000_000} MB; expected less", place)
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}", place) from None
+    try:
+        magic, version, length = _HEADER.unpack_from(data)
+        if magic != b"glTF" or version != 2:
+            raise InputError("is no binary glTF 2.0; expected a .glb file", place)
+        if length != len(data):
+            raise InputError(f"has {len(data)} bytes and says {length}: it is cut off", place)
+        chunks = _chunks(data)
+        document = json.loads(chunks[b"JSON"])
+    except (struct.error, KeyError, ValueError) as error:
+        raise InputError(f"is no binary glTF 2.0 ({error}); expected a .glb file", place) from None
+    if not isinstance(document, dict):
+        raise InputError("holds no glTF document", place)
+    return GlbFile(path, document, chunks.get(b"BIN\0", b""))
+
+
+def _chunks(data: bytes) -> dict[bytes, bytes]:
+    chunks: dict[bytes, bytes] = {}
+    at = _HEADER.size
+    while at < len(data):
+        size, kind = _CHUNK.unpack_from(data, at)
+        at += _CHUNK.size
+        chunks.setdefault(kind, data[at : at + size])
+        at += size
+    return chunks

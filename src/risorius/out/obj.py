@@ -1,0 +1,64 @@
+"""`.obj`: one frame as a still mesh (Wavefront), each piece a group; mm, Y up, the face looks along +Z.
+
+The frame nearest to `--at` seconds, the middle one without it; turned as the head and the eyes are. Colours
+follow the coordinates of each vertex (sRGB, 0 to 1), as many programs read them. Lost: motion, materials.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from ..face.frame import FaceFrame
+from ..face.head import Head
+from ..render.figure import Piece, figure_of
+from ..render.tone import srgb_encode
+from .glb_scene import ON_SKIN, riding
+from .png import frame_at
+from .source import Material, WriteOptions, needed
+from .table import write_lines
+
+Array = npt.NDArray[np.float64]
+_EYES = ("eye_left", "eye_right")
+
+
+def write_obj(material: Material, path: Path, options: WriteOptions) -> None:
+    """Write one frame; raise InputError for a time outside the performance."""
+    head, pieces = needed(material.head), figure_of(needed(material.head))
+    index = frame_at(material.performance, options.at)
+    frame = next(islice(material.frames(), index, None))
+    write_lines(path, _lines(pieces, placed(head, pieces, frame)))
+
+
+def placed(head: Head, pieces: Mapping[str, Piece], frame: FaceFrame) -> dict[str, Array]:
+    """Return the points (n, 3) mm of every piece in the world."""
+    skin = frame.skin.astype(np.float64)
+    points = {name: piece.points for name, piece in pieces.items()}
+    points |= {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
+    points["teeth_lower"] = frame.teeth_lower.astype(np.float64)
+    moved = riding(pieces, skin - pieces["skin"].points)
+    points |= {name: pieces[name].points + moved[name] for name in ON_SKIN}
+    for name, centre, turn in zip(_EYES, head.eye_centre, frame.eye_rotation, strict=True):
+        points[name] = (points[name] - centre) @ turn.T + centre
+    share = np.asarray(head.skin.matrix @ head.neck_weight)[:, None]
+    for name, place in points.items():
+        turned = (place - head.head_pivot) @ frame.head_rotation.T + head.head_pivot
+        points[name] = place + (share if name == "skin" else 1.0) * (turned - place)
+    return points
+
+
+def _lines(pieces: Mapping[str, Piece], points: Mapping[str, Array]) -> Iterator[str]:
+    yield "# Risorius; head: CC0 1.0"
+    first = 1
+    for name, piece in pieces.items():
+        yield f"o {name}"
+        colours = srgb_encode(piece.colours)
+        for place, colour in zip(points[name], colours, strict=True):
+            yield "v {:.4f} {:.4f} {:.4f} {:.3f} {:.3f} {:.3f}".format(*place, *colour)
+        for a, b, c in piece.triangles + first:
+            yield f"f {a} {b} {c}"
+        first += len(piece.points)

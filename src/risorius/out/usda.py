@@ -1,0 +1,140 @@
+"""`.usda`: the head with 52 blend shapes and its animation as Universal Scene Description (UsdSkel), text.
+
+Metres, Y up. Needs usd-core (the extra `usd`). The skin is a skinned mesh with two joints, body and head, as
+in `.rig.glb`; weights and rotations are time samples, one per frame. Lost: hair, eyes' texture, materials but
+for colours; what 52 shapes cannot show; sound.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.arkit import SHAPES
+from ..errors import OutputError
+from ..face.arkit_fit import ArkitTrack
+from ..face.head import Head
+from ..face.rotations import head_rotation
+from ..face.shapes import arkit_shapes
+from ..render.figure import Piece, figure_of
+from ..render.tone import srgb_encode
+from .gltf import quaternion
+from .source import Material, WriteOptions, needed
+
+Array = npt.NDArray[np.float64]
+METRES = 0.001
+_SMALL = 1e-3  # mm: displacements below it are none
+
+
+def write_usda(material: Material, path: Path, _options: WriteOptions) -> None:
+    """Write the stage; raise OutputError where usd-core is not installed."""
+    try:
+        from pxr import Usd
+    except ImportError:
+        raise OutputError("needs usd-core; expected pip install 'risorius[usd]'") from None
+    stage = Usd.Stage.CreateInMemory(".usda")
+    _Stage(stage, needed(material.head)).build(material, needed(material.arkit))
+    path.write_text(stage.GetRootLayer().ExportToString(), encoding="utf-8", newline="\n")
+
+
+class _Stage:
+    """Fills a stage."""
+
+    def __init__(self, stage: Any, head: Head) -> None:
+        self._stage, self._head = stage, head
+        self._pieces = figure_of(head)
+
+    def build(self, material: Material, track: ArkitTrack) -> None:
+        """Define the model, its skeleton, meshes and animation."""
+        from pxr import UsdGeom, UsdSkel
+
+        stage, performance = self._stage, material.performance
+        UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
+        UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+        stage.SetTimeCodesPerSecond(float(performance.fps))
+        stage.SetStartTimeCode(0)
+        stage.SetEndTimeCode(len(performance.values) - 1)
+        root = UsdSkel.Root.Define(stage, "/head")
+        stage.SetDefaultPrim(root.GetPrim())
+        self._skeleton()
+        moved = arkit_shapes(self._head)
+        self._mesh(self._pieces["skin"], [moved.skin_at(k) for k in range(len(SHAPES))])
+        self._mesh(self._pieces["tongue"], list(moved.tongue))
+        self._mesh(self._pieces["teeth_lower"], list(moved.teeth_lower))
+        self._mesh(self._pieces["teeth_upper"], [])
+        for name in ("eye_left", "eye_right"):
+            self._mesh(self._pieces[name], [])
+        self._animate(track)
+
+    def _skeleton(self) -> None:
+        from pxr import Gf, UsdSkel
+
+        skeleton = UsdSkel.Skeleton.Define(self._stage, "/head/skeleton")
+        place = Gf.Vec3d(*(self._head.head_pivot * METRES).tolist())
+        pivot = Gf.Matrix4d().SetTranslate(place)
+        matrices = [Gf.Matrix4d(1.0), pivot]
+        skeleton.CreateJointsAttr(["body", "body/head"])
+        skeleton.CreateBindTransformsAttr(matrices)
+        skeleton.CreateRestTransformsAttr(matrices)
+        binding = UsdSkel.BindingAPI.Apply(skeleton.GetPrim())
+        binding.CreateAnimationSourceRel().SetTargets(["/head/animation"])
+
+    def _mesh(self, piece: Piece, moves: list[Array]) -> None:
+        from pxr import UsdGeom, UsdSkel, Vt
+
+        mesh = UsdGeom.Mesh.Define(self._stage, f"/head/{piece.name}")
+        points = (piece.points * METRES).astype(np.float32)
+        mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
+        mesh.CreateFaceVertexCountsAttr([3] * len(piece.triangles))
+        mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(piece.triangles.astype(np.int32).ravel()))
+        mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+        colours = srgb_encode(piece.colours).astype(np.float32)
+        colour = mesh.CreateDisplayColorPrimvar(UsdGeom.Tokens.vertex)
+        colour.Set(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(colours)))
+        binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
+        binding.CreateSkeletonRel().SetTargets(["/head/skeleton"])
+        share = self._share(piece)
+        binding.CreateJointIndicesPrimvar(False, 2).Set([0, 1] * len(points))
+        weights = np.stack([1.0 - share, share], axis=1).astype(np.float32)
+        binding.CreateJointWeightsPrimvar(False, 2).Set(Vt.FloatArray.FromNumpy(weights.ravel()))
+        self._blend_shapes(binding, piece, moves)
+
+    def _blend_shapes(self, binding: Any, piece: Piece, moves: list[Array]) -> None:
+        from pxr import Sdf, UsdSkel, Vt
+
+        paths = {}
+        for name, move in zip(SHAPES, moves, strict=False):
+            rows = np.flatnonzero(np.abs(move).max(axis=1) > _SMALL)
+            if not len(rows):
+                continue
+            paths[name] = Sdf.Path(f"/head/{piece.name}/{name}")
+            shape = UsdSkel.BlendShape.Define(self._stage, paths[name])
+            offsets = np.ascontiguousarray(move[rows] * METRES, np.float32)
+            shape.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(offsets))
+            shape.CreatePointIndicesAttr(Vt.IntArray.FromNumpy(rows.astype(np.int32)))
+        if paths:
+            binding.CreateBlendShapesAttr(list(paths))
+            binding.CreateBlendShapeTargetsRel().SetTargets(list(paths.values()))
+
+    def _share(self, piece: Piece) -> Array:
+        if piece.name != "skin":
+            return np.ones(len(piece.points))
+        return np.asarray(np.clip(self._head.skin.matrix @ self._head.neck_weight, 0.0, 1.0))
+
+    def _animate(self, track: ArkitTrack) -> None:
+        from pxr import Gf, UsdSkel
+
+        animation = UsdSkel.Animation.Define(self._stage, "/head/animation")
+        animation.CreateJointsAttr(["body", "body/head"])
+        animation.CreateBlendShapesAttr(list(SHAPES))
+        pivot = Gf.Vec3f(*(self._head.head_pivot * METRES).tolist())
+        animation.CreateTranslationsAttr([Gf.Vec3f(0.0), pivot])
+        animation.CreateScalesAttr([Gf.Vec3h(1.0, 1.0, 1.0)] * 2)
+        rotations, weights = animation.CreateRotationsAttr(), animation.CreateBlendShapeWeightsAttr()
+        for frame, (row, (yaw, pitch, roll)) in enumerate(zip(track.weights, track.head, strict=True)):
+            x, y, z, w = quaternion(head_rotation(float(pitch), float(yaw), float(roll)))
+            rotations.Set([Gf.Quatf(1.0), Gf.Quatf(float(w), Gf.Vec3f(float(x), float(y), float(z)))], frame)
+            weights.Set([float(weight) for weight in row], frame)

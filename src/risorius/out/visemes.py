@@ -1,0 +1,92 @@
+"""Phones as the visemes of the field: a table per phone (`data/visemes.toml`), and runs of equal ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import resources
+
+from ..core.toml import parse_rows
+from ..core.utterance import Phone, Utterance
+from ..errors import OutputError, unknown
+from .source import Material
+
+OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
+"""The 15 visemes of OVRLipSync, in its order."""
+
+
+@dataclass(frozen=True, slots=True)
+class Viseme:
+    """What a phone is in each set; two shapes are those of a diphthong's halves."""
+
+    ipa: tuple[str, ...]
+    rhubarb: tuple[str, ...]
+    azure: int
+    oculus: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Cue:
+    """A shape that is held. Seconds."""
+
+    start: float
+    end: float
+    shape: str
+
+
+@lru_cache(maxsize=1)
+def viseme_table() -> dict[str, Viseme]:
+    """Return the table by ARPAbet symbol without stress digit."""
+    text = (resources.files(__package__) / "data" / "visemes.toml").read_text(encoding="utf-8")
+    return parse_rows(Viseme, text, "visemes.toml")
+
+
+@lru_cache(maxsize=512)
+def viseme_of(symbol: str) -> Viseme:
+    """Return a phone's visemes, ARPAbet or IPA; raise OutputError for one that the table does not know."""
+    table = viseme_table()
+    if symbol in table:
+        return table[symbol]
+    beginnings = [
+        (len(start), row) for row in table.values() for start in row.ipa if symbol.startswith(start)
+    ]
+    if not beginnings:
+        raise OutputError(unknown("phone", symbol, table))
+    return max(beginnings, key=lambda found: found[0])[1]
+
+
+def cues(utterance: Utterance, shapes: Callable[[Viseme], tuple[str, ...]], silence: str) -> list[Cue]:
+    """Return shapes that cover the utterance without a gap; equal neighbours are one."""
+    return list(_merged(_each(utterance.phones, shapes, silence)))
+
+
+def said(material: Material) -> Utterance:
+    """Return what is said; raise OutputError if nothing is."""
+    if material.utterance is None:
+        raise OutputError("there is nothing said to write; expected a performance that speaks")
+    return material.utterance
+
+
+def _each(
+    phones: Iterable[Phone], shapes: Callable[[Viseme], tuple[str, ...]], silence: str
+) -> Iterator[Cue]:
+    for phone in phones:
+        held = shapes(viseme_of(phone.symbol)) if phone.symbol else (silence,)
+        step = phone.duration / len(held)
+        for k, shape in enumerate(held):
+            end = phone.end if k == len(held) - 1 else phone.start + (k + 1) * step
+            yield Cue(phone.start + k * step, end, shape)
+
+
+def _merged(parts: Iterable[Cue]) -> Iterator[Cue]:
+    last: Cue | None = None
+    for cue in parts:
+        if last is not None and last.shape == cue.shape:
+            last = Cue(last.start, cue.end, cue.shape)
+            continue
+        if last is not None:
+            yield last
+        last = cue
+    if last is not None:
+        yield last

@@ -1,0 +1,109 @@
+"""Captured faces in again: ARKit CSV, FAP and action units become curves of our parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from .core.action_units import resolve_targets
+from .core.arkit import INDEX as ARKIT
+from .core.movement import Cause, ManualCurve
+from .core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
+from .core.score import BlendSettings, Score
+from .errors import InputError, Place, unknown
+from .face.arkit_fit import ArkitFit, gaze_of
+from .face.feature_points import ANGLE, LIDS, POINTS, FeaturePoints
+from .face.head import load_head
+from .face.response import Responses
+from .face.solve import FaceSolver
+from .out.arkit_csv import read_arkit_csv
+from .out.au_csv import read_au_csv
+from .out.fap import read_fap
+from .settings import Settings
+
+Array = npt.NDArray[np.float64]
+_HEAD = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
+_GAZE = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
+_OPEN = 0.02  # of the jaw's way: less is no opening that lips could close
+_RESTS = 1e-4  # a parameter that never leaves its rest by more gets no curve
+
+
+def captured(path: Path, settings: Settings) -> Score:
+    """Return a file's motion as curves drawn by hand; InputError for a file that is none of `CAPTURES`."""
+    name = path.name.lower()
+    suffix = next((suffix for suffix in CAPTURES if name.endswith(suffix)), None)
+    if suffix is None:
+        raise InputError(unknown("kind of capture", "".join(path.suffixes[-2:]), CAPTURES), Place(str(path)))
+    times, values = CAPTURES[suffix](path, settings)
+    return score_of(times, values, path.name)
+
+
+def score_of(times: Array, values: Array, source: str) -> Score:
+    """Return values (frames, 46) at times (frames,) in seconds as a score of one set of curves."""
+    low, high = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
+    kept = np.clip(values, low, high)
+    moving = np.flatnonzero(np.abs(kept - NEUTRAL).max(axis=0) > _RESTS)
+    keys = {
+        NAMES[column]: tuple(zip(times.tolist(), kept[:, column].tolist(), strict=True)) for column in moving
+    }
+    curves = (ManualCurve(keys, Cause("capture", source)),) if keys else ()
+    settings = BlendSettings(contact=False)
+    return Score(max(float(times[-1]), 1e-3), manual=curves, settings=settings)
+
+
+def _from_arkit(path: Path, settings: Settings) -> tuple[Array, Array]:
+    take = read_arkit_csv(path)
+    head = load_head(settings.head, age=settings.age)
+    fit = ArkitFit(head)
+    open_, close = take.weights[:, ARKIT["jawOpen"]], take.weights[:, ARKIT["mouthClose"]]
+    # Lips that are closed over an open jaw are brought together by contact, not by muscles against the jaw.
+    apart = take.weights.copy()
+    apart[:, ARKIT["mouthClose"]] = 0.0
+    wanted = fit.seen_displacement(apart)
+    values = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin)).values(wanted)
+    values[:, INDEX["lip_seal"]] = np.where(
+        open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0
+    )
+    values[:, INDEX["tongue_out"]] = take.weights[:, ARKIT["tongueOut"]]
+    degrees = np.degrees(take.rotations)
+    values[:, _HEAD] = degrees[:, [1, 0, 2]]
+    eyes = degrees[:, 3:].reshape(-1, 2, 3).mean(axis=1)
+    values[:, _GAZE] = eyes[:, [1, 0]] if np.any(degrees[:, 3:]) else np.stack(gaze_of(take.weights), axis=1)
+    return take.times, values
+
+
+def _from_fap(path: Path, settings: Settings) -> tuple[Array, Array]:
+    take = read_fap(path)
+    head = load_head(settings.head, age=settings.age)
+    points = FeaturePoints(head)
+    sizes = points.sizes()
+    rows = [number - 1 for number in (*POINTS, *LIDS) if take.used[number - 1]]
+    responses = Responses(FaceSolver(head), lambda frame: points.of_skin(frame.skin) * sizes)
+    values = responses.values(take.values * sizes, rows)
+    angles = np.degrees(take.values * ANGLE)
+    values[:, _HEAD] = angles[:, 47:50] * [-1.0, 1.0, -1.0]
+    values[:, _GAZE] = np.stack([-angles[:, 24:26].mean(axis=1), angles[:, 22:24].mean(axis=1)], axis=1)
+    return np.arange(len(values)) / take.fps, values
+
+
+def _from_action_units(path: Path, settings: Settings) -> tuple[Array, Array]:
+    take = read_au_csv(path)
+    values = np.tile(NEUTRAL, (len(take.times), 1))
+    for k, row in enumerate(values):
+        units = {f"AU{number}": float(strength[k]) for number, strength in take.units.items()}
+        for name, value in resolve_targets(units).items():
+            row[INDEX[name]] = value
+    values[:, _HEAD], values[:, _GAZE] = take.head, take.gaze
+    return take.times, values
+
+
+CAPTURES: dict[str, Callable[[Path, Settings], tuple[Array, Array]]] = {
+    ".arkit.csv": _from_arkit,
+    ".au.csv": _from_action_units,
+    ".fap": _from_fap,
+    ".csv": _from_arkit,
+}
+"""Readers by suffix; a plain `.csv` is a take of Live Link Face, as its app names them."""

@@ -1,0 +1,45 @@
+"""iFacialMocap: text datagrams of `name-value` pairs, 0 to 100, then head and eyes in degrees.
+
+Names end in `_L` and `_R` but for jaw and mouth as a whole (the app's documentation). Lost: fractions of a
+hundredth, what 52 shapes cannot show. The app waits for a receiver to greet it; this sends at once.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+
+from ..core.arkit import SHAPES
+from ..face.arkit_fit import ArkitTrack
+from .protocols import Options, Packets
+
+_WHOLE = ("jawLeft", "jawRight", "mouthLeft", "mouthRight")
+
+
+def name_of(shape: str) -> str:
+    """Return the protocol's name of an ARKit shape."""
+    for side in ("Left", "Right"):
+        if shape.endswith(side) and shape not in _WHOLE:
+            return f"{shape.removesuffix(side)}_{side[0]}"
+    return shape
+
+
+def ifacialmocap_packets(track: ArkitTrack, fps: Fraction, options: Options) -> Packets:
+    """Return one datagram per frame."""
+    names = [name_of(shape) for shape in SHAPES]
+
+    def packets(frame: int) -> list[bytes]:
+        values = np.round(100.0 * track.weights[frame]).astype(int)
+        pairs = "|".join(f"{name}-{value}" for name, value in zip(names, values, strict=True))
+        head = ",".join(_angles(track.head[frame])) + ",0,0,0"
+        left, right = (",".join(_angles(eye)) for eye in track.eyes[frame])
+        return [f"{pairs}|=head#{head}|rightEye#{right}|leftEye#{left}|".encode()]
+
+    return packets
+
+
+def _angles(angles: np.ndarray[tuple[int], np.dtype[np.float64]]) -> list[str]:
+    """Return rotations about x (down), y (to the subject's left) and z (tilted right) of yaw, pitch, roll."""
+    yaw, pitch, roll = (float(angle) for angle in angles)
+    return [f"{value + 0.0:.4f}" for value in (-pitch, yaw, -roll)]

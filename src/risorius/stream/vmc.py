@@ -1,0 +1,59 @@
+"""VMC: the Virtual Motion Capture protocol (sh-akira, specification 3.1), OSC messages over UDP.
+
+Each frame: time, the bones `Head`, `LeftEye` and `RightEye`, the expressions, and the message that applies
+them. Rotations are Unity's: left-handed, so x points to the subject's right. Lost: all but these; over VRM's
+presets also most of the face.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.arkit import SHAPES, column_of
+from ..face.arkit_fit import ArkitTrack
+from ..face.expressions import expressions, preset_weights
+from ..face.rotations import head_rotation
+from ..out.gltf import quaternion
+from .osc import bundles, message
+from .protocols import Options, Packets
+
+Array = npt.NDArray[np.float64]
+BONES = ("Head", "LeftEye", "RightEye")
+
+
+def vmc_packets(track: ArkitTrack, fps: Fraction, options: Options) -> Packets:
+    """Return the bundles of a frame, each small enough for one datagram."""
+    names, weights = _expressions(track, options.names)
+
+    def packets(frame: int) -> list[bytes]:
+        parts = [message("/VMC/Ext/OK", 1), message("/VMC/Ext/T", float(frame / fps))]
+        for bone, angles in zip(BONES, (track.head[frame], *track.eyes[frame]), strict=True):
+            turn = unity_quaternion(angles)
+            parts.append(message("/VMC/Ext/Bone/Pos", bone, 0.0, 0.0, 0.0, *turn.tolist()))
+        for name, weight in zip(names, weights[frame], strict=True):
+            parts.append(message("/VMC/Ext/Blend/Val", name, float(weight)))
+        return bundles([*parts, message("/VMC/Ext/Blend/Apply")])
+
+    return packets
+
+
+def unity_quaternion(angles: Array) -> Array:
+    """Return (x, y, z, w) in Unity's axes of yaw, pitch and roll (3,) in degrees."""
+    yaw, pitch, roll = (float(angle) for angle in angles)
+    x, y, z, w = quaternion(head_rotation(pitch, yaw, roll))
+    return np.array([x, -y, -z, w])
+
+
+def _expressions(track: ArkitTrack, names: str) -> tuple[Sequence[str], Array]:
+    if names == "arkit":
+        return SHAPES, track.weights
+    if names == "ARKit":
+        return [column_of(name) for name in SHAPES], track.weights
+    found = preset_weights(track.weights)
+    if names == "vrm1":
+        return list(expressions()), found
+    return [expression.vrm0 for expression in expressions().values()], found

@@ -1,0 +1,108 @@
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from risorius.core.arkit import INDEX, OPPOSED, SHAPES
+from risorius.errors import HeadError
+from risorius.face.arkit_fit import ArkitFit, gaze_of
+from risorius.face.head import load_head, shipped_heads
+from risorius.face.shapes import arkit_shapes
+
+FITTED = [name for name in SHAPES if not name.startswith("eyeLook") and name != "tongueOut"]
+
+
+@pytest.fixture(scope="module")
+def fit(head):
+    return ArkitFit(head)
+
+
+def test_a_head_without_shapes_is_named(head, tmp_path: Path) -> None:
+    with pytest.raises(HeadError, match=r"head 'standard' has no ARKit shapes; expected shapes.npz"):
+        arkit_shapes(replace(head, folder=tmp_path))
+
+
+def test_a_file_without_a_shape_is_named(head, tmp_path: Path) -> None:
+    with np.load(head.folder / "shapes.npz") as archive:
+        arrays = {name: archive[name] for name in archive.files if "/jawOpen/" not in name}
+    np.savez(tmp_path / "shapes.npz", **arrays)
+    with pytest.raises(HeadError, match="'shape/jawOpen/vertices' is missing"):
+        arkit_shapes(replace(head, folder=tmp_path))
+
+
+@pytest.mark.parametrize("name", shipped_heads())
+def test_every_head_has_the_shapes_and_its_jaw_opens(name: str) -> None:
+    shapes = arkit_shapes(load_head(name))
+    jaw = shapes.skin_at(INDEX["jawOpen"])
+    assert shapes.skin.shape[0] == 52
+    assert jaw[:, 1].min() < -20.0
+    assert shapes.teeth_lower[INDEX["jawOpen"], :, 1].mean() < -8.0
+    assert shapes.tongue[INDEX["tongueOut"], :, 2].max() > 10.0
+    assert np.abs(shapes.skin_at(INDEX["mouthSmileLeft"])[:, 0]).max() > 3.0
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.dictionaries(st.sampled_from(FITTED), st.floats(0.0, 1.0), max_size=6))
+def test_weights_to_face_to_weights(fit, chosen: dict[str, float]) -> None:
+    weights = np.zeros(52)
+    for name, value in chosen.items():
+        weights[INDEX[name]] = value
+    for one, other in OPPOSED:
+        if weights[INDEX[one]]:
+            weights[INDEX[other]] = 0.0
+    weights[INDEX["mouthClose"]] = min(weights[INDEX["mouthClose"]], weights[INDEX["jawOpen"]])
+    assert np.abs(fit.of_skin(fit.skin(weights)) - weights).max() < 0.02
+
+
+def test_rest_is_nothing(fit, face) -> None:
+    weights = fit.weights(face())
+    assert weights[[INDEX[name] for name in FITTED]].max() < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("targets", "shape"),
+    [
+        ({"orbicularis_oculi_palpebralis.left": 1.0}, "eyeBlinkLeft"),
+        ({"zygomatic_major.right": 0.8}, "mouthSmileRight"),
+        ({"masseter": 0.5}, "jawOpen"),
+        ({"frontalis_medialis": 1.0}, "browInnerUp"),
+        ({"depressor_labii": 1.0}, "mouthLowerDownLeft"),
+    ],
+)
+def test_a_muscle_is_its_shape(fit, face, targets: dict[str, float], shape: str) -> None:
+    weights = fit.weights(face(**targets))
+    assert weights[INDEX[shape]] > 0.35
+    assert SHAPES[int(weights.argmax())].removesuffix("Left").removesuffix("Right") == shape.removesuffix(
+        "Left"
+    ).removesuffix("Right")
+
+
+def test_the_eyes_shapes_are_their_angles(fit, face) -> None:
+    weights = fit.weights(face(gaze_yaw=20.0, gaze_pitch=-10.0, gaze_distance=100.0))
+    assert weights[INDEX["eyeLookOutLeft"]] == pytest.approx(20.0 / 45.0, abs=1e-3)
+    assert weights[INDEX["eyeLookInRight"]] == pytest.approx(20.0 / 45.0, abs=1e-3)
+    assert weights[INDEX["eyeLookDownLeft"]] == pytest.approx(10.0 / 35.0, abs=1e-3)
+    pitch, yaw = gaze_of(weights[None])
+    assert (pitch[0], yaw[0]) == pytest.approx((-10.0, 20.0), abs=0.05)
+
+
+def test_a_sentence_fits(clip) -> None:
+    track = clip.arkit
+    rms, worst = track.residual
+    assert rms < 0.5
+    assert worst < 3.0
+    weights = track.weights
+    assert weights.min() >= 0.0
+    assert weights.max() <= 1.0
+    assert (weights[:, INDEX["mouthClose"]] <= weights[:, INDEX["jawOpen"]]).all()
+
+
+def test_weights_move_no_faster_than_the_face(fit, head, clip) -> None:
+    """Two frames that differ by little have weights that differ by little: the fit does not flicker."""
+    before, *_, after = clip.faces([3, 4])
+    near = before.skin + 0.01 * (after.skin - before.skin)
+    step = np.abs(fit.of_skin(near) - fit.of_skin(before.skin)).max()
+    assert step <= 0.05 * max(np.abs(fit.of_skin(after.skin) - fit.of_skin(before.skin)).max(), 0.02)

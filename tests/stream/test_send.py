@@ -1,0 +1,167 @@
+"""Frames on time over a real socket, and the faults of the line."""
+
+from __future__ import annotations
+
+import socket
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from fractions import Fraction
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from risorius.core.audio import silence
+from risorius.errors import InputError, OutputError
+from risorius.stream import Address, parse_address, send
+from risorius.stream.clock import MachineClock, SoundClock
+
+FPS = Fraction(50)
+
+
+class Receiver:
+    """Collects datagrams and when they came."""
+
+    def __init__(self) -> None:
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.bind(("127.0.0.1", 0))
+        self.socket.settimeout(5.0)
+        self.got: list[tuple[float, bytes]] = []
+        self.address = Address("127.0.0.1", self.socket.getsockname()[1])
+
+    def collect(self, last: bytes) -> threading.Thread:
+        def run() -> None:
+            data = b""
+            while data != last:
+                data = self.socket.recv(2048)
+                self.got.append((time.perf_counter(), data))
+
+        thread = threading.Thread(target=run)
+        thread.start()
+        return thread
+
+
+@pytest.fixture
+def receiver() -> Iterator[Receiver]:
+    found = Receiver()
+    yield found
+    found.socket.close()
+
+
+class Steps(MachineClock):
+    """A clock that says what it is told to: the time of each question."""
+
+    def __init__(self, times: list[float]) -> None:
+        super().__init__()
+        self.times = times
+        self.slept: list[float] = []
+
+    def now(self) -> float:
+        return self.times.pop(0) if len(self.times) > 1 else self.times[0]
+
+    def sleep(self, seconds: float) -> None:
+        self.slept.append(seconds)
+
+
+@pytest.mark.parametrize("text", ["", ":80", "host:", "host:99999", "host:x", "host:0"])
+def test_no_address(text: str) -> None:
+    with pytest.raises(InputError, match="is no address; expected HOST or HOST:PORT"):
+        parse_address(text, 11111)
+
+
+@pytest.mark.parametrize(
+    ("text", "address"),
+    [
+        ("host", Address("host", 39539)),
+        ("10.0.0.2:5", Address("10.0.0.2", 5)),
+        ("[::1]:7", Address("::1", 7)),
+    ],
+)
+def test_addresses(text: str, address: Address) -> None:
+    assert parse_address(text, 39539) == address
+
+
+def test_an_unknown_host_is_named() -> None:
+    with pytest.raises(OutputError, match=r"'no\.such\.host\.invalid:9' cannot be reached"):
+        send(lambda k: [b"x"], 1, FPS, Address("no.such.host.invalid", 9), MachineClock())
+
+
+def test_a_receiver_that_is_not_there_is_named(receiver: Receiver) -> None:
+    receiver.socket.close()
+    with pytest.raises(OutputError, match=r"nothing listens at 127\.0\.0\.1"):
+        send(lambda k: [b"x"], 50, FPS, receiver.address, MachineClock())
+
+
+def test_frames_come_at_their_time(receiver: Receiver) -> None:
+    thread = receiver.collect(b"24")
+    start = time.perf_counter()
+    sent = send(lambda k: [b"%d" % k], 25, FPS, receiver.address, MachineClock())
+    thread.join(10.0)
+    assert sent.frames + sent.dropped == 25
+    assert receiver.got[-1][1] == b"24"
+    late = [came - start - int(data) / 50 for came, data in receiver.got]
+    # Never early; and the last frame no later than the first ones: nothing piles up.
+    assert min(late) > -0.002
+    assert np.median(late) < 0.05
+
+
+def test_late_frames_are_dropped(receiver: Receiver) -> None:
+    thread = receiver.collect(b"9")
+    clock = Steps([0.0, 0.02, 0.13, 0.145, 9.0])
+    sent = send(lambda k: [b"%d" % k], 10, FPS, receiver.address, clock)
+    thread.join(10.0)
+    assert [data for _, data in receiver.got] == [b"0", b"1", b"6", b"7", b"9"]
+    assert (sent.frames, sent.dropped) == (5, 5)
+
+
+def test_it_waits_for_the_next_frame_and_while_the_sound_has_not_begun(receiver: Receiver) -> None:
+    clock = Steps([-0.05, -0.05, 0.0, 0.005, 0.005, 0.02])
+    send(lambda k: [b"%d" % k], 2, FPS, receiver.address, clock)
+    assert clock.slept == pytest.approx([0.05, 0.015])
+
+
+class FakeStream:
+    latency = 0.1
+
+    def __init__(self, callback, **settings: object) -> None:
+        self.callback, self.settings, self.state = callback, settings, "new"
+
+    def start(self) -> None:
+        self.state = "playing"
+
+    def stop(self) -> None:
+        self.state = "stopped"
+
+    def close(self) -> None:
+        self.state = "closed"
+
+
+def test_the_sound_is_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+    fake = SimpleNamespace(OutputStream=FakeStream, PortAudioError=RuntimeError)
+    monkeypatch.setitem(sys.modules, "sounddevice", fake)
+    audio = silence(1.0)
+    with SoundClock(audio) as clock:
+        assert clock.now() == pytest.approx(-0.1, abs=0.02)
+        out = np.ones((11_025, 1), np.int16)
+        clock._stream.callback(out, 11_025, None, None)
+        assert not out.any()
+        clock._stream.callback(out, 11_025, None, None)
+        # The second block begins at 0.5 s and is heard after the latency.
+        assert clock.now() == pytest.approx(0.4, abs=0.02)
+    assert clock._stream.state == "closed"
+
+
+def test_no_sound_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(**settings: object) -> None:
+        raise RuntimeError("no device")
+
+    monkeypatch.setitem(
+        sys.modules, "sounddevice", SimpleNamespace(OutputStream=fails, PortAudioError=RuntimeError)
+    )
+    with pytest.raises(OutputError, match="no sound can be played \\(no device\\); expected --without-sound"):
+        SoundClock(silence(0.1))
+    monkeypatch.setitem(sys.modules, "sounddevice", None)
+    with pytest.raises(OutputError, match="sound needs sounddevice"):
+        SoundClock(silence(0.1))

@@ -1,0 +1,130 @@
+import json
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from risorius.cli import run
+from risorius.core.arkit import INDEX, SHAPES
+from risorius.errors import InputError
+from risorius.out.glb_file import read_glb
+from risorius.out.gltf import Gltf
+from risorius.pipeline import pose, rig
+from risorius.rig import guess_map, read_rig
+from risorius.take import Take
+
+
+def character(path: Path, names: list[str], *, named: bool = True) -> Path:
+    """A triangle with morph targets."""
+    gltf = Gltf(generator="test")
+    points = np.eye(3, dtype=np.float32)
+    target = {"POSITION": gltf.accessor(points)}
+    primitive = {"attributes": {"POSITION": gltf.accessor(points)}, "targets": [target] * len(names)}
+    mesh = {"primitives": [primitive], **({"extras": {"targetNames": names}} if named else {})}
+    gltf.add("nodes", {"mesh": gltf.add("meshes", mesh)})
+    gltf.add("scenes", {"nodes": [0]})
+    gltf.save(path)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (b"", "no binary glTF"),
+        (b"glTF" + struct.pack("<II", 1, 12), "no binary glTF 2.0"),
+        (b"glTF" + struct.pack("<II", 2, 99), "is cut off"),
+        (b"glTF" + struct.pack("<II", 2, 12), "no binary glTF"),
+        (b"glTF" + struct.pack("<II", 2, 24) + struct.pack("<I4s", 4, b"JSON") + b"{no}", "no binary glTF"),
+        (b"glTF" + struct.pack("<II", 2, 24) + struct.pack("<I4s", 4, b"JSON") + b"[]  ", "no glTF document"),
+    ],
+)
+def test_what_is_no_glb_is_one_line(tmp_path: Path, data: bytes, message: str) -> None:
+    (tmp_path / "x.glb").write_bytes(data)
+    with pytest.raises(InputError, match=message):
+        read_rig(tmp_path / "x.glb")
+
+
+def test_a_mesh_without_targets_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="has no morph targets"):
+        read_rig(character(tmp_path / "x.glb", []))
+
+
+def test_wrong_maps_are_named(tmp_path: Path) -> None:
+    path = character(tmp_path / "x.glb", ["Jaw"])
+    for text, message in (
+        ('[shapes]\njawOpne = "Jaw"', "unknown ARKit shape 'jawOpne'; did you mean 'jawOpen'"),
+        ('[shapes]\njawOpen = "Jwa"', "unknown morph target 'Jwa'; did you mean 'Jaw'"),
+        ('[shape]\njawOpen = "Jaw"', "shape"),
+    ):
+        (tmp_path / "map.toml").write_text(text)
+        with pytest.raises(InputError, match=message):
+            read_rig(path, tmp_path / "map.toml")
+
+
+@pytest.mark.parametrize(
+    ("target", "shape"),
+    [
+        ("jawOpen", "jawOpen"),
+        ("JawOpen", "jawOpen"),
+        ("head_geo.Jaw_Open", "jawOpen"),
+        ("Eye_Blink_L", "eyeBlinkLeft"),
+        ("eyeBlink_R", "eyeBlinkRight"),
+        ("blendShape1.mouthSmile_L", "mouthSmileLeft"),
+        ("mouthSmileLft", "mouthSmileLeft"),
+    ],
+)
+def test_names_are_guessed(target: str, shape: str) -> None:
+    assert guess_map([target]) == {shape: target}
+
+
+def test_sides_are_never_mixed_up() -> None:
+    assert guess_map(["mouthSmileRight"]) == {"mouthSmileRight": "mouthSmileRight"}
+    assert guess_map(["viseme_PP", "noseHair"]) == {}
+
+
+def test_the_report_says_what_is_shown_and_what_not(tmp_path: Path) -> None:
+    names = [name for name in SHAPES if not name.startswith(("brow", "eyeBlink"))]
+    found, rows = rig(character(tmp_path / "x.glb", names))
+    assert set(found.missing) == {name for name in SHAPES if name not in names}
+    verdicts = {row.parameter: row for row in rows}
+    assert verdicts["frontalis_lateralis.left"].verdict == "not"
+    assert verdicts["orbicularis_oculi_palpebralis.right"].verdict == "not"
+    assert verdicts["masseter"].verdict == "well"
+    assert verdicts["zygomatic_major.left"].left_over < 0.4
+    assert all(row.best <= row.left_over + 0.02 for row in rows)
+
+
+def test_the_character_performs(tmp_path: Path, clip: Take) -> None:
+    path = character(tmp_path / "x.glb", ["MouthSmile_L", "Extra", "Jaw_Open"])
+    rig(path, take=clip, output=tmp_path / "y.glb")
+    file = read_glb(tmp_path / "y.glb")
+    (animation,) = file.document["animations"]
+    accessor = file.document["accessors"][animation["samplers"][0]["output"]]
+    view = file.document["bufferViews"][accessor["bufferView"]]
+    weights = np.frombuffer(file.binary, "<f4", accessor["count"], view["byteOffset"]).reshape(-1, 3)
+    assert len(weights) == len(clip.times)
+    assert not weights[:, 1].any()
+    # With few shapes the others' work falls to these: about what all 52 give, not exactly.
+    assert np.corrcoef(weights[:, 2], clip.arkit.weights[:, INDEX["jawOpen"]])[0, 1] > 0.8
+    assert json.loads(json.dumps(file.document)) == file.document
+
+
+def test_our_own_rig_is_whole(tmp_path: Path, clip: Take) -> None:
+    clip.write(tmp_path / "x.rig.glb")
+    assert read_rig(tmp_path / "x.rig.glb").missing == ()
+
+
+def test_the_map_that_is_shown_can_be_given_back(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = character(tmp_path / "x.glb", ["Jaw_Open", 'Sm"ile'])
+    assert run(["rig", str(path)]) == 0
+    shown = capsys.readouterr().out
+    assert 'jawOpen = "Jaw_Open"' in shown
+    (tmp_path / "map.toml").write_text(shown)
+    assert read_rig(path, tmp_path / "map.toml").shapes == read_rig(path).shapes
+
+
+def test_a_pose_is_no_rig(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pose({"AU12": 0.5}).write(tmp_path / "p.glb")
+    assert run(["rig", str(tmp_path / "p.glb")]) == 2
+    assert "has no morph targets" in capsys.readouterr().err
