@@ -25,7 +25,7 @@ from .script import Script, felt_in, listening_in, movements_of, read_script
 from .settings import Settings
 from .speech import feelings, say
 from .speech.heard import holds_labels, listen
-from .take import Progress, Take, quiet
+from .take import Progress, Take, lip_rig, quiet
 
 __all__ = ["align", "check_outputs", "load", "mix", "perform", "pose", "speak"]
 
@@ -113,6 +113,7 @@ def plan(
         listening=listening_in(script, words, duration),
         opens=not script.timed,
         articulation=settings.articulation,
+        manner=settings.manner,
         lively=settings.lively,
         profile=profile_of(settings.profile),
         attitudes=tuple(attitude(name) for name in settings.attitudes),
@@ -124,7 +125,7 @@ def plan(
 def perform(score: Score, settings: Settings | None = None, utterance: Utterance | None = None) -> Take:
     """Combine a score's movements into curves."""
     settings = settings or Settings()
-    return Take(combine(score, settings.fps), settings, utterance)
+    return Take(combine(score, settings.fps, lip_rig(score, settings.head)), settings, utterance)
 
 
 def mix(
