@@ -27,13 +27,13 @@ class Settings:
     `language` (BCP 47) chooses its first voice where `voice` is None. `voice_emotion`: whether emotions
     change a synthesized voice. `lead`, `tail`: seconds of silence around plain text. `articulation`: factor
     on how far the lips move, 0 to 2 (hypo- below, hyper-articulation above 1); `manner` of speech: "plain",
-    "whisper", "murmur" or "shout". `at`: second of the frame that a `.png` shows (the middle where
-    None); `every`: a `.png` is a sheet of every n-th frame instead. `lively`: rules, random blinks, head and
-    eye movements. `profile`: who speaks, a name or a `.toml` file; `attitudes` lie over it. `rules`: a
-    file of rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with
-    inertia), "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100,
-    the head's own where None; `wrinkles`: factors 0 to 2 by region of the face, for a speaker who shows some
-    wrinkles more or less than others of that age. `look`: how all this is drawn.
+    "whisper", "murmur" or "shout". `at`: second of the frame that a `.png` shows (the middle where None);
+    `every`: a `.png` is a sheet of every n-th frame instead. `lively`: rules, random blinks, head and eye
+    movements. `profile`: who speaks, a name or a `.toml` file; `attitudes` lie over it. `rules`: a file of
+    rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with inertia),
+    "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100, the head's
+    own where None; `wrinkles`: factors 0 to 2 by region of the face, for a speaker who shows some wrinkles
+    more or less than others of that age. `look`: how all this is drawn.
     """
 
     fps: Fraction = Fraction(30)
