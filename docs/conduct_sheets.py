@@ -27,7 +27,7 @@ SPEAKERS = (
     *(("neutral", (name,)) for name in ("polite", "ironic", "persuasive", "submissive")),
 )  # fmt: skip
 REPORT = "She was very sad about it, but now she laughs."
-REPORT_MOMENTS = (0.4, 0.9, 1.3, 1.7, 2.3, 3.0)
+REPORT_MOMENTS = (0.6, 1.35, 1.5, 1.65, 2.2, 2.9)
 
 
 def row(take: Take, label: str, moments: Sequence[float]) -> npt.NDArray[np.uint8]:
@@ -51,7 +51,7 @@ def main() -> None:
         take = speak(SENTENCE, settings=Settings(profile=profile, attitudes=attitudes))
         rows.append(row(take, attitudes[0] if attitudes else profile, MOMENTS))
     save(rows, "profiles.png")
-    felt = speak(REPORT, emotion=[Display("sadness", 0.8)])
+    felt = speak(REPORT, emotion=[Display("sadness", 0.8)], settings=Settings(seed=1))
     referred = speak(REPORT, settings=Settings(seed=1))
     save([row(felt, "display", REPORT_MOMENTS), row(referred, "emblem", REPORT_MOMENTS)], "emblem.png")
 

@@ -1,3 +1,4 @@
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -9,16 +10,20 @@ from risorius.blend import combine
 from risorius.channels.eye_head import GazeShift, head_duration, head_help, head_share, shifts_of
 from risorius.core.movement import Cause, Movement
 from risorius.core.score import Score
+from risorius.rules.profiles import profile
 from risorius.rules.timing import saccade_duration
 
 ANGLES = st.floats(-40.0, 40.0)
+UNBLINKING = replace(profile("neutral").blinks, shift=0.0)
 
 
 def performed(*shifts: tuple[float, tuple[float, float]], duration: float = 6.0) -> dict[str, np.ndarray]:
     """Return the curves of shifts of gaze at 1000 frames a second."""
     cause = Cause("test")
     found = tuple(
-        shifts_of([GazeShift(t, d, cause) for t, d in shifts], duration, 0.0, np.random.default_rng(0))
+        shifts_of(
+            [GazeShift(t, d, cause) for t, d in shifts], duration, UNBLINKING, (), np.random.default_rng(0)
+        )
     )
     assert all(isinstance(m, Movement) for m in found)
     return combine(Score(duration, found), Fraction(1000)).curves
@@ -83,7 +88,7 @@ def test_any_shifts_make_a_score_without_jumps(shifts: list[tuple[float, tuple[f
 def test_large_shifts_blink_and_small_ones_hardly_ever() -> None:
     def share(degrees: float) -> float:
         shifts = [GazeShift(2.0 * k, (0.0, degrees * (k % 2)), Cause("test")) for k in range(200)]
-        found = shifts_of(shifts, 400.0, 0.97, np.random.default_rng(1))
+        found = shifts_of(shifts, 400.0, profile("neutral").blinks, (), np.random.default_rng(1))
         return sum(m.layer == "lids" for m in found) / 199
 
     assert share(34.0) == pytest.approx(0.97, abs=0.04)

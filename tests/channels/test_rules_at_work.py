@@ -12,7 +12,7 @@ from risorius.channels import CHANNEL_BUILDERS, Brief, Display, compose
 from risorius.core.movement import Movement
 from risorius.core.utterance import PauseKind, Utterance
 from risorius.rules.book import extended, shipped
-from risorius.rules.profiles import attitude, profile
+from risorius.rules.profiles import attitude, profile, profiles
 
 Maker = Callable[..., Utterance]
 LID = "orbicularis_oculi_palpebralis.left"
@@ -319,3 +319,16 @@ def test_at_the_end_the_head_goes_back_to_rest(sentence_of: Maker) -> None:
     last = [m for m in movements(said, "none") if m.cause.rule == "head.noise.idle"][-1]
     assert abs(last.targets["head_pitch"]) < 1.6
     assert all(m.end < said.duration + 0.1 for m in movements(said, "signals.") if m.channel == "signals")
+
+
+@pytest.mark.parametrize("who", list(profiles()))
+@pytest.mark.parametrize("manner", ["random", "periodic", "both", "none"])
+def test_any_seed_and_speaker_make_a_score_that_can_be_performed(
+    who: str, manner: str, sentence_of: Maker
+) -> None:
+    said = sentence_of(SAID)
+    speaker = profile(who)
+    speaker = replace(speaker, blinks=replace(speaker.blinks, manner=manner))
+    for seed in range(25):
+        score = compose(Brief(said.duration, said, profile=speaker), seed=seed)
+        assert all(0.0 <= m.start < m.end for m in score.movements)

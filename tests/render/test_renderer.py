@@ -63,6 +63,11 @@ def test_an_unknown_quality_is_an_error_with_the_nearest_one(head):
         Renderer(head, (64, 64), "norml")
 
 
+def test_an_unknown_style_is_an_error_with_the_nearest_one(head):
+    with pytest.raises(InputError, match="unknown style 'cley'; did you mean 'clay'"):
+        Renderer(head, (64, 64), style="cley")
+
+
 def test_a_background_of_another_size_is_an_error(head):
     with pytest.raises(InputError, match="background"):
         Renderer(head, (64, 64), background=np.zeros((32, 64, 3), np.float32))

@@ -14,7 +14,7 @@ from risorius.rules.match import Event, events_of, settle
 from risorius.rules.rule import Level, Question, Rule
 from risorius.rules.situation import Situation
 from risorius.rules.synchrony import Span, nearest, snapped, synchrony
-from risorius.rules.units import SLOW, Unit, Units
+from risorius.rules.units import Unit, Units
 
 Maker = Callable[..., Utterance]
 
@@ -77,7 +77,7 @@ def test_questions_are_told_apart(sentence_of: Maker) -> None:
 
 def test_items_are_syllables_in_slow_speech_and_words_else(sentence_of: Maker) -> None:
     slow, fast = sentence_of(SAID, phone=0.2), sentence_of(SAID, phone=0.1)
-    assert all(u.rate < SLOW for u in units_of(slow).of(Level.ITEM))
+    assert all(u.rate < synchrony().slow_rate for u in units_of(slow).of(Level.ITEM))
     slow_items, fast_items = (units_of(said).of(Level.ITEM) for said in (slow, fast))
     assert [u.position for u in slow_items] == [u.position for u in units_of(slow).of(Level.SYLLABLE)]
     assert [u.position for u in fast_items] == [u.position for u in units_of(fast).of(Level.WORD)]

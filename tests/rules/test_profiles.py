@@ -30,6 +30,7 @@ HABITS = ("gaze.aversion", "head", "head.noise.idle", "head.melody.prominence")
         (SMALL + '[blinks]\nmanner = "often"\n', "expected one of random, periodic, both, none"),
         (SMALL + "[gaze.directions]\nfront = 0.5\n", "unknown direction 'front'"),
         ('name = "mine"\ndescription = "d"\nsource = "s"\n', "key 'blinks' is missing"),
+        (SMALL + "[gaze.directions]\nup = 0\ndown = 0\nside = 0\n", "directions of gaze have no weight"),
         ("name = ", "not a TOML file"),
     ],
 )

@@ -17,8 +17,10 @@ import numpy as np
 
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
-from ..rules.match import EYES, LIDS
+from ..rules.match import EYES
+from ..rules.profiles import Blinks
 from ..rules.timing import saccade_duration
+from .blinks import blink
 
 Angles = tuple[float, float]
 """Pitch and yaw in degrees."""
@@ -27,8 +29,8 @@ HEAD = ("head_pitch", "head_yaw")
 # Shifts back to within this of straight ahead bring the head to rest (paper B, section 5.2), degrees.
 _AHEAD = 5.0
 _OVERLAP = 0.02
-# A blink of a gaze shift: seconds of closing, closed and opening, and the angle at which `shift` holds.
-_BLINK = (0.08, 0.03, 0.14)
+BLINK = "gaze.lids.shift"
+# The shift at which the probability of a blink is the profile's, degrees.
 _LARGE = 33.0
 
 
@@ -137,13 +139,17 @@ class _Pose:
 
 
 def shifts_of(
-    shifts: Sequence[GazeShift], duration: float, blinking: float, rng: np.random.Generator
+    shifts: Sequence[GazeShift],
+    duration: float,
+    habits: Blinks,
+    boundaries: Sequence[float],
+    rng: np.random.Generator,
 ) -> Iterator[Movement]:
     """Yield the movements of eyes, head and lids for shifts of gaze in order of time.
 
     A shift that comes while the last one is under way waits for it, and is left out where the next one comes
-    first. `blinking`: the probability of a blink with a shift of 33 degrees; with smaller ones it falls as
-    their square (it grows with the amplitude: Evinger et al. 1994).
+    first. `habits` say how probable a blink is with a shift by 33 degrees; it grows with the square of the
+    angle (that it grows: Evinger et al. 1994).
     """
     pose = _Pose()
     for shift, following in pairwise([*shifts, None]):
@@ -153,16 +159,7 @@ def shifts_of(
         if start >= (following.start if following else duration):
             continue
         size = pose.shift(start, shift.direction, shift.cause)
-        if chance < blinking * min(size / _LARGE, 1.0) ** 2:
-            yield _blink(start, shift.cause.trigger)
+        if chance < habits.shift * min(size / _LARGE, 1.0) ** 2:
+            yield blink("gaze", start, 1.0, habits, boundaries, Cause(BLINK, shift.cause.trigger), "lids")
     yield from pose.eyes.movements(duration)
     yield from pose.heads.movements(duration)
-
-
-def _blink(start: float, trigger: str) -> Movement:
-    closing, closed, opening = _BLINK
-    return Movement(
-        "gaze", start, start + closing + closed + opening, closing, opening, dict.fromkeys(LIDS, 1.0),
-        id=f"gaze.lids.shift@{start:.3f}", layer="lids", function="minimum_jerk",
-        cause=Cause("gaze.lids.shift", trigger),
-    )  # fmt: skip

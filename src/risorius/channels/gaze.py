@@ -53,9 +53,12 @@ def gaze(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
     yield from movements_of_rules(brief, "gaze")
     if not brief.lively:
         return
-    looks = [Look(m.start, m.end, LISTENER, m.cause, fixed=True) for m in marked]
+    # While listening the eyes are as free as else: only who is looked at is marked.
+    asked = [m for m in marked if (m.start, m.end) not in brief.listening]
+    looks = [Look(m.start, m.end, LISTENER, m.cause, fixed=True) for m in asked]
     looks = _averted(brief, _commanded(brief, _apart(looks), rng), rng)
-    yield from shifts_of(list(_fixations(brief, looks, rng)), brief.duration, brief.profile.blinks.shift, rng)
+    shifts = list(_fixations(brief, looks, rng))
+    yield from shifts_of(shifts, brief.duration, brief.profile.blinks, brief.units.boundaries, rng)
 
 
 def _apart(looks: Sequence[Look]) -> list[Look]:
@@ -147,8 +150,6 @@ def _scan(
     brief: Brief, start: float, end: float, centre: Angles, rng: np.random.Generator
 ) -> Iterator[GazeShift]:
     """Yield saccades about a direction, at random times in (start, end)."""
-    if not brief.lively:
-        return
     habits = brief.profile.gaze
     time = start + _fixation(habits.scan, rng)
     while time + _REFRACTORY < end:

@@ -54,7 +54,7 @@ def _starts(
     if habits.manner == "none":
         return
     length = habits.closing + habits.closed + habits.opening
-    last = -float(rng.uniform(0.0, 1.5 * habits.wait))
+    last = -float(rng.uniform(0.0, min(habits.wait, habits.period)))
     others = list(voluntary)
     while True:
         start, why = _next(habits, last, boundaries, rng)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from ..core.look import QUALITIES
+from ..core.look import QUALITIES, STYLES
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
 from ..face.head import Head
@@ -56,11 +56,13 @@ class Renderer:
 
         `quality` is draft, normal or high: 1, 4 or 16 samples a pixel. `looks` are the head's own where None.
         `background` is display light (height, width, 3) float32; with `alpha` it is left out and pictures
-        have four channels. Raises InputError for a size or quality that cannot be drawn.
+        have four channels. Raises InputError for a size that cannot be drawn, and for an unknown quality or
+        style.
         """
         width, height = check_size(size)
-        if quality not in QUALITIES:
-            raise InputError(unknown("quality", quality, QUALITIES))
+        for kind, name, known in (("quality", quality, QUALITIES), ("style", style, STYLES)):
+            if name not in known:
+                raise InputError(unknown(kind, name, known))
         self.size = (width, height)
         self._lights = lights.lighting()
         self.scene = HeadScene(head, self._lights.lamps, looks)

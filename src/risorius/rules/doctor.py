@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ..core.utterance import PauseKind
 from ..errors import Place
-from .book import Book, Entry
+from .book import Book, Entry, shipped
 from .conduct import is_under
 from .rule import NOTHING_FELT, Level, Question, Rule
 
@@ -38,7 +38,7 @@ def _ailments(entry: Entry, book: Book) -> Iterator[str]:
         yield "can never fire: its probability is 0"
     yield from _contradictions(rule)
     for prefix in rule.pauses:
-        if not any(is_under(name, prefix) for name in book.entries):
+        if not any(is_under(name, prefix) for name in (*book.entries, *shipped().entries)):
             yield f"pauses '{prefix}', which is no rule"
         if is_under(rule.id, prefix):
             yield "pauses itself"

@@ -133,7 +133,7 @@ def _canonical(name: str) -> str:
 
 def _event(rule: Rule, unit: Unit, units: Units, size: float, *, mirrored: bool) -> Event:
     if not rule.effect.grouped:
-        size *= synchrony().size.factor(unit.rate)
+        size *= synchrony().size_at(unit.rate)
     span = _span(rule, unit)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
@@ -156,7 +156,7 @@ def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
 
 def _span(rule: Rule, unit: Unit) -> Span:
     timing = rule.timing
-    tempo = synchrony().duration.factor(unit.rate)
+    tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
     start = _anchored(timing.at, unit) - timing.lead
     if timing.at is Anchor.WHOLE:

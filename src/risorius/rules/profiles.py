@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 from ..core.action_units import resolve_targets
 from ..core.schema import Range, Source, build
 from ..core.toml import read_tables, read_text
-from ..errors import ParameterError, unknown
+from ..errors import InputError, ParameterError, unknown
 from .conduct import Conduct, Factor
 from .load import DATA, load_folder
 
@@ -117,6 +117,8 @@ class Profile:
         for name in self.gaze.directions:
             if name not in ("up", "down", "side"):
                 raise ParameterError(unknown("direction", name, ("up", "down", "side")))
+        if not sum(self.gaze.directions.values()) > 0.0:
+            raise InputError("the directions of gaze have no weight; expected one at least above 0")
 
     @property
     def conduct(self) -> Conduct:

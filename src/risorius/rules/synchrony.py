@@ -10,9 +10,9 @@ from typing import Annotated
 
 from ..core.schema import Range
 from .load import load
-from .units import USUAL_RATE
 
 Exponent = Annotated[float, Range(0.0, 2.0)]
+Rate = Annotated[float, Range(0.5, 20.0)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,20 +22,31 @@ class RateLaw:
     exponent: Exponent
     limits: tuple[float, float]
 
-    def factor(self, rate: float) -> float:
-        """Return the factor at a rate in syllables a second."""
+    def factor(self, rate: float, usual: float) -> float:
+        """Return the factor at a rate where another is usual, both in syllables a second."""
         low, high = self.limits
-        factor: float = (USUAL_RATE / max(rate, 0.1)) ** self.exponent
+        factor: float = (usual / max(rate, 0.1)) ** self.exponent
         return min(max(factor, low), high)
 
 
 @dataclass(frozen=True, slots=True)
 class Synchrony:
-    """The table `synchrony.toml`. `reach`: seconds to a phoneme's boundary at most."""
+    """The table `synchrony.toml`. Syllables a second, seconds."""
 
+    usual_rate: Rate
+    slow_rate: Rate
+    group_pause: Annotated[float, Range(0.0, 60.0)]
     reach: Annotated[float, Range(0.0, 1.0)]
     duration: RateLaw
     size: RateLaw
+
+    def duration_at(self, rate: float) -> float:
+        """Return the factor on durations at a rate."""
+        return self.duration.factor(rate, self.usual_rate)
+
+    def size_at(self, rate: float) -> float:
+        """Return the factor on sizes at a rate."""
+        return self.size.factor(rate, self.usual_rate)
 
 
 @cache

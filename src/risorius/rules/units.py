@@ -13,13 +13,9 @@ from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
 from .intonation import intonation_table
 from .rule import Level, Position, Question, TurnState
 from .situation import Situation
+from .synchrony import synchrony
 
-# Syllables a second of unhurried English (Pellegrino et al. 2011: 6.2 in fluent reading, pauses left out; the
-# engine's voice at its usual rate has 4.4). Below SLOW the item is the syllable.
-USUAL_RATE = 4.4
-SLOW = 3.4
-# Silence after which what is said is another subject, seconds.
-GROUP_PAUSE = 0.7
+# Seconds.
 MOMENT = 1.0
 _SENTENCE_ENDS = (PauseKind.FULL_STOP, PauseKind.QUESTION, PauseKind.EXCLAMATION, PauseKind.FINAL)
 
@@ -46,7 +42,7 @@ class Unit:
     position: Position = Position.ONLY
     phone: str = ""
     words: frozenset[str] = frozenset()
-    rate: float = USUAL_RATE
+    rate: float = field(default_factory=lambda: synchrony().usual_rate)
     group: int = 0
     emotions: Mapping[str, float] = field(default_factory=dict)
     turn: TurnState = TurnState.SPEAKING
@@ -176,14 +172,14 @@ class _Spoken:
             if before is not None and after is not None:
                 words = self.said.words
                 between = self.said.text[words[before.last - 1].source_end : words[after.first].source_start]
-                group += "\n" in between or after.start - before.end > GROUP_PAUSE
+                group += "\n" in between or after.start - before.end > synchrony().group_pause
             groups.append(group)
         return groups
 
     def _rate(self, phrase: _Stretch) -> float:
         first = bisect_left(self.said.syllables, phrase.first, key=lambda s: s.word)
         last = bisect_left(self.said.syllables, phrase.last, key=lambda s: s.word)
-        return (last - first) / (phrase.end - phrase.start) if last > first else USUAL_RATE
+        return (last - first) / (phrase.end - phrase.start) if last > first else synchrony().usual_rate
 
     def _index(self, level: Level, word: int) -> int:
         return bisect_right(self.levels[level], word, key=lambda s: s.first) - 1
@@ -270,8 +266,9 @@ class _Spoken:
 
     def items(self) -> Iterator[Unit]:
         """Yield words, and the syllables of phrases that are spoken slowly (paper B, section 4.1)."""
-        slow = [s for s in self.syllables(Level.ITEM) if s.rate < SLOW]
-        fast = [w for w in self.words(Level.ITEM) if w.rate >= SLOW]
+        limit = synchrony().slow_rate
+        slow = [s for s in self.syllables(Level.ITEM) if s.rate < limit]
+        fast = [w for w in self.words(Level.ITEM) if w.rate >= limit]
         yield from sorted([*slow, *fast], key=lambda unit: unit.start)
 
     def stretches(self, level: Level) -> Iterator[Unit]:

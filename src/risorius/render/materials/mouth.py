@@ -95,6 +95,9 @@ def _wet(
     if surface == TEETH:
         # Light that enters a tooth comes out of it and its neighbours again.
         deep = min(f4(1.35) * math.sqrt(deep), f4(1.15)) * smooth(f4(0), f4(0.12), deep)
+    else:
+        # So does light that enters flesh, less of it.
+        deep = math.sqrt(deep) * (f4(0.35) + f4(0.65) * math.sqrt(deep))
     shadow = key_share(light, p)
     # Light from all sides of the mouth is warm with the colour of its lining.
     around = times(room_light(light.room, normal, f4(1)), (f4(2.0), f4(1.75), f4(1.6)))
