@@ -11,6 +11,7 @@ import numpy.typing as npt
 from risorius import blend
 from risorius.core.score import Score
 from risorius.core.utterance import PauseKind, Utterance
+from risorius.face.lip_fit import load_lip_rig
 
 Array = npt.NDArray[np.float64]
 FPS = 200
@@ -55,7 +56,7 @@ class Clip:
 
 def sampled(score: Score, said: Utterance) -> Clip:
     """Return the clip of a score."""
-    return Clip(said, blend.combine(score, Fraction(FPS)).curves)
+    return Clip(said, blend.combine(score, Fraction(FPS), load_lip_rig()).curves)
 
 
 def _runs(flags: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:

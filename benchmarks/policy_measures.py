@@ -19,6 +19,7 @@ from risorius.core.performance import frame_times
 from risorius.core.score import Score
 from risorius.core.utterance import Utterance
 from risorius.face.head import load_head
+from risorius.face.lip_fit import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.face.solve import FaceSolver
 from risorius.pipeline import plan
@@ -34,11 +35,10 @@ SAMPLES = 4  # moments measured in a closure, its first and last included
 DARK, LIT = 0.2, 0.8  # shares of its own level below which a muscle is off, above which it is on
 DISPLAYED = 0.15  # weaker muscles of an emotion are no display of their own
 STRONG = 0.3  # rivals that are both above it deform the mouth for all to see
-ROUNDED = 0.3  # a phone with that much rounding is rounded
+ROUNDED = 0.5  # mm of protrusion: a phone with that much is rounded
 HAIR = 1e-9
 WHOLE = "all of the mouth"
 
-FUNNELER = "orbicularis_oris_funneler"
 MUSCLES = np.array([INDEX[p.name] for p in PARAMETERS if p.kind is Kind.MUSCLE])
 # What speech owns by the design, under every policy: at closures these may not open, at vowels 08 not press.
 OPENING = frozenset(
@@ -71,12 +71,12 @@ class Case:
     @cached_property
     def display(self) -> Array:
         """The emotion without the speech, shape (n, 46)."""
-        return blend.at(replace(self.score, lips=()), self.times)
+        return blend.at(replace(self.score, lips=()), self.times, load_lip_rig())
 
     @cached_property
     def speech(self) -> Array:
         """The speech without the emotion, shape (n, 46)."""
-        return blend.at(replace(self.score, movements=()), self.times)
+        return blend.at(replace(self.score, movements=()), self.times, load_lip_rig())
 
     @cached_property
     def speaking(self) -> npt.NDArray[np.bool_]:
@@ -101,20 +101,20 @@ class Case:
     def rounded(self) -> Array:
         """The middles of the rounded phones, shape (m,)."""
         lips = self.score.lips
-        times = [(s.start + s.end) / 2 for s in lips if s.targets.get(FUNNELER, 0.0) >= ROUNDED]
+        times = [(s.start + s.end) / 2 for s in lips if s.targets.get("lip_protrusion", 0.0) >= ROUNDED]
         return np.array(times)
 
     @cached_property
     def rounded_widths(self) -> list[float]:
         """How wide the mouth is at the rounded phones without the emotion, mm."""
-        speech = blend.Plan(replace(self.score, movements=()))
+        speech = blend.Plan(replace(self.score, movements=()), load_lip_rig())
         return [machine().width(values) for values in speech.at(self.rounded)]
 
     def combined(self, policy: str, guarded: bool = True) -> blend.Plan:
         """Return the score combined by a policy, with the lips' limits and contact goals or without."""
         settings = replace(self.score.settings, conflict=policy, contact=guarded)
         lips = self.score.lips if guarded else tuple(replace(s, limits={}) for s in self.score.lips)
-        return blend.Plan(replace(self.score, lips=lips, settings=settings))
+        return blend.Plan(replace(self.score, lips=lips, settings=settings), load_lip_rig())
 
 
 def cases(sentences: Iterable[str], emotion: str) -> list[Case]:

@@ -5,8 +5,10 @@ from pathlib import Path
 import pytest
 
 from risorius.pipeline import speak
+from risorius.settings import Settings
 
-EXAMPLES = sorted((Path(__file__).parent.parent / "examples").iterdir())
+FOLDER = Path(__file__).parent.parent / "examples"
+EXAMPLES = sorted(path for path in FOLDER.iterdir() if path.suffix != ".toml")
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.name)
@@ -14,6 +16,12 @@ def test_it_performs(path: Path, tmp_path: Path) -> None:
     take = speak(str(path))
     take.write(tmp_path / "x.muscles.csv", tmp_path / "x.TextGrid")
     assert take.curves["lip_seal"].max() > 0.9 or take.curves["masseter"].max() > 0.2
+
+
+@pytest.mark.parametrize("path", sorted(FOLDER.glob("*.toml")), ids=lambda p: p.name)
+def test_rules_of_ones_own_are_followed(path: Path) -> None:
+    said = speak("Well, that is fine.", settings=Settings(rules=path))
+    assert "signals.mouth.well" in {movement.cause.rule for movement in said.performance.score.movements}
 
 
 @pytest.mark.parametrize("name", ["01-julia.utt", "04-intonation.xml", "05-timed.utt"])

@@ -218,7 +218,8 @@ _TRANSCRIPT_HELP = "What the recording says, or a file with it."
 )
 @click.option("--lead", type=float, metavar="S", help="Silence before plain text.  [default: 0.5]")
 @click.option("--tail", type=float, metavar="S", help="Silence after plain text.  [default: 0.7]")
-@click.option("--articulation", type=float, metavar="X", help="How wide the mouth opens.  [default: 1]")
+@click.option("--articulation", type=float, metavar="X", help="How far the lips move.  [default: 1]")
+@click.option("--manner", metavar="NAME", help="Manner of speech: whisper, murmur or shout.")
 @click.option(
     "--without", multiple=True, metavar="CHANNEL", help="Leave a channel out ('risorius list channels')."
 )

@@ -26,7 +26,7 @@ from .settings import Settings
 from .speech import feelings, say
 from .speech.heard import holds_labels, listen
 from .speech.recording import read_recording
-from .take import Progress, Take, quiet
+from .take import Progress, Take, lip_rig, quiet
 
 if TYPE_CHECKING:
     from .rig import Rig, Shown
@@ -119,6 +119,7 @@ def plan(
         listening=listening_in(script, words, duration),
         opens=not script.timed,
         articulation=settings.articulation,
+        manner=settings.manner,
         lively=settings.lively,
         profile=profile_of(settings.profile),
         attitudes=tuple(attitude(name) for name in settings.attitudes),
@@ -130,7 +131,7 @@ def plan(
 def perform(score: Score, settings: Settings | None = None, utterance: Utterance | None = None) -> Take:
     """Combine a score's movements into curves."""
     settings = settings or Settings()
-    return Take(combine(score, settings.fps), settings, utterance)
+    return Take(combine(score, settings.fps, lip_rig(score, settings.head)), settings, utterance)
 
 
 def mix(

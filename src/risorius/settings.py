@@ -26,7 +26,8 @@ class Settings:
 
     `language` (BCP 47) chooses its first voice where `voice` is None. `voice_emotion`: whether emotions
     change a synthesized voice. `lead`, `tail`: seconds of silence around plain text. `articulation`: factor
-    on how wide the mouth opens, 0 to 2. `at`: second of the frame that a `.png` shows (the middle where
+    on how far the lips move, 0 to 2 (hypo- below, hyper-articulation above 1); `manner` of speech: "plain",
+    "whisper", "murmur" or "shout". `at`: second of the frame that a `.png` shows (the middle where
     None); `every`: a `.png` is a sheet of every n-th frame instead. `lively`: random blinks and small head
     and eye movements. `profile`: who speaks, a name or a `.toml` file; `attitudes` lie over it. `rules`: a
     file of rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with
@@ -48,6 +49,7 @@ class Settings:
     lead: float = 0.5
     tail: float = 0.7
     articulation: float = 1.0
+    manner: str = "plain"
     lively: bool = True
     dynamics: str = "springs"
     without: tuple[str, ...] = ()

@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from .core.articulators import ARTICULATORS
 from .core.audio import Audio
+from .core.lip_rig import LipRig
 from .core.parameters import NAMES, parameters_named
 from .core.performance import Performance
 from .core.score import Score
@@ -157,7 +159,7 @@ class Take:
     def _plan(self) -> Plan:
         from .blend import Plan
 
-        return Plan(self.score)
+        return Plan(self.score, lip_rig(self.score, self.settings.head))
 
     def _material(self, progress: Progress) -> Material:
         from .out import Material
@@ -218,3 +220,11 @@ class Take:
             age=self.head.identity.age,
             wrinkles=self.settings.wrinkles,
         )
+
+
+def lip_rig(score: Score, head: str) -> LipRig | None:
+    """Return what performs a score's lips on a head; None where they need none."""
+    from .face.lip_fit import load_lip_rig
+
+    articulated = any(name in ARTICULATORS for s in score.lips for name in s.targets)
+    return load_lip_rig(head) if articulated else None

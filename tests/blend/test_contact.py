@@ -62,7 +62,7 @@ class TestGoals:
         closed = between(1.0, 1.1)
         assert (seal[closed] == 1).all()
         assert tuck[closed].max() < 1e-12
-        assert (tuck[between(0.9, 0.965) | between(1.135, 1.2)] == 1).all()
+        assert (tuck[between(0.9, 0.95) | between(1.15, 1.2)] == 1).all()
 
     def test_a_tuck_without_room_is_given_up(self) -> None:
         _, tuck = curves(sealed(1.0, 1.1), tucked(1.1, 1.12), sealed(1.12, 1.2))

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from risorius.core.articulators import ARTICULATORS
 from risorius.core.functions import ONSET_FUNCTIONS
 from risorius.core.movement import CHANNELS, Cause, Dominance, LipSegment, ManualCurve, Movement
 from risorius.core.parameters import PARAMETERS
@@ -65,15 +66,19 @@ MOVEMENTS = st.builds(
     function=st.sampled_from(ONSET_FUNCTIONS.names()),
     cause=CAUSES,
 )
+ARTICULATED = st.dictionaries(
+    st.sampled_from(sorted(ARTICULATORS)), st.floats(0.0, 4.0), max_size=3
+)  # all of them may be so many mm
 LIPS = st.builds(
     lambda start, length, **rest: LipSegment(start=start, end=start + length, **rest),
     start=_times(),
     length=POSITIVE,
     phone=st.sampled_from(["", "M", "ʃ"]),
-    targets=_of_parameters(_value),
+    targets=st.builds(lambda mm, others: {**mm, **others}, ARTICULATED, _of_parameters(_value)),
     limits=_of_parameters(_limits),
-    dominance=st.dictionaries(st.sampled_from(["*", "masseter", "risorius.left"]), DOMINANCES),
+    dominance=st.dictionaries(st.sampled_from(["*", "masseter", "lip_width"]), DOMINANCES),
     cause=CAUSES,
+    yields=st.dictionaries(st.sampled_from(["*", "jaw_drop", "tongue_up"]), st.floats(0.0, 30.0)),
 )
 MANUAL = st.builds(ManualCurve, _of_parameters(_keys), CAUSES)
 SETTINGS = st.builds(
@@ -113,6 +118,14 @@ def _changed(**change: Any) -> str:
         (_changed(duratoin=7), "duratoin: unknown key 'duratoin'; did you mean 'duration'?"),
         (_changed(movements={}), "movements: expected a list […], found an object"),
         (_changed(movements=[1]), "movements[0]: expected an object {…}, found 1"),
+        (
+            _changed(
+                movements=[
+                    {"channel": "lips", "phone": "AA", "start": 0, "end": 1, "targets": {"lip_width": 30}}
+                ]
+            ),
+            "movements[0].targets: lip_width = 30.0 is out of range; expected -16 to 10 mm",
+        ),
         (_changed(seed=1.5), "seed: expected a whole number, found 1.5"),
         (
             _changed(settings={"conflit": "sum"}),

@@ -67,7 +67,7 @@ def test_rounding_shows_in_the_order_measured() -> None:
 
 def test_marks_change_the_lips_only_where_they_should() -> None:
     plain, rounded = sounds("k")[0].shape.targets, sounds("kʷ")[0].shape.targets
-    assert rounded.get("round", 0.0) > plain.get("round", 0.0)
+    assert rounded.get("lip_protrusion", 0.0) > plain.get("lip_protrusion", 0.0)
     for marked in ("kʰ", "k̃", "k̚"):
         assert sounds(marked)[0].shape == sounds("k")[0].shape
     assert sounds("ã")[0].shape == sounds("a˥")[0].shape == sounds("a")[0].shape

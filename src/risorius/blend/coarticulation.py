@@ -7,9 +7,9 @@ registers itself here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
@@ -17,6 +17,8 @@ from ..core.movement import LipSegment
 from ..core.utterance import SILENCE
 from ..registry import Registry
 from .intervals import Array, Indices
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +39,28 @@ class Weights:
         return np.asarray(spread, dtype=np.float64)
 
 
+class Shared:
+    """Mappings of segments, many of which are the same object.
+
+    `mappings`: each once; `number`: which of them each segment has, shape (segments,).
+    """
+
+    def __init__(self, mappings: Sequence[Mapping[str, Any]]) -> None:
+        known: dict[int, int] = {}
+        self.number = np.array([known.setdefault(id(m), len(known)) for m in mappings], dtype=np.intp)
+        _, self._first = np.unique(self.number, return_index=True)
+        self.mappings = self.first(mappings)
+
+    def first(self, items: Sequence[T]) -> tuple[T, ...]:
+        """Return one item per segment for the first segment that has each mapping."""
+        return tuple(items[i] for i in self._first.tolist())
+
+    def column(self, name: str, missing: float) -> Array:
+        """Return the value of a name for every segment, shape (segments,)."""
+        values = np.array([m.get(name, missing) for m in self.mappings], dtype=np.float64)
+        return np.asarray(values[self.number])
+
+
 class Coarticulation(Protocol):
     """A model made for some segments: sorted, without gaps; `reach`: how far a segment is felt, seconds."""
 
@@ -50,6 +74,28 @@ class Coarticulation(Protocol):
 
     def weights(self, group: int, times: Array) -> Weights:
         """Return the weights of one group's parameters at sorted times, shape (n,)."""
+
+
+class Averages:
+    """The averages of a model's targets at sorted times, shape (n,); weights are made once for each group."""
+
+    def __init__(self, model: Coarticulation, times: Array) -> None:
+        self._model, self._times = model, times
+        self._weights: dict[int, Weights] = {}
+        self._values: dict[str, Array] = {}
+
+    def __call__(self, name: str) -> Array:
+        """Return the average of one target, shape (n,)."""
+        if name not in self._values:
+            self._values[name] = self.weights(name).average(self._model.targets(name))
+        return self._values[name]
+
+    def weights(self, name: str) -> Weights:
+        """Return the weights for one target or parameter."""
+        group = self._model.group(name)
+        if group not in self._weights:
+            self._weights[group] = self._model.weights(group, self._times)
+        return self._weights[group]
 
 
 LIP_MODELS: Registry[Callable[[Sequence[LipSegment]], Coarticulation]] = Registry("lip model")

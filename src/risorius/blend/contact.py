@@ -21,10 +21,10 @@ CONTACTS = (SEAL, TUCK)
 
 SHORTEST_CLOSURE = 0.04
 """Seconds: a shorter closure would be over before an eye could see it."""
-RAMP = 0.065
+RAMP = 0.06
 """Seconds in which the lips come to a goal and leave it, given room."""
-SHORTEST_RAMP = 0.03
-"""Seconds: less room than this between a seal and a tuck is taken from the tuck."""
+SHORTEST_RAMP = 0.045
+"""Seconds: less room than this between a seal and a tuck is taken from the tuck, up to half of it."""
 FASTEST_RAMP = 0.015
 """Seconds: a tuck that leaves less room on its two sides is given up."""
 
@@ -83,7 +83,7 @@ def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
     room = free_to - free_from
     if room < 2.0 * FASTEST_RAMP:
         return None
-    margin = min(SHORTEST_RAMP, room / 2.0)
+    margin = min(SHORTEST_RAMP, room / 2.0, (tuck.end - tuck.start) / 2.0)
     start = min(max(tuck.start, free_from + margin), free_to - margin)
     end = max(min(tuck.end, free_to - margin), start)
     if left >= 0:
@@ -96,7 +96,11 @@ def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
 
 
 class GoalCurve:
-    """The goals of one contact, evaluated at any times: the highest holds."""
+    """The goals of one contact, evaluated at any times.
+
+    What one goal g leaves open the next may close: 1 − Π(1 − g). So two closures that are nearer than their
+    ramps leave a smooth, partial opening between them, and nearer still none: the vowel between is given up.
+    """
 
     def __init__(self, goals: Sequence[Goal]) -> None:
         self.goals = tuple(goals)
@@ -113,6 +117,6 @@ class GoalCurve:
         early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
         late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
         values = self._value[goal] * minimum_jerk(1.0 - np.minimum(np.maximum(early, late), 1.0))
-        curve = np.zeros(len(times))
-        np.maximum.at(curve, index, values)
-        return curve
+        left = np.ones(len(times))
+        np.multiply.at(left, index, 1.0 - values)
+        return np.asarray(1.0 - left)

@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from ..core.movement import Dominance, LipSegment
 from ..errors import InputError
-from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, Weights
+from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, Shared, Weights
 from .intervals import Array, Indices, ranges
 
 MARGIN = 0.08
@@ -53,25 +53,27 @@ class DominanceModel:
         self._segments = tuple(segments)
         self._groups: dict[bytes, int] = {}
         self._numbers: dict[Dominance, int] = {}
-        self._known: dict[int, int] = {}
+        # Segments of one class share their dominance, so it is looked up once for all of them.
+        self._held = Shared([s.dominance for s in segments])
+        self._aims = Shared([s.targets for s in segments])
         self._group_of: dict[str, int] = {}
         # Of each group only the number of every segment's dominance is kept, so that long clips stay small.
         self._rows: list[npt.NDArray[np.uint32]] = []
         spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
         self._centre, self._half = spans.mean(axis=1), np.diff(spans, axis=1)[:, 0] / 2.0
         self._targets: dict[str, Array] = {}
-        for segment in segments:
+        for segment in self._held.first(segments):
             for dominance in segment.dominance.values():
                 _check(segment, dominance)
-        longest = [max(d.before, d.after) for s in segments for d in s.dominance.values()]
+        longest = [max(d.before, d.after) for held in self._held.mappings for d in held.values()]
         slowest = max([*longest, Dominance().before, Dominance().after])
         self.reach = max(REACH * slowest, 2.0 * MARGIN + SHORTEST_SILENCE)
 
     def group(self, parameter: str) -> int:
         """Return the number of the parameters that every segment dominates alike."""
         if parameter not in self._group_of:
-            held = (self._number(s.dominance_of(parameter)) for s in self._segments)
-            rows = np.fromiter(held, dtype=np.uint32, count=len(self._segments))
+            found = (self._number(s.dominance_of(parameter)) for s in self._held.first(self._segments))
+            rows = np.array(list(found), dtype=np.uint32)[self._held.number]
             key = rows.tobytes()
             if key not in self._groups:
                 self._groups[key] = len(self._rows)
@@ -80,19 +82,12 @@ class DominanceModel:
         return self._group_of[parameter]
 
     def _number(self, dominance: Dominance) -> int:
-        """A number for each value; looked up by identity first, for rules share their objects."""
-        number = self._known.get(id(dominance))
-        if number is None:
-            number = self._numbers.setdefault(dominance, len(self._numbers))
-            self._known[id(dominance)] = number
-        return number
+        return self._numbers.setdefault(dominance, len(self._numbers))
 
     def targets(self, parameter: str) -> Array:
         """Return each segment's target, 0 where it has none, shape (segments,)."""
         if parameter not in self._targets:
-            self._targets[parameter] = np.array(
-                [s.targets.get(parameter, 0.0) for s in self._segments], dtype=np.float64
-            )
+            self._targets[parameter] = self._aims.column(parameter, 0.0)
         return self._targets[parameter]
 
     def weights(self, group: int, times: Array) -> Weights:

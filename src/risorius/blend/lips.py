@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import cached_property
+
 import numpy as np
 
+from ..core.articulators import ARTICULATORS
+from ..core.lip_rig import LipRig
 from ..core.movement import LipSegment
 from ..core.parameters import PARAMETERS, Kind
 from ..core.score import Score
 from ..core.utterance import SILENCE
 from ..errors import InputError
-from .coarticulation import LIP_MODELS, Weights, without_gaps
+from .coarticulation import LIP_MODELS, without_gaps
 from .concatenate import SIGNED
 from .contact import CONTACTS, GoalCurve, contact_goals
 from .intervals import Array, Indices, Spans, merged
 from .mouth import Mouth
+from .shapes import Shapes, performed
 from .tuning import Tuning
 
 _MOUTH = frozenset(p.name for p in PARAMETERS if p.kind in (Kind.MUSCLE, Kind.TONGUE, Kind.CONTACT))
@@ -26,31 +32,30 @@ class Lips:
     `speech`: when there are segments that are not silent, shape (n, 2).
     """
 
-    def __init__(self, score: Score, tuning: Tuning) -> None:
+    def __init__(self, score: Score, tuning: Tuning, rig: LipRig | None) -> None:
         _check(score)
-        segments = without_gaps(score.lips)
+        segments = performed(without_gaps(score.lips), rig)
         self.model = LIP_MODELS.get(score.settings.lips)(segments)
-        self.parameters = tuple(sorted({n for s in segments for n in s.targets} - set(CONTACTS)))
+        shapes = Shapes(segments, rig, score.settings.contact)
+        self.parameters = shapes.parameters
         goals = contact_goals(segments) if score.settings.contact else ()
         self.goals = {name: GoalCurve([g for g in goals if g.contact == name]) for name in CONTACTS}
-        self.mouth = Mouth(segments, self.model, goals, tuning)
+        self.mouth = Mouth(segments, self.model, shapes, goals, tuning)
         spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
         self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
         self._times: Array | None = None
-        self._weights: dict[int, Weights] = {}
+        self._values: Mapping[str, Array] = {}
 
     def at(self, parameter: str, times: Array) -> Array:
         """Return the segments' curve of a parameter at sorted times, shape (n,)."""
-        return self.weights(parameter, times).average(self.model.targets(parameter))
-
-    def weights(self, parameter: str, times: Array) -> Weights:
-        """Return the segments' weights for a parameter; kept while the same times are asked for."""
         if times is not self._times:
-            self._times, self._weights = times, {}
-        group = self.model.group(parameter)
-        if group not in self._weights:
-            self._weights[group] = self.model.weights(group, times)
-        return self._weights[group]
+            self._times, self._values = times, self.mouth.spoken_at(times)
+        return self._values[parameter]
+
+    @cached_property
+    def alone(self) -> Mapping[str, Array]:
+        """What each segment would do by itself, by parameter, shape (segments,)."""
+        return self.mouth.shapes.values(self.model.targets)
 
 
 class LipCurve:
@@ -73,7 +78,7 @@ class LipCurve:
         """Return the segment that counts most at a time."""
         model = self._lips.model
         weights = model.weights(model.group(self._parameter), np.array([time]))
-        worth = weights.weight * (1e-9 + model.targets(self._parameter)[weights.segment])
+        worth = weights.weight * (1e-9 + self._lips.alone[self._parameter][weights.segment])
         return self._lips.mouth.segments[int(weights.segment[np.argmax(worth)])]
 
     def breakpoints(self) -> Array:
@@ -83,9 +88,9 @@ class LipCurve:
 
 def _check(score: Score) -> None:
     for segment in score.lips:
-        for name in (*segment.targets, *segment.limits):
+        for name in {*segment.targets, *segment.limits} - set(ARTICULATORS):
             if name in SIGNED or name not in _MOUTH:
                 raise InputError(
                     f"phone '{segment.phone}' at {segment.start:g} s: lips cannot move {name}; "
-                    "expected a muscle, a contact or the tongue"
+                    "expected an articulator, a muscle, a contact or the tongue"
                 )

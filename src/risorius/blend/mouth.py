@@ -7,19 +7,20 @@ blocks of time, so that memory does not grow with the score.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from ..core.movement import LipSegment
 from ..core.parameters import RIVALS
 from ..core.utterance import SILENCE
-from .coarticulation import Coarticulation, Weights
+from .coarticulation import Averages, Coarticulation
 from .contact import CONTACTS, SEAL, Goal
 from .intervals import EMPTY, Array, Spans, above_line, spans_between, union
 from .knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope
 from .roots import find_roots
+from .shapes import Shapes
 from .tuning import Tuning
 
 STEP = 0.005
@@ -39,20 +40,28 @@ class Mouth:
     """
 
     def __init__(
-        self, segments: Sequence[LipSegment], model: Coarticulation, goals: Sequence[Goal], tuning: Tuning
+        self,
+        segments: Sequence[LipSegment],
+        model: Coarticulation,
+        shapes: Shapes,
+        goals: Sequence[Goal],
+        tuning: Tuning,
     ) -> None:
         self.segments = tuple(segments)
         self.model = model
+        self.shapes = shapes
         self.goals = tuple(goals)
         self.tuning = tuning
         self.speaks = np.array([float(s.phone != SILENCE) for s in segments])
         closing = {g.segment for g in goals}
-        self.limits: tuple[dict[str, tuple[float, float]], ...] = tuple(
-            dict(s.limits) if s.phone != SILENCE and (i in closing or not _touches(s)) else {}
+        none: Mapping[str, tuple[float, float]] = {}
+        self.limits: tuple[Mapping[str, tuple[float, float]], ...] = tuple(
+            s.limits if s.phone != SILENCE and (i in closing or not _touches(s)) else none
             for i, s in enumerate(segments)
         )
-        self.limited = frozenset(name for held in self.limits for name in held)
-        self.parameters = frozenset(name for s in segments for name in s.targets) - frozenset(CONTACTS)
+        shared = {id(held): held for held in self.limits}.values()
+        self.limited = frozenset(name for held in shared for name in held)
+        self.raised = frozenset(n for held in shared for n, (low, _) in held.items() if low > 0.0)
         self._found: dict[tuple[str, str, float], Spans] = {}
         self._limits_on: dict[str, Array] = {}
         self._margin = model.reach + tuning.longest
@@ -68,6 +77,10 @@ class Mouth:
             rows = [held.get(name, (0.0, 1.0)) for held in self.limits]
             self._limits_on[name] = np.array(rows, dtype=np.float64).T.copy()
         return self._limits_on[name]
+
+    def spoken_at(self, times: Array) -> Mapping[str, Array]:
+        """Return the segments' own curves by parameter at sorted times, shape (n,) each."""
+        return self.shapes.values(Averages(self.model, times))
 
     def speaking_at(self, times: Array) -> Array:
         """Return how much the mouth speaks at sorted times, 0..1, shape (n,)."""
@@ -120,7 +133,7 @@ class Mouth:
     ) -> Spans:
         """Look through all blocks, for every parameter that might be asked for, so that each is made once."""
         if (kind, name, threshold) not in self._found:
-            others = self.parameters if kind == "above" else self.limited
+            others = self.shapes.parameters if kind == "above" else self.limited
             wanted = {(n, self.tuning.threshold[n]) for n in others if RIVALS[n]} | {(name, threshold)}
             found: dict[tuple[str, float], list[Spans]] = {key: [] for key in wanted}
             for number in range(block_number(self.edges[0]), block_number(self.edges[-1]) + 1):
@@ -143,22 +156,19 @@ class Block:
         self.knots = knots
         self._mouth = mouth
         self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
-        self._weights: dict[int, Weights] = {}
+        self._averages = Averages(mouth.model, knots)
         self._curves: dict[tuple[str, str], Array] = {}
         self.kept: dict[tuple[str, str], Array] = {}
 
     def above(self, name: str, threshold: float) -> Spans:
         """Return when the segments' curve is higher than `threshold`: seen on knots, then refined."""
-        model = self._mouth.model
-        targets = model.targets(name)
         threshold += HAIR
-        high = self._average(name, targets) > threshold
+        high = self.own(name) > threshold
         edges = np.flatnonzero(high[1:] != high[:-1])
-        group = model.group(name)
         crossings = np.zeros(0)
         if len(edges):
             crossings = find_roots(
-                lambda t: model.weights(group, t).average(targets) - threshold,
+                lambda t: self._mouth.spoken_at(t)[name] - threshold,
                 self.knots[edges],
                 self.knots[edges + 1],
             )
@@ -196,7 +206,11 @@ class Block:
 
     def own(self, name: str) -> Array:
         """Return the segments' own curve of a parameter at the knots."""
-        return self._average(name, self._mouth.model.targets(name))
+        return self._spoken[name]
+
+    @cached_property
+    def _spoken(self) -> Mapping[str, Array]:
+        return self._mouth.shapes.values(self._averages)
 
     def limiting(self, name: str, time: float) -> int:
         """Return the number of the segment whose upper limit counts most at a time."""
@@ -232,10 +246,7 @@ class Block:
         return found
 
     def _average(self, name: str, values: Array) -> Array:
-        group = self._mouth.model.group(name)
-        if group not in self._weights:
-            self._weights[group] = self._mouth.model.weights(group, self.knots)
-        return self._weights[group].average(values)
+        return self._averages.weights(name).average(values)
 
     def closures(self, name: str) -> Array:
         """Return the limits of closures alone: for the whole closure, and not diluted by neighbours."""

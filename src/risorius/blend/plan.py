@@ -12,11 +12,12 @@ from itertools import pairwise
 
 import numpy as np
 
+from ..core.lip_rig import LipRig
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
-from . import dominance, policies  # noqa: F401 - they register themselves
+from . import dominance, lookahead, policies  # noqa: F401 - they register themselves
 from .channels import Channel, Curve, compile_channels
 from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
@@ -36,15 +37,18 @@ CHUNK = 16_384
 
 
 class Plan:
-    """A score made ready: its curves at any times. Raises as `check_score` and `tune` do."""
+    """A score made ready: its curves at any times, on the head whose `rig` performs its articulators.
 
-    def __init__(self, score: Score) -> None:
+    Raises as `check_score` and `tune` do, and InputError where lips need a rig and there is none.
+    """
+
+    def __init__(self, score: Score, rig: LipRig | None = None) -> None:
         check_score(score)
         policy = POLICIES.get(score.settings.conflict)
         LIP_MODELS.get(score.settings.lips)
         self.score = score
         self.tuning = tune(score.settings)
-        self.lips = Lips(score, self.tuning) if score.lips else None
+        self.lips = Lips(score, self.tuning, rig) if score.lips else None
         self.channels = compile_channels(score, self.lips)
         levels = next((c.levels for c in self.channels if c.name == LIPS), steady(CHANNEL_PRIORITY[LIPS]))
         self.limits = Limits(self.lips.mouth, levels) if self.lips else None
@@ -148,17 +152,21 @@ class Moment:
             values = self.bounded(channel, name, index, values, own)
             others[index] = others[index] + values if adds else np.maximum(others[index], values)
         total = own + others if self.plan.adds(name) else np.maximum(own, others)
-        if self._mouth is not None and name in self._mouth.limited:
+        if self._mouth is not None and name in self._mouth.raised:
             total = np.maximum(total, self._mouth.low_at(name, self.times))
         return np.minimum(total, 1.0)
 
     def touched(self, name: str, value: Array) -> Array:
-        """Return a contact, shape (n,), with its goals; a seal that is a goal pushes a tuck aside."""
+        """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside.
+
+        A seal's goal closes what speech leaves open, so that the gap stays smooth where it sets in.
+        """
         if self.plan.lips is None:
             return value
-        goals = self.plan.lips.goals
-        reached = np.maximum(value, goals[name].at(self.times))
-        return np.minimum(reached, 1.0 - goals[SEAL].at(self.times)) if name == TUCK else reached
+        seal, tuck = (self.plan.lips.goals[contact].at(self.times) for contact in (SEAL, TUCK))
+        if name == TUCK:
+            return np.minimum(np.maximum(value, tuck), 1.0 - seal)
+        return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - seal))
 
     def terms(self, name: str) -> list[tuple[tuple[Channel, Curve], Array]]:
         """Return the deviation that each layer of each channel asks of a direction, shape (n,) each."""
@@ -172,19 +180,20 @@ class Moment:
         return found
 
 
-def at(score: Score, times: Array) -> Array:
+def at(score: Score, times: Array, rig: LipRig | None = None) -> Array:
     """Return all parameters of a score at any times, seconds: shape (n,) -> (n, 46), in the table's order.
 
     Raises InputError or ParameterError if the score cannot be performed.
     """
-    return Plan(score).at(times)
+    return Plan(score, rig).at(times)
 
 
-def combine(score: Score, fps: Fraction) -> Performance:
+def combine(score: Score, fps: Fraction, rig: LipRig | None = None) -> Performance:
     """Return the performance of a score at frames k/fps, k = 0 … round(duration·fps).
 
     Two stages (paper A, sections 5 and 6; DESIGN, section 3): within each channel, then across channels by
-    the policy that the score's settings name. Values do not depend on `fps`. Raises InputError or
-    ParameterError if the score cannot be performed.
+    the policy that the score's settings name. Values do not depend on `fps`. `rig`: the head's, which a
+    score needs whose lips are articulators. Raises InputError or ParameterError if the score cannot be
+    performed.
     """
-    return Performance(score, fps, Plan(score).at(frame_times(score.duration, fps)))
+    return Performance(score, fps, Plan(score, rig).at(frame_times(score.duration, fps)))

@@ -7,19 +7,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
+from ..core.articulators import within_range
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..rules.articulation import is_known, sounds
-from ..rules.lips import LipTable, PhoneShape, lip_table
+from ..rules.lips import OPENING, LipTable, PhoneShape, lip_table
 from ..speech.phonesets import to_arpabet
 from .registry import CHANNEL_BUILDERS, Brief
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
-_OPENING = ("jaw", "open")
 
 
 @CHANNEL_BUILDERS.register("lips")
@@ -28,7 +29,7 @@ def lips(brief: Brief, rng: np.random.Generator) -> Iterator[LipSegment]:
     if brief.utterance is None:
         return
     table = lip_table()
-    shaper = _Shaper(table, brief.utterance, brief.articulation)
+    shaper = _Shaper(table, brief.utterance, table.factors(brief.manner, brief.articulation))
     for index, phone in enumerate(brief.utterance.phones):
         if phone.symbol != SILENCE:
             yield from shaper.spoken(index, phone)
@@ -42,11 +43,18 @@ class _Shaper:
 
     table: LipTable
     utterance: Utterance
-    articulation: float
+    factors: Mapping[str, float]
 
     def __post_init__(self) -> None:
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
         self._final = _phrase_final_phones(self.utterance)
+        accents = {accent.syllable for accent in self.utterance.accents}
+        self._accented = {
+            index
+            for number, syllable in enumerate(self.utterance.syllables)
+            if number in accents
+            for index in range(syllable.first_phone, syllable.last_phone)
+        }
         self._prominence = {
             index: syllable.prominence
             for syllable in self.utterance.syllables
@@ -55,7 +63,7 @@ class _Shaper:
 
     def spoken(self, index: int, phone: Phone) -> Iterator[LipSegment]:
         """Yield the phone's segments: one for each sound it holds, two for a diphthong."""
-        scale = self.articulation * self._opening(index, phone)
+        scale = self._opening(index, phone)
         shapes = self._sounds(phone.symbol)
         share = phone.duration / sum(part for _, _, part in shapes)
         start = phone.start
@@ -89,29 +97,32 @@ class _Shaper:
     ) -> LipSegment:
         held = self.table.holdings[shape.lip_class]
         targets = self._scaled_targets(shape, scale)
-        return LipSegment(symbol, start, end, targets, held.limits, held.dominance, cause)
+        return LipSegment(symbol, start, end, targets, held.limits, held.dominance, cause, held.yields)
 
     def _scaled_targets(self, shape: PhoneShape, scale: float) -> Mapping[str, float]:
         key = (id(shape.targets), round(scale, 6))
         if key not in self._targets:
-            articulators = {
-                name: min(value * (scale if name in _OPENING else 1.0), 1.0)
-                for name, value in shape.targets.items()
-            }
-            self._targets[key] = self.table.to_parameters(articulators)
+            self._targets[key] = MappingProxyType(
+                {name: self._scaled(name, value, scale) for name, value in shape.targets.items()}
+            )
         return self._targets[key]
+
+    def _scaled(self, name: str, value: float, opening: float) -> float:
+        """Return a target in this manner and at this opening; what is closed stays closed."""
+        if name in OPENING and value <= 0.0:
+            return value
+        factor = self.factors.get(name, 1.0) * (opening if name in OPENING else 1.0)
+        return value if factor == 1.0 else within_range(name, value * factor)
 
     def _opening(self, index: int, phone: Phone) -> float:
         opening = self.table.opening
         if phone.stress < 0:
             return 1.0
         scale = opening.stressed if phone.stress > 0 else opening.unstressed
+        scale *= opening.accented if index in self._accented else 1.0
+        scale *= opening.phrase_final if index in self._final else 1.0
         standing = max(min(self._prominence.get(index, 0.0), opening.most_prominent), -opening.most_prominent)
-        return (
-            scale
-            * (opening.phrase_final if index in self._final else 1.0)
-            * (1.0 + opening.prominence * standing)
-        )
+        return min(scale * (1.0 + opening.prominence * standing), opening.widest)
 
     def _trigger(self, phone: Phone) -> str:
         if phone.word < 0:

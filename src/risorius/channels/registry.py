@@ -40,6 +40,7 @@ class Brief:
     listening: tuple[tuple[float, float], ...] = ()
     opens: bool = True
     articulation: float = 1.0
+    manner: str = "plain"
     lively: bool = True
     profile: Profile = field(default_factory=lambda: profile(NEUTRAL))
     attitudes: tuple[Attitude, ...] = ()

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from ..errors import InputError, ParameterError, unknown
+from .articulators import leader
 from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
 from .parameters import INDEX, PARAMETERS, check_value
 
@@ -86,9 +87,12 @@ DEFAULT_DOMINANCE = Dominance()
 class LipSegment:
     """One phone's lips: targets, how dominant each is, and the limits it sets on the other channels.
 
-    `phone` is "" for silence. `dominance` maps a parameter, or "*" for all others, to its Dominance.
+    `phone` is "" for silence. Targets are articulators in mm (`articulators`), which mean the same on every
+    head, or parameters. `dominance` maps either, or "*" for all others, to its Dominance.
     Targets of contact parameters (`lip_seal`, `lip_tuck`) are goals: reached during [start, end] whatever
-    else happens (DESIGN section 3). `limits` maps parameters to (low, high).
+    else happens (DESIGN section 3). `limits` maps parameters to (low, high). `yields`, for the model that
+    looks ahead, maps a target ("*": all others) to the rate of speech, in phones a second, from which on the
+    phone takes its neighbours' shape in it.
     """
 
     phone: str
@@ -98,10 +102,12 @@ class LipSegment:
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     dominance: Mapping[str, Dominance] = field(default_factory=dict)
     cause: Cause = field(default_factory=Cause)
+    yields: Mapping[str, float] = field(default_factory=dict)
 
-    def dominance_of(self, parameter: str) -> Dominance:
-        """Return the dominance over `parameter`: its own, else that of "*", else the default."""
-        return self.dominance.get(parameter) or self.dominance.get("*") or DEFAULT_DOMINANCE
+    def dominance_of(self, name: str) -> Dominance:
+        """Return the dominance over a target: its own, its articulator's, that of "*", or the default."""
+        held = self.dominance
+        return held.get(name) or held.get(leader(name)) or held.get("*") or DEFAULT_DOMINANCE
 
 
 @dataclass(frozen=True, slots=True)

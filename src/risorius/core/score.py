@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from ..errors import InputError
+from .articulators import check_lip_target
 from .movement import LipSegment, ManualCurve, Movement, check_movement, check_span, check_target
 
 
@@ -48,17 +49,27 @@ def check_score(score: Score) -> None:
     for m in score.movements:
         check_movement(m)
     check_sequence(score.movements)
+    # Segments of one phone share their mappings.
+    checked: set[int] = set()
     for segment in score.lips:
         check_span(f"phone {segment.phone or 'silence'}", segment.start, segment.end)
-        for name, value in segment.targets.items():
-            check_target(name, value)
-        for name, (low, high) in segment.limits.items():
-            check_target(name, low)
-            check_target(name, high)
-            if low > high:
-                raise InputError(f"phone '{segment.phone}': limits of {name} are reversed: {low} > {high}")
+        if id(segment.targets) not in checked:
+            checked.add(id(segment.targets))
+            for name, value in segment.targets.items():
+                check_lip_target(name, value)
+        if id(segment.limits) not in checked:
+            checked.add(id(segment.limits))
+            _check_limits(segment)
     for curve in score.manual:
         _check_manual(curve)
+
+
+def _check_limits(segment: LipSegment) -> None:
+    for name, (low, high) in segment.limits.items():
+        check_target(name, low)
+        check_target(name, high)
+        if low > high:
+            raise InputError(f"phone '{segment.phone}': limits of {name} are reversed: {low} > {high}")
 
 
 def check_sequence(movements: tuple[Movement, ...]) -> None:

@@ -21,7 +21,7 @@ Array = npt.NDArray[np.float64]
 
 NEAR = 0.12  # mm; after closing, wider gaps are left out of the solution
 SHUT = 0.01  # mm that a full seal may leave open
-WIDEST = 20.0  # mm: no narrowest gap is wider, so that a seal that sets in changes nothing at once
+WIDEST = 80.0  # mm: no narrowest gap is wider, so that a seal that sets in changes nothing at once
 PRESS = 0.05  # mm by which a seal presses the lips together, so that facets do not hold them apart
 SLACK = 0.005  # mm outside its bounds at which a gap is left alone
 PASSES = 3

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..core.action_units import resolve_targets
+from ..core.articulators import ARTICULATORS, check_lip_target
 from ..core.functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
 from ..core.movement import (
     CHANNELS,
@@ -32,7 +33,8 @@ _MOVEMENT_KEYS = (
     "priority", "release_priority", "function", "targets", "cause",
 )  # fmt: skip
 _LIPS_REQUIRED = ("channel", "phone", "start", "end", "targets")
-_LIPS_KEYS = (*_LIPS_REQUIRED, "limits", "dominance", "cause")
+_LIPS_KEYS = (*_LIPS_REQUIRED, "limits", "dominance", "yields", "cause")
+_LIP_NAMES = {"*", *ARTICULATORS}
 _MANUAL_REQUIRED = ("channel", "keys")
 _MANUAL_KEYS = (*_MANUAL_REQUIRED, "cause")
 
@@ -119,6 +121,7 @@ def _lips_to_json(segment: LipSegment) -> Json:
         "targets": dict(segment.targets),
         **({"limits": limits} if limits else {}),
         **({"dominance": dominance} if dominance else {}),
+        **({"yields": dict(segment.yields)} if segment.yields else {}),
         **_cause_to_json(segment.cause),
     }
 
@@ -130,16 +133,34 @@ def _lips_from_json(node: Node) -> LipSegment:
         check_span(f"phone {phone or 'silence'}", start, end)
     limits = entries.get("limits", Node({})).members()
     dominance = entries.get("dominance", Node({})).members()
-    every = {"*": from_record(Dominance, dominance.pop("*"))} if "*" in dominance else {}
+    held = {name: from_record(Dominance, dominance.pop(name)) for name in _LIP_NAMES & dominance.keys()}
     return LipSegment(
         phone,
         start,
         end,
-        _targets(entries["targets"]),
+        _lip_targets(entries["targets"]),
         {name: _limit(name, pair) for name, pair in _by_parameter(limits).items()},
-        every | {name: from_record(Dominance, value) for name, value in _by_parameter(dominance).items()},
+        held | {name: from_record(Dominance, value) for name, value in _by_parameter(dominance).items()},
         _cause(entries),
+        _yields(entries),
     )
+
+
+def _yields(entries: Mapping[str, Node]) -> dict[str, float]:
+    members = entries.get("yields", Node({})).members()
+    found = {name: members.pop(name).number(low=0.0) for name in sorted(_LIP_NAMES & members.keys())}
+    return found | {name: node.number(low=0.0) for name, node in _by_parameter(members).items()}
+
+
+def _lip_targets(node: Node) -> dict[str, float]:
+    """Return targets that are articulators, in mm, as they stand; others as those of a movement."""
+    members = node.members()
+    found = {name: members.pop(name).number() for name in ARTICULATORS if name in members}
+    with node.located():
+        for name, value in found.items():
+            check_lip_target(name, value)
+    others = Node({name: value.value for name, value in members.items()}, node.path)
+    return found | _targets(others)
 
 
 def _limit(parameter: str, node: Node) -> tuple[float, float]:

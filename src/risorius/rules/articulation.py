@@ -9,13 +9,13 @@ from functools import cache
 from itertools import pairwise
 from typing import Annotated, NamedTuple
 
+from ..core.articulators import PROTRUSION, within_range
 from ..core.schema import Range
 from ..errors import InputError, ParameterError, unknown
-from .lips import PhoneShape, lip_table
+from .lips import PhoneShape, Targets, check_shape, lip_table
 from .load import load
 
 Share = Annotated[float, Range(0.0, 1.0)]
-Articulators = Mapping[str, Share]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +34,7 @@ class Row:
     manner: str | None = None
     like: str | None = None
     lip_class: str | None = field(default=None, metadata={"key": "class"})
-    targets: Articulators = field(default_factory=dict)
+    targets: Targets = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if (self.like is None) == (self.lip_class is None):
@@ -53,7 +53,7 @@ class Unseen:
 class Corner:
     """A corner of the vowels' space."""
 
-    targets: Articulators
+    targets: Targets
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +79,7 @@ class Articulation:
     vowel: Mapping[str, tuple[Share, Share, Share]]
     consonant: Mapping[str, Consonant]
     lips: tuple[Row, ...]
-    mark: Mapping[str, Articulators]
+    mark: Mapping[str, Targets]
     unseen: Unseen
     close_front: Corner
     open_front: Corner
@@ -96,6 +96,10 @@ class Articulation:
                 table.shape(row.like)
             elif row.lip_class not in table.holdings:
                 raise InputError(unknown("class of phones", str(row.lip_class), table.holdings))
+        corners = (self.close_front, self.open_front, self.close_back, self.open_back)
+        given = [shape.targets for shape in (*corners, self.close_round, self.open_round)]
+        for targets in (*given, *(row.targets for row in self.lips)):
+            check_shape(targets)
         for letter, consonant in self.consonant.items():
             if self._row(consonant) is None:
                 raise InputError(f"{letter}: no row of 'lips' fits {consonant.place} {consonant.manner}")
@@ -148,8 +152,8 @@ class Articulation:
         rounded = _between(self.close_round.targets, self.open_round.targets, height)
         targets = _between(_between(front, back, backness), rounded, rounding)
         if rounding < self.limits.rounded:
-            return PhoneShape("vowel", {n: v for n, v in targets.items() if n != "round"})
-        return PhoneShape("rounded_vowel", {n: v for n, v in targets.items() if n != "spread"})
+            return PhoneShape("vowel", {n: v for n, v in targets.items() if n != PROTRUSION})
+        return PhoneShape("rounded_vowel", targets)
 
     def _consonant(self, consonant: Consonant) -> PhoneShape:
         row = self._row(consonant)
@@ -175,17 +179,17 @@ class Articulation:
 _TIES = dict.fromkeys(map(ord, "\u0361\u035c-"))
 
 
-def _between(a: Articulators, b: Articulators, share: float) -> dict[str, float]:
+def _between(a: Targets, b: Targets, share: float) -> dict[str, float]:
     names = dict.fromkeys((*a, *b))
     return {n: (1.0 - share) * a.get(n, 0.0) + share * b.get(n, 0.0) for n in names}
 
 
-def _sum(parts: list[Articulators]) -> dict[str, float]:
+def _sum(parts: list[Targets]) -> dict[str, float]:
     total: dict[str, float] = {}
     for part in parts:
         for name, value in part.items():
-            total[name] = min(total.get(name, 0.0) + value, 1.0)
-    return total
+            total[name] = total.get(name, 0.0) + value
+    return {name: within_range(name, value) for name, value in total.items()}
 
 
 @cache

@@ -2,41 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from types import MappingProxyType
 from typing import Annotated
 
-from ..core.action_units import resolve_targets
+from ..core.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
 from ..core.movement import Dominance
-from ..core.parameters import parameters_named
+from ..core.parameters import INDEX, parameters_named
 from ..core.schema import Range
-from ..errors import InputError, unknown
+from ..errors import InputError, ParameterError, unknown
 from .load import load
 
 Share = Annotated[float, Range(0.0, 1.0)]
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]
+Targets = Mapping[str, float]
 EVERYTHING = "*"
+OPENING = (JAW, APERTURE)
 
 
 @dataclass(frozen=True, slots=True)
 class PhoneShape:
-    """One phone: its class, its articulators' targets 0..1, and how much of it a contact holds."""
+    """One phone: its class, its targets (articulators in mm, parameters 0..1), what share a contact holds."""
 
     lip_class: str = field(metadata={"key": "class"})
-    targets: Mapping[str, Share]
+    targets: Targets
     closure: Share = 1.0
 
 
 @dataclass(frozen=True, slots=True)
 class LipClass:
-    """A class of phones: dominance magnitude per articulator, flanks in seconds, limits per parameter."""
+    """A class of phones: dominance magnitude per articulator, flanks in seconds, limits per parameter.
+
+    `yields`: for the look-ahead model, phones a second from which on it yields an articulator.
+    """
 
     magnitude: Weights
     before: Annotated[float, Range(0.001, 1.0)]
     after: Annotated[float, Range(0.001, 1.0)]
     limits: Mapping[str, tuple[float, float]]
+    yields: Mapping[str, Annotated[float, Range(0.0, 100.0)]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,44 +55,56 @@ class Diphthong:
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """How stress, position, the voice and pauses change the opening; seconds and factors."""
+    """How stress, accents, position, the voice and pauses change the opening; seconds and factors."""
 
     stressed: float
     unstressed: float
+    accented: float
     phrase_final: float
+    widest: float
     prominence: Annotated[float, Range(0.0, 0.15)]
     most_prominent: Annotated[float, Range(0.0, 3.0)]
     shortest_pause: Annotated[float, Range(0.0, 5.0)]
     breath_lead: Annotated[float, Range(0.0, 5.0)]
-    breath_shape: Mapping[str, Share]
+    breath_shape: Targets
+
+
+@dataclass(frozen=True, slots=True)
+class LipManner:
+    """A manner of speech: factors on targets by name."""
+
+    factors: Mapping[str, Annotated[float, Range(0.0, 3.0)]]
 
 
 @dataclass(frozen=True, slots=True)
 class _File:
-    articulators: Mapping[str, Mapping[str, Share]]
     classes: Mapping[str, LipClass] = field(metadata={"key": "class"})
     phones: Mapping[str, PhoneShape] = field(metadata={"key": "phone"})
     diphthongs: Mapping[str, Diphthong] = field(metadata={"key": "diphthong"})
     opening: Opening
+    articulation: Mapping[str, Share]
+    manners: Mapping[str, LipManner] = field(metadata={"key": "manner"})
 
 
 @dataclass(frozen=True, slots=True)
 class Holding:
-    """What all phones of a class share: dominance and limits per parameter, both sides spelled out."""
+    """What all phones of a class share: dominance, limits with both sides spelled out, what they yield."""
 
     dominance: Mapping[str, Dominance]
     limits: Mapping[str, tuple[float, float]]
+    yields: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
 class LipTable:
     """The lips' rules, ready for use: phones by ARPAbet symbol, classes by name."""
 
-    articulators: Mapping[str, Mapping[str, float]]
     holdings: Mapping[str, Holding]
     phones: Mapping[str, PhoneShape]
     diphthongs: Mapping[str, Diphthong]
     opening: Opening
+    articulation: Mapping[str, float]
+    manners: Mapping[str, LipManner]
     rest: PhoneShape = field(default_factory=lambda: PhoneShape("silence", {}))
 
     def shape(self, symbol: str) -> PhoneShape:
@@ -96,6 +114,20 @@ class LipTable:
         except KeyError:
             raise InputError(unknown("phone", symbol, (*self.phones, *self.diphthongs))) from None
 
+    def factors(self, manner: str, articulation: float) -> Mapping[str, float]:
+        """Return the factors on targets for a manner of speech, hypo- or hyper-articulated (1 is neither).
+
+        Raises ParameterError for an unknown manner.
+        """
+        if manner not in self.manners:
+            raise ParameterError(unknown("manner of speech", manner, self.manners))
+        shares = {**dict.fromkeys(OPENING, 1.0), **self.articulation}
+        held = self.manners[manner].factors
+        return {
+            name: held.get(name, 1.0) * (1.0 + shares.get(name, 0.0) * (articulation - 1.0))
+            for name in {*shares, *held}
+        }
+
     def shapes(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
         """Return a phone's shapes in order, each with its symbol and share of the phone's time."""
         diphthong = self.diphthongs.get(symbol)
@@ -104,44 +136,53 @@ class LipTable:
         first, second = (self.shape(part) for part in diphthong.parts)
         return (symbol, first, diphthong.turn), (symbol, second, 1.0 - diphthong.turn)
 
-    def to_parameters(self, articulators: Mapping[str, float]) -> Mapping[str, float]:
-        """Return the parameters that perform `articulators` (values 0..1); shares of one parameter add up."""
-        total: dict[str, float] = {}
-        for name, value in articulators.items():
-            for base, weight in self.articulators[name].items():
-                total[base] = min(total.get(base, 0.0) + weight * value, 1.0)
-        return MappingProxyType(resolve_targets(total))
-
 
 @lru_cache(maxsize=1)
 def lip_table() -> LipTable:
     """Return the package's table; raise InputError if its names do not fit together."""
     raw = load(_File, "lips.toml")
     _check_names(raw)
-    holdings = {name: _holding(raw, lip_class) for name, lip_class in raw.classes.items()}
-    return LipTable(raw.articulators, holdings, raw.phones, raw.diphthongs, raw.opening)
+    holdings = {name: _holding(lip_class) for name, lip_class in raw.classes.items()}
+    return LipTable(holdings, raw.phones, raw.diphthongs, raw.opening, raw.articulation, raw.manners)
 
 
-def _holding(raw: _File, lip_class: LipClass) -> Holding:
-    dominance: dict[str, Dominance] = {}
-    for articulator, magnitude in lip_class.magnitude.items():
-        held = Dominance(magnitude, lip_class.before, lip_class.after)
-        if articulator == EVERYTHING:
-            dominance[EVERYTHING] = held
-            continue
-        for base in raw.articulators[articulator]:
-            dominance |= {p.name: held for p in parameters_named(base)}
+def _holding(lip_class: LipClass) -> Holding:
+    dominance = {
+        name: Dominance(magnitude, lip_class.before, lip_class.after)
+        for name, magnitude in lip_class.magnitude.items()
+    }
     limits = {p.name: span for base, span in lip_class.limits.items() for p in parameters_named(base)}
-    return Holding(MappingProxyType(dominance), MappingProxyType(limits))
+    return Holding(
+        MappingProxyType(dominance), MappingProxyType(limits), MappingProxyType(dict(lip_class.yields))
+    )
 
 
 def _check_names(raw: _File) -> None:
-    used: list[tuple[str, str, Mapping[str, object]]] = []
-    used += [(name, "articulator", raw.articulators) for c in raw.classes.values() for name in c.magnitude]
-    used += [(name, "articulator", raw.articulators) for p in raw.phones.values() for name in p.targets]
-    used += [(name, "articulator", raw.articulators) for name in raw.opening.breath_shape]
-    used += [(p.lip_class, "class of phones", raw.classes) for p in raw.phones.values()]
-    used += [(part, "phone", raw.phones) for d in raw.diphthongs.values() for part in d.parts]
-    for name, kind, known in used:
-        if name != EVERYTHING and name not in known:
-            raise InputError(f"lips.toml: {unknown(kind, name, known)}")
+    for lip_class in raw.classes.values():
+        _check_known((*lip_class.magnitude, *lip_class.yields))
+    for factors in (raw.articulation, *(manner.factors for manner in raw.manners.values())):
+        _check_known(factors)
+    for targets in (*(p.targets for p in raw.phones.values()), raw.opening.breath_shape):
+        check_shape(targets)
+    for phone in raw.phones.values():
+        if phone.lip_class not in raw.classes:
+            raise InputError(f"lips.toml: {unknown('class of phones', phone.lip_class, raw.classes)}")
+    for part in (part for d in raw.diphthongs.values() for part in d.parts):
+        if part not in raw.phones:
+            raise InputError(f"lips.toml: {unknown('phone', part, raw.phones)}")
+
+
+def _check_known(names: Iterable[str]) -> None:
+    known = (EVERYTHING, *ARTICULATORS, *INDEX)
+    for name in names:
+        if name not in known:
+            raise InputError(f"lips.toml: {unknown('articulator', name, known)}")
+
+
+def check_shape(targets: Targets) -> None:
+    """Raise InputError unless all targets are articulators or parameters, within their ranges."""
+    for name, value in targets.items():
+        try:
+            check_lip_target(name, value)
+        except ParameterError as error:
+            raise InputError(str(error)) from None

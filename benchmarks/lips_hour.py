@@ -1,0 +1,50 @@
+"""The lips of an hour of speech at 60 fps: articulators, coarticulation and the muscles of a head.
+
+The aim is 3 s of one core. A few sentences are repeated to fill the time. Run from the repository:
+    PYTHONPATH=src OMP_NUM_THREADS=1 python benchmarks/lips_hour.py [--minutes 60] [--lips dominance]
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from dataclasses import replace
+from fractions import Fraction
+
+from risorius import blend
+from risorius.core.score import BlendSettings, Score
+from risorius.face.lip_fit import load_lip_rig
+from risorius.pipeline import plan
+from risorius.script import read_script
+from risorius.settings import Settings
+from risorius.speech import say
+
+TEXT = "My baby brother put the map by the beam. Five wolves swam over to the boat. Julia prefers popcorn."
+
+
+def spoken(seconds: float, model: str) -> Score:
+    """Return the lips of the text, over and over."""
+    script = read_script(TEXT, text=True)
+    utterance = say(script)
+    once = plan(script, utterance, (), Settings(lively=False, blend=BlendSettings("graded", lips=model)))
+    times = [k * once.duration for k in range(int(seconds / once.duration))]
+    lips = tuple(replace(s, start=s.start + t, end=s.end + t) for t in times for s in once.lips)
+    return replace(once, duration=len(times) * once.duration, lips=lips, movements=())
+
+
+def main() -> None:
+    """Measure and print one line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--minutes", type=float, default=60.0)
+    parser.add_argument("--lips", default="dominance")
+    options = parser.parse_args()
+    rig = load_lip_rig()
+    score = spoken(options.minutes * 60.0, options.lips)
+    start = time.process_time()
+    frames = len(blend.combine(score, Fraction(60), rig).values)
+    seconds = time.process_time() - start
+    print(f"{options.lips}: {len(score.lips)} segments, {frames} frames: {seconds:.2f} s of one core")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,167 @@
+"""Lip segments blended by looking ahead (paper B, section 4.3; Kent and Minifie 1977).
+
+Three rules give every segment its posture T[s] of each articulator, and when it holds:
+
+1. Look-ahead. A segment may yield an articulator (`LipSegment.yields`) from some rate of speech on: then it
+   takes the posture of the next segment before a silence that does not yield it, else of the last one before
+   it. So lips round for a vowel as soon as nothing before it asks for another shape. What yields follows the
+   clusters of Jeffers and Barley (1971), fewer of which stay distinct in fast speech.
+2. Geometric constraint. Where an articulator goes from one side of rest to the other (a pucker after a
+   spread), each posture is scaled by 1 − OPPOSED·o/(|T[s]| + o), o being the larger opposite neighbour.
+3. Temporal constraint. From one posture to the next an articulator needs as long as its muscle needs to
+   contract (where |T| grows) or to relax: D, the minimum onset or offset of the parameter table, and for a
+   long way longer, so that it is never faster than `FASTEST`. The step S[s](t) rises by minimum jerk over D
+   around the boundary before s. The weight of s is S[s] − S[s + 1]: a
+   phone shorter than D is not reached, and the posture before it remains over it.
+
+Around a closure (an aperture below zero) a step lies almost wholly outside, for a stop's goal is all of its
+interval. Steps begin and end in the order of their boundaries, so that no weight is negative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.articulators import APERTURE, ARTICULATORS, leader
+from ..core.functions import minimum_jerk
+from ..core.movement import LipSegment
+from ..core.parameters import BASES, INDEX, PARAMETERS, Parameter
+from ..core.utterance import SILENCE
+from .coarticulation import LIP_MODELS, Shared, Weights
+from .intervals import Array, ranges
+
+OPPOSED = 0.3
+"""How much of a posture an equal and opposite neighbour takes away, twice."""
+FASTEST = 200.0
+"""mm a second, at the peak of a step; people's lips come to 150 to 310."""
+_PEAK = 1.875
+"""The peak speed of minimum jerk over its mean."""
+SHORTEST_STEP = 0.085
+"""Seconds: a vowel much shorter than that between two closures is given up."""
+BESIDE = 0.35
+"""How much of a step to or from a closure lies outside it, beyond one half."""
+NEIGHBOURS = 2
+"""Segments on either side over which the rate of speech is measured."""
+
+
+@LIP_MODELS.register("lookahead")
+class LookAheadModel:
+    """Coarticulation by looking ahead (see `coarticulation.Coarticulation`)."""
+
+    def __init__(self, segments: Sequence[LipSegment]) -> None:
+        self._aims = Shared([s.targets for s in segments])
+        self._yields = Shared([s.yields for s in segments])
+        self._start = np.array([s.start for s in segments])
+        self._end = np.array([s.end for s in segments])
+        self._silent = np.array([s.phone == SILENCE for s in segments])
+        self._rate = _rates(self._end - self._start, self._silent)
+        self._names: list[str] = []
+        self._targets: dict[str, Array] = {}
+        self._steps: dict[int, tuple[Array, Array]] = {}
+        slowest = max(max(p.min_onset, p.min_offset) for p in PARAMETERS)
+        widest = max(a.high - a.low for a in ARTICULATORS.values())
+        self.reach = max(slowest, _PEAK / FASTEST * widest)
+
+    def group(self, parameter: str) -> int:
+        """Return the number of an articulator, or of a parameter that follows none; each has its own."""
+        name = leader(parameter)
+        if name not in self._names:
+            self._names.append(name)
+        return self._names.index(name)
+
+    def targets(self, parameter: str) -> Array:
+        """Return each segment's posture after rules 1 and 2, shape (segments,)."""
+        if parameter not in self._targets:
+            own = self._aims.column(parameter, 0.0)
+            asked = self._yields.column(parameter, np.nan)
+            asked = np.where(np.isnan(asked), self._yields.column("*", np.inf), asked)
+            taken = _taken(~self._silent & (self._rate >= asked), self._silent)
+            self._targets[parameter] = _opposed(own[taken])
+        return self._targets[parameter]
+
+    def weights(self, group: int, times: Array) -> Weights:
+        """Return the weight of each segment at sorted times."""
+        if group not in self._steps:
+            self._steps[group] = self._steps_of(self._names[group])
+        start, end = self._steps[group]
+        leaves, left = np.append(start[1:], np.inf), np.append(end[1:], np.inf)
+        first = int(np.searchsorted(left, times[0], side="left"))
+        last = int(np.searchsorted(start, times[-1], side="right"))
+        chosen = np.arange(first, max(last, first + 1))
+        low = np.searchsorted(times, start[chosen], side="left")
+        high = np.searchsorted(times, left[chosen], side="right")
+        owner, time = ranges(low, high)
+        segment, t = chosen[owner], times[time]
+        weight = _step(t, start[segment], end[segment]) - _step(t, leaves[segment], left[segment])
+        return Weights(segment, time, np.maximum(weight, 0.0), len(times))
+
+    def _steps_of(self, name: str) -> tuple[Array, Array]:
+        """Return when the step to each segment begins and ends; that to the first one lies before all."""
+        posture = self.targets(name)
+        size, muscle = np.abs(posture), _muscle(name)
+        needed = np.where(size[1:] > size[:-1], muscle.min_onset, muscle.min_offset)
+        if name in ARTICULATORS:
+            needed = np.maximum(needed, _PEAK / FASTEST * np.abs(np.diff(posture)))
+        boundary = (self._end[:-1] + self._start[1:]) / 2.0
+        if name == APERTURE:
+            boundary, needed = self._around_closures(posture < 0.0, boundary, needed)
+        start = np.minimum.accumulate((boundary - needed / 2.0)[::-1])[::-1]
+        end = np.maximum.accumulate(boundary + needed / 2.0)
+        return np.append(-np.inf, start), np.append(-np.inf, end)
+
+    def _around_closures(
+        self, closed: npt.NDArray[np.bool_], boundary: Array, needed: Array
+    ) -> tuple[Array, Array]:
+        """Return the middles and lengths of the steps, those to and from closures beside them.
+
+        They are no longer than what lies between two closures, or than `SHORTEST_STEP`.
+        """
+        duration = self._end - self._start
+        closing, opening = closed[1:] & ~closed[:-1], closed[:-1] & ~closed[1:]
+        room = np.where(closing, duration[:-1], np.where(opening, duration[1:], np.inf))
+        needed = np.minimum(needed, np.maximum(room, SHORTEST_STEP))
+        return boundary + BESIDE * needed * (opening.astype(float) - closing), needed
+
+
+def _muscle(name: str) -> Parameter:
+    """Return the muscle whose times an articulator takes, or the parameter itself."""
+    articulator = ARTICULATORS.get(name)
+    return BASES[articulator.follow[0]][0] if articulator is not None else PARAMETERS[INDEX[name]]
+
+
+def _rates(durations: Array, silent: npt.NDArray[np.bool_]) -> Array:
+    """Return the phones per second around each segment, silences apart, shape (segments,)."""
+    window = np.ones(2 * NEIGHBOURS + 1)
+    spoken = np.convolve(~silent, window, mode="full")[NEIGHBOURS:-NEIGHBOURS]
+    seconds = np.convolve(np.where(silent, 0.0, durations), window, mode="full")[NEIGHBOURS:-NEIGHBOURS]
+    return np.asarray(np.divide(spoken, seconds, out=np.zeros(len(durations)), where=seconds > 0.0))
+
+
+def _taken(yields: npt.NDArray[np.bool_], silent: npt.NDArray[np.bool_]) -> npt.NDArray[np.intp]:
+    """Return whose posture each segment takes: its own, the next that does not yield, or the last."""
+    count = np.arange(len(yields))
+    last = np.maximum.accumulate(np.where(yields, 0, count))
+    following = np.where(yields, len(yields) - 1, count)
+    following = np.minimum.accumulate(following[::-1])[::-1]
+    after = np.where(silent[following], last, following)
+    return np.where(silent[after], count, after)
+
+
+def _opposed(posture: Array) -> Array:
+    """Return the postures scaled by rule 2."""
+    around = np.stack([np.append(0.0, posture[:-1]), np.append(posture[1:], 0.0)])
+    opposite = np.maximum(-around * np.sign(posture), 0.0).max(axis=0)
+    total = np.abs(posture) + opposite
+    share = np.divide(opposite, total, out=np.zeros(len(posture)), where=total > 0.0)
+    return np.asarray(posture * (1.0 - OPPOSED * share))
+
+
+def _step(times: Array, start: Array, end: Array) -> Array:
+    """Return the steps at their times: 0 before `start`, 1 after `end`."""
+    with np.errstate(invalid="ignore"):
+        share = (times - start) / (end - start)
+    share = np.where(np.isneginf(end), 1.0, np.where(np.isposinf(start), 0.0, share))
+    return minimum_jerk(np.clip(share, 0.0, 1.0))

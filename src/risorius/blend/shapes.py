@@ -1,0 +1,61 @@
+"""From the segments' blended targets to parameters: articulators by the head's rig, others as they are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ..core.articulators import ARTICULATORS
+from ..core.lip_rig import SEAL, Averages, LipRig
+from ..core.movement import LipSegment
+from ..errors import InputError
+from .contact import CONTACTS
+from .intervals import Array
+
+
+class Shapes:
+    """What the targets of some segments move.
+
+    `parameters`: the muscles and others that move, contact goals apart. Raises InputError where targets are
+    articulators and there is no rig.
+    """
+
+    def __init__(self, segments: Sequence[LipSegment], rig: LipRig | None, contact: bool) -> None:
+        names = {name for s in segments for name in s.targets}
+        self._direct = tuple(sorted(names - set(ARTICULATORS) - set(CONTACTS)))
+        self._articulators = frozenset(names & set(ARTICULATORS))
+        if self._articulators and rig is None:
+            raise InputError(
+                f"lips are given as articulators ({min(self._articulators)}); expected a head to perform them"
+            )
+        self._rig = rig
+        moved = rig.moved(self._articulators) if rig is not None else frozenset[str]()
+        self._driven = moved if contact else moved - {SEAL}
+        self.parameters = tuple(sorted(self._driven | set(self._direct)))
+
+    def values(self, average: Averages) -> Mapping[str, Array]:
+        """Return all `parameters` for the averages of targets that `average` gives by name."""
+        found: dict[str, Array] = {}
+        if self._articulators and self._rig is not None:
+            made = self._rig.parameters(average, self._articulators)
+            found = {name: made[name] for name in self._driven}
+        for name in self._direct:
+            own = average(name)
+            found[name] = np.minimum(found[name] + own, 1.0) if name in found else own
+        return found
+
+
+def performed(segments: Sequence[LipSegment], rig: LipRig | None) -> tuple[LipSegment, ...]:
+    """Return the segments with their articulators as they are blended (`LipRig.actives`)."""
+    if rig is None:
+        return tuple(segments)
+    made: dict[int, Mapping[str, float]] = {}
+    for segment in segments:
+        if id(segment.targets) not in made:
+            others = {n: v for n, v in segment.targets.items() if n not in ARTICULATORS}
+            made[id(segment.targets)] = others | rig.actives(segment.targets)
+    return tuple(
+        LipSegment(s.phone, s.start, s.end, made[id(s.targets)], s.limits, s.dominance, s.cause, s.yields)
+        for s in segments
+    )

@@ -1,0 +1,203 @@
+"""From the lips' articulators, in millimetres, to the muscles of one head.
+
+A head's fit holds polynomials of what its mesh measures when the controls (`articulators.CONTROLS`) act:
+chin, gap, width, protrusion, height of the upper lip and of the corners. The rig inverts them one after the
+other, so that each control answers to one measure:
+
+    jaw from the chin's drop; round from the protrusion; spread (or, where the mouth is to be narrower than
+    its rounding makes it, more round) from the width; lift or lower from the corners; upper from the upper
+    lip; open from what gap is then missing. A gap that is too wide is closed by contact (`lip_seal`).
+
+Width, protrusion and corners are blended as what is *added* to what the jaw and the opening lips do by
+themselves: so phones that ask for none leave these muscles at exactly 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+
+from .articulators import (
+    APERTURE,
+    ARTICULATORS,
+    CONTROLS,
+    CORNERS,
+    JAW,
+    PRESSING,
+    PROTRUSION,
+    UPPER,
+    WIDTH,
+)
+from .parameters import BASES
+
+Array = npt.NDArray[np.float64]
+Averages = Callable[[str], Array]
+
+_CONTROLS_OF: Mapping[str, tuple[str, ...]] = {
+    JAW: ("jaw",),
+    APERTURE: ("open",),
+    WIDTH: ("round", "spread"),
+    PROTRUSION: ("round", "spread"),
+    UPPER: ("upper",),
+    CORNERS: ("lift", "lower"),
+}
+MEASURES = (JAW, APERTURE, WIDTH, PROTRUSION, UPPER, CORNERS)
+"""What a fit measures, against rest, mm."""
+NONE = len(CONTROLS)
+"""Stands for 1 in a term: a control that is not there."""
+DEGREE = 3
+SEAL = "lip_seal"
+_OPENING = ("jaw", "open", "upper")
+_STEPS = 6
+_ROUNDS = 4
+_LEAST_GAP = 0.5
+"""mm; a gap that is closed by contact counts as at least so wide."""
+
+
+@dataclass(frozen=True, eq=False)
+class LipRig:
+    """The fit of one head: measure = Σ coefficients · the product of each term's controls.
+
+    `terms` (k, 3): indices into the controls, `NONE` where a term has fewer; `coefficients` (k, 6), mm, one
+    column per measure.
+    """
+
+    terms: npt.NDArray[np.int64]
+    coefficients: Array
+
+    def passive(self, measure: str, controls: Mapping[str, Array]) -> Array:
+        """Return what the controls measure, mm; those left out are 0."""
+        return self._along(measure, "", controls)[0]
+
+    def actives(self, targets: Mapping[str, float]) -> dict[str, float]:
+        """Return the articulators of `targets` (mm on the mesh) as they are blended.
+
+        Width, protrusion and corners without what the jaw and the opening do by themselves; an aperture that
+        is not asked for is what the jaw opens. Other targets are left out.
+        """
+        asked = {name: value for name, value in targets.items() if name in ARTICULATORS}
+        if not asked:
+            return {}
+        jaw = self._jaw(np.array([asked.get(JAW, 0.0)]))
+        asked.setdefault(APERTURE, float(max(self.passive(APERTURE, {"jaw": jaw})[0], 0.0)))
+        found = {name: asked[name] for name in (JAW, APERTURE, UPPER) if name in asked}
+        added = [name for name in (WIDTH, PROTRUSION, CORNERS) if name in asked]
+        for _ in range(_ROUNDS if added else 0):
+            controls = self.controls(_constants(found), found)
+            alone = {name: controls[name] for name in controls if name in _OPENING}
+            for name in added:
+                found[name] = asked[name] - float(self.passive(name, alone)[0])
+            if PROTRUSION not in asked:
+                # A mouth narrows by rounding alone, and a phone that asks for none is not rounded.
+                found[WIDTH] = max(found.get(WIDTH, 0.0), 0.0)
+        return found
+
+    def moved(self, articulators: Collection[str]) -> frozenset[str]:
+        """Return the parameters that targets of some articulators may move."""
+        controls = {control for name in articulators for control in _CONTROLS_OF[name]}
+        moved = [CONTROLS[name] for name in controls] + ([PRESSING] if articulators else [])
+        bases = {base for factors in moved for base in factors}
+        return frozenset(p.name for base in bases for p in BASES[base]) | ({SEAL} if articulators else set())
+
+    def parameters(self, average: Averages, articulators: Collection[str]) -> dict[str, Array]:
+        """Return the parameters that move for blended articulators (mm) that `average` gives by name."""
+        controls = self.controls(average, articulators)
+        values: dict[str, Array] = {SEAL: controls.pop(SEAL)}
+        pressed = np.maximum(-average(APERTURE), 0.0)
+        for moved, amount in [*((CONTROLS[n], controls[n]) for n in controls), (PRESSING, pressed)]:
+            for base, factor in moved.items():
+                for p in BASES[base]:
+                    values[p.name] = values.get(p.name, 0.0) + factor * amount
+        return {name: np.minimum(value, 1.0) for name, value in values.items()}
+
+    def controls(self, average: Averages, articulators: Collection[str]) -> dict[str, Array]:
+        """Return the controls of some articulators, and the seal, all of the shape of `average`'s arrays."""
+        jaw = self._jaw(average(JAW))
+        found = {"jaw": jaw}
+        if WIDTH in articulators or PROTRUSION in articulators:
+            found["round"], found["spread"] = self._rounded(found, average(WIDTH), average(PROTRUSION))
+        if CORNERS in articulators:
+            corners = average(CORNERS)
+            for name, sign in (("lift", 1.0), ("lower", -1.0)):
+                powers = self._along(CORNERS, name, {"jaw": jaw})
+                found[name] = _solve(powers, np.maximum(sign * corners, 0.0) * sign)
+        if UPPER in articulators:
+            found["upper"] = _solve(self._along(UPPER, "upper", {"jaw": jaw}), average(UPPER))
+        powers = self._along(APERTURE, "open", found)
+        missing = average(APERTURE) - powers[0]
+        found["open"] = _solve(powers, np.maximum(missing, 0.0))
+        found[SEAL] = np.clip(-missing / np.maximum(powers[0], _LEAST_GAP), 0.0, 1.0)
+        return found
+
+    def _jaw(self, drop: Array) -> Array:
+        return _solve(self._along(JAW, "jaw", {}), drop)
+
+    def _rounded(self, found: Mapping[str, Array], width: Array, protrusion: Array) -> tuple[Array, Array]:
+        """Return `round` and `spread`: the one from the protrusion, the other from the width left over.
+
+        Where the mouth is to be narrower than that, `round` comes as near to both as it can.
+        """
+        forward, narrower = self._along(PROTRUSION, "round", found), self._along(WIDTH, "round", found)
+        rounding = _solve(forward, protrusion)
+        spreading = self._along(WIDTH, "spread", {**found, "round": rounding})
+        left = width - (spreading[0] - narrower[0])
+        both = forward[1] ** 2 + narrower[1] ** 2
+        nearest = (forward[1] * protrusion + narrower[1] * width) / both
+        return np.where(left < 0.0, np.clip(nearest, 0.0, 1.0), rounding), _solve(
+            spreading, np.maximum(left, 0.0)
+        )
+
+    def _along(self, measure: str, control: str, others: Mapping[str, Array]) -> list[Array]:
+        """Return a measure as a polynomial in one control, given others: the factor of each power."""
+        powers: list[Array] = [np.zeros(()) for _ in range(DEGREE + 1)]
+        for power, factor, rest in _plan(self, measure, control, tuple(others)):
+            value: Array = np.asarray(factor)
+            for name in rest:
+                value = value * others[name]
+            powers[power] = powers[power] + value
+        return powers
+
+
+@lru_cache(maxsize=256)
+def _plan(
+    rig: LipRig, measure: str, control: str, others: tuple[str, ...]
+) -> tuple[tuple[int, float, tuple[str, ...]], ...]:
+    """Return the terms that `_along` adds up: the power of the control, the factor, the other controls."""
+    names = [*CONTROLS, ""]
+    known = {control, *others} - {""}
+    plan = []
+    for term, factor in zip(rig.terms.tolist(), rig.coefficients[:, MEASURES.index(measure)], strict=True):
+        held = [names[i] for i in term if i != NONE]
+        if factor != 0.0 and known.issuperset(held):
+            rest = tuple(name for name in held if name != control)
+            plan.append((len(held) - len(rest), float(factor), rest))
+    return tuple(plan)
+
+
+def _solve(powers: Sequence[Array], wanted: Array) -> Array:
+    """Return x in 0..1 with Σ powers[k] x^k = wanted over k >= 1: the nearest end where there is none.
+
+    Newton's method within a bracket, for a muscle beside a stronger one hardly moves anything at first.
+    Exactly 0 where nothing is wanted.
+    """
+    _, first, second, third = powers
+    low, high = np.zeros(np.shape(wanted)), np.ones(np.shape(wanted))
+    x = np.clip(wanted / (first + second + third), 0.0, 1.0)
+    for _ in range(_STEPS):
+        value = x * (first + x * (second + x * third))
+        beyond = (value - wanted) * np.sign(first + second + third) > 0.0
+        low, high = np.where(beyond, low, x), np.where(beyond, x, high)
+        slope = first + x * (2.0 * second + 3.0 * x * third)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            newton = x + (wanted - value) / slope
+        inside = (newton >= low) & (newton <= high)
+        x = np.where(inside, newton, 0.5 * (low + high))
+    return np.asarray(np.where(wanted == 0.0, 0.0, x))
+
+
+def _constants(values: Mapping[str, float]) -> Averages:
+    return lambda name: np.array([values.get(name, 0.0)])

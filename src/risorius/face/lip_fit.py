@@ -1,0 +1,119 @@
+"""The fit of a head's lips: what its mesh measures when the lips' controls act (`lips.npz` beside it).
+
+Made by `tools/fit_lips.py` for the heads that come with Risorius, on the spot for others (seconds).
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from itertools import combinations_with_replacement
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.articulators import APERTURE, CONTROLS
+from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig
+from ..core.parameters import BASES, INDEX, NEUTRAL
+from .head import Head, load_head
+from .head_file import HeadFile
+from .measure import CORNERS, Gauge
+from .solve import FaceSolver
+
+Array = npt.NDArray[np.float64]
+
+FILE = "lips.npz"
+SAMPLES = 1200
+# The largest activation of each control that speech comes to.
+LARGEST = {"jaw": 0.5, "open": 1.0, "upper": 0.6, "round": 0.95, "spread": 0.5, "lift": 0.3, "lower": 0.3}
+# Share of the samples in which a control is at rest, as most are most of the time.
+AT_REST = 0.35
+OPEN_MM = 0.3
+# Controls that bend a measure so much, or one another, that squares do not follow it.
+_CURVED = ("jaw", "open", "round", "spread")
+_UPPER_LIP = 51  # iBUG
+
+
+def load_lip_rig(name_or_path: str | Path = "standard") -> LipRig:
+    """Return the fit of a head, by its name or path as `load_head` takes it; fit it where it has none.
+
+    Raises HeadError as `load_head`, and where the file of the fit lacks an array or holds a wrong one.
+    """
+    head = load_head(name_or_path)
+    path = head.folder / FILE
+    return _read(path, path.stat().st_mtime_ns) if path.is_file() else _fitted(str(head.folder))
+
+
+@lru_cache(maxsize=8)
+def _read(path: Path, changed: int) -> LipRig:
+    file = HeadFile.read(path)
+    coefficients = file.array("coefficients", ("k", len(MEASURES)))
+    terms = file.indices("terms", (len(coefficients), DEGREE), NONE + 1)
+    return LipRig(terms.astype(np.int64), coefficients)
+
+
+@lru_cache(maxsize=8)
+def _fitted(folder: str) -> LipRig:
+    return fit(load_head(folder))
+
+
+def fit(head: Head) -> LipRig:
+    """Return the least-squares fit over random settings of the controls, the same for the same head."""
+    mouth = MeasuredMouth(head)
+    draw = np.random.default_rng(0)
+    settings = draw.random((SAMPLES, len(CONTROLS))) * [LARGEST[name] for name in CONTROLS]
+    settings[draw.random(settings.shape) < AT_REST] = 0.0
+    measured = np.array([mouth.measure(dict(zip(CONTROLS, row, strict=True))) for row in settings.tolist()])
+    terms = _terms()
+    products = np.prod(np.append(settings, np.ones((SAMPLES, 1)), axis=1)[:, terms], axis=2)
+    coefficients = np.linalg.lstsq(products, measured, rcond=None)[0]
+    # Lips that are shut say nothing on what a control adds to their gap.
+    gap = MEASURES.index(APERTURE)
+    apart = measured[:, gap] > OPEN_MM
+    coefficients[:, gap] = np.linalg.lstsq(products[apart], measured[apart, gap], rcond=None)[0]
+    return LipRig(terms, coefficients)
+
+
+def _terms() -> npt.NDArray[np.int64]:
+    """Return all products of up to two controls, and of three of those that bend; shape (k, 3)."""
+    every, curved = range(len(CONTROLS)), [list(CONTROLS).index(name) for name in _CURVED]
+    found = [t for n in (1, 2) for t in combinations_with_replacement(every, n)]
+    found += combinations_with_replacement(curved, DEGREE)
+    return np.array([(*t, *[NONE] * (DEGREE - len(t))) for t in found])
+
+
+class MeasuredMouth:
+    """A head's mouth, set by parameters or controls and measured on its mesh in mm against rest."""
+
+    def __init__(self, head: Head) -> None:
+        self._solver, self._gauge = FaceSolver(head), Gauge(head)
+        self._rest = np.zeros(len(MEASURES))
+        self._rest = self.measure_values(NEUTRAL)
+
+    def measure(self, controls: dict[str, float]) -> Array:
+        """Return `MEASURES` (6,) for controls 0..1."""
+        values = NEUTRAL.copy()
+        for name, amount in controls.items():
+            for base, factor in CONTROLS[name].items():
+                for p in BASES[base]:
+                    values[INDEX[p.name]] += amount * factor
+        return self.measure_values(np.minimum(values, 1.0))
+
+    def measure_values(self, values: Array) -> Array:
+        """Return `MEASURES` (6,) for a value of every parameter, shape (46,)."""
+        frame = self._solver.solve(np.where(NEUTRAL == 0.0, np.clip(values, -90.0, 1.0), values))
+        found, points = self._gauge.measure(frame), self._gauge.landmarks(frame)
+        corners = points[list(CORNERS), 1].mean()
+        return (
+            np.array(
+                [
+                    found.jaw_drop_mm,
+                    found.lip_gap_mm,
+                    found.mouth_width_mm,
+                    found.lip_protrusion_mm,
+                    points[_UPPER_LIP, 1],
+                    corners,
+                ]
+            )
+            - self._rest
+        )

@@ -1,0 +1,85 @@
+"""Articulators in millimetres are what the mesh measures, on every head."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from risorius.core.articulators import ARTICULATORS
+from risorius.core.lip_rig import MEASURES, LipRig
+from risorius.core.parameters import DEFAULT_THRESHOLD, INDEX, NEUTRAL, RIVALS
+from risorius.errors import HeadError
+from risorius.face.head import load_head, shipped_heads
+from risorius.face.lip_fit import FILE, MeasuredMouth, load_lip_rig
+from risorius.rules.lips import lip_table
+
+CLOSE_MM = 0.5
+ROUNDED = {"jaw_drop": 3.0, "lip_aperture": 6.0, "lip_width": -3.0, "lip_protrusion": 2.0}
+POSES = (
+    ROUNDED,
+    {"jaw_drop": 2.0, "lip_aperture": 4.0},
+    {"jaw_drop": 9.0, "lip_aperture": 13.0},
+    {"jaw_drop": 1.0, "lip_aperture": 2.0},
+    {"jaw_drop": 6.0, "lip_aperture": 7.0},
+    {"jaw_drop": 3.0, "lip_aperture": 5.0, "lip_width": 2.0},
+    {"jaw_drop": 2.0, "lip_aperture": 4.0, "lip_width": -13.0, "lip_protrusion": 4.0},
+    {"jaw_drop": 4.0, "lip_aperture": 6.0, "lip_width": -7.0, "lip_protrusion": 1.5},
+    {"jaw_drop": 1.0, "lip_aperture": 3.5, "lip_width": -7.0, "lip_protrusion": 2.5, "upper_lip": 0.7},
+    {"jaw_drop": 1.0, "lip_aperture": 2.0, "lip_corners": 1.5},
+    {"jaw_drop": 1.0, "lip_aperture": 2.0, "lip_corners": -1.5},
+)
+
+
+def muscles(rig: LipRig, targets: Mapping[str, float]) -> dict[str, float]:
+    held = rig.actives(targets)
+    made = rig.parameters(lambda name: np.array([held.get(name, 0.0)]), held)
+    return {name: float(value[0]) for name, value in made.items()}
+
+
+def values(made: Mapping[str, float]) -> np.ndarray:
+    found = NEUTRAL.copy()
+    for name, value in made.items():
+        found[INDEX[name]] = value
+    return found
+
+
+def test_a_broken_file_is_named(tmp_path: Path) -> None:
+    head = tmp_path / "broken"
+    shutil.copytree(load_head().folder, head)
+    np.savez(head / FILE, format=np.int64(1), terms=np.zeros((2, 3), np.int16))
+    with pytest.raises(HeadError, match="coefficients"):
+        load_lip_rig(str(head))
+
+
+@pytest.mark.parametrize("name", shipped_heads())
+def test_targets_are_what_the_mesh_measures(name: str) -> None:
+    rig, mouth = load_lip_rig(name), MeasuredMouth(load_head(name))
+    for pose in POSES:
+        measured = dict(zip(MEASURES, mouth.measure_values(values(muscles(rig, pose))), strict=True))
+        for articulator in ("lip_aperture", "lip_width", "lip_protrusion", "lip_corners"):
+            if articulator in pose:
+                assert measured[articulator] == pytest.approx(pose[articulator], abs=CLOSE_MM), pose
+
+
+@pytest.mark.parametrize("phone", ["IY", "IH", "EH", "AE", "AA", "AH", "S", "T", "K", "N", "TH"])
+def test_unrounded_phones_have_no_funneler_and_inhibit_no_smile(phone: str) -> None:
+    made = muscles(load_lip_rig(), lip_table().shape(phone).targets)
+    assert made.get("orbicularis_oris_funneler", 0.0) == 0.0
+    for rival in RIVALS["zygomatic_major.left"]:
+        assert made.get(rival, 0.0) < DEFAULT_THRESHOLD
+
+
+def test_a_closed_mouth_is_sealed_and_pressed() -> None:
+    made = muscles(load_lip_rig(), {"jaw_drop": 1.2, "lip_aperture": -2.0})
+    assert made["lip_seal"] == 1.0
+    assert made["orbicularis_oris_presser"] > 0.1
+    assert made["depressor_labii.left"] == 0.0
+
+
+def test_rest_moves_nothing() -> None:
+    made = muscles(load_lip_rig(), dict.fromkeys(ARTICULATORS, 0.0))
+    assert max(made.values()) == 0.0
