@@ -39,7 +39,7 @@ def test_a_sound_that_is_none(folder: Path, tmp_path: Path) -> None:
 
 
 # What comes back is within so many mm, root mean square over the skin of all frames.
-@pytest.mark.parametrize(("name", "most"), [("x.arkit.csv", 0.5), ("x.fap", 0.5), ("x.au.csv", 1.0)])
+@pytest.mark.parametrize(("name", "most"), [("x.arkit.csv", 0.5), ("x.fap", 0.8), ("x.au.csv", 1.5)])
 def test_a_capture_of_our_own_face_is_that_face(folder: Path, clip: Take, name: str, most: float) -> None:
     settings = Settings(fps=clip.performance.fps, dynamics="static")
     again = play(folder / name, settings=settings)

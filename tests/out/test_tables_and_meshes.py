@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 from praatio import textgrid as praatio_textgrid
 
+from risorius.core.movement import Movement
 from risorius.core.parameters import NAMES
 from risorius.out import OUTPUTS, Need
 from risorius.out.bvh import euler
+from risorius.out.channels_textgrid import label
 from risorius.take import Take
 
 
@@ -90,6 +92,17 @@ def test_every_channel_is_a_tier(folder: Path, clip: Take) -> None:
     assert len(entries) == len(clip.score.movements)
     for name in grid.tierNames:
         assert all(a.end <= b.start for a, b in pairwise(grid.getTier(name).entries))
+
+
+def test_a_movement_is_told_by_its_largest_values() -> None:
+    targets = {
+        "zygomatic_major.left": 0.25,
+        "zygomatic_major.right": 0.5,
+        "gaze_yaw": -3.0,
+        "gaze_pitch": 0.0,
+    }
+    movement = Movement("gaze", 0.0, 1.0, 0.1, 0.1, targets)
+    assert label(movement) == "zygomatic_major=0.5 gaze_yaw=-3 gaze_pitch=0"
 
 
 def test_feedback_has_every_word_and_movement(folder: Path, clip: Take) -> None:

@@ -55,6 +55,12 @@ class ArkitTrack:
     worst: Array
 
     @property
+    def rotations(self) -> Array:
+        """Yaw, pitch and roll of head, left and right eye (frames, 9) in radians."""
+        angles = np.concatenate([self.head[:, None], self.eyes], axis=1)
+        return np.asarray(np.radians(angles).reshape(len(angles), -1))
+
+    @property
     def residual(self) -> tuple[float, float]:
         """The root mean square over all frames and the worst vertex, in mm."""
         return float(np.sqrt((self.rms**2).mean())), float(self.worst.max())

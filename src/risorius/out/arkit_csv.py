@@ -41,14 +41,13 @@ def rows(track: ArkitTrack, fps: Fraction) -> Iterator[str]:
     """Yield the lines, the header first."""
     yield ",".join(COLUMNS)
     for number, values in enumerate(values_of(track)):
-        numbers = ",".join(f"{value:.10f}" for value in values + 0.0)
+        numbers = ",".join(f"{value:.10f}" for value in values)
         yield f"{timecode(number, fps)},{COUNT},{numbers}"
 
 
 def values_of(track: ArkitTrack) -> Array:
     """Return the 61 values (frames, 61) in the order of the columns, rotations in radians."""
-    angles = np.radians(np.concatenate([track.head[:, None], track.eyes], axis=1)).reshape(-1, len(ROTATIONS))
-    values = np.concatenate([track.weights[:, _ORDER], angles], axis=1)
+    values = np.concatenate([track.weights[:, _ORDER], track.rotations], axis=1)
     return np.where(np.abs(values) < 5e-11, 0.0, values)
 
 

@@ -12,6 +12,7 @@ Array32 = npt.NDArray[np.float32]
 
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
 MOST = 40
+ROOM = 160  # shapes gathered before the least of them are dropped
 
 
 @dataclass
@@ -32,12 +33,12 @@ class ClipBasis:
     _errors: list[tuple[float, float]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self._shapes = np.zeros((self.most, self.rest.size), np.float32)
+        self._shapes = np.zeros((ROOM, self.rest.size), np.float32)
 
     def show(self, points: npt.NDArray[np.floating]) -> None:
         """Take in the next frame, points (n, 3) in mm."""
         weights, rest = self._split((points - self.rest).ravel().astype(np.float32))
-        if _distances(rest).max() > self.tolerance and self._count < self.most:
+        if _distances(rest).max() > self.tolerance and self._count < ROOM:
             # Twice, because the first time leaves a little of the others in it.
             direction = self._split(rest)[1]
             self._shapes[self._count] = direction / np.linalg.norm(direction)
@@ -57,14 +58,24 @@ class ClipBasis:
         if not count:
             return np.zeros((0, *self.rest.shape)), weights
         turn = np.linalg.svd(weights, full_matrices=False)[2]
-        turned = weights @ turn.T
+        turned, shapes = weights @ turn.T, turn @ self._shapes[:count].astype(np.float64)
+        self._drop(turned[:, self.most :], shapes[self.most :])
+        turned, shapes = turned[:, : self.most], shapes[: self.most]
         scale = np.maximum(np.abs(turned).max(axis=0), 1e-9)
-        shapes = (turn * scale[:, None]) @ self._shapes[:count].astype(np.float64)
-        return shapes.reshape(len(turn), *self.rest.shape), turned / scale
+        return (shapes * scale[:, None]).reshape(len(shapes), *self.rest.shape), turned / scale
+
+    def _drop(self, weights: Array, shapes: Array) -> None:
+        """Count what shapes that are left out leave over: its distances add to those there were at most."""
+        if not len(shapes):
+            return
+        for k, row in enumerate(weights):
+            distance = _distances((row @ shapes).astype(np.float32))
+            mean, worst = self._errors[k]
+            self._errors[k] = (mean + float((distance**2).mean()), worst + float(distance.max()))
 
     @property
     def residual(self) -> tuple[float, float]:
-        """Root mean square and worst distance in mm between the frames and what the shapes make of them."""
+        """After `finish`: root mean square and worst distance in mm of the frames from what shapes make."""
         errors = np.array(self._errors)
         return float(np.sqrt(errors[:, 0].mean())), float(errors[:, 1].max())
 

@@ -57,5 +57,5 @@ def label(movement: Movement) -> str:
     values: dict[str, float] = {}
     for name, value in movement.targets.items():
         base = name.partition(".")[0]
-        values[base] = max(value, values.get(base, value), key=abs)
+        values[base] = max(values.get(base, value), value, key=abs)
     return " ".join(f"{base}={value:.2g}" for base, value in values.items())

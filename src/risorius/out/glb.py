@@ -23,7 +23,7 @@ from ..face.shapes import ArkitShapes, arkit_shapes
 from ..render.figure import Piece, figure_of
 from .basis import ClipBasis
 from .glb_scene import ON_SKIN, GlbScene, riding
-from .gltf import Gltf, quaternions
+from .gltf import Animation, Gltf, quaternions
 from .source import Material, WriteOptions, needed
 
 Array = npt.NDArray[np.float64]
@@ -118,22 +118,14 @@ class Turns:
 
 def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: Turns) -> None:
     """Add the animation: `weights` (frames,) by morph target, and the rotations."""
-    gltf = scene.gltf
-    clock = gltf.accessor(times.astype(np.float32))
-    samplers: list[dict[str, object]] = []
-    channels: list[dict[str, object]] = []
-
-    def drive(node: str, path: str, values: npt.NDArray[np.float32]) -> None:
-        samplers.append({"input": clock, "output": gltf.accessor(values), "interpolation": "LINEAR"})
-        target = {"node": scene.nodes[node], "path": path}
-        channels.append({"sampler": len(samplers) - 1, "target": target})
-
+    animation = Animation(scene.gltf, times)
     for node, names in scene.targets.items():
-        rows = np.stack([weights[name] for name in names], axis=1).astype(np.float32)
-        drive(node, "weights", rows.ravel())
+        animation.drive(
+            scene.nodes[node], "weights", np.stack([weights[name] for name in names], axis=1).ravel()
+        )
     for node, rotations in turns.all().items():
-        drive(node, "rotation", rotations)
-    gltf.add("animations", {"name": "performance", "channels": channels, "samplers": samplers})
+        animation.drive(scene.nodes[node], "rotation", rotations)
+    animation.finish()
 
 
 def _moves(pieces: Mapping[str, Piece], moved: Mapping[str, Array]) -> dict[str, Array]:

@@ -94,6 +94,27 @@ class Gltf:
         }
 
 
+class Animation:
+    """The one animation of a document: channels on one clock, `times` (keys,) in seconds."""
+
+    def __init__(self, gltf: Gltf, times: npt.NDArray[np.float64]) -> None:
+        self._gltf = gltf
+        self._clock = gltf.accessor(times.astype(np.float32))
+        self._samplers: list[Json] = []
+        self._channels: list[Json] = []
+
+    def drive(self, node: int, path: str, values: npt.NDArray[np.floating]) -> None:
+        """Let `path` ("weights", "rotation" …) of a node go through values, straight from key to key."""
+        output = self._gltf.accessor(np.ascontiguousarray(values, np.float32))
+        self._samplers.append({"input": self._clock, "output": output, "interpolation": "LINEAR"})
+        self._channels.append({"sampler": len(self._samplers) - 1, "target": {"node": node, "path": path}})
+
+    def finish(self) -> None:
+        """Add it to the document."""
+        entry = {"name": "performance", "channels": self._channels, "samplers": self._samplers}
+        self._gltf.add("animations", entry)
+
+
 def quaternion(rotation: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """Return the unit quaternion (x, y, z, w), w not negative, of a rotation (3, 3)."""
     m = rotation

@@ -17,7 +17,7 @@ from ..core.arkit import SHAPES
 from ..core.parameters import INDEX
 from ..face.expressions import expressions, preset_weights
 from ..face.rotations import head_rotation
-from .gltf import Gltf, quaternions
+from .gltf import Animation, Gltf, quaternions
 from .source import Material, WriteOptions, needed
 
 Array = npt.NDArray[np.float64]
@@ -40,7 +40,7 @@ def write_vrma(material: Material, path: Path, _options: WriteOptions) -> None:
     gltf.document["scene"] = gltf.add(
         "scenes", {"nodes": [bones["hips"], *presets.values(), *customs.values()]}
     )
-    animation = _Animation(gltf, performance.times)
+    animation = Animation(gltf, performance.times)
     head = [head_rotation(*angles) for angles in track.head[:, [1, 0, 2]].tolist()]
     animation.drive(bones["head"], "rotation", quaternions(head))
     animation.drive(look, "rotation", quaternions(_gaze(performance.values)))
@@ -56,25 +56,6 @@ def write_vrma(material: Material, path: Path, _options: WriteOptions) -> None:
     }
     gltf.document["extensions"] = {EXTENSION: extension}
     gltf.save(path)
-
-
-class _Animation:
-    """The one animation of the file, channel by channel."""
-
-    def __init__(self, gltf: Gltf, times: Array) -> None:
-        self._gltf = gltf
-        self._clock = gltf.accessor(times.astype(np.float32))
-        self._samplers: list[Json] = []
-        self._channels: list[Json] = []
-
-    def drive(self, node: int, path: str, values: npt.NDArray[np.floating]) -> None:
-        output = self._gltf.accessor(np.ascontiguousarray(values, np.float32))
-        self._samplers.append({"input": self._clock, "output": output, "interpolation": "LINEAR"})
-        self._channels.append({"sampler": len(self._samplers) - 1, "target": {"node": node, "path": path}})
-
-    def finish(self) -> None:
-        entry = {"name": "performance", "channels": self._channels, "samplers": self._samplers}
-        self._gltf.add("animations", entry)
 
 
 def _bones(gltf: Gltf) -> dict[str, int]:

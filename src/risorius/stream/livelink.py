@@ -28,8 +28,7 @@ def livelink_packets(track: ArkitTrack, fps: Fraction, options: Options) -> Pack
     name = options.subject.encode()
     device = str(uuid.uuid5(_SPACE, options.subject)).upper().encode("ascii")
     start = struct.pack(">Bi36si", VERSION, len(device), device, len(name)) + name
-    angles = np.radians(np.concatenate([track.head[:, None], track.eyes], axis=1)).reshape(-1, len(ROTATIONS))
-    values = np.concatenate([track.weights[:, _ORDER], angles], axis=1).astype(">f4")
+    values = np.concatenate([track.weights[:, _ORDER], track.rotations], axis=1).astype(">f4")
 
     def packets(frame: int) -> list[bytes]:
         clock = struct.pack(">ifiiB", frame, 0.0, fps.numerator, fps.denominator, COUNT)
