@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from ..errors import InputError, ParameterError, unknown
 from .anchor import NUMBER
@@ -29,22 +30,32 @@ def read_seconds(attribute: Attribute) -> float:
     return seconds
 
 
+class _Amount(NamedTuple):
+    """What is written: a sign or none, a number without sign, and a unit in lower case or none."""
+
+    sign: str
+    number: float
+    unit: str
+
+    @property
+    def signed(self) -> float:
+        return -self.number if self.sign == "-" else self.number
+
+
 def factor(node: Node, name: str, words: Mapping[str, float]) -> float:
     """Return a factor: a word of the table, `120%` of the usual, or a change such as `+20%`."""
     attribute = node.get(name)
     if attribute is None:
         return 1.0
-    value = attribute.value.strip()
-    if value in words:
-        return words[value]
-    match = _AMOUNT.fullmatch(value)
-    if match is None or match[3] not in ("%", None):
-        raise _no_amount(attribute, (*words, "120%", "+20%"))
-    amount = float(match[2]) * (0.01 if match[3] else 1.0)
-    factor = 1.0 + amount if match[1] == "+" else 1.0 - amount if match[1] == "-" else amount
-    if not 0.1 <= factor <= 10.0:
-        raise InputError(f"{name} = {quoted(value)} is out of range; expected 10% to 1000%", attribute.place)
-    return factor
+    given = _given(attribute, words, ("%", ""), ("120%", "+20%"))
+    if not isinstance(given, _Amount):
+        return given
+    share = given.signed * (0.01 if given.unit else 1.0)
+    result = 1.0 + share if given.sign else share
+    if not 0.1 <= result <= 10.0:
+        shown = f"{name} = {quoted(attribute.value.strip())}"
+        raise InputError(f"{shown} is out of range; expected 10% to 1000%", attribute.place)
+    return result
 
 
 def semitones(unknowns: Unknowns, node: Node, words: Mapping[str, float]) -> float:
@@ -52,23 +63,19 @@ def semitones(unknowns: Unknowns, node: Node, words: Mapping[str, float]) -> flo
     attribute = node.get("pitch")
     if attribute is None:
         return 0.0
-    value = attribute.value.strip()
-    if value in words:
-        return words[value]
-    match = _AMOUNT.fullmatch(value)
-    if match is None or (match[3] or "").lower() not in ("%", "st", "hz"):
-        raise _no_amount(attribute, (*words, "+2st", "+10%"))
-    if match[3].lower() == "hz":
+    given = _given(attribute, words, ("%", "st", "hz"), ("+2st", "+10%"))
+    if not isinstance(given, _Amount):
+        return given
+    if given.unit == "hz":
         unknowns.tell("pitch in Hz", attribute.place)
         return 0.0
-    amount = float(match[1] + match[2])
-    if match[3] == "%":
-        share = 1.0 + 0.01 * amount if match[1] else 0.01 * amount
+    amount = given.signed
+    if given.unit == "%":
+        share = 1.0 + 0.01 * amount if given.sign else 0.01 * amount
         amount = 12.0 * math.log2(max(share, 0.01))
     if not -24.0 <= amount <= 24.0:
-        raise InputError(
-            f"pitch = {quoted(value)} is out of range; expected two octaves at most", attribute.place
-        )
+        shown = f"pitch = {quoted(attribute.value.strip())}"
+        raise InputError(f"{shown} is out of range; expected two octaves at most", attribute.place)
     return amount
 
 
@@ -77,14 +84,19 @@ def decibels(node: Node, words: Mapping[str, float]) -> float:
     attribute = node.get("volume")
     if attribute is None:
         return 0.0
+    given = _given(attribute, words, ("db",), ("+6dB",))
+    return max(-60.0, min(given.signed, 12.0)) if isinstance(given, _Amount) else given
+
+
+def _given(
+    attribute: Attribute, words: Mapping[str, float], units: Sequence[str], examples: Sequence[str]
+) -> float | _Amount:
+    """Return the value of a word of the table, or an amount in one of `units`; raise ParameterError else."""
     value = attribute.value.strip()
     if value in words:
         return words[value]
     match = _AMOUNT.fullmatch(value)
-    if match is None or (match[3] or "").lower() != "db":
-        raise _no_amount(attribute, (*words, "+6dB"))
-    return max(-60.0, min(float(match[1] + match[2]), 12.0))
-
-
-def _no_amount(attribute: Attribute, known: Sequence[str]) -> ParameterError:
-    return ParameterError(unknown(attribute.name, one_line(attribute.value), known), attribute.place)
+    if match is None or (match[3] or "").lower() not in units:
+        known = (*words, *examples)
+        raise ParameterError(unknown(attribute.name, one_line(attribute.value), known), attribute.place)
+    return _Amount(match[1], float(match[2]), (match[3] or "").lower())
