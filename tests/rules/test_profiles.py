@@ -12,7 +12,7 @@ from risorius.rules.profiles import attitude, attitudes, profile, profile_from, 
 SMALL = 'name = "mine"\nbase = "neutral"\ndescription = "d"\nsource = "s"\n'
 BASES = {"neutral": (DATA / "profiles" / "neutral.toml").read_text()}
 # What the channels themselves make, beside rules.
-HABITS = ("gaze.aversion", "head", "head.noise.idle", "head.melody.prominence")
+HABITS = ("gaze.aversion", "head", "head.noise.idle", "head.melody.pitch")
 
 
 @pytest.mark.parametrize(

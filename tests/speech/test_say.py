@@ -1,3 +1,4 @@
+import numpy as np
 import pytest
 
 from risorius.errors import InputError, SpeechError
@@ -62,3 +63,10 @@ def test_the_language_of_a_script_chooses_the_voice() -> None:
 def test_a_voice_and_another_language_do_not_go_together() -> None:
     with pytest.raises(SpeechError, match="voice 'en-gb' speaks 'en-gb', not 'de'"):
         say(read_script("Hello.", text=True), voice="en-gb", language="de")
+
+
+def test_syllables_of_a_spoken_text_know_how_high_they_are() -> None:
+    said = say(read_script("I like it very much, but do you?", text=True))
+    heights = np.array([s.pitch for s in said.syllables])
+    assert heights.mean() == pytest.approx(0.0, abs=0.02)
+    assert heights.std() == pytest.approx(1.0, abs=0.05)

@@ -20,7 +20,7 @@ from ..rules.rule import TurnState
 from .registry import CHANNEL_BUILDERS, Brief
 from .ruled import movements_of_rules, with_eyes
 
-NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.prominence", "head.posture.speaker"
+NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.pitch", "head.posture.speaker"
 # Seconds in which one movement of a chain gives way to the next.
 _OVERLAP = 0.02
 _HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
@@ -57,15 +57,18 @@ def _posture(brief: Brief) -> Iterator[Movement]:
 
 
 def _melody(brief: Brief) -> Iterator[Movement]:
-    """Yield a chain in which the head rises and falls with how prominent each syllable sounds."""
+    """Yield a chain in which the head rises and falls with the voice's pitch, syllable by syllable.
+
+    Head motion explains some 63 % of the variance of F0 (Munhall et al. 2004).
+    """
     degrees = brief.profile.head.melody
     said = brief.utterance
-    if said is None or degrees == 0.0 or not any(s.prominence for s in said.syllables):
+    if said is None or degrees == 0.0 or not any(s.pitch for s in said.syllables):
         return
     ends = [*(s.start for s in said.syllables[1:]), brief.duration]
     for s, end in zip(said.syllables, ends, strict=True):
         size = degrees * size_of(MELODY, brief.conduct_at(s.start))
-        targets = {"head_pitch": size * min(max(s.prominence, -2.0), 2.0)}
+        targets = {"head_pitch": size * min(max(s.pitch, -2.0), 2.0)}
         cause = Cause(MELODY, f'"{said.words[s.word].text}"')
         link = _link(s.start, end, targets, "melody", cause)
         yield replace(link, onset=min(s.end, end) - s.start)

@@ -49,8 +49,8 @@ class Syllable:
     """Phones [first_phone, last_phone) around one vowel. `stress` as in Phone. Seconds.
 
     `loudness`: dB above the mean syllable of the utterance. `prominence`: how far it stands out by pitch,
-    loudness and length together, in standard deviations of the utterance's syllables. Both are 0 where the
-    sound was not measured.
+    loudness and length together, and `pitch`: how high its vowel is, both in standard deviations of the
+    utterance's syllables. All are 0 where the sound was not measured.
     """
 
     first_phone: int
@@ -61,6 +61,7 @@ class Syllable:
     word: int
     loudness: float = 0.0
     prominence: float = 0.0
+    pitch: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,16 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.action_units import resolve_targets
-from ..core.parameters import INDEX, PARAMETERS, parameters_named
+from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
 from .conduct import Conduct, rate_of, size_of
 from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .rule import ANY, NOTHING_FELT, Anchor, Rule, When
-from .synchrony import Span, snapped, synchrony
+from .synchrony import Span, settled, snapped, synchrony
 from .unit import Unit
 from .units import Units
 
 LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
+HEAD = frozenset(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 EYES = ("gaze_pitch", "gaze_yaw")
 SIDED = ("head_yaw", "head_roll", "gaze_yaw")
 
@@ -134,9 +135,12 @@ def _canonical(name: str) -> str:
 def _event(rule: Rule, unit: Unit, units: Units, span: Span, size: float, *, mirrored: bool) -> Event:
     if not rule.effect.grouped:
         size *= synchrony().size_at(unit.rate)
+    targets = _targets(rule, size, mirrored)
+    if rule.timing.at is Anchor.ACCENT and not HEAD.isdisjoint(targets):
+        span = settled(span, units.endings)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
-    return Event(rule, unit, _inside(span, units.situation.duration), _targets(rule, size, mirrored), size)
+    return Event(rule, unit, _inside(span, units.situation.duration), targets, size)
 
 
 def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:

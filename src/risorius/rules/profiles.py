@@ -79,7 +79,7 @@ class Head:
     """The smooth noise of a living head: deviations in degrees, seconds from one target to the next.
 
     `comma`, `final`: what is left of it in such pauses; `listening`: while another speaks. `melody`: degrees
-    of pitch by standard deviation of a syllable's prominence, where the sound was measured.
+    of pitch by standard deviation of a syllable's pitch, where the sound was measured.
     """
 
     pitch: Degrees

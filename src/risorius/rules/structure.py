@@ -12,7 +12,7 @@ from .intonation import intonation_table
 from .rule import Level, Question
 from .synchrony import synchrony
 
-_SENTENCE_ENDS = (PauseKind.FULL_STOP, PauseKind.QUESTION, PauseKind.EXCLAMATION, PauseKind.FINAL)
+SENTENCE_ENDS = (PauseKind.FULL_STOP, PauseKind.QUESTION, PauseKind.EXCLAMATION, PauseKind.FINAL)
 # Digits of a second within which a pause begins where a word ends.
 _DIGITS = 6
 # Words of a stretch that messages show.
@@ -76,7 +76,7 @@ class Structure:
 
     def _ends_utterance(self, word: int) -> bool:
         pause = self.after(word)
-        return pause is not None and pause.kind in _SENTENCE_ENDS
+        return pause is not None and pause.kind in SENTENCE_ENDS
 
     def _ends_turn(self, word: int) -> bool:
         if word + 1 == len(self.said.words):

@@ -37,6 +37,8 @@ class Synchrony:
     slow_rate: Rate
     group_pause: Annotated[float, Range(0.0, 60.0)]
     reach: Annotated[float, Range(0.0, 1.0)]
+    settling: Annotated[float, Range(0.0, 2.0)]
+    least_time: Annotated[float, Range(0.1, 1.0)]
     duration: RateLaw
     size: RateLaw
 
@@ -63,6 +65,22 @@ class Span:
     apex: float
     release: float
     end: float
+
+
+def settled(span: Span, pauses: Sequence[float]) -> Span:
+    """Return a span that has ended soon after the first pause that it runs into.
+
+    `pauses` are the starts of those in which the head stands still, in order.
+    """
+    index = bisect_left(pauses, span.start)
+    if index == len(pauses):
+        return span
+    table, length = synchrony(), span.end - span.start
+    share = max((pauses[index] + table.settling - span.start) / length, table.least_time)
+    if share >= 1.0:
+        return span
+    apex, release, end = (span.start + share * (t - span.start) for t in (span.apex, span.release, span.end))
+    return Span(span.start, apex, release, end)
 
 
 def snapped(span: Span, boundaries: Sequence[float]) -> Span:

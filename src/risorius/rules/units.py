@@ -8,6 +8,7 @@ from functools import cached_property
 from .rule import Level
 from .situation import Situation
 from .spoken import Spoken
+from .structure import SENTENCE_ENDS
 from .unit import Unit
 
 # Seconds.
@@ -35,6 +36,12 @@ class Units:
         if self._said is None:
             return ()
         return (0.0, *(phone.end for phone in self._said.phones))
+
+    @cached_property
+    def endings(self) -> tuple[float, ...]:
+        """Return where the pauses begin that end a sentence, seconds, in order."""
+        pauses = self._said.pauses if self._said is not None else ()
+        return tuple(p.start for p in pauses if p.kind in SENTENCE_ENDS)
 
     @cached_property
     def _by_level(self) -> dict[Level, tuple[Unit, ...]]:

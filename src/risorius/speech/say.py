@@ -14,6 +14,7 @@ from ..errors import InputError, SpeechError
 from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
 from .engine import is_voice_file
+from .prosody.measure import pitched
 from .synthesis import synthesize
 
 # Seconds between lines where the second has no time of its own.
@@ -57,8 +58,8 @@ def say(
     manner = common_manner(felt)
     try:
         if manner is not None:
-            return _speak(script, partial(speak, manner=manner))
-        return _speak(coloured(script, felt, _speak(script, speak)), speak)
+            return pitched(_speak(script, partial(speak, manner=manner)))
+        return pitched(_speak(coloured(script, felt, _speak(script, speak)), speak))
     except SpeechError as error:
         # The script is at fault only where it names the language itself.
         named = spoken is not None and language is None

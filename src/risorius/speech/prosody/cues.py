@@ -25,12 +25,15 @@ Floats = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Cues:
-    """Per syllable, (n,) each: `pitch` in semitones above the phrase's line, `loudness` in dB above the mean,
-    `length` as the log of how much longer its vowel is than that vowel's mean, `prominence` in standard
-    deviations.
+    """Per syllable, (n,) each.
+
+    `pitch` in semitones above the phrase's line, `height` of the vowel's mean pitch in standard deviations,
+    `loudness` in dB above the mean, `length` as the log of how much longer its vowel is than that vowel's
+    mean, `prominence` in standard deviations.
     """
 
     pitch: Floats
+    height: Floats
     loudness: Floats
     length: Floats
     prominence: Floats
@@ -50,7 +53,15 @@ def cues_of(utterance: Utterance, listening: Listening, contour: Contour | None)
         + share.loudness * _standard(_above_line(loudness, phrases))
         + share.length * _standard(length)
     )
-    return Cues(pitch, loudness - loudness.mean() if len(loudness) else loudness, length, _standard(standing))
+    louder = loudness - loudness.mean() if len(loudness) else loudness
+    return Cues(pitch, heights_of(vowels, contour), louder, length, _standard(standing))
+
+
+def heights_of(vowels: Sequence[Phone], contour: Contour | None) -> Floats:
+    """Return the mean pitch of each vowel in standard deviations of all, shape (n,)."""
+    if contour is None:
+        return np.zeros(len(vowels))
+    return _standard(np.array([contour.within(v.start, v.end).mean() for v in vowels]))
 
 
 def vowel_of(phones: Sequence[Phone], syllable: Syllable) -> Phone:
