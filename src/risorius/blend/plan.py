@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..core.lip_rig import LipRig
+from ..core.lip_rig import OPENING, LipRig
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
@@ -159,14 +159,25 @@ class Moment:
     def touched(self, name: str, value: Array) -> Array:
         """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside.
 
-        A seal's goal closes what speech leaves open, so that the gap stays smooth where it sets in.
+        A seal's goal closes what is left open beyond the way to the closure (`approach`), so that the gap goes
+        no faster where it sets in.
         """
-        if self.plan.lips is None:
+        lips = self.plan.lips
+        if lips is None:
             return value
-        seal, tuck = (self.plan.lips.goals[contact].at(self.times) for contact in (SEAL, TUCK))
+        tuck = lips.goals[TUCK].at(self.times)
         if name == TUCK:
-            return np.minimum(np.maximum(value, tuck), 1.0 - seal)
-        return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - seal))
+            return np.minimum(np.maximum(value, tuck), 1.0 - lips.goals[SEAL].at(self.times))
+        rig = lips.mouth.shapes.rig
+        if rig is None:
+            return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - lips.goals[SEAL].at(self.times)))
+        gap = rig.gap({n: self.value(n) for n in OPENING}) if self._others_open() else 0.0
+        return lips.mouth.approach.sealed(value, gap, self.times) * (1.0 - tuck)
+
+    def _others_open(self) -> bool:
+        """Return whether another channel than speech moves what parts the lips."""
+        channels = (channel for channel in self.plan.channels if channel.name != LIPS)
+        return any(not OPENING.isdisjoint(channel.curves) for channel in channels)
 
     def terms(self, name: str) -> list[tuple[tuple[Channel, Curve], Array]]:
         """Return the deviation that each layer of each channel asks of a direction, shape (n,) each."""

@@ -1,0 +1,104 @@
+"""How the lips come to closures and leave them: no faster than lips can, and in time.
+
+A closure is not switched on when its time has come: the opening before it falls early enough, the opening
+after it rises no faster, and a vowel between two closures is opened only as far as time allows. With d the
+seconds to the closure before or after, s(d) = d²/(d + gentle) and V the fastest speed, the lips' gap is at most
+
+    B = V·s₁·s₂/(s₁ + s₂)
+
+mm: 0 during closures, V·s beside one, a parabola between two. The numbers are data (`rules/sacrifice`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from ..core.articulators import APERTURE, PROTRUSION, WIDTH
+from ..rules.sacrifice import sacrifice
+from .contact import SEAL, TUCK, Goal, GoalCurve
+from .intervals import Array, merged
+
+FREE = 1e3
+"""mm: no bound."""
+LEAST_GAP = 1.0
+"""mm; a gap that is closed counts as at least so wide, so that a seal comes gently there too."""
+BLENDED = 0.1
+"""How near two seals are where the greater is no longer it alone."""
+
+
+class Approach:
+    """What the contact goals of a score leave to the lips' opening and shape."""
+
+    def __init__(self, goals: Sequence[Goal]) -> None:
+        self._table = sacrifice()
+        seals = [g for g in goals if g.contact == SEAL and g.value == 1.0]
+        tucks = [g for g in goals if g.contact == TUCK]
+        gentle = self._table.opening.gentle
+        self._seals = _Distance(seals, gentle)
+        self._tucks = _Distance(tucks if self._table.before("opening", "tuck") else (), gentle)
+        self._partial = GoalCurve([g for g in goals if g.contact == SEAL and g.value < 1.0])
+        self._tuck = GoalCurve(tucks if self._table.before("rounding", "tuck") else ())
+
+    def most(self, times: Array) -> Array:
+        """Return how wide closures let the lips be apart at sorted times, mm, shape (n,)."""
+        return np.minimum(self._table.opening.fastest * self._seals.at(times), FREE)
+
+    def sealed(self, seal: Array, gap: Array | float, times: Array) -> Array:
+        """Return the seal that closes a `gap` (n,), mm without any seal, in time, at sorted times (n,).
+
+        `seal` (n,) is what closes it already.
+        """
+        left = np.minimum(self.most(times) / np.maximum(gap, LEAST_GAP), 1.0)
+        left = np.maximum(smooth_minimum(1.0 - seal, left, BLENDED), 0.0)
+        return np.asarray(1.0 - left * (1.0 - self._partial.at(times)))
+
+    def reached(self, average: Callable[[str], Array], times: Array) -> Callable[[str], Array]:
+        """Return the averages of targets as far as the goals let the lips go, by name."""
+        found: dict[str, Array] = {}
+
+        def get(name: str) -> Array:
+            if name not in found:
+                found[name] = self._reached(name, average(name), times)
+            return found[name]
+
+        return get
+
+    def _reached(self, name: str, value: Array, times: Array) -> Array:
+        if name == APERTURE:
+            opening = self._table.opening
+            beside_tucks = self._table.tuck.gap + opening.fastest * self._tucks.at(times)
+            value = smooth_minimum(value, np.minimum(beside_tucks, FREE), opening.rounded)
+            return smooth_minimum(value, self.most(times), opening.rounded)
+        if name in (WIDTH, PROTRUSION):
+            return value * (1.0 - (1.0 - self._table.rounding.kept) * self._tuck.at(times))
+        return value
+
+
+class _Distance:
+    """Seconds to the goals on both sides, eased, as s₁·s₂/(s₁ + s₂)."""
+
+    def __init__(self, goals: Sequence[Goal], gentle: float) -> None:
+        spans = merged(np.array([(g.start, g.end) for g in goals], dtype=np.float64).reshape(-1, 2))
+        self._start, self._end = np.append(spans[:, 0], np.inf), np.append(-np.inf, spans[:, 1])
+        self._gentle = gentle
+
+    def at(self, times: Array) -> Array:
+        """Return it at sorted times, shape (n,): 0 during goals, infinite where there are none."""
+        number = np.searchsorted(self._start, times, side="right")
+        with np.errstate(divide="ignore"):
+            return 1.0 / (
+                self._slowness(times - self._end[number]) + self._slowness(self._start[number] - times)
+            )
+
+    def _slowness(self, distance: Array) -> Array:
+        """Return 1/s = 1/d + gentle/d²."""
+        near = 1.0 / np.maximum(distance, 0.0)
+        return near + self._gentle * near * near
+
+
+def smooth_minimum(a: Array, b: Array, width: float) -> Array:
+    """Return the lesser of two curves, rounded off by at most width/4 where they are nearer than `width`."""
+    near = np.maximum(width - np.abs(a - b), 0.0)
+    return np.asarray(np.minimum(a, b) - near * near * (0.25 / width))
