@@ -2,11 +2,11 @@
 
 A closure is not switched on when its time has come: the opening before it falls early enough, the opening
 after it rises no faster, and a vowel between two closures is opened only as far as time allows. With d the
-seconds to the closure before or after, s(d) = d²/(d + gentle) and V the fastest speed, the lips' gap is at most
+seconds to the closure before or after, s(d) = d²/(d + gentle) and V the fastest speed, the gap is at most
 
     B = V·s₁·s₂/(s₁ + s₂)
 
-mm: 0 during closures, V·s beside one, a parabola between two. The numbers are data (`rules/sacrifice`).
+mm: 0 during closures, V·s beside one, a parabola between two. The numbers are data (`sacrifice.toml`).
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..core.articulators import APERTURE, PROTRUSION, WIDTH
-from ..rules.sacrifice import sacrifice
 from .contact import SEAL, TUCK, Goal, GoalCurve
 from .intervals import Array, merged
+from .sacrifice import sacrifice
 
 FREE = 1e3
 """mm: no bound."""
@@ -87,10 +87,9 @@ class _Distance:
     def at(self, times: Array) -> Array:
         """Return it at sorted times, shape (n,): 0 during goals, infinite where there are none."""
         number = np.searchsorted(self._start, times, side="right")
+        before, ahead = times - self._end[number], self._start[number] - times
         with np.errstate(divide="ignore"):
-            return 1.0 / (
-                self._slowness(times - self._end[number]) + self._slowness(self._start[number] - times)
-            )
+            return 1.0 / (self._slowness(before) + self._slowness(ahead))
 
     def _slowness(self, distance: Array) -> Array:
         """Return 1/s = 1/d + gentle/d²."""

@@ -14,8 +14,8 @@ import numpy as np
 
 from ..core.functions import minimum_jerk
 from ..core.movement import LipSegment
-from ..rules.sacrifice import sacrifice
 from .intervals import Array, ranges
+from .sacrifice import sacrifice
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
@@ -78,9 +78,9 @@ def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
     room = free_to - free_from
     if room < 2.0 * table.least_room:
         return None
-    margin = min(table.least_ramp, room / 2.0, (tuck.end - tuck.start) / 2.0)
-    start = min(max(tuck.start, free_from + margin), free_to - margin)
-    end = max(min(tuck.end, free_to - margin), start)
+    middle = min(max(_middle(tuck), free_from + table.least_room), free_to - table.least_room)
+    start = min(max(tuck.start, free_from + table.ramp), middle)
+    end = max(min(tuck.end, free_to - table.ramp), middle)
     if left >= 0:
         seals[left] = replace(seals[left], ramp_out=min(seals[left].ramp_out, start - free_from))
     if right < len(seals):

@@ -159,8 +159,8 @@ class Moment:
     def touched(self, name: str, value: Array) -> Array:
         """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside.
 
-        A seal's goal closes what is left open beyond the way to the closure (`approach`), so that the gap goes
-        no faster where it sets in.
+        A seal's goal closes what is left open beyond the way to the closure (`approach`), so that the gap
+        goes no faster where it sets in. Beside a tuck it comes late: the gap falls evenly so.
         """
         lips = self.plan.lips
         if lips is None:
@@ -172,7 +172,7 @@ class Moment:
         if rig is None:
             return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - lips.goals[SEAL].at(self.times)))
         gap = rig.gap({n: self.value(n) for n in OPENING}) if self._others_open() else 0.0
-        return lips.mouth.approach.sealed(value, gap, self.times) * (1.0 - tuck)
+        return lips.mouth.approach.sealed(value, gap, self.times) * (1.0 - tuck) ** 2
 
     def _others_open(self) -> bool:
         """Return whether another channel than speech moves what parts the lips."""

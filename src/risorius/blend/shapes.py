@@ -17,9 +17,8 @@ from .intervals import Array
 class Shapes:
     """What the targets of some segments move.
 
-    `parameters`: the muscles and others that move, contact goals apart; `rig`: what performs the articulators,
-    None where there are none. Raises InputError where targets are
-    articulators and there is no rig.
+    `parameters`: the muscles and others that move, contact goals apart; `rig`: what performs articulators,
+    None where there are none. Raises InputError where targets are articulators and there is no rig.
     """
 
     def __init__(self, segments: Sequence[LipSegment], rig: LipRig | None, contact: bool) -> None:

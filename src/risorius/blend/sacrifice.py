@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from importlib import resources
 from typing import Annotated
 
 from ..core.schema import Range
+from ..core.toml import parse
 from ..errors import InputError, unknown
-from .load import load
 
 Seconds = Annotated[float, Range(0.001, 0.5)]
 Millimetres = Annotated[float, Range(0.01, 20.0)]
+NAME = "sacrifice.toml"
 DEMANDS = ("opening", "rounding", "tuck", "seal")
 
 
@@ -40,7 +42,6 @@ class Tuck:
     source: str
     gap: Millimetres
     ramp: Seconds
-    least_ramp: Seconds
     least_room: Seconds
 
 
@@ -71,20 +72,18 @@ class Sacrifice:
 @lru_cache(maxsize=1)
 def sacrifice() -> Sacrifice:
     """Return the package's table."""
-    return checked(load(Sacrifice, "sacrifice.toml"))
+    text = (resources.files(__package__) / "data" / NAME).read_text(encoding="utf-8")
+    return checked(parse(Sacrifice, text, NAME))
 
 
 def checked(table: Sacrifice) -> Sacrifice:
     """Return the table; raise InputError unless its order names each demand once, with the closure last."""
     for name in table.order:
         if name not in DEMANDS:
-            raise InputError(f"sacrifice.toml: {unknown('demand', name, DEMANDS)}")
-    if sorted(table.order) != sorted(DEMANDS):
+            raise InputError(f"{NAME}: {unknown('demand', name, DEMANDS)}")
+    if sorted(table.order) != sorted(DEMANDS) or table.order[-1] != DEMANDS[-1]:
         raise InputError(
-            f"sacrifice.toml: order is {list(table.order)}; expected each of {list(DEMANDS)} once"
-        )
-    if table.order[-1] != "seal":
-        raise InputError(
-            f"sacrifice.toml: order ends with '{table.order[-1]}'; expected 'seal', which never gives way"
+            f"{NAME}: order is {list(table.order)}; expected each of {list(DEMANDS)} once, and last "
+            f"'{DEMANDS[-1]}', which never gives way"
         )
     return table
