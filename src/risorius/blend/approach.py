@@ -20,12 +20,8 @@ from .contact import SEAL, TUCK, Goal, GoalCurve
 from .intervals import Array, merged
 from .sacrifice import sacrifice
 
-FREE = 1e3
-"""mm: no bound."""
-LEAST_GAP = 1.0
+LEAST_GAP = 0.5
 """mm; a gap that is closed counts as at least so wide, so that a seal comes gently there too."""
-BLENDED = 0.1
-"""How near two seals are where the greater is no longer it alone."""
 
 
 class Approach:
@@ -42,16 +38,26 @@ class Approach:
         self._tuck = GoalCurve(tucks if self._table.before("rounding", "tuck") else ())
 
     def most(self, times: Array) -> Array:
-        """Return how wide closures let the lips be apart at sorted times, mm, shape (n,)."""
-        return np.minimum(self._table.opening.fastest * self._seals.at(times), FREE)
+        """Return how wide closures let the lips be apart at sorted times, mm (perhaps infinite), (n,)."""
+        return self._table.opening.fastest * self._seals.at(times)
 
-    def sealed(self, seal: Array, gap: Array | float, times: Array) -> Array:
-        """Return the seal that closes a `gap` (n,), mm without any seal, in time, at sorted times (n,).
+    def sealed(self, own: Array, times: Array, parted: tuple[Array, Array] | None) -> Array:
+        """Return the seal at sorted times (n,), given the lips' `own`, which brings them to what they ask.
 
-        `seal` (n,) is what closes it already.
+        `parted`: the gap without any seal, mm, by what lips do and by what all channels do together; None
+        where they are the same. What other channels add, e, is added to the gap as long as there is room r
+        to the bound: e·r/(e + r).
         """
-        left = np.minimum(self.most(times) / np.maximum(gap, LEAST_GAP), 1.0)
-        left = np.maximum(smooth_minimum(1.0 - seal, left, BLENDED), 0.0)
+        most = self.most(times)
+        seal = own
+        if parted is not None:
+            alone, gap = parted
+            left, extra = alone * (1.0 - own), gap - alone
+            room = np.maximum(most - left, 0.0)
+            more = np.maximum(extra, 0.0)
+            taken = np.divide(more * more, more + room, out=np.zeros(len(more)), where=more > 0.0)
+            seal = np.clip((alone - left + taken) / np.maximum(gap, LEAST_GAP), 0.0, 1.0)
+        left = 1.0 - np.maximum(seal, 1.0 - most / LEAST_GAP)
         return np.asarray(1.0 - left * (1.0 - self._partial.at(times)))
 
     def reached(self, average: Callable[[str], Array], times: Array) -> Callable[[str], Array]:
@@ -69,7 +75,7 @@ class Approach:
         if name == APERTURE:
             opening = self._table.opening
             beside_tucks = self._table.tuck.gap + opening.fastest * self._tucks.at(times)
-            value = smooth_minimum(value, np.minimum(beside_tucks, FREE), opening.rounded)
+            value = smooth_minimum(value, beside_tucks, opening.rounded)
             return smooth_minimum(value, self.most(times), opening.rounded)
         if name in (WIDTH, PROTRUSION):
             return value * (1.0 - (1.0 - self._table.rounding.kept) * self._tuck.at(times))

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..core.functions import minimum_jerk
 from ..core.movement import LipSegment
 from .intervals import Array, ranges
+from .knots import smoothstep
 from .sacrifice import sacrifice
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
@@ -115,7 +115,7 @@ class GoalCurve:
         t = times[index]
         early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
         late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
-        values = self._value[goal] * minimum_jerk(1.0 - np.minimum(np.maximum(early, late), 1.0))
+        values = self._value[goal] * smoothstep(1.0 - np.minimum(np.maximum(early, late), 1.0))
         left = np.ones(len(times))
         np.multiply.at(left, index, 1.0 - values)
         return np.asarray(1.0 - left)

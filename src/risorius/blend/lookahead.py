@@ -35,8 +35,8 @@ from .intervals import Array, ranges
 
 OPPOSED = 0.3
 """How much of a posture an equal and opposite neighbour takes away, twice."""
-FASTEST = 200.0
-"""mm a second, at the peak of a step; people's lips come to 150 to 310."""
+FASTEST = 160.0
+"""mm a second, at the peak of a step; two that follow each other closely add up. People reach 150 to 310."""
 _PEAK = 1.875
 """The peak speed of minimum jerk over its mean."""
 SHORTEST_STEP = 0.085

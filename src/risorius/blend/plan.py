@@ -92,6 +92,7 @@ class Moment:
         self.settle = plan.policy.at(times)
         self._limits = plan.limits
         self._mouth = plan.lips.mouth if plan.lips else None
+        self._values: dict[str, Array] = {}
 
     def values(self) -> Array:
         """Return all parameters, shape (n, 46)."""
@@ -102,6 +103,11 @@ class Moment:
 
     def value(self, name: str) -> Array:
         """Return one parameter, shape (n,)."""
+        if name not in self._values:
+            self._values[name] = self._value(name)
+        return self._values[name]
+
+    def _value(self, name: str) -> Array:
         if name in SIGNED:
             terms = [term for _, term in self.terms(name)]
             return combine_directions(name, terms or [np.zeros(len(self.times))])
@@ -171,8 +177,17 @@ class Moment:
         rig = lips.mouth.shapes.rig
         if rig is None:
             return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - lips.goals[SEAL].at(self.times)))
-        gap = rig.gap({n: self.value(n) for n in OPENING}) if self._others_open() else 0.0
-        return lips.mouth.approach.sealed(value, gap, self.times) * (1.0 - tuck) ** 2
+        own = lips.at(SEAL, self.times) if SEAL in lips.parameters else np.zeros(len(self.times))
+        seal = lips.mouth.approach.sealed(own, self.times, self._parted(rig))
+        # What other channels seal besides.
+        kept = np.divide(1.0 - value, 1.0 - own, out=np.ones(len(own)), where=own < value)
+        return (1.0 - (1.0 - seal) * kept) * (1.0 - tuck) ** 1.5
+
+    def _parted(self, rig: LipRig) -> tuple[Array, Array] | None:
+        """Return the gap without any seal by what lips do and by what all channels do, mm, if they differ."""
+        if not self._others_open():
+            return None
+        return rig.gap({n: self.own(n) for n in OPENING}), rig.gap({n: self.value(n) for n in OPENING})
 
     def _others_open(self) -> bool:
         """Return whether another channel than speech moves what parts the lips."""
