@@ -12,6 +12,7 @@ mm: 0 during closures, V·s beside one, a parabola between two. The numbers are 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -41,22 +42,10 @@ class Approach:
         """Return how wide closures let the lips be apart at sorted times, mm (perhaps infinite), (n,)."""
         return self._table.opening.fastest * self._seals.at(times)
 
-    def sealed(self, own: Array, times: Array, parted: tuple[Array, Array] | None) -> Array:
-        """Return the seal at sorted times (n,), given the lips' `own`, which brings them to what they ask.
-
-        `parted`: the gap without any seal, mm, by what lips do and by what all channels do together; None
-        where they are the same. What other channels add, e, is added to the gap as long as there is room r
-        to the bound: e·r/(e + r).
-        """
+    def sealed(self, own: Array, times: Array, parted: Parted | None) -> Array:
+        """Return the seal at sorted times (n,), given the lips' `own`, which brings them to what they ask."""
         most = self.most(times)
-        seal = own
-        if parted is not None:
-            alone, gap = parted
-            left, extra = alone * (1.0 - own), gap - alone
-            room = np.maximum(most - left, 0.0)
-            more = np.maximum(extra, 0.0)
-            taken = np.divide(more * more, more + room, out=np.zeros(len(more)), where=more > 0.0)
-            seal = np.clip((alone - left + taken) / np.maximum(gap, LEAST_GAP), 0.0, 1.0)
+        seal = own if parted is None else parted.sealed(own, most)
         left = 1.0 - np.maximum(seal, 1.0 - most / LEAST_GAP)
         return np.asarray(1.0 - left * (1.0 - self._partial.at(times)))
 
@@ -80,6 +69,37 @@ class Approach:
         if name in (WIDTH, PROTRUSION):
             return value * (1.0 - (1.0 - self._table.rounding.kept) * self._tuck.at(times))
         return value
+
+
+@dataclass(frozen=True, slots=True)
+class Parted:
+    """The gap that would be without any seal, mm: by what lips do `alone`, and `with_others`; shape (n,).
+
+    `speaking` 0..1 (n,): how much the mouth speaks.
+    """
+
+    alone: Array
+    with_others: Array
+    speaking: Array
+
+    def sealed(self, own: Array, most: Array) -> Array:
+        """Return the seal, shape (n,), that lets others add to a gap of at `most` so many mm.
+
+        Where lips by themselves leave a gap a, what others add, e, is brought to e·r/(e + r), r being what
+        is missing to `most`, and in speech at most a: so wide phones stay wide and narrow ones narrow.
+        """
+        asked = self.alone * (1.0 - own)
+        extra = np.maximum(self.with_others - self.alone, 0.0)
+        room = np.maximum(most - asked, 0.0)
+        taken = _taken(extra, room)
+        taken += self.speaking * (_taken(extra, np.minimum(room, asked)) - taken)
+        closed = self.alone - asked + taken
+        return np.asarray(np.clip(closed / np.maximum(self.with_others, LEAST_GAP), 0.0, 1.0))
+
+
+def _taken(extra: Array, room: Array) -> Array:
+    """Return e − e·r/(e + r)."""
+    return np.divide(extra * extra, extra + room, out=np.zeros(len(extra)), where=extra > 0.0)
 
 
 class _Distance:

@@ -18,6 +18,7 @@ from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import dominance, lookahead, policies  # noqa: F401 - they register themselves
+from .approach import Parted
 from .channels import Channel, Curve, compile_channels
 from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
@@ -29,7 +30,7 @@ from .knots import BLOCK
 from .levels import steady
 from .limits import LIPS, Limits
 from .lips import Lips
-from .mouth import JAW
+from .mouth import JAW, Mouth
 from .tuning import tune
 
 CHUNK = 16_384
@@ -178,16 +179,17 @@ class Moment:
         if rig is None:
             return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - lips.goals[SEAL].at(self.times)))
         own = lips.at(SEAL, self.times) if SEAL in lips.parameters else np.zeros(len(self.times))
-        seal = lips.mouth.approach.sealed(own, self.times, self._parted(rig))
+        seal = lips.mouth.approach.sealed(own, self.times, self._parted(lips.mouth, rig))
         # What other channels seal besides.
         kept = np.divide(1.0 - value, 1.0 - own, out=np.ones(len(own)), where=own < value)
         return (1.0 - (1.0 - seal) * kept) * (1.0 - tuck) ** 1.5
 
-    def _parted(self, rig: LipRig) -> tuple[Array, Array] | None:
-        """Return the gap without any seal by what lips do and by what all channels do, mm, if they differ."""
+    def _parted(self, mouth: Mouth, rig: LipRig) -> Parted | None:
+        """Return how lips and others part the mouth; None where the others do not."""
         if not self._others_open():
             return None
-        return rig.gap({n: self.own(n) for n in OPENING}), rig.gap({n: self.value(n) for n in OPENING})
+        alone = rig.gap({n: self.own(n) for n in OPENING})
+        return Parted(alone, rig.gap({n: self.value(n) for n in OPENING}), mouth.speaking_at(self.times))
 
     def _others_open(self) -> bool:
         """Return whether another channel than speech moves what parts the lips."""
