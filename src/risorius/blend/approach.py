@@ -24,6 +24,9 @@ from .sacrifice import sacrifice
 LEAST_GAP = 0.5
 """mm; a gap that is closed counts as at least so wide, so that a seal comes gently there too."""
 
+ADDED = 0.6
+"""The most that a display adds to the opening of speech, as a share of it; ours."""
+
 
 class Approach:
     """What the contact goals of a score leave to the lips' opening and shape."""
@@ -86,13 +89,13 @@ class Parted:
         """Return the seal, shape (n,), that lets others add to a gap of at `most` so many mm.
 
         Where lips by themselves leave a gap a, what others add, e, is brought to e·r/(e + r), r being what
-        is missing to `most`, and in speech at most a: so wide phones stay wide and narrow ones narrow.
+        is missing to `most`, and in speech at most `ADDED`·a: so wide phones stay wide, narrow ones narrow.
         """
         asked = self.alone * (1.0 - own)
         extra = np.maximum(self.with_others - self.alone, 0.0)
         room = np.maximum(most - asked, 0.0)
         taken = _taken(extra, room)
-        taken += self.speaking * (_taken(extra, np.minimum(room, asked)) - taken)
+        taken += self.speaking * (_taken(extra, np.minimum(room, ADDED * asked)) - taken)
         closed = self.alone - asked + taken
         return np.asarray(np.clip(closed / np.maximum(self.with_others, LEAST_GAP), 0.0, 1.0))
 

@@ -112,7 +112,7 @@ class LookAheadModel:
         return np.append(-np.inf, start), np.append(-np.inf, end)
 
     def _between_closures(self, closed: npt.NDArray[np.bool_], needed: Array) -> Array:
-        """Return the lengths of the steps, those to and from closures no longer than what lies beside them."""
+        """Return the lengths of the steps, those to and from closures no longer than the phone beside."""
         duration = self._end - self._start
         closing, opening = closed[1:] & ~closed[:-1], closed[:-1] & ~closed[1:]
         room = np.where(closing, duration[:-1], np.where(opening, duration[1:], np.inf))
