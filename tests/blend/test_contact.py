@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius import blend
-from risorius.blend.contact import RAMP, SEAL, SHORTEST_CLOSURE, TUCK, GoalCurve, contact_goals
+from risorius.blend.contact import SEAL, TUCK, GoalCurve, contact_goals
+from risorius.blend.sacrifice import sacrifice
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
@@ -16,6 +17,7 @@ from risorius.core.score import BlendSettings, Score
 from .strategies import DURATION, PHONES, scores
 
 AT = np.arange(0, 3, 0.001)
+RAMP = sacrifice().seal.ramp
 
 
 def sealed(start: float, end: float, value: float = 1.0) -> LipSegment:
@@ -45,14 +47,14 @@ class TestGoals:
 
     def test_a_short_closure_is_lengthened(self) -> None:
         seal, _ = curves(sealed(1.0, 1.01))
-        assert (seal == 1).sum() * 0.001 == pytest.approx(SHORTEST_CLOSURE, abs=0.0015)
+        assert (seal == 1).sum() * 0.001 == pytest.approx(sacrifice().seal.shortest, abs=0.0015)
 
     def test_a_partial_goal(self) -> None:
         assert curves(sealed(1.0, 1.1, 0.4))[0].max() == 0.4
 
     def test_a_tuck_is_free_of_the_seal_beside_it(self) -> None:
         seal, tuck = curves(sealed(1.0, 1.1), tucked(1.15, 1.25), sealed(1.3, 1.4))
-        held = between(1.15, 1.25)
+        held = between(1.1 + RAMP, 1.3 - RAMP)
         assert (tuck[held] == 1).all()
         assert (seal[held] == 0).all()
         assert (tuck[between(1.0, 1.1) | between(1.3, 1.4)] == 0).all()
@@ -62,7 +64,11 @@ class TestGoals:
         closed = between(1.0, 1.1)
         assert (seal[closed] == 1).all()
         assert tuck[closed].max() < 1e-12
-        assert (tuck[between(0.9, 0.95) | between(1.15, 1.2)] == 1).all()
+        assert (tuck[between(0.9, 1.0 - RAMP) | between(1.1 + RAMP, 1.2)] == 1).all()
+
+    def test_a_tuck_between_closures_is_full_at_its_middle_at_least(self) -> None:
+        _, tuck = curves(sealed(1.0, 1.1), tucked(1.1, 1.14), sealed(1.14, 1.2))
+        assert tuck[between(1.1199, 1.1201)].max() == pytest.approx(1.0, abs=1e-9)
 
     def test_a_tuck_without_room_is_given_up(self) -> None:
         _, tuck = curves(sealed(1.0, 1.1), tucked(1.1, 1.12), sealed(1.12, 1.2))

@@ -12,21 +12,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..core.functions import minimum_jerk
 from ..core.movement import LipSegment
 from .intervals import Array, ranges
+from .knots import smoothstep
+from .sacrifice import sacrifice
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
-
-SHORTEST_CLOSURE = 0.04
-"""Seconds: a shorter closure would be over before an eye could see it."""
-RAMP = 0.06
-"""Seconds in which the lips come to a goal and leave it, given room."""
-SHORTEST_RAMP = 0.045
-"""Seconds: less room than this between a seal and a tuck is taken from the tuck, up to half of it."""
-FASTEST_RAMP = 0.015
-"""Seconds: a tuck that leaves less room on its two sides is given up."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +33,8 @@ class Goal:
     start: float
     end: float
     value: float
-    ramp_in: float = RAMP
-    ramp_out: float = RAMP
+    ramp_in: float
+    ramp_out: float
 
     def at(self, time: float) -> float:
         """Return how far this goal is reached at a time."""
@@ -61,12 +53,14 @@ def contact_goals(segments: Sequence[LipSegment]) -> tuple[Goal, ...]:
 
 
 def _closures(segments: Sequence[LipSegment], contact: str) -> list[Goal]:
-    found = []
+    table, found = sacrifice(), []
+    ramp = table.seal.ramp if contact == SEAL else table.tuck.ramp
     for number, segment in enumerate(segments):
         value = segment.targets.get(contact, 0.0)
         if value > 0.0:
-            missing = max(0.0, SHORTEST_CLOSURE - (segment.end - segment.start)) / 2.0
-            found.append(Goal(contact, number, segment.start - missing, segment.end + missing, value))
+            missing = max(0.0, table.seal.shortest - (segment.end - segment.start)) / 2.0
+            start, end = segment.start - missing, segment.end + missing
+            found.append(Goal(contact, number, start, end, value, ramp, ramp))
     return sorted(found, key=_middle)
 
 
@@ -76,22 +70,27 @@ def _middle(goal: Goal) -> float:
 
 def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
     """Place a tuck between the seals around it, shortening their ramps towards it in place."""
+    table = sacrifice().tuck
     right = bisect_right(seals, _middle(tuck), key=_middle)
     left = right - 1
     free_from = seals[left].end if left >= 0 else -np.inf
     free_to = seals[right].start if right < len(seals) else np.inf
     room = free_to - free_from
-    if room < 2.0 * FASTEST_RAMP:
+    if room < 2.0 * table.least_room:
         return None
-    margin = min(SHORTEST_RAMP, room / 2.0, (tuck.end - tuck.start) / 2.0)
-    start = min(max(tuck.start, free_from + margin), free_to - margin)
-    end = max(min(tuck.end, free_to - margin), start)
+    middle = min(max(_middle(tuck), free_from + table.least_room), free_to - table.least_room)
+    start = min(max(tuck.start, free_from + table.ramp), middle)
+    end = max(min(tuck.end, free_to - table.ramp), middle)
     if left >= 0:
         seals[left] = replace(seals[left], ramp_out=min(seals[left].ramp_out, start - free_from))
     if right < len(seals):
         seals[right] = replace(seals[right], ramp_in=min(seals[right].ramp_in, free_to - end))
     return replace(
-        tuck, start=start, end=end, ramp_in=min(RAMP, start - free_from), ramp_out=min(RAMP, free_to - end)
+        tuck,
+        start=start,
+        end=end,
+        ramp_in=min(table.ramp, start - free_from),
+        ramp_out=min(table.ramp, free_to - end),
     )
 
 
@@ -116,7 +115,7 @@ class GoalCurve:
         t = times[index]
         early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
         late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
-        values = self._value[goal] * minimum_jerk(1.0 - np.minimum(np.maximum(early, late), 1.0))
+        values = self._value[goal] * smoothstep(1.0 - np.minimum(np.maximum(early, late), 1.0))
         left = np.ones(len(times))
         np.multiply.at(left, index, 1.0 - values)
         return np.asarray(1.0 - left)

@@ -14,8 +14,9 @@ Three rules give every segment its posture T[s] of each articulator, and when it
    around the boundary before s. The weight of s is S[s] − S[s + 1]: a
    phone shorter than D is not reached, and the posture before it remains over it.
 
-Around a closure (an aperture below zero) a step lies almost wholly outside, for a stop's goal is all of its
-interval. Steps begin and end in the order of their boundaries, so that no weight is negative.
+A step to or from a closure (an aperture below zero) is no longer than the vowel beside it, so that this is
+seen; that the lips are shut for all of the closure's interval is seen to elsewhere (`approach`). Steps begin
+and end in the order of their boundaries, so that no weight is negative.
 """
 
 from __future__ import annotations
@@ -35,14 +36,12 @@ from .intervals import Array, ranges
 
 OPPOSED = 0.3
 """How much of a posture an equal and opposite neighbour takes away, twice."""
-FASTEST = 200.0
-"""mm a second, at the peak of a step; people's lips come to 150 to 310."""
+FASTEST = 160.0
+"""mm a second, at the peak of a step; two that follow each other closely add up. People reach 150 to 310."""
 _PEAK = 1.875
 """The peak speed of minimum jerk over its mean."""
 SHORTEST_STEP = 0.085
 """Seconds: a vowel much shorter than that between two closures is given up."""
-BESIDE = 0.35
-"""How much of a step to or from a closure lies outside it, beyond one half."""
 NEIGHBOURS = 2
 """Segments on either side over which the rate of speech is measured."""
 
@@ -107,23 +106,17 @@ class LookAheadModel:
             needed = np.maximum(needed, _PEAK / FASTEST * np.abs(np.diff(posture)))
         boundary = (self._end[:-1] + self._start[1:]) / 2.0
         if name == APERTURE:
-            boundary, needed = self._around_closures(posture < 0.0, boundary, needed)
+            needed = self._between_closures(posture < 0.0, needed)
         start = np.minimum.accumulate((boundary - needed / 2.0)[::-1])[::-1]
         end = np.maximum.accumulate(boundary + needed / 2.0)
         return np.append(-np.inf, start), np.append(-np.inf, end)
 
-    def _around_closures(
-        self, closed: npt.NDArray[np.bool_], boundary: Array, needed: Array
-    ) -> tuple[Array, Array]:
-        """Return the middles and lengths of the steps, those to and from closures beside them.
-
-        They are no longer than what lies between two closures, or than `SHORTEST_STEP`.
-        """
+    def _between_closures(self, closed: npt.NDArray[np.bool_], needed: Array) -> Array:
+        """Return the lengths of the steps, those to and from closures no longer than the phone beside."""
         duration = self._end - self._start
         closing, opening = closed[1:] & ~closed[:-1], closed[:-1] & ~closed[1:]
         room = np.where(closing, duration[:-1], np.where(opening, duration[1:], np.inf))
-        needed = np.minimum(needed, np.maximum(room, SHORTEST_STEP))
-        return boundary + BESIDE * needed * (opening.astype(float) - closing), needed
+        return np.minimum(needed, np.maximum(room, SHORTEST_STEP))
 
 
 def _muscle(name: str) -> Parameter:

@@ -15,6 +15,7 @@ import numpy as np
 from ..core.movement import LipSegment
 from ..core.parameters import RIVALS
 from ..core.utterance import SILENCE
+from .approach import Approach
 from .coarticulation import Averages, Coarticulation
 from .contact import CONTACTS, SEAL, Goal
 from .intervals import EMPTY, Array, Spans, above_line, spans_between, union
@@ -51,6 +52,7 @@ class Mouth:
         self.model = model
         self.shapes = shapes
         self.goals = tuple(goals)
+        self.approach = Approach(goals)
         self.tuning = tuning
         self.speaks = np.array([float(s.phone != SILENCE) for s in segments])
         closing = {g.segment for g in goals}
@@ -80,7 +82,7 @@ class Mouth:
 
     def spoken_at(self, times: Array) -> Mapping[str, Array]:
         """Return the segments' own curves by parameter at sorted times, shape (n,) each."""
-        return self.shapes.values(Averages(self.model, times))
+        return self.shapes.values(self.approach.reached(Averages(self.model, times), times))
 
     def own_at(self, name: str, times: Array) -> Array:
         """Return the segments' own curve of a parameter at sorted times, shape (n,), by lines."""
@@ -214,7 +216,8 @@ class Block:
 
     @cached_property
     def _spoken(self) -> Mapping[str, Array]:
-        return self._mouth.shapes.values(self._averages)
+        reached = self._mouth.approach.reached(self._averages, self.knots)
+        return self._mouth.shapes.values(reached)
 
     def limiting(self, name: str, time: float) -> int:
         """Return the number of the segment whose upper limit counts most at a time."""

@@ -12,12 +12,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..core.lip_rig import LipRig
+from ..core.lip_rig import OPENING, LipRig
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import dominance, lookahead, policies  # noqa: F401 - they register themselves
+from .approach import Parted
 from .channels import Channel, Curve, compile_channels
 from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
@@ -29,7 +30,7 @@ from .knots import BLOCK
 from .levels import steady
 from .limits import LIPS, Limits
 from .lips import Lips
-from .mouth import JAW
+from .mouth import JAW, Mouth
 from .tuning import tune
 
 CHUNK = 16_384
@@ -92,6 +93,7 @@ class Moment:
         self.settle = plan.policy.at(times)
         self._limits = plan.limits
         self._mouth = plan.lips.mouth if plan.lips else None
+        self._values: dict[str, Array] = {}
 
     def values(self) -> Array:
         """Return all parameters, shape (n, 46)."""
@@ -102,6 +104,11 @@ class Moment:
 
     def value(self, name: str) -> Array:
         """Return one parameter, shape (n,)."""
+        if name not in self._values:
+            self._values[name] = self._value(name)
+        return self._values[name]
+
+    def _value(self, name: str) -> Array:
         if name in SIGNED:
             terms = [term for _, term in self.terms(name)]
             return combine_directions(name, terms or [np.zeros(len(self.times))])
@@ -159,14 +166,35 @@ class Moment:
     def touched(self, name: str, value: Array) -> Array:
         """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside.
 
-        A seal's goal closes what speech leaves open, so that the gap stays smooth where it sets in.
+        A seal's goal closes what is left open beyond the way to the closure (`approach`), so that the gap
+        goes no faster where it sets in. Beside a tuck it comes late: the gap falls evenly so.
         """
-        if self.plan.lips is None:
+        lips = self.plan.lips
+        if lips is None:
             return value
-        seal, tuck = (self.plan.lips.goals[contact].at(self.times) for contact in (SEAL, TUCK))
+        tuck = lips.goals[TUCK].at(self.times)
         if name == TUCK:
-            return np.minimum(np.maximum(value, tuck), 1.0 - seal)
-        return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - seal))
+            return np.minimum(np.maximum(value, tuck), 1.0 - lips.goals[SEAL].at(self.times))
+        rig = lips.mouth.shapes.rig
+        if rig is None:
+            return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - lips.goals[SEAL].at(self.times)))
+        own = lips.at(SEAL, self.times) if SEAL in lips.parameters else np.zeros(len(self.times))
+        seal = lips.mouth.approach.sealed(own, self.times, self._parted(lips.mouth, rig))
+        # What other channels seal besides.
+        kept = np.divide(1.0 - value, 1.0 - own, out=np.ones(len(own)), where=own < value)
+        return (1.0 - (1.0 - seal) * kept) * (1.0 - tuck) ** 1.5
+
+    def _parted(self, mouth: Mouth, rig: LipRig) -> Parted | None:
+        """Return how lips and others part the mouth; None where the others do not."""
+        if not self._others_open():
+            return None
+        alone = rig.gap({n: self.own(n) for n in OPENING})
+        return Parted(alone, rig.gap({n: self.value(n) for n in OPENING}), mouth.speaking_at(self.times))
+
+    def _others_open(self) -> bool:
+        """Return whether another channel than speech moves what parts the lips."""
+        channels = (channel for channel in self.plan.channels if channel.name != LIPS)
+        return any(not OPENING.isdisjoint(channel.curves) for channel in channels)
 
     def terms(self, name: str) -> list[tuple[tuple[Channel, Curve], Array]]:
         """Return the deviation that each layer of each channel asks of a direction, shape (n,) each."""

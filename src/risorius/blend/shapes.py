@@ -17,8 +17,8 @@ from .intervals import Array
 class Shapes:
     """What the targets of some segments move.
 
-    `parameters`: the muscles and others that move, contact goals apart. Raises InputError where targets are
-    articulators and there is no rig.
+    `parameters`: the muscles and others that move, contact goals apart; `rig`: what performs articulators,
+    None where there are none. Raises InputError where targets are articulators and there is no rig.
     """
 
     def __init__(self, segments: Sequence[LipSegment], rig: LipRig | None, contact: bool) -> None:
@@ -29,7 +29,7 @@ class Shapes:
             raise InputError(
                 f"lips are given as articulators ({min(self._articulators)}); expected a head to perform them"
             )
-        self._rig = rig
+        self.rig = rig if self._articulators else None
         moved = rig.moved(self._articulators) if rig is not None else frozenset[str]()
         self._driven = moved if contact else moved - {SEAL}
         self.parameters = tuple(sorted(self._driven | set(self._direct)))
@@ -37,8 +37,8 @@ class Shapes:
     def values(self, average: Averages) -> Mapping[str, Array]:
         """Return all `parameters` for the averages of targets that `average` gives by name."""
         found: dict[str, Array] = {}
-        if self._articulators and self._rig is not None:
-            made = self._rig.parameters(average, self._articulators)
+        if self.rig is not None:
+            made = self.rig.parameters(average, self._articulators)
             found = {name: made[name] for name in self._driven}
         for name in self._direct:
             own = average(name)

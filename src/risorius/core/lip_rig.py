@@ -45,6 +45,15 @@ _CONTROLS_OF: Mapping[str, tuple[str, ...]] = {
     UPPER: ("upper",),
     CORNERS: ("lift", "lower"),
 }
+_OPENED_BY: Mapping[str, tuple[str, ...]] = {
+    "jaw": ("masseter",),
+    "open": ("depressor_labii",),
+    # The second is not in the fit: it raises the lip from the wing of the nose, by about as much.
+    "upper": ("levator_labii_superioris", "levator_labii_nasi"),
+    "round": ("orbicularis_oris_funneler",),
+}
+OPENING = frozenset(p.name for bases in _OPENED_BY.values() for base in bases for p in BASES[base])
+"""The muscles that part the lips."""
 MEASURES = (JAW, APERTURE, WIDTH, PROTRUSION, UPPER, CORNERS)
 """What a fit measures, against rest, mm."""
 NONE = len(CONTROLS)
@@ -132,6 +141,19 @@ class LipRig:
         found["open"] = _solve(powers, np.maximum(missing, 0.0))
         found[SEAL] = np.clip(-missing / np.maximum(powers[0], _LEAST_GAP), 0.0, 1.0)
         return found
+
+    def gap(self, values: Mapping[str, Array]) -> Array:
+        """Return the gap in mm that parameters of any channel make where nothing seals it, shape (n,).
+
+        `values` by the names of `OPENING`, shape (n,) each.
+        """
+        found = {
+            control: np.add.reduce([values[p.name] / len(BASES[b]) for b in bases for p in BASES[b]])
+            for control, bases in _OPENED_BY.items()
+        }
+        raised = found["upper"] - CONTROLS["open"]["levator_labii_superioris"] * found["open"]
+        found["upper"] = np.clip(raised, 0.0, 1.0)
+        return self.passive(APERTURE, found)
 
     def _jaw(self, drop: Array) -> Array:
         return _solve(self._along(JAW, "jaw", {}), drop)

@@ -1,0 +1,132 @@
+"""How the lips come to closures and leave them: no faster than lips can, and in time.
+
+A closure is not switched on when its time has come: the opening before it falls early enough, the opening
+after it rises no faster, and a vowel between two closures is opened only as far as time allows. With d the
+seconds to the closure before or after, s(d) = d²/(d + gentle) and V the fastest speed, the gap is at most
+
+    B = V·s₁·s₂/(s₁ + s₂)
+
+mm: 0 during closures, V·s beside one, a parabola between two. The numbers are data (`sacrifice.toml`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..core.articulators import APERTURE, PROTRUSION, WIDTH
+from .contact import SEAL, TUCK, Goal, GoalCurve
+from .intervals import Array, merged
+from .sacrifice import sacrifice
+
+LEAST_GAP = 0.5
+"""mm; a gap that is closed counts as at least so wide, so that a seal comes gently there too."""
+
+ADDED = 0.6
+"""The most that a display adds to the opening of speech, as a share of it; ours."""
+
+
+class Approach:
+    """What the contact goals of a score leave to the lips' opening and shape."""
+
+    def __init__(self, goals: Sequence[Goal]) -> None:
+        self._table = sacrifice()
+        seals = [g for g in goals if g.contact == SEAL and g.value == 1.0]
+        tucks = [g for g in goals if g.contact == TUCK]
+        gentle = self._table.opening.gentle
+        self._seals = _Distance(seals, gentle)
+        self._tucks = _Distance(tucks if self._table.before("opening", "tuck") else (), gentle)
+        self._partial = GoalCurve([g for g in goals if g.contact == SEAL and g.value < 1.0])
+        self._tuck = GoalCurve(tucks if self._table.before("rounding", "tuck") else ())
+
+    def most(self, times: Array) -> Array:
+        """Return how wide closures let the lips be apart at sorted times, mm (perhaps infinite), (n,)."""
+        return self._table.opening.fastest * self._seals.at(times)
+
+    def sealed(self, own: Array, times: Array, parted: Parted | None) -> Array:
+        """Return the seal at sorted times (n,), given the lips' `own`, which brings them to what they ask."""
+        most = self.most(times)
+        seal = own if parted is None else parted.sealed(own, most)
+        left = 1.0 - np.maximum(seal, 1.0 - most / LEAST_GAP)
+        return np.asarray(1.0 - left * (1.0 - self._partial.at(times)))
+
+    def reached(self, average: Callable[[str], Array], times: Array) -> Callable[[str], Array]:
+        """Return the averages of targets as far as the goals let the lips go, by name."""
+        found: dict[str, Array] = {}
+
+        def get(name: str) -> Array:
+            if name not in found:
+                found[name] = self._reached(name, average(name), times)
+            return found[name]
+
+        return get
+
+    def _reached(self, name: str, value: Array, times: Array) -> Array:
+        if name == APERTURE:
+            opening = self._table.opening
+            beside_tucks = self._table.tuck.gap + opening.fastest * self._tucks.at(times)
+            value = smooth_minimum(value, beside_tucks, opening.rounded)
+            return smooth_minimum(value, self.most(times), opening.rounded)
+        if name in (WIDTH, PROTRUSION):
+            return value * (1.0 - (1.0 - self._table.rounding.kept) * self._tuck.at(times))
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Parted:
+    """The gap that would be without any seal, mm: by what lips do `alone`, and `with_others`; shape (n,).
+
+    `speaking` 0..1 (n,): how much the mouth speaks.
+    """
+
+    alone: Array
+    with_others: Array
+    speaking: Array
+
+    def sealed(self, own: Array, most: Array) -> Array:
+        """Return the seal, shape (n,), that lets others add to a gap of at `most` so many mm.
+
+        Where lips by themselves leave a gap a, what others add, e, is brought to e·r/(e + r), r being what
+        is missing to `most`, and in speech at most `ADDED`·a: so wide phones stay wide, narrow ones narrow.
+        """
+        asked = self.alone * (1.0 - own)
+        extra = np.maximum(self.with_others - self.alone, 0.0)
+        room = np.maximum(most - asked, 0.0)
+        taken = _taken(extra, room)
+        taken += self.speaking * (_taken(extra, np.minimum(room, ADDED * asked)) - taken)
+        closed = self.alone - asked + taken
+        return np.asarray(np.clip(closed / np.maximum(self.with_others, LEAST_GAP), 0.0, 1.0))
+
+
+def _taken(extra: Array, room: Array) -> Array:
+    """Return e − e·r/(e + r)."""
+    return np.divide(extra * extra, extra + room, out=np.zeros(len(extra)), where=extra > 0.0)
+
+
+class _Distance:
+    """Seconds to the goals on both sides, eased, as s₁·s₂/(s₁ + s₂)."""
+
+    def __init__(self, goals: Sequence[Goal], gentle: float) -> None:
+        spans = merged(np.array([(g.start, g.end) for g in goals], dtype=np.float64).reshape(-1, 2))
+        self._start, self._end = np.append(spans[:, 0], np.inf), np.append(-np.inf, spans[:, 1])
+        self._gentle = gentle
+
+    def at(self, times: Array) -> Array:
+        """Return it at sorted times, shape (n,): 0 during goals, infinite where there are none."""
+        number = np.searchsorted(self._start, times, side="right")
+        before, ahead = times - self._end[number], self._start[number] - times
+        with np.errstate(divide="ignore"):
+            return 1.0 / (self._slowness(before) + self._slowness(ahead))
+
+    def _slowness(self, distance: Array) -> Array:
+        """Return 1/s = 1/d + gentle/d²."""
+        near = 1.0 / np.maximum(distance, 0.0)
+        return near + self._gentle * near * near
+
+
+def smooth_minimum(a: Array, b: Array, width: float) -> Array:
+    """Return the lesser of two curves, rounded off by at most width/4 where they are nearer than `width`."""
+    near = np.maximum(width - np.abs(a - b), 0.0)
+    return np.asarray(np.minimum(a, b) - near * near * (0.25 / width))
