@@ -50,7 +50,7 @@ class Contacts(NamedTuple):
     @classmethod
     def room_for(cls, count: int) -> Contacts:
         """Allocate for `count` contacts."""
-        return cls(np.zeros((count, 4), np.int32), np.zeros((count, 4)), np.zeros(count), np.zeros(count))
+        return cls(np.zeros((count, 4), np.uint32), np.zeros((count, 4)), np.zeros(count), np.zeros(count))
 
 
 def find_contacts(facing: Facing, points: Array, reach: float, out: Contacts) -> int:

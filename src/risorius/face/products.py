@@ -11,10 +11,10 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from .jit import compiled, compiled_fast
+from .jit import compiled_fast
 
 Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
+IntArray = npt.NDArray[np.uint32]
 
 
 class Rows(NamedTuple):
@@ -28,7 +28,7 @@ class Rows(NamedTuple):
     def of(cls, matrix: sp.csr_matrix) -> Rows:
         """Take the rows of a CSR matrix."""
         return cls(
-            matrix.indptr.astype(np.int32), matrix.indices.astype(np.int32), matrix.data.astype(np.float64)
+            matrix.indptr.astype(np.uint32), matrix.indices.astype(np.uint32), matrix.data.astype(np.float64)
         )
 
     def times(self, points: Array, out: Array) -> Array:
@@ -37,7 +37,7 @@ class Rows(NamedTuple):
         return out
 
 
-@compiled
+@compiled_fast
 def _times(start: IntArray, column: IntArray, weight: Array, points: Array, out: Array) -> None:
     for i in range(len(out)):
         x, y, z = 0.0, 0.0, 0.0
