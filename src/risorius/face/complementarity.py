@@ -61,7 +61,9 @@ def _couple(points: IntArray, weight: Array, compliance: Array, moved: Array, ma
         p, q, r, s = points[i, 0], points[i, 1], points[i, 2], points[i, 3]
         a, b, c, d = weight[i, 0], weight[i, 1], weight[i, 2], weight[i, 3]
         for j in range(compliance.shape[0]):
-            moved[j] = a * compliance[p, j] + b * compliance[q, j] + c * compliance[r, j] + d * compliance[s, j]
+            moved[j] = (
+                a * compliance[p, j] + b * compliance[q, j] + c * compliance[r, j] + d * compliance[s, j]
+            )
         for j in range(i + 1):
             total = 0.0
             for k in range(4):

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from ..core.performance import Performance
 from .frame import FaceFrame
-from .solve import FaceSolver, checked_values
+from .solve import FaceSolver, checked_rows
 from .springs import RATE, Springs
 
 Array = npt.NDArray[np.float64]
@@ -92,5 +92,4 @@ class Motion:
         return np.asarray(self._block[step - self._first])
 
     def _values_from(self, step: int) -> Array:
-        values = self._drive(np.arange(step, step + BLOCK) / RATE)
-        return np.stack([checked_values(row) for row in values])
+        return checked_rows(self._drive(np.arange(step, step + BLOCK) / RATE))

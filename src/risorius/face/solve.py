@@ -57,11 +57,17 @@ def checked_values(values: npt.ArrayLike) -> Array:
         raise ParameterError(
             f"values have shape {given.shape}; expected ({len(PARAMETERS)},), one per parameter"
         )
-    fits = (given >= _LOW - ROUNDING) & (given <= _HIGH + ROUNDING)
-    if not fits.all():
-        wrong = int(np.argmin(fits))
-        check_value(PARAMETERS[wrong], float(given[wrong]))
-    return np.clip(given, _LOW, _HIGH)
+    return checked_rows(given[None])[0]
+
+
+def checked_rows(values: Array) -> Array:
+    """Return many frames' values (n, 46), clipped; raises ParameterError as `checked_values`."""
+    clipped = np.minimum(np.maximum(values, _LOW), _HIGH)
+    over = np.abs(values - clipped)
+    if not over.max() <= ROUNDING:
+        row, wrong = np.unravel_index(int(np.argmax(~(over <= ROUNDING))), over.shape)
+        check_value(PARAMETERS[int(wrong)], float(values[row, wrong]))
+    return clipped
 
 
 class FaceSolver:
