@@ -195,7 +195,7 @@ def _stretch(skin: Array, quad: IntArray, frame: Array, e: int) -> float:
         u, v = frame[e, 0], frame[e, 1]
         x, y, z = u * ax + v * bx, u * ay + v * by, u * az + v * bz
         scale = 1.0
-    return scale * np.sqrt(x * x + y * y + z * z)
+    return float(scale * np.sqrt(x * x + y * y + z * z))
 
 
 @compiled_fast

@@ -7,6 +7,7 @@ nearest point, this cannot flip faces or change its mind about the side. Gaps op
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -15,11 +16,11 @@ import numpy.typing as npt
 from .jit import compiled, inlined
 
 Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
+IntArray = npt.NDArray[np.integer]
 
 BINS = 96
 EDGE = 1e-9  # of a triangle, beyond it, that still belongs to it
-SPILL = 4.0 * EDGE
+SPILL = 1e-6  # of a triangle's extent, beyond it, that is looked at: more than EDGE
 
 
 class Facing(NamedTuple):
@@ -110,29 +111,30 @@ def _sort_into_bins(
 ) -> tuple[IntArray, IntArray, Array]:
     """Return start (BINS + 1,) and items: the triangles that meet each bin of `width` mm from x = `low`.
 
-    And the box (m, 5) of every triangle: least and largest x, least and largest z, least `sign` times y.
+    And the box (items, 3) of every item: least `sign` times y, least and largest z.
     """
-    box = np.empty((len(triangles), 5))
     bins = np.empty((len(triangles), 2), np.int32)
     start = np.zeros(BINS + 1, np.int32)
     for t in range(len(triangles)):
-        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        box[t, 0] = min(points[a, 0], points[b, 0], points[c, 0])
-        box[t, 1] = max(points[a, 0], points[b, 0], points[c, 0])
-        box[t, 2] = min(points[a, 2], points[b, 2], points[c, 2])
-        box[t, 3] = max(points[a, 2], points[b, 2], points[c, 2])
-        box[t, 4] = min(sign * points[a, 1], sign * points[b, 1], sign * points[c, 1])
-        for end in range(2):
-            bins[t, end] = min(max(int((box[t, end] - low) / width), 0), BINS - 1)
+        a, b, c = points[triangles[t, 0], 0], points[triangles[t, 1], 0], points[triangles[t, 2], 0]
+        bins[t, 0] = min(max(int((min(a, b, c) - low) / width), 0), BINS - 1)
+        bins[t, 1] = min(max(int((max(a, b, c) - low) / width), 0), BINS - 1)
         for k in range(bins[t, 0], bins[t, 1] + 1):
             start[k + 1] += 1
     for k in range(BINS):
         start[k + 1] += start[k]
-    items = np.empty(start[BINS], np.int32)
+    items = np.empty(start[BINS], np.uint32)
+    box = np.empty((start[BINS], 3))
     fill = start.copy()
     for t in range(len(triangles)):
+        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        lowest = min(sign * points[a, 1], sign * points[b, 1], sign * points[c, 1])
+        back = min(points[a, 2], points[b, 2], points[c, 2])
+        front = max(points[a, 2], points[b, 2], points[c, 2])
+        room = SPILL * (front - back)
         for k in range(bins[t, 0], bins[t, 1] + 1):
             items[fill[k]] = t
+            box[fill[k], 0], box[fill[k], 1], box[fill[k], 2] = lowest, back - room, front + room
             fill[k] += 1
     return start, items, box
 
@@ -157,14 +159,11 @@ def _cover(
     x, z = points[v, 0], points[v, 2]
     found, best, weight_b, weight_c = -1, sign * points[v, 1] + reach, 0.0, 0.0
     for k in range(first, last):
+        if box[k, 0] >= best or z < box[k, 1] or z > box[k, 2]:
+            continue
         t = items[k]
-        if box[t, 4] >= best:
-            continue
-        room = SPILL * (box[t, 1] - box[t, 0] + box[t, 3] - box[t, 2])
-        if z < box[t, 2] - room or z > box[t, 3] + room or x < box[t, 0] - room or x > box[t, 1] + room:
-            continue
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        if v == a or v == b or v == c:
+        if v in (a, b, c):
             continue
         ux, uz = points[b, 0] - points[a, 0], points[b, 2] - points[a, 2]
         vx, vz = points[c, 0] - points[a, 0], points[c, 2] - points[a, 2]
@@ -191,10 +190,11 @@ def narrowest(
     and `gap` (k,) are those of the contacts.
     """
     found = np.full(places, -1)
-    reach = 0.5 * width * abs(end - start)
-    for p in range(places):
-        place = start + (end - start) * p / (places - 1)
-        for k in range(len(x)):
-            if abs(x[k] - place) <= reach and (found[p] < 0 or gap[k] < gap[found[p]]):
+    step = (end - start) / (places - 1)
+    reach = 0.5 * width * (places - 1)  # in steps
+    for k in range(len(x)):
+        place = (x[k] - start) / step
+        for p in range(max(math.ceil(place - reach), 0), min(math.floor(place + reach), places - 1) + 1):
+            if found[p] < 0 or gap[k] < gap[found[p]]:
                 found[p] = k
     return found

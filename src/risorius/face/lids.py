@@ -190,13 +190,13 @@ def _rest_of_the_way(places: Array, centre: Array, closure: float, goal: Array) 
 
 @inlined
 def _angle(points: Array, row: int, centre: Array) -> float:
-    return np.arctan2(points[row, 1] - centre[1], points[row, 2] - centre[2])
+    return float(np.arctan2(points[row, 1] - centre[1], points[row, 2] - centre[2]))
 
 
 @inlined
 def _radius(points: Array, row: int, centre: Array) -> float:
     y, z = points[row, 1] - centre[1], points[row, 2] - centre[2]
-    return np.sqrt(y * y + z * z)
+    return float(np.sqrt(y * y + z * z))
 
 
 @compiled

@@ -63,15 +63,15 @@ class MuscleFields:
         source, muscle = np.repeat(sheets, sizes), np.repeat(muscles, sizes)
         order = np.lexsort((parameter, muscle, source, vertex))
         start = np.searchsorted(vertex[order], np.arange(len(head.rest) + 1))
-        acting = np.zeros(len(head.rest), np.uint64)
-        np.bitwise_or.at(acting, vertex, np.left_shift(np.uint64(1), parameter.astype(np.uint64)))
+        bits = np.zeros(len(head.rest), np.uint64)
+        np.bitwise_or.at(bits, vertex, np.left_shift(np.uint64(1), parameter.astype(np.uint64)))
         return cls(
             start.astype(np.uint32),
             parameter[order].astype(np.uint32),
             source[order].astype(np.uint32),
             muscle[order].astype(np.uint32),
             np.concatenate([field.displacement for field in fields])[order],
-            acting,
+            bits,
         )
 
     def at(self, vertices: npt.NDArray[np.intp]) -> MuscleFields:
@@ -121,7 +121,10 @@ class Displaced:
         self._skin = np.zeros((len(fields.acting), 3))
 
     def at(self, values: Array) -> Array:
-        """Return the displacement (n, 3) in mm for `values` (46,): not to be changed, valid until called again."""
+        """Return the displacement (n, 3) in mm for `values` (46,), not to be changed.
+
+        It holds until this is called again.
+        """
         self._fields.update(self._values, values, self._skin)
         return self._skin
 
@@ -266,8 +269,8 @@ def _limited_sum(pulls: Array, lengths: Array, count: int, v: int, out: Array) -
             if n != m:
                 along = max(_dot(pulls, m, n), 0.0)
                 shared += along * along * lengths[n]
-        shared /= lengths[m] ** 2 if own > 0.0 else 1.0
-        share = inverse_cube_root(1.0 + shared / own) ** 2 if own > 0.0 else 1.0
+        shared /= lengths[m] ** 2 if shared > 0.0 else 1.0
+        share = inverse_cube_root(1.0 + shared / own) ** 2 if shared > 0.0 else 1.0
         x, y, z = x + share * pulls[m, 0], y + share * pulls[m, 1], z + share * pulls[m, 2]
     out[v, 0], out[v, 1], out[v, 2] = x, y, z
 

@@ -14,7 +14,7 @@ import scipy.sparse as sp
 from .jit import compiled_fast
 
 Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.uint32]
+IntArray = npt.NDArray[np.integer]
 
 
 class Rows(NamedTuple):
@@ -51,7 +51,7 @@ def _times(start: IntArray, column: IntArray, weight: Array, points: Array, out:
 
 @compiled_fast
 def carry(region: IntArray, motion: Array, moves: Array, skin: Array) -> None:
-    """Add the transpose of `motion` (s, r) times `moves` (s, 3) to `skin` (N, 3) at the vertices `region` (r,)."""
+    """Add to `skin` (N, 3) at `region` (r,) the transpose of `motion` (s, r) times `moves` (s, 3)."""
     sums = np.zeros((3, len(region)))
     for s in range(len(moves)):
         for c in range(3):

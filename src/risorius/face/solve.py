@@ -57,7 +57,7 @@ def checked_values(values: npt.ArrayLike) -> Array:
         raise ParameterError(
             f"values have shape {given.shape}; expected ({len(PARAMETERS)},), one per parameter"
         )
-    return checked_rows(given[None])[0]
+    return np.asarray(checked_rows(given[None])[0])
 
 
 def checked_rows(values: Array) -> Array:
@@ -67,7 +67,7 @@ def checked_rows(values: Array) -> Array:
     if not over.max() <= ROUNDING:
         row, wrong = np.unravel_index(int(np.argmax(~(over <= ROUNDING))), over.shape)
         check_value(PARAMETERS[int(wrong)], float(values[row, wrong]))
-    return clipped
+    return np.asarray(clipped)
 
 
 class FaceSolver:

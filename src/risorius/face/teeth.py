@@ -199,7 +199,7 @@ def _look_up(table: Array, column: float, row: float) -> float:
     s, t = column - i, row - j
     low = (1.0 - s) * table[i, j] + s * table[i + 1, j]
     high = (1.0 - s) * table[i, j + 1] + s * table[i + 1, j + 1]
-    return (1.0 - t) * low + t * high
+    return float((1.0 - t) * low + t * high)
 
 
 @compiled
