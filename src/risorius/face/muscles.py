@@ -132,6 +132,7 @@ class Displaced:
 MOST = 32  # entries of one vertex, at least
 # mm by which two muscles together may move a vertex further than the larger alone, and up to which freely.
 EXCESS, FREE_EXCESS = 2.1, 1.4
+NOTHING = 1e-9  # mm: a pull this small is as long as none, and its cube would be too small a number
 _EVERY = np.uint64(2**64 - 1)
 
 
@@ -264,13 +265,15 @@ def _limited_sum(pulls: Array, lengths: Array, count: int, v: int, out: Array) -
     for m in range(count):
         lengths[m] = np.sqrt(_dot(pulls, m, m))
     for m in range(count):
-        own, shared = lengths[m] ** 3, 0.0
-        for n in range(count):
-            if n != m:
-                along = max(_dot(pulls, m, n), 0.0)
-                shared += along * along * lengths[n]
-        shared /= lengths[m] ** 2 if shared > 0.0 else 1.0
-        share = inverse_cube_root(1.0 + shared / own) ** 2 if shared > 0.0 else 1.0
+        own, share = lengths[m], 1.0
+        if own > NOTHING:
+            shared = 0.0
+            for n in range(count):
+                if n != m:
+                    along = max(_dot(pulls, m, n), 0.0) / own
+                    shared += along * along * lengths[n]
+            if shared > 0.0:
+                share = inverse_cube_root(1.0 + shared / (own * own * own)) ** 2
         x, y, z = x + share * pulls[m, 0], y + share * pulls[m, 1], z + share * pulls[m, 2]
     out[v, 0], out[v, 1], out[v, 2] = x, y, z
 
