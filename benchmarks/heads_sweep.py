@@ -1,4 +1,6 @@
-"""The laws of the face on every head and age: `python benchmarks/heads_sweep.py [HEAD[@AGE] ...]`.
+"""The laws of the face: `python benchmarks/heads_sweep.py [HEAD[@AGE][+SLIDER:VALUE] ...]`.
+
+Without heads every one that is shipped, at three ages beside its own; `--sliders` adds the ends of sliders.
 
 Columns: lips' gap at rest (mm, widest), lips' overlap for all mouth muscles, their pairs (every `--step`-th)
 and random poses; opening left by a full seal at jaw 0, 0.1, 0.2 under six emotions and overlap there; gap of
@@ -22,6 +24,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 from face.conftest import EMOTIONS, MOUTH_MUSCLES  # noqa: E402
 from face.laws import Laws  # noqa: E402
 from risorius.face.head import load_head, shipped_heads  # noqa: E402
+from risorius.face.sliders import parse_slider, slider_names  # noqa: E402
 
 AGES = (25, 50, 75)
 HEADER = (
@@ -45,8 +48,10 @@ HEADER = (
 
 def row(name: str, step: int, poses: int) -> list[str]:
     start = time.perf_counter()
-    base, _, age = name.partition("@")
-    laws = Laws(load_head(base, age=float(age) if age else None))
+    whole, *sliders = name.split("+")
+    base, _, age = whole.partition("@")
+    shape = dict(map(parse_slider, sliders))
+    laws = Laws(load_head(base, age=float(age) if age else None, shape=shape))
     singles = [{m: 1.0} for m in MOUTH_MUSCLES]
     pairs = [{a: 1.0, b: 1.0} for a, b in itertools.combinations(MOUTH_MUSCLES, 2)][::step]
     rng = np.random.default_rng(4)
@@ -83,12 +88,17 @@ def main() -> None:
     parser.add_argument("heads", nargs="*")
     parser.add_argument("--step", type=int, default=1, help="take every n-th pair of muscles")
     parser.add_argument("--poses", type=int, default=60, help="random poses for each head")
+    parser.add_argument(
+        "--sliders", action="store_true", help="every slider at -1 and 1 on the standard head"
+    )
     options = parser.parse_args()
+    if options.sliders:
+        options.heads += [f"standard+{name}:{end}" for name in slider_names() for end in (-1, 1)]
     every = [name + at for name in shipped_heads() for at in ("", *(f"@{age}" for age in AGES))]
-    print("  ".join(f"{cell:>12}" if k == 0 else f"{cell:>7}" for k, cell in enumerate(HEADER)))
+    print("  ".join(f"{cell:>28}" if k == 0 else f"{cell:>7}" for k, cell in enumerate(HEADER)))
     for name in options.heads or every:
         cells = row(name, options.step, options.poses)
-        print("  ".join(f"{c:>12}" if k == 0 else f"{c:>7}" for k, c in enumerate(cells)), flush=True)
+        print("  ".join(f"{c:>28}" if k == 0 else f"{c:>7}" for k, c in enumerate(cells)), flush=True)
 
 
 if __name__ == "__main__":

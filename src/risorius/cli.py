@@ -23,7 +23,17 @@ LONGEST_INPUT = 4_000_000
 WITHOUT_SPEECH = ("curves", "vertices", "pixels", "head")
 EXIT_FAULT, EXIT_INTERRUPTED = 2, 130
 
-_LISTED = ("muscles", "channels", "emotions", "profiles", "attitudes", "voices", "outputs", "heads")
+_LISTED = (
+    "muscles",
+    "channels",
+    "emotions",
+    "profiles",
+    "attitudes",
+    "voices",
+    "outputs",
+    "heads",
+    "sliders",
+)
 _CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
@@ -98,6 +108,10 @@ def _settings(**chosen: Any) -> Settings:
     look = _look(chosen)
     if (size := chosen.pop("size", None)) is not None:
         chosen["size"] = parse_size(size)
+    if shape := chosen.pop("shape", None):
+        from .face.sliders import parse_slider
+
+        chosen["shape"] = dict(parse_slider(text) for text in shape)
     chosen["voice_emotion"] = chosen.pop("voice_emotion", None) != "off"
     if (fps := chosen.pop("fps", None)) is not None:
         chosen["fps"] = parse_fps(fps)
@@ -126,6 +140,13 @@ _PICTURE_OPTIONS = (
     click.option("--head", metavar="NAME", help="The head that performs.  [default: standard]"),
     click.option(
         "--age", type=float, metavar="YEARS", help="How old the head is, 0 to 100.  [default: its own age]"
+    ),
+    click.option(
+        "--shape",
+        multiple=True,
+        metavar="NAME:VALUE",
+        help="A slider of the head's shape, -1 to 1, e.g. nose_width:0.5; may be repeated. "
+        "`list sliders` names them.",
     ),
     click.option("--style", metavar="NAME", help="realistic, clay, muscles or wireframe."),
     click.option(
@@ -334,7 +355,7 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import check_outputs
     from .pipeline import mix as combine
 
-    shared = ("size", "head", "age", "fps", "dynamics", *_LOOK_OPTIONS)
+    shared = ("size", "head", "age", "shape", "fps", "dynamics", *_LOOK_OPTIONS)
     settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
     check_outputs(outputs, alpha=settings.look.transparent)
     take = combine(

@@ -73,6 +73,21 @@ def heads() -> Listing:
     return ("head", "age", "who"), [(name, f"{who.age:g}", who.title) for name, who in identities.items()]
 
 
+def sliders() -> Listing:
+    """The sliders of a head's shape: --shape NAME:VALUE, -1 to 1."""
+    import numpy as np
+
+    from .face.sliders import load_sliders
+
+    table = load_sliders()
+    most = np.linalg.norm(table.skin, axis=-1).max(axis=-1)
+    rows: list[Sequence[str]] = [
+        (name, f"{down:.1f}", f"{up:.1f}")
+        for name, (up, down) in zip(table.names, most.tolist(), strict=True)
+    ]
+    return ("slider", "mm at -1", "mm at 1"), rows
+
+
 def profiles() -> Listing:
     """The profiles of speakers."""
     from .rules.profiles import profiles as all_profiles
@@ -115,6 +130,7 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
     "voices": voices,
     "outputs": outputs,
     "heads": heads,
+    "sliders": sliders,
     "profiles": profiles,
     "attitudes": attitudes,
 }

@@ -229,7 +229,7 @@ def rig(
         track = ArkitFit(take.head, found.shapes).track(take.faces())
         with replacing(Path(output)) as path:
             save_glb(animated(found, track, take.times), path)
-    return found, report(found, load_head(settings.head, age=settings.age))
+    return found, report(found, load_head(settings.head, age=settings.age, shape=settings.shape))
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

@@ -56,7 +56,7 @@ def score_of(times: Array, values: Array, source: str) -> Score:
 
 def _from_arkit(path: Path, settings: Settings) -> tuple[Array, Array]:
     take = read_arkit_csv(path)
-    head = load_head(settings.head, age=settings.age)
+    head = load_head(settings.head, age=settings.age, shape=settings.shape)
     fit = ArkitFit(head)
     open_, close = take.weights[:, ARKIT["jawOpen"]], take.weights[:, ARKIT["mouthClose"]]
     # Lips that are closed over an open jaw are brought together by contact, not by muscles against the jaw.
@@ -77,7 +77,7 @@ def _from_arkit(path: Path, settings: Settings) -> tuple[Array, Array]:
 
 def _from_fap(path: Path, settings: Settings) -> tuple[Array, Array]:
     take = read_fap(path)
-    head = load_head(settings.head, age=settings.age)
+    head = load_head(settings.head, age=settings.age, shape=settings.shape)
     points = FeaturePoints(head)
     sizes = points.sizes()
     rows = [number - 1 for number in (*POINTS, *LIDS) if take.used[number - 1]]

@@ -32,8 +32,8 @@ class Settings:
     movements. `profile`: who speaks, a name or a `.toml` file; `attitudes` lie over it. `rules`: a file of
     rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with inertia),
     "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100, the head's
-    own where None; `wrinkles`: factors 0 to 2 by region of the face, for a speaker who shows some wrinkles
-    more or less than others of that age. `look`: how all this is drawn.
+    own where None; `shape`: the head's sliders, -1 to 1 by name; `wrinkles`: factors 0 to 2 by region of the
+    face, for a speaker who shows some wrinkles more or less than others of that age. `look`: how all this is drawn.
     """
 
     fps: Fraction = Fraction(30)
@@ -41,6 +41,7 @@ class Settings:
     seed: int = 0
     head: str = "standard"
     age: float | None = None
+    shape: Mapping[str, float] = field(default_factory=dict)
     wrinkles: Mapping[str, float] = field(default_factory=dict)
     voice: str | None = None
     language: str | None = None

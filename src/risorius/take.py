@@ -208,7 +208,7 @@ class Take:
         """The head that performs; raises HeadError if it cannot be loaded."""
         from .face.head import load_head
 
-        return load_head(self.settings.head, age=self.settings.age)
+        return load_head(self.settings.head, age=self.settings.age, shape=self.settings.shape)
 
     @cached_property
     def _solver(self) -> FaceSolver:

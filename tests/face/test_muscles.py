@@ -5,8 +5,8 @@ import itertools
 import numpy as np
 import pytest
 
-from risorius.core.parameters import INDEX, MUSCLES
-from risorius.face.muscles import ELSEWHERE, EXCESS, FREE_EXCESS, SHEETS, MuscleFields
+from risorius.core.parameters import INDEX, MUSCLES, PARAMETERS
+from risorius.face.muscles import ELSEWHERE, EXCESS, FREE_EXCESS, SHEETS, Displaced, MuscleFields
 
 from .conftest import values_of
 
@@ -46,6 +46,34 @@ def test_a_muscle_alone_reproduces_its_field_in_proportion(displaced, head, musc
 def test_both_sides_of_a_muscle_add_up(displaced, head, base):
     both = dense(head, f"{base}.left", f"{base}.right")
     np.testing.assert_allclose(displaced(**{base: 1.0}), both, atol=1e-9)
+
+
+@pytest.mark.parametrize("tiny", [5e-324, 3e-139, 1e-12])
+def test_an_activation_next_to_nothing_does_nothing(displaced, tiny):
+    alone = displaced(**{"zygomatic_minor.left": 1.0})
+    found = displaced(**{"zygomatic_minor.left": 1.0, "zygomatic_major.left": tiny})
+    np.testing.assert_allclose(found, alone, atol=1e-9)
+
+
+def test_what_is_kept_from_call_to_call_is_what_all_anew_gives(head):
+    fields, draw = MuscleFields.of(head), np.random.default_rng(1)
+    kept, anew = Displaced(fields), np.empty_like(head.rest)
+    values = np.zeros(len(PARAMETERS))
+    for _ in range(20):
+        some = draw.integers(0, len(MUSCLES), 5)
+        values[some] = draw.choice([0.0, 1.0], 5) * draw.random(5)
+        fields.displace(values, anew)
+        np.testing.assert_array_equal(kept.at(values), anew)
+
+
+def test_fields_without_some_vertices_leave_those_at_rest(head):
+    fields, some = MuscleFields.of(head), np.arange(0, len(head.rest), 2)
+    whole, part = np.empty_like(head.rest), np.empty_like(head.rest)
+    fields.displace(values_of({"AU12": 1.0}), whole)
+    fields.without(some).displace(values_of({"AU12": 1.0}), part)
+    assert not part[some].any()
+    assert whole[some].any()
+    np.testing.assert_array_equal(part[1::2], whole[1::2])
 
 
 def test_the_heads_of_a_sheet_add_up_within_the_cap(displaced, head):

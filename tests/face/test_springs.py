@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.core.parameters import INDEX, MUSCLES, NEUTRAL
+from risorius.core.parameters import MUSCLES, NEUTRAL
 from risorius.face.biphasic import Biphasic
 from risorius.face.muscles import ELSEWHERE, MuscleFields
 from risorius.face.network import Network
@@ -128,4 +128,3 @@ def test_two_states_do_not_meet(parts, head):
     one.settle(REST)
     one.step(REST)
     assert not placed(one, head).any()
-    assert INDEX["masseter"] not in one._fields.parameter

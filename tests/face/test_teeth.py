@@ -122,3 +122,22 @@ def test_a_row_is_as_wide_as_its_teeth(head):
     crowns = head.teeth_upper.vertices[head.teeth_upper.material < 0.5]
     assert row.front.max() >= np.hypot(crowns[:, 0], crowns[:, 2] - row.middle[0]).max() - 0.5
     assert row.edge[np.abs(row.edge) < 900.0].min() == pytest.approx(crowns[:, 1].min())
+
+
+def test_the_coarse_table_leaves_nothing_out(teeth):
+    """Around every place the coarse table bounds what the fine one says."""
+    draw = np.random.default_rng(3)
+    for row in (teeth.upper, teeth.lower):
+        anywhere = replace(row, around=np.array([-np.inf, np.inf, 0.0]) + np.zeros_like(row.around))
+        points = draw.uniform([-40.0, -85.0, -40.0], [40.0, -45.0, 35.0], (20_000, 3))
+        fast, slow = points.copy(), points.copy()
+        lining = np.arange(len(points), dtype=np.uint32)
+        for r, skin in ((row, fast), (anywhere, slow)):
+            both = replace(teeth, upper=r, lower=r, lining=lining)
+            both.keep_out(skin, 0.4)
+        np.testing.assert_array_equal(fast, slow)
+        fast, slow = points.copy(), points.copy()
+        for r, tongue in ((row, fast), (anywhere, slow)):
+            replace(teeth, upper=r, lower=r).keep_in(tongue, 0.4)
+        np.testing.assert_array_equal(fast, slow)
+        assert (np.abs(slow - points).max(axis=1) > 0.0).sum() > 50

@@ -11,12 +11,12 @@ import numpy as np
 from .arrays import Array
 
 
-def quantized(field: Array, smallest: float = 0.004) -> dict[str, Array]:
+def quantized(field: Array, smallest: float = 0.004, step: float | None = None) -> dict[str, Array]:
     """Vertices, int16 values and scale of a field (n, 3) in mm, leaving out displacements below `smallest`
-    mm.
+    mm. Values are multiples of `step` mm, the finest that fits where None; coarser ones take less room.
     """
     vertices = np.flatnonzero(np.linalg.norm(field, axis=1) >= smallest)
-    scale = np.float32(max(float(np.abs(field).max()), 1e-6) / 32767.0)
+    scale = np.float32(step or max(float(np.abs(field).max()), 1e-6) / 32767.0)
     values = np.round(field[vertices] / float(scale)).astype(np.int16)
     return {"vertices": vertices.astype(np.uint16), "values": values, "scale": np.asarray(scale)}
 

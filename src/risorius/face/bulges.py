@@ -100,7 +100,7 @@ def bulge_height(area: float, depth: float, cap: float) -> float:
 
 @compiled
 def _swell(
-    area: Array, vertex: npt.NDArray[np.int32], mask: Array, depth: Array, cap: Array, out: Array
+    area: Array, vertex: npt.NDArray[np.uint32], mask: Array, depth: Array, cap: Array, out: Array
 ) -> None:
     for r in range(len(area)):
         out[vertex[r]] += mask[r] * bulge_height(area[r], depth[r], cap[r])

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from .jit import compiled, compiled_fast
 
 Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
+IntArray = npt.NDArray[np.integer]
 
 # A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from fighting.
 SOFTNESS = 1.001
@@ -31,16 +31,17 @@ class Gaps(NamedTuple):
 
 
 class Workspace(NamedTuple):
-    """Scratch arrays for up to k gaps over n points: `moved` (k, n), `matrix` (k, k), `push` (k,)."""
+    """Scratch arrays for up to k gaps over n points: `moved` (n,), `matrix` (k, k), the others (k,)."""
 
     moved: Array
     matrix: Array
     push: Array
+    here: Array
 
     @classmethod
     def room_for(cls, gaps: int, points: int) -> Workspace:
         """Allocate."""
-        return cls(np.zeros((gaps, points)), np.zeros((gaps, gaps)), np.zeros(gaps))
+        return cls(np.zeros(points), np.zeros((gaps, gaps)), np.zeros(gaps), np.zeros(gaps))
 
 
 def settle(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, force: Array) -> None:
@@ -50,41 +51,46 @@ def settle(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, force: A
     its bounds without a push gets none (complementarity).
     """
     _couple(gaps.points, gaps.weight, compliance, work.moved, work.matrix)
-    _balance(gaps.gap, gaps.low, gaps.high, sweeps, work.matrix, work.push)
+    _balance(gaps.gap, gaps.low, gaps.high, sweeps, work.matrix, work.push, work.here)
     _apply(gaps.points, gaps.weight, work.push, force)
 
 
 @compiled_fast
 def _couple(points: IntArray, weight: Array, compliance: Array, moved: Array, matrix: Array) -> None:
-    """Write how much each gap opens per unit push at each other to `matrix`."""
+    """Write how much each gap opens per unit push at each other to `matrix`, which is symmetric."""
     for i in range(len(points)):
-        moved[i] = 0.0
-        for a in range(4):
-            w, row = weight[i, a], points[i, a]
-            for j in range(compliance.shape[0]):
-                moved[i, j] += w * compliance[row, j]
-        for j in range(len(points)):
+        p, q, r, s = points[i, 0], points[i, 1], points[i, 2], points[i, 3]
+        a, b, c, d = weight[i, 0], weight[i, 1], weight[i, 2], weight[i, 3]
+        for j in range(compliance.shape[0]):
+            moved[j] = (
+                a * compliance[p, j] + b * compliance[q, j] + c * compliance[r, j] + d * compliance[s, j]
+            )
+        for j in range(i + 1):
             total = 0.0
-            for a in range(4):
-                total += weight[j, a] * moved[i, points[j, a]]
+            for k in range(4):
+                total += weight[j, k] * moved[points[j, k]]
             matrix[i, j] = total
+            matrix[j, i] = total
 
 
 @compiled_fast
-def _balance(gap: Array, low: Array, high: Array, sweeps: int, matrix: Array, push: Array) -> None:
+def _balance(
+    gap: Array, low: Array, high: Array, sweeps: int, matrix: Array, push: Array, here: Array
+) -> None:
     count = len(gap)
     push[:count] = 0.0
+    here[:count] = gap
     for _ in range(sweeps):
         change = 0.0
         for i in range(count):
-            here = gap[i]
-            for j in range(count):
-                here += matrix[i, j] * push[j]
             stiff = matrix[i, i] * SOFTNESS
-            apart, together = push[i] + (low[i] - here) / stiff, push[i] + (high[i] - here) / stiff
-            wanted = max(apart, 0.0) + min(together, 0.0)
-            change = max(change, abs(wanted - push[i]) * stiff)
-            push[i] = wanted
+            apart, together = push[i] + (low[i] - here[i]) / stiff, push[i] + (high[i] - here[i]) / stiff
+            more = max(apart, 0.0) + min(together, 0.0) - push[i]
+            if more != 0.0:
+                change = max(change, abs(more) * stiff)
+                push[i] += more
+                for j in range(count):
+                    here[j] += matrix[i, j] * more
         if change < SETTLED:
             break
 

@@ -15,11 +15,11 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from .head import Head
-from .jit import compiled
+from .jit import compiled_fast, inlined
 from .marks import smooth
 
 Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
+IntArray = npt.NDArray[np.uint32]
 
 STRETCHED = 1.05  # stretch beyond this does not make up for compression beside it
 _ROUNDS = 2  # of smoothing on level 0
@@ -72,15 +72,15 @@ class Compression:
         vertices = np.concatenate([p.vertices for p in parts])
         return cls(
             len(zones),
-            np.concatenate([head.quads[p.quads] for p in parts]).astype(np.int32),
+            np.concatenate([head.quads[p.quads] for p in parts]).astype(np.uint32),
             np.concatenate([p.frame for p in parts]),
-            np.repeat(np.arange(len(parts)), sizes).astype(np.int32),
+            np.repeat(np.arange(len(parts)), sizes).astype(np.uint32),
             np.concatenate([p.side for p in parts]),
-            rows.indptr.astype(np.int32),
-            rows.indices.astype(np.int32),
+            rows.indptr.astype(np.uint32),
+            rows.indices.astype(np.uint32),
             rows.data.astype(np.float64),
-            np.repeat(np.arange(len(parts)), [len(p.vertices) for p in parts]).astype(np.int32),
-            vertices.astype(np.int32),
+            np.repeat(np.arange(len(parts)), [len(p.vertices) for p in parts]).astype(np.uint32),
+            vertices.astype(np.uint32),
             fine_left[vertices],
         )
 
@@ -182,20 +182,23 @@ def _frames(corners: Array, pull: Array) -> Array:
     )
 
 
-@compiled
-def _stretch(skin: Array, quad: IntArray, frame: Array) -> float:
-    """Return the stretch of one quad along its frame's direction, or of its area."""
-    p, q, r, s = quad[0], quad[1], quad[2], quad[3]
+@inlined
+def _stretch(skin: Array, quad: IntArray, frame: Array, e: int) -> float:
+    """Return the stretch of quad e along its frame's direction, or of its area."""
+    p, q, r, s = quad[e, 0], quad[e, 1], quad[e, 2], quad[e, 3]
     ax, ay, az = skin[r, 0] - skin[p, 0], skin[r, 1] - skin[p, 1], skin[r, 2] - skin[p, 2]
     bx, by, bz = skin[s, 0] - skin[q, 0], skin[s, 1] - skin[q, 1], skin[s, 2] - skin[q, 2]
-    if frame[2] > 0.0:
+    if frame[e, 2] > 0.0:
         x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        return float(np.sqrt(x * x + y * y + z * z) / frame[2])
-    x, y, z = frame[0] * ax + frame[1] * bx, frame[0] * ay + frame[1] * by, frame[0] * az + frame[1] * bz
-    return float(np.sqrt(x * x + y * y + z * z))
+        scale = 1.0 / frame[e, 2]
+    else:
+        u, v = frame[e, 0], frame[e, 1]
+        x, y, z = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        scale = 1.0
+    return float(scale * np.sqrt(x * x + y * y + z * z))
 
 
-@compiled
+@compiled_fast
 def _measure(
     zones: int,
     quad: IntArray,
@@ -213,7 +216,7 @@ def _measure(
     strain = np.empty(len(quad))
     mean = np.zeros((zones, 2))
     for e in range(len(quad)):
-        strain[e] = _stretch(skin, quad[e], frame[e])
+        strain[e] = _stretch(skin, quad, frame, e)
         low = min(strain[e], STRETCHED)
         mean[zone[e], 0] += side[e, 0] * low
         mean[zone[e], 1] += side[e, 1] * low

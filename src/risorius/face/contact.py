@@ -7,18 +7,20 @@ nearest point, this cannot flip faces or change its mind about the side. Gaps op
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from .jit import compiled
+from .jit import compiled, inlined
 
 Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
+IntArray = npt.NDArray[np.integer]
 
 BINS = 96
-EDGE = 1e-9
+EDGE = 1e-9  # of a triangle, beyond it, that still belongs to it
+SPILL = 1e-6  # of a triangle's extent, beyond it, that is looked at: more than EDGE
 
 
 class Facing(NamedTuple):
@@ -49,7 +51,7 @@ class Contacts(NamedTuple):
     @classmethod
     def room_for(cls, count: int) -> Contacts:
         """Allocate for `count` contacts."""
-        return cls(np.zeros((count, 4), np.int32), np.zeros((count, 4)), np.zeros(count), np.zeros(count))
+        return cls(np.zeros((count, 4), np.uint32), np.zeros((count, 4)), np.zeros(count), np.zeros(count))
 
 
 def find_contacts(facing: Facing, points: Array, reach: float, out: Contacts) -> int:
@@ -71,28 +73,26 @@ def _find(
     out_x: Array,
 ) -> int:
     low, width = _range_of(points)
-    upper_start, upper_items = _sort_into_bins(points, upper, low, width)
-    lower_start, lower_items = _sort_into_bins(points, lower, low, width)
-    weights = np.empty(3)
+    upper_start, upper_items, upper_box = _sort_into_bins(points, upper, low, width, 1.0)
+    lower_start, lower_items, lower_box = _sort_into_bins(points, lower, low, width, -1.0)
     count = 0
     for k in range(len(vertices)):
         v = vertices[k]
         k_bin = min(max(int((points[v, 0] - low) / width), 0), BINS - 1)
         if above[k]:
-            items = lower_items[lower_start[k_bin] : lower_start[k_bin + 1]]
-            t, y = _cover(v, -1.0, points, lower, items, weights)
-            sign, faces = -1.0, lower
+            sign, faces, box = -1.0, lower, lower_box
+            start, items = lower_start, lower_items
         else:
-            items = upper_items[upper_start[k_bin] : upper_start[k_bin + 1]]
-            t, y = _cover(v, 1.0, points, upper, items, weights)
-            sign, faces = 1.0, upper
-        gap = sign * (y - points[v, 1])
-        if t < 0 or gap >= reach:
+            sign, faces, box = 1.0, upper, upper_box
+            start, items = upper_start, upper_items
+        t, y, wb, wc = _cover(v, sign, reach, points, faces, box, items, start[k_bin], start[k_bin + 1])
+        if t < 0:
             continue
         out_points[count, 0], out_weight[count, 0] = v, -sign
-        for c in range(3):
-            out_points[count, c + 1], out_weight[count, c + 1] = faces[t, c], sign * weights[c]
-        out_gap[count], out_x[count] = gap, points[v, 0]
+        out_points[count, 1], out_weight[count, 1] = faces[t, 0], sign * (1.0 - wb - wc)
+        out_points[count, 2], out_weight[count, 2] = faces[t, 1], sign * wb
+        out_points[count, 3], out_weight[count, 3] = faces[t, 2], sign * wc
+        out_gap[count], out_x[count] = y - sign * points[v, 1], points[v, 0]
         count += 1
     return count
 
@@ -107,40 +107,61 @@ def _range_of(points: Array) -> tuple[float, float]:
 
 @compiled
 def _sort_into_bins(
-    points: Array, triangles: IntArray, low: float, width: float
-) -> tuple[IntArray, IntArray]:
-    """Return start (BINS + 1,) and items: the triangles that meet each bin of `width` mm from x = `low`."""
-    first = np.empty(len(triangles), np.int32)
-    last = np.empty(len(triangles), np.int32)
+    points: Array, triangles: IntArray, low: float, width: float, sign: float
+) -> tuple[IntArray, IntArray, Array]:
+    """Return start (BINS + 1,) and items: the triangles that meet each bin of `width` mm from x = `low`.
+
+    And the box (items, 3) of every item: least `sign` times y, least and largest z.
+    """
+    bins = np.empty((len(triangles), 2), np.int32)
     start = np.zeros(BINS + 1, np.int32)
     for t in range(len(triangles)):
         a, b, c = points[triangles[t, 0], 0], points[triangles[t, 1], 0], points[triangles[t, 2], 0]
-        first[t] = min(max(int((min(a, b, c) - low) / width), 0), BINS - 1)
-        last[t] = min(max(int((max(a, b, c) - low) / width), 0), BINS - 1)
-        for k in range(first[t], last[t] + 1):
+        bins[t, 0] = min(max(int((min(a, b, c) - low) / width), 0), BINS - 1)
+        bins[t, 1] = min(max(int((max(a, b, c) - low) / width), 0), BINS - 1)
+        for k in range(bins[t, 0], bins[t, 1] + 1):
             start[k + 1] += 1
     for k in range(BINS):
         start[k + 1] += start[k]
-    items = np.empty(start[BINS], np.int32)
+    items = np.empty(start[BINS], np.uint32)
+    box = np.empty((start[BINS], 3))
     fill = start.copy()
     for t in range(len(triangles)):
-        for k in range(first[t], last[t] + 1):
+        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        lowest = min(sign * points[a, 1], sign * points[b, 1], sign * points[c, 1])
+        back = min(points[a, 2], points[b, 2], points[c, 2])
+        front = max(points[a, 2], points[b, 2], points[c, 2])
+        room = SPILL * (front - back)
+        for k in range(bins[t, 0], bins[t, 1] + 1):
             items[fill[k]] = t
+            box[fill[k], 0], box[fill[k], 1], box[fill[k], 2] = lowest, back - room, front + room
             fill[k] += 1
-    return start, items
+    return start, items, box
 
 
-@compiled
+@inlined
 def _cover(
-    v: int, sign: float, points: Array, triangles: IntArray, items: IntArray, weights: Array
-) -> tuple[int, float]:
-    """Return the triangle over vertex v with the lowest y (`sign` 1) or the highest (−1) and that y, or −1.
+    v: int,
+    sign: float,
+    reach: float,
+    points: Array,
+    triangles: IntArray,
+    box: Array,
+    items: IntArray,
+    first: int,
+    last: int,
+) -> tuple[int, float, float, float]:
+    """Return the triangle over vertex v with the lowest y (`sign` 1) or the highest (−1), `sign` times that
+    y, and the weights of its last two corners; −1 where none is nearer than `reach` along y.
 
-    Its barycentric weights are written to `weights` (3,).
+    `box` tells beforehand which of the `items` from `first` to `last` cannot be that triangle.
     """
-    found, best = -1, np.inf
     x, z = points[v, 0], points[v, 2]
-    for t in items:
+    found, best, weight_b, weight_c = -1, sign * points[v, 1] + reach, 0.0, 0.0
+    for k in range(first, last):
+        if box[k, 0] >= best or z < box[k, 1] or z > box[k, 2]:
+            continue
+        t = items[k]
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         if v in (a, b, c):
             continue
@@ -155,9 +176,8 @@ def _cover(
             continue
         y = sign * (points[a, 1] + wb * (points[b, 1] - points[a, 1]) + wc * (points[c, 1] - points[a, 1]))
         if y < best:
-            found, best = t, y
-            weights[0], weights[1], weights[2] = 1.0 - wb - wc, wb, wc
-    return found, sign * best
+            found, best, weight_b, weight_c = t, y, wb, wc
+    return found, best, weight_b, weight_c
 
 
 @compiled
@@ -170,10 +190,11 @@ def narrowest(
     and `gap` (k,) are those of the contacts.
     """
     found = np.full(places, -1)
-    reach = 0.5 * width * abs(end - start)
-    for p in range(places):
-        place = start + (end - start) * p / (places - 1)
-        for k in range(len(x)):
-            if abs(x[k] - place) <= reach and (found[p] < 0 or gap[k] < gap[found[p]]):
+    step = (end - start) / (places - 1)
+    reach = 0.5 * width * (places - 1)  # in steps
+    for k in range(len(x)):
+        place = (x[k] - start) / step
+        for p in range(max(math.ceil(place - reach), 0), min(math.floor(place + reach), places - 1) + 1):
+            if found[p] < 0 or gap[k] < gap[found[p]]:
                 found[p] = k
     return found

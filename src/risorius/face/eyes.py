@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import numpy.typing as npt
 
@@ -18,13 +20,15 @@ def eye_rotations(centres: Array, pitch: float, yaw: float, distance: float) -> 
     subject's left positive, are those of a single eye at the origin; `distance` in m is that of the point
     on which the eyes converge. No torsion (Listing's law).
     """
-    point = direction(pitch, yaw) * (distance * MM_PER_M)
-    towards = point - centres
-    towards /= np.linalg.norm(towards, axis=1, keepdims=True)
-    return np.stack([forward_to(towards[0]), forward_to(towards[1])])
+    towards = direction(pitch, yaw) * (distance * MM_PER_M) - centres
+    rotations = np.empty((2, 3, 3))
+    for eye, (x, y, z) in enumerate(towards.tolist()):
+        far = math.sqrt(x * x + y * y + z * z)
+        rotations[eye] = forward_to((x / far, y / far, z / far))
+    return rotations
 
 
 def pitch_and_yaw(rotation: Array) -> tuple[float, float]:
     """Return the direction of one eye's rotation (3, 3) in degrees: up, and to the subject's left."""
-    x, y, z = (float(a) for a in rotation[:, 2])
-    return float(np.degrees(np.arcsin(np.clip(y, -1.0, 1.0)))), float(np.degrees(np.arctan2(x, z)))
+    x, y, z = rotation[:, 2].tolist()
+    return math.degrees(math.asin(min(max(y, -1.0), 1.0))), math.degrees(math.atan2(x, z))

@@ -26,6 +26,7 @@ from .identity import UNNAMED, Identity, read_identity
 from .links import link_rows
 from .muscle_table import FILE as MUSCLE_TABLE
 from .muscle_table import Muscle, links_of, load_muscles
+from .sliders import check_sliders, load_sliders
 from .subdivide import FloatArray, IntArray, Subdivision, catmull_clark
 
 EXTRA_FIELDS = ("lip_tuck",)
@@ -131,6 +132,28 @@ class Head:
         corners = np.asarray(skin, dtype=np.float64)[self.landmark_triangles]
         return np.asarray(np.einsum("kcd,kc->kd", corners, self.landmark_weights))
 
+    def shaped(self, amounts: Mapping[str, float]) -> Head:
+        """Return this head with its shape changed by sliders, each with an amount from -1 to 1 (`sliders`).
+
+        Lips and lids keep their form; teeth, tongue and the jaw's hinge go with the lips. Raises HeadError
+        for an unknown slider or an amount out of range, and for a head of another topology than ours.
+        """
+        check_sliders(amounts)
+        if not any(amounts.values()):
+            return self
+        change = load_sliders().together(amounts)
+        if change.skin.shape != self.rest.shape:
+            raise HeadError(f"head '{self.name}' has a mesh of its own; sliders do not fit it")
+        return replace(
+            self,
+            rest=_frozen(self.rest + change.skin),
+            eye_centre=_frozen(self.eye_centre + change.eyes),
+            jaw_point=_frozen(self.jaw_point + change.mouth),
+            teeth_upper=_shifted(self.teeth_upper, change.mouth),
+            teeth_lower=_shifted(self.teeth_lower, change.mouth),
+            tongue=replace(self.tongue, rest=_frozen(self.tongue.rest + change.mouth)),
+        )
+
     def aged(self, age: float) -> Head:
         """Return this head at `age` in years, 0 to 100; below its youngest and above its oldest shape it is
         that one.
@@ -180,17 +203,24 @@ def required_fields() -> tuple[str, ...]:
     return (*(p.name for p in MUSCLES if p.base != "masseter"), *EXTRA_FIELDS)
 
 
-def load_head(name_or_path: str | Path = "standard", *, age: float | None = None) -> Head:
+def load_head(
+    name_or_path: str | Path = "standard",
+    *,
+    age: float | None = None,
+    shape: Mapping[str, float] | None = None,
+) -> Head:
     """Load a head that comes with Risorius by its name, or any head from its folder or `.npz` file.
 
-    `age` in years, 0 to 100, changes its shape as `Head.aged` does; None is the age it was made at. The same
-    unchanged files give the same object again. Raises HeadError where there is no such head, where a file in
-    its folder lacks an array, holds one of the wrong shape or range, or lacks a muscle, and as `Head.aged`.
+    `age` in years, 0 to 100, changes its shape as `Head.aged` does; None is the age it was made at; `shape`
+    changes it as `Head.shaped` does. The same unchanged files give the same object again. Raises HeadError
+    where there is no such head, where a file in its folder lacks an array, holds one of the wrong shape or
+    range, or lacks a muscle, and as `Head.aged` and `Head.shaped`.
     """
     path = _locate(name_or_path)
     beside = [path, *(path.with_name(name) for name in (identity_file.FILE, age_file.FILE))]
     changed = tuple(file.stat().st_mtime_ns if file.is_file() else 0 for file in beside)
-    return _load(path, changed) if age is None else _load_aged(path, changed, float(age))
+    given = tuple(sorted((shape or {}).items()))
+    return _load_shaped(path, changed, None if age is None else float(age), given)
 
 
 def shipped_heads() -> tuple[str, ...]:
@@ -216,8 +246,11 @@ def _shipped() -> list[Path]:
 
 
 @lru_cache(maxsize=4)
-def _load_aged(path: Path, changed: tuple[int, ...], age: float) -> Head:
-    return _load(path, changed).aged(age)
+def _load_shaped(
+    path: Path, changed: tuple[int, ...], age: float | None, shape: tuple[tuple[str, float], ...]
+) -> Head:
+    head = _load(path, changed)
+    return (head if age is None else head.aged(age)).shaped(dict(shape))
 
 
 @lru_cache(maxsize=8)

@@ -48,8 +48,22 @@ class Jaw:
 
     def carry(self, points: Array, opening: float) -> Array:
         """Return `points` (n, 3) turned rigidly with the jaw at `opening` 0..1."""
-        rotation = about_axis(self.axis, self.angle * opening)
-        return np.asarray((points - self.point) @ rotation.T + self.point)
+        out = np.empty_like(points)
+        self.carry_to(points, opening, out)
+        return out
+
+    def carry_to(self, points: Array, opening: float, out: npt.NDArray[np.floating]) -> None:
+        """Write to `out` (n, 3), of any precision, what `carry` returns."""
+        turn_about(about_axis(self.axis, self.angle * opening), self.point, points, out)
+
+
+@compiled
+def turn_about(rotation: Array, point: Array, points: Array, out: npt.NDArray[np.floating]) -> None:
+    """Write `points` (n, 3), turned by `rotation` (3, 3) about `point` (3,), to `out` (n, 3)."""
+    for v in range(len(points)):
+        x, y, z = points[v, 0] - point[0], points[v, 1] - point[1], points[v, 2] - point[2]
+        for c in range(3):
+            out[v, c] = rotation[c, 0] * x + rotation[c, 1] * y + rotation[c, 2] * z + point[c]
 
 
 @compiled

@@ -22,3 +22,8 @@ def compiled(function: F) -> F:
 def compiled_fast(function: F) -> F:
     """Compile a function whose sums may be rearranged into vectors."""
     return cast(F, numba.njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc"})(function))
+
+
+def inlined(function: F) -> F:
+    """Compile a function into its callers: passing arrays costs more than a few sums on them."""
+    return cast(F, numba.njit(inline="always", error_model="numpy")(function))

@@ -19,9 +19,9 @@ import scipy.sparse as sp
 
 from ..core.parameters import INDEX
 from .head import Head
-from .jit import compiled
+from .jit import compiled, inlined
 from .plate import nearby, response, stiffness
-from .products import carry
+from .products import Rows, carry
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int32]
@@ -52,10 +52,10 @@ class Lids:
     closing        (k,) level-0 vertices that the blink moves
     angle          (k,) rad about the eye's horizontal axis at which they rest
     stroke         (k, 3) their way at closure: x mm, radius mm, angle rad
-    margin         (2 m, N0) the margins' points at level 1, upper then lower
+    margin         rows (2 m, N0) of the margins' points at level 1, upper then lower
     margin_stroke  (m,) rad by which the blink alone brings them together
     taper          (m,) 1 at the middle of the eye, 0 at its corners
-    region         (r,) level-0 vertices that move with the margins, `motion` (r, 2 m) how far with each
+    region         (r,) level-0 vertices that move with the margins, `motion` (2 m, r) how far with each
     shell          (s,) level-1 vertices, `floor` (s,) mm their least distance to `centre`
     """
 
@@ -64,7 +64,7 @@ class Lids:
     closing: IntArray
     angle: Array
     stroke: Array
-    margin: sp.csr_matrix
+    margin: Rows
     margin_stroke: Array
     taper: Array
     region: IntArray
@@ -95,46 +95,26 @@ class Lids:
             field.vertices,
             np.ascontiguousarray(before[:, 2]),
             stroke,
-            margin,
+            Rows.of(margin),
             apart,
             apart / apart.max(),
             plate.region,
-            np.ascontiguousarray(plate.motion.T @ np.linalg.inv(plate.compliance)),
+            np.ascontiguousarray(np.linalg.inv(plate.compliance).T @ plate.motion),
             shell,
             floor,
         )
 
     def close(self, skin: Array, closure: float, pitch: float) -> None:
         """Move the level-0 `skin` (N0, 3) in place: `closure` 0..1, the eye at `pitch` degrees."""
-        count = len(self.taper)
-        before = _cylinder(self.margin @ skin - self.centre)
-        upper, lower = before[:count], before[count:]
-        goal = self._goal(upper, lower, closure, pitch)
-        drop = upper[:, 2] - goal[:count, 2]
-        share = float(drop @ self.margin_stroke / (self.margin_stroke @ self.margin_stroke))
-        _turn(skin, self.closing, self.angle, self.stroke, min(share, 1.0), self.centre)
-        after = _cylinder(self.margin @ skin - self.centre)
-        goal[:, :2] += self._side(after[:, :2], closure)
-        carry(self.region, self.motion, _cartesian(goal) - _cartesian(after), skin)
-
-    def _goal(self, upper: Array, lower: Array, closure: float, pitch: float) -> Array:
-        """Return where the margins shall be (2 m, 3): the angles; the other two columns are 0."""
-        up = upper[:, 2] + self.taper * follow(pitch, UPPER_GAIN, UPPER_MOST)
-        low = lower[:, 2] + self.taper * follow(pitch, LOWER_GAIN, LOWER_MOST)
-        gap = up - low
-        overlap = np.maximum(-gap, 0.0) / 2.0
-        closing = closure * np.maximum(gap, 0.0)
-        goal = np.zeros((2 * len(gap), 3))
-        goal[: len(gap), 2] = up + overlap - (1.0 - LOWER_SHARE) * closing
-        goal[len(gap) :, 2] = low - overlap + LOWER_SHARE * closing
-        return goal
-
-    @staticmethod
-    def _side(places: Array, closure: float) -> Array:
-        """Return x and radius of the goal (2 m, 2): the margins meet half way as the lids close."""
-        half = len(places) // 2
-        middle = 0.5 * (places[:half] + places[half:])
-        return np.asarray(places + closure * (np.vstack([middle, middle]) - places))
+        up, down = follow(pitch, UPPER_GAIN, UPPER_MOST), follow(pitch, LOWER_GAIN, LOWER_MOST)
+        places, goal = np.empty((2 * len(self.taper), 3)), np.empty((2 * len(self.taper), 3))
+        self.margin.times(skin, places)
+        share = _aim(places, self.centre, self.taper, self.margin_stroke, closure, up, down, goal)
+        if share != 0.0:
+            _turn(skin, self.closing, self.angle, self.stroke, min(share, 1.0), self.centre)
+            self.margin.times(skin, places)
+        _rest_of_the_way(places, self.centre, closure, goal)
+        carry(self.region, self.motion, goal, skin)
 
     def keep_off(self, skin: Array) -> None:
         """Push the level-1 `skin` (N1, 3) out of the eyeball in place."""
@@ -153,11 +133,6 @@ def _cylinder(points: Array) -> Array:
     return np.column_stack([x, np.hypot(y, z), np.arctan2(y, z)])
 
 
-def _cartesian(places: Array) -> Array:
-    x, radius, angle = places.T
-    return np.column_stack([x, radius * np.sin(angle), radius * np.cos(angle)])
-
-
 def _shell(head: Head, centre: Array, radius: float) -> tuple[IntArray, Array]:
     rest = head.skin.matrix @ head.rest - centre
     distance = np.linalg.norm(rest, axis=1)
@@ -167,22 +142,81 @@ def _shell(head: Head, centre: Array, radius: float) -> tuple[IntArray, Array]:
 
 
 @compiled
+def _aim(
+    places: Array,
+    centre: Array,
+    taper: Array,
+    stroke: Array,
+    closure: float,
+    up: float,
+    down: float,
+    goal: Array,
+) -> float:
+    """Write to the last column of `goal` (2 m, 3) the angles where the margins shall be, from where they are.
+
+    `up` and `down` are the rotations in radians by which upper and lower lid follow the gaze. Returns the
+    share of the blink's own `stroke` (m,) that comes nearest to it for the upper lid.
+    """
+    count = len(taper)
+    drop, square = 0.0, 0.0
+    for k in range(count):
+        upper, lower = _angle(places, k, centre), _angle(places, count + k, centre)
+        high, low = upper + taper[k] * up, lower + taper[k] * down
+        overlap, closing = 0.5 * max(low - high, 0.0), closure * max(high - low, 0.0)
+        goal[k, 2] = high + overlap - (1.0 - LOWER_SHARE) * closing
+        goal[count + k, 2] = low - overlap + LOWER_SHARE * closing
+        drop += (upper - goal[k, 2]) * stroke[k]
+        square += stroke[k] * stroke[k]
+    return float(drop / square)
+
+
+@compiled
+def _rest_of_the_way(places: Array, centre: Array, closure: float, goal: Array) -> None:
+    """Turn `goal` (2 m, 3), whose last column has angles, into the ways in mm there from `places` (2 m, 3).
+
+    In x and radius the margins meet half way as the lids close.
+    """
+    count = len(places) // 2
+    for k in range(count):
+        x = 0.5 * (places[k, 0] + places[count + k, 0])
+        middle = 0.5 * (_radius(places, k, centre) + _radius(places, count + k, centre))
+        for row in (k, count + k):
+            radius, angle = _radius(places, row, centre), goal[row, 2]
+            radius += closure * (middle - radius)
+            goal[row, 0] = closure * (x - places[row, 0])
+            goal[row, 1] = centre[1] + radius * np.sin(angle) - places[row, 1]
+            goal[row, 2] = centre[2] + radius * np.cos(angle) - places[row, 2]
+
+
+@inlined
+def _angle(points: Array, row: int, centre: Array) -> float:
+    return float(np.arctan2(points[row, 1] - centre[1], points[row, 2] - centre[2]))
+
+
+@inlined
+def _radius(points: Array, row: int, centre: Array) -> float:
+    y, z = points[row, 1] - centre[1], points[row, 2] - centre[2]
+    return float(np.sqrt(y * y + z * z))
+
+
+@compiled
 def _turn(skin: Array, vertices: IntArray, rest: Array, stroke: Array, share: float, centre: Array) -> None:
     for k in range(len(vertices)):
         v = vertices[k]
         y, z = skin[v, 1] - centre[1], skin[v, 2] - centre[2]
-        radius = np.hypot(y, z) + share * stroke[k, 1]
-        angle = np.arctan2(y, z)
-        angle += _limited(share * stroke[k, 2], angle - rest[k])
+        radius = np.sqrt(y * y + z * z)
+        way = _limited(share * stroke[k, 2], np.arctan2(y, z) - rest[k])
+        sine, cosine = np.sin(way), np.cos(way)
+        grow = 1.0 + share * stroke[k, 1] / radius
         skin[v, 0] += share * stroke[k, 0]
-        skin[v, 1] = centre[1] + radius * np.sin(angle)
-        skin[v, 2] = centre[2] + radius * np.cos(angle)
+        skin[v, 1] = centre[1] + grow * (y * cosine + z * sine)
+        skin[v, 2] = centre[2] + grow * (z * cosine - y * sine)
 
 
 @compiled
 def _limited(way: float, gone: float) -> float:
     """Return what is left of a `way` for skin that others have `gone` along: as of two parallel pulls."""
-    if way * gone <= 0.0:
+    if way * gone <= 1e-12:
         return way
     return float(np.cbrt(way * way * way + gone * gone * gone) - gone)
 

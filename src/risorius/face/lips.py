@@ -40,11 +40,11 @@ class Handles:
         self._rows = Rows.of(sp.csr_matrix(weights))
         self._region = plate.region
         inverse = np.linalg.inv(weights @ plate.compliance @ weights.T)
-        self._motion = np.ascontiguousarray(plate.motion.T @ (weights.T @ inverse))
+        self._motion = np.ascontiguousarray((weights.T @ inverse).T @ plate.motion)
 
     def places(self, points: Array) -> Array:
         """Return where they are (s, 3) at `points` (n, 3)."""
-        return self._rows.times(points, np.empty((self._motion.shape[1], 3)))
+        return self._rows.times(points, np.empty((len(self._motion), 3)))
 
     def move(self, skin: Array, way: Array) -> None:
         """Move the places by `way` (s, 3) mm, and the level-0 `skin` (N0, 3) around them with them."""

@@ -14,8 +14,8 @@ import numpy.typing as npt
 
 from ..core.performance import Performance
 from .frame import FaceFrame
-from .solve import FaceSolver, checked_values
-from .springs import RATE
+from .solve import FaceSolver, checked_rows
+from .springs import RATE, Springs
 
 Array = npt.NDArray[np.float64]
 Drive = Callable[[Array], Array]
@@ -59,8 +59,7 @@ def animate(
     motion = Motion(solver, drive or between_frames(performance))
     for i in chosen:
         values = performance.values[i]
-        motion.go_to(Fraction(int(i)) / performance.fps)
-        yield solver.solve_moving(values, motion.write)
+        yield solver.solve_moving(values, *motion.go_to(Fraction(int(i)) / performance.fps))
 
 
 class Motion:
@@ -68,11 +67,14 @@ class Motion:
 
     def __init__(self, solver: FaceSolver, drive: Drive) -> None:
         self._springs, self._drive = solver.springs(), drive
-        self._step, self._share = -1, 1.0
+        self._step = -1
         self._block, self._first = np.empty((0, 0)), 0
 
-    def go_to(self, time: Fraction) -> None:
-        """Go to `time` ≥ 0 in seconds; where that is in the past, from the start again."""
+    def go_to(self, time: Fraction) -> tuple[Springs, float]:
+        """Go to `time` ≥ 0 in seconds; where that is in the past, from the start again.
+
+        Returns the skin after the step that reaches `time`, and the share of that step at which it lies.
+        """
         exact = time * RATE
         last = -(-exact.numerator // exact.denominator)
         if self._step < 0 or last < self._step:
@@ -82,11 +84,7 @@ class Motion:
         while self._step < last:
             self._step += 1
             self._springs.step(self._values(self._step))
-        self._share = float(1 - (last - exact))
-
-    def write(self, displacement: Array) -> None:
-        """Write where the free points of the skin are to `displacement` (N0, 3)."""
-        self._springs.place(self._share, displacement)
+        return self._springs, float(1 - (last - exact))
 
     def _values(self, step: int) -> Array:
         if step - self._first >= len(self._block):
@@ -94,5 +92,4 @@ class Motion:
         return np.asarray(self._block[step - self._first])
 
     def _values_from(self, step: int) -> Array:
-        values = self._drive(np.arange(step, step + BLOCK) / RATE)
-        return np.stack([checked_values(row) for row in values])
+        return checked_rows(self._drive(np.arange(step, step + BLOCK) / RATE))

@@ -11,10 +11,10 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from .jit import compiled, compiled_fast
+from .jit import compiled_fast
 
 Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
+IntArray = npt.NDArray[np.integer]
 
 
 class Rows(NamedTuple):
@@ -28,7 +28,7 @@ class Rows(NamedTuple):
     def of(cls, matrix: sp.csr_matrix) -> Rows:
         """Take the rows of a CSR matrix."""
         return cls(
-            matrix.indptr.astype(np.int32), matrix.indices.astype(np.int32), matrix.data.astype(np.float64)
+            matrix.indptr.astype(np.uint32), matrix.indices.astype(np.uint32), matrix.data.astype(np.float64)
         )
 
     def times(self, points: Array, out: Array) -> Array:
@@ -37,7 +37,7 @@ class Rows(NamedTuple):
         return out
 
 
-@compiled
+@compiled_fast
 def _times(start: IntArray, column: IntArray, weight: Array, points: Array, out: Array) -> None:
     for i in range(len(out)):
         x, y, z = 0.0, 0.0, 0.0
@@ -51,23 +51,27 @@ def _times(start: IntArray, column: IntArray, weight: Array, points: Array, out:
 
 @compiled_fast
 def carry(region: IntArray, motion: Array, moves: Array, skin: Array) -> None:
-    """Add `motion` (r, s) times `moves` (s, 3) to `skin` (N, 3) at the vertices `region` (r,)."""
+    """Add to `skin` (N, 3) at `region` (r,) the transpose of `motion` (s, r) times `moves` (s, 3)."""
+    sums = np.zeros((3, len(region)))
+    for s in range(len(moves)):
+        for c in range(3):
+            way = moves[s, c]
+            if way != 0.0:
+                for k in range(len(region)):
+                    sums[c, k] += way * motion[s, k]
     for k in range(len(region)):
-        x, y, z = 0.0, 0.0, 0.0
-        for s in range(len(moves)):
-            x += motion[k, s] * moves[s, 0]
-            y += motion[k, s] * moves[s, 1]
-            z += motion[k, s] * moves[s, 2]
-        v = region[k]
-        skin[v, 0] += x
-        skin[v, 1] += y
-        skin[v, 2] += z
+        for c in range(3):
+            skin[region[k], c] += sums[c, k]
 
 
 @compiled_fast
 def carry_upwards(region: IntArray, motion: Array, pushes: Array, skin: Array) -> None:
     """Add to the y of `skin` (N, 3) at `region` (r,) `pushes` (s,), mostly 0, times `motion` (s, r)."""
+    sums = np.zeros(len(region))
     for s in range(len(pushes)):
-        if pushes[s] != 0.0:
+        push = pushes[s]
+        if push != 0.0:
             for k in range(len(region)):
-                skin[region[k], 1] += pushes[s] * motion[s, k]
+                sums[k] += push * motion[s, k]
+    for k in range(len(region)):
+        skin[region[k], 1] += sums[k]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 import numpy as np
 import numpy.typing as npt
@@ -12,9 +13,19 @@ Array = npt.NDArray[np.float64]
 
 def about_axis(axis: Array, angle: float) -> Array:
     """Return the (3, 3) right-handed rotation by `angle` radians about the unit vector `axis` (3,)."""
-    x, y, z = (float(a) for a in axis)
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.asarray(np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross))
+    x, y, z = axis.tolist()
+    s, c = math.sin(angle), math.cos(angle)
+    k = 1.0 - c
+    return np.array(
+        [
+            [c + k * x * x, k * x * y - s * z, k * x * z + s * y],
+            [k * x * y + s * z, c + k * y * y, k * y * z - s * x],
+            [k * x * z - s * y, k * y * z + s * x, c + k * z * z],
+        ]
+    )
+
+
+_LEFT, _UP, _FORWARD = np.eye(3)
 
 
 def head_rotation(pitch: float, yaw: float, roll: float) -> Array:
@@ -22,9 +33,9 @@ def head_rotation(pitch: float, yaw: float, roll: float) -> Array:
 
     The head tilts first, then nods, then turns, so that a nod of a turned head is still a nod.
     """
-    turn = about_axis(np.array([0.0, 1.0, 0.0]), math.radians(yaw))
-    nod = about_axis(np.array([1.0, 0.0, 0.0]), -math.radians(pitch))
-    tilt = about_axis(np.array([0.0, 0.0, 1.0]), -math.radians(roll))
+    turn = about_axis(_UP, math.radians(yaw))
+    nod = about_axis(_LEFT, -math.radians(pitch))
+    tilt = about_axis(_FORWARD, -math.radians(roll))
     return np.asarray(turn @ nod @ tilt)
 
 
@@ -42,11 +53,11 @@ def direction(pitch: float, yaw: float) -> Array:
     return np.array([math.cos(p) * math.sin(y), math.sin(p), math.cos(p) * math.cos(y)])
 
 
-def forward_to(target: Array) -> Array:
+def forward_to(target: Iterable[float]) -> Array:
     """Return the (3, 3) rotation without torsion (Listing's law) that takes +z to the unit vector `target`.
 
     `target` must lie in front (z > −1).
     """
-    x, y, z = (float(t) for t in target)
+    x, y, z = map(float, target)
     k = 1.0 / (1.0 + z)
     return np.array([[1.0 - k * x * x, -k * x * y, x], [-k * x * y, 1.0 - k * y * y, y], [-x, -y, z]])

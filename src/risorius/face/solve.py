@@ -8,7 +8,7 @@ the motion, so that no closure is late.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Literal
 
 import numpy as np
@@ -26,7 +26,7 @@ from .jaw import Jaw
 from .lids import both_lids
 from .links import Links, load_links
 from .lips import Lips
-from .muscles import MuscleFields
+from .muscles import Displaced, MuscleFields
 from .network import Network
 from .products import Rows
 from .rotations import head_rotation
@@ -57,11 +57,17 @@ def checked_values(values: npt.ArrayLike) -> Array:
         raise ParameterError(
             f"values have shape {given.shape}; expected ({len(PARAMETERS)},), one per parameter"
         )
-    fits = (given >= _LOW - ROUNDING) & (given <= _HIGH + ROUNDING)
-    if not fits.all():
-        wrong = int(np.argmin(fits))
-        check_value(PARAMETERS[wrong], float(given[wrong]))
-    return np.clip(given, _LOW, _HIGH)
+    return np.asarray(checked_rows(given[None])[0])
+
+
+def checked_rows(values: Array) -> Array:
+    """Return many frames' values (n, 46), clipped; raises ParameterError as `checked_values`."""
+    clipped = np.minimum(np.maximum(values, _LOW), _HIGH)
+    over = np.abs(values - clipped)
+    if not over.max() <= ROUNDING:
+        row, wrong = np.unravel_index(int(np.argmax(~(over <= ROUNDING))), over.shape)
+        check_value(PARAMETERS[int(wrong)], float(values[row, wrong]))
+    return np.asarray(clipped)
 
 
 class FaceSolver:
@@ -88,6 +94,8 @@ class FaceSolver:
         self._muscles = MuscleFields.of(head)
         self._crowding = Crowding.of(head)
         self._network = Network.of(head)
+        self._displaced = Displaced(self._muscles)
+        self._held = Displaced(self._muscles.without(self._network.free))
         self._phases = phases
         self._stiffening = self._second_phase()
         self._lids = both_lids(head)
@@ -114,39 +122,45 @@ class FaceSolver:
         The same values give the same frame, whatever was solved before. Raises ParameterError as
         `checked_values`.
         """
-        return self.solve_moving(values, self._settle)
+        checked = checked_values(values)
+        linked = self._links.apply(checked, self._linked)
+        self._displacement[:] = self._displaced.at(linked)
+        if self._stiffening is not None:
+            self._stiffening.settle_skin(linked, self._displacement)
+        return self._finish(checked)
 
-    def solve_moving(self, values: npt.ArrayLike, move: Callable[[Array], None]) -> FaceFrame:
-        """Return the face at `values` (46,) with the skin where `move` puts it.
+    def solve_moving(self, values: npt.ArrayLike, springs: Springs, share: float) -> FaceFrame:
+        """Return the face at `values` (46,) with the free points of the skin where `springs` have them.
 
-        `move` changes the displacement (N0, 3) in mm at which the muscles are in equilibrium, before the jaw
-        turns it. Raises ParameterError as `checked_values`.
+        `share` 0..1 is the way from before the last step to after it. Raises ParameterError as
+        `checked_values`.
         """
         checked = checked_values(values)
-        checked.setflags(write=False)
-        opening = float(checked[_JAW])
-        eyes = eye_rotations(self.head.eye_centre, *checked[_GAZE].tolist())
-        self._muscles.displace(self._links.apply(checked, self._linked), self._displacement)
-        move(self._displacement)
+        self._displacement[:] = self._held.at(self._links.apply(checked, self._linked))
+        springs.place(share, self._displacement)
+        return self._finish(checked)
+
+    def _finish(self, values: Array) -> FaceFrame:
+        """Return the face at checked `values` (46,) whose muscles have displaced the skin."""
+        values.setflags(write=False)
+        opening = float(values[_JAW])
+        eyes = eye_rotations(self.head.eye_centre, *values[_GAZE].tolist())
         self._crowding.relieve(self._displacement)
-        skin, wrinkles = self._solve_skin(checked, eyes)
-        tongue = self._tongue.place(checked, self.jaw, opening)
+        skin, wrinkles = self._solve_skin(values, eyes)
+        tongue = self._tongue.place(values, self.jaw, opening)
         self._teeth.keep_in(tongue, opening)
+        teeth = np.empty(self.head.teeth_lower.vertices.shape, np.float32)
+        self.jaw.carry_to(self.head.teeth_lower.vertices, opening, teeth)
         return FaceFrame(
             skin=skin,
-            teeth_lower=self.jaw.carry(self.head.teeth_lower.vertices, opening).astype(np.float32),
+            teeth_lower=teeth,
             tongue=tongue.astype(np.float32),
             eye_rotation=eyes,
-            head_rotation=head_rotation(*checked[_HEAD].tolist()),
+            head_rotation=head_rotation(*values[_HEAD].tolist()),
             jaw_angle=opening * self.jaw.angle,
             wrinkles=wrinkles,
-            parameters=checked,
+            parameters=values,
         )
-
-    def _settle(self, displacement: Array) -> None:
-        """Bring `displacement` (N0, 3) of the linear springs to the equilibrium of the biphasic ones."""
-        if self._stiffening is not None:
-            self._stiffening.settle_skin(self._linked, displacement)
 
     def _solve_skin(self, values: Array, eyes: Array) -> tuple[Array32, Array32]:
         skin = self._skin

@@ -16,7 +16,7 @@ from ..core.parameters import NAMES
 from .biphasic import Biphasic
 from .jit import compiled_fast
 from .links import NO_LINKS, Links
-from .muscles import MuscleFields
+from .muscles import Displaced, MuscleFields
 from .network import Network, pull
 from .stiffness import REST
 
@@ -44,7 +44,7 @@ class Springs:
         second_phase: Biphasic | None = None,
     ) -> None:
         self.network = network
-        self._fields, self._links = fields.at(network.free), links
+        self._displaced, self._links = Displaced(fields.at(network.free)), links
         self._linked = np.zeros(len(NAMES))
         self._second = second_phase
         step = 1.0 / RATE
@@ -52,13 +52,12 @@ class Springs:
         self._factor = network.factor(stiffness, MASS + step * VISCOSITY)
         shape = (len(network.free), 4)
         self._place, self._before, self._velocity = np.zeros(shape), np.zeros(shape), np.zeros(shape)
-        self._strain, self._target = np.zeros(shape), np.zeros((shape[0], 3))
+        self._strain = np.zeros(shape)
 
     def settle(self, values: Array) -> None:
         """Come to rest at the equilibrium for the activations `values` (46,)."""
         linked = self._links.apply(values, self._linked)
-        self._fields.displace(linked, self._target)
-        self._place[:, :3] = self._target
+        self._place[:, :3] = self._displaced.at(linked)
         if self._second is not None:
             self._second.settle(linked, self._place)
         self._before[:] = self._place
@@ -67,9 +66,8 @@ class Springs:
     def step(self, values: Array) -> None:
         """Go on by one step of 1 / RATE seconds, under the activations `values` (46,) at its end."""
         linked = self._links.apply(values, self._linked)
-        self._fields.displace(linked, self._target)
         self._before[:] = self._place
-        _load(self._target, self._place, self._strain, self._velocity, MASS)
+        _load(self._displaced.at(linked), self._place, self._strain, self._velocity, MASS)
         net = self.network
         pull(net.start, net.column, net.weight, self._strain, 1.0 / RATE, self._velocity)
         if self._second is not None:

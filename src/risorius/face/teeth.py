@@ -12,15 +12,15 @@ from typing import Self
 
 import numpy as np
 import numpy.typing as npt
-from scipy.ndimage import maximum_filter1d, minimum_filter
+from scipy.ndimage import maximum_filter, maximum_filter1d, minimum_filter
 
 from .head import Head, Mesh
 from .jaw import Jaw
-from .jit import compiled
+from .jit import compiled, inlined
 from .rotations import about_axis
 
 Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
+IntArray = npt.NDArray[np.uint32]
 
 ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians to either side of the middle they span
 ROW = 0.8  # mm of height of a row of the tables
@@ -32,6 +32,7 @@ CLEARANCE = 0.3  # mm of skin before the teeth's front
 DEEPEST, LOST = 5.0, 8.0  # mm behind the front: up to here skin is pushed out, from there on it is elsewhere
 LINING_REACH = 14.0  # mm from the teeth's vertices to the skin that can meet them
 AHEAD = 6.0  # mm from the hindmost tooth to the middle: the last tooth has a back to go round
+SECTORS = 24  # of a full turn
 NONE = 1e3  # mm: where a row has no back
 
 
@@ -39,6 +40,8 @@ NONE = 1e3  # mm: where a row has no back
 class Row:
     """A row of teeth as tables: `middle` (z, lowest y), `front` and `back` (ANGLES, rows) mm from the middle,
     and the height `edge` (ANGLES,) of its cutting edge; `up` is 1 for the upper row, −1 for the lower one.
+    `around` (SECTORS, rows, 3) is a coarser table that costs no angle: the least and the largest front and
+    the least back in a sector, beside its row too.
     """
 
     middle: Array
@@ -46,6 +49,7 @@ class Row:
     back: Array
     edge: Array
     up: float
+    around: Array
 
     @classmethod
     def of(cls, teeth: Mesh, up: float) -> Self:
@@ -63,7 +67,8 @@ class Row:
         (np.minimum if up > 0.0 else np.maximum).at(edge, _polar(crowns, middle[0])[0], crowns[:, 1])
         front = maximum_filter1d(_rounded(front), WIDENED, axis=0, mode="nearest")
         edge = -up * maximum_filter1d(-up * edge, 3, mode="nearest")
-        return cls(middle, front, minimum_filter(back, 3, mode="nearest"), edge, up)
+        back = minimum_filter(back, 3, mode="nearest")
+        return cls(middle, front, back, edge, up, _around(front, back))
 
 
 def _samples(mesh: Mesh) -> Array:
@@ -93,6 +98,29 @@ def _rounded(front: Array) -> Array:
     return np.maximum(result, 0.0)
 
 
+def _around(front: Array, back: Array) -> Array:
+    """Return the table `around` (SECTORS, rows, 3) of a row's `front` and `back` (ANGLES, rows)."""
+    angle = np.linspace(-np.pi, np.pi, 16 * SECTORS)
+    x, out = np.sin(angle), np.cos(angle)
+    sector = np.array([_sector(*place) for place in zip(x, out, strict=True)])
+    column = _polar(np.stack([x, np.zeros_like(x), out], axis=1), 0.0)[0]
+    # With a column to either side: the outermost places are looked up between two columns.
+    inside = [
+        np.unique(np.clip(column[sector == s, None] + (-1, 0, 1), 0, ANGLES - 1)) for s in range(SECTORS)
+    ]
+    extremes = [(front[i].min(axis=0), front[i].max(axis=0), back[i].min(axis=0)) for i in inside]
+    least, largest, hindmost = (np.stack(table) for table in zip(*extremes, strict=True))
+    size = (1, 3)
+    return np.stack(
+        [
+            minimum_filter(least, size, mode="nearest"),
+            maximum_filter(largest, size, mode="nearest"),
+            minimum_filter(hindmost, size, mode="nearest"),
+        ],
+        axis=-1,
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class Teeth:
     """Both rows of a head, and the level-1 vertices `lining` (k,) of the skin that can meet them."""
@@ -110,38 +138,52 @@ class Teeth:
         front = max(mesh.vertices[:, 2].max() for mesh in (head.teeth_upper, head.teeth_lower))
         back = min(mesh.vertices[:, 2].min() for mesh in (head.teeth_upper, head.teeth_lower))
         near = (rest[:, 2] > back - LINING_REACH) & (rest[:, 2] < front + LINING_REACH)
-        lining = np.flatnonzero(soft & near).astype(np.int32)
+        lining = np.flatnonzero(soft & near).astype(np.uint32)
         return cls(Row.of(head.teeth_upper, 1.0), Row.of(head.teeth_lower, -1.0), lining, Jaw.of(head))
 
     def keep_out(self, skin: Array, opening: float) -> None:
         """Push the level-1 `skin` (N1, 3) before the teeth in place, with the jaw at `opening` 0..1."""
         for row, turn in self._rows(opening):
-            _keep_out(skin, self.lining, row.middle, row.front, turn, self.jaw.point)
+            _keep_out(skin, self.lining, row.middle, row.front, row.around, turn, self.jaw.point)
 
     def keep_in(self, tongue: Array, opening: float) -> None:
         """Push the `tongue` (n, 3) behind the teeth, or between them, in place."""
         for row, turn in self._rows(opening):
-            _keep_in(tongue, row.middle, row.back, row.edge, row.up, turn, self.jaw.point)
+            _keep_in(tongue, row.middle, row.back, row.around, row.edge, row.up, turn, self.jaw.point)
 
     def _rows(self, opening: float) -> tuple[tuple[Row, Array], tuple[Row, Array]]:
-        return (self.upper, np.eye(3)), (self.lower, about_axis(self.jaw.axis, self.jaw.angle * opening))
+        return (self.upper, _UPRIGHT), (self.lower, about_axis(self.jaw.axis, self.jaw.angle * opening))
+
+
+_UPRIGHT = np.eye(3)
 
 
 @compiled
-def _to_row(point: Array, turn: Array, hinge: Array, out: Array) -> None:
-    """Write `point` (3,) in the frame of a row that was turned by `turn` (3, 3) about `hinge` to `out`."""
-    for a in range(3):
-        out[a] = hinge[a]
-        for b in range(3):
-            out[a] += turn[b, a] * (point[b] - hinge[b])
+def _sector(x: float, out: float) -> int:
+    """Return the sector, 0 to SECTORS − 1, of the direction (x, out): even steps about a square, no angle."""
+    reach = abs(x) + abs(out)
+    along = x / reach if reach > 0.0 else 0.0
+    if out < 0.0:
+        along = (2.0 if x > 0.0 else -2.0) - along
+    return int(min(max((along + 2.0) * 0.25 * SECTORS, 0.0), SECTORS - 1.0))
 
 
-@compiled
-def _from_row(place: Array, turn: Array, hinge: Array, out: Array) -> None:
+@inlined
+def _to_row(points: Array, v: int, turn: Array, hinge: Array) -> tuple[float, float, float]:
+    """Return point v in the frame of a row that was turned by `turn` (3, 3) about `hinge`."""
+    x, y, z = points[v, 0] - hinge[0], points[v, 1] - hinge[1], points[v, 2] - hinge[2]
+    return (
+        turn[0, 0] * x + turn[1, 0] * y + turn[2, 0] * z + hinge[0],
+        turn[0, 1] * x + turn[1, 1] * y + turn[2, 1] * z + hinge[1],
+        turn[0, 2] * x + turn[1, 2] * y + turn[2, 2] * z + hinge[2],
+    )
+
+
+@inlined
+def _from_row(x: float, y: float, z: float, turn: Array, hinge: Array, points: Array, v: int) -> None:
+    x, y, z = x - hinge[0], y - hinge[1], z - hinge[2]
     for a in range(3):
-        out[a] = hinge[a]
-        for b in range(3):
-            out[a] += turn[a, b] * (place[b] - hinge[b])
+        points[v, a] = turn[a, 0] * x + turn[a, 1] * y + turn[a, 2] * z + hinge[a]
 
 
 @compiled
@@ -150,11 +192,9 @@ def _column(x: float, out: float) -> float:
     return float(min(max((angle + 1.0) * 0.5 * (ANGLES - 1), 0.0), ANGLES - 1.001))
 
 
-@compiled
+@inlined
 def _look_up(table: Array, column: float, row: float) -> float:
-    """Return the value of `table` (ANGLES, rows) between its entries; the last ones are kept beyond it."""
-    last = table.shape[1] - 1.001
-    row = min(max(row, 0.0), last)
+    """Return the value of `table` (ANGLES, rows) between its entries; `row` lies within them."""
     i, j = int(column), int(row)
     s, t = column - i, row - j
     low = (1.0 - s) * table[i, j] + s * table[i + 1, j]
@@ -163,53 +203,52 @@ def _look_up(table: Array, column: float, row: float) -> float:
 
 
 @compiled
-def _depth(place: Array, middle: Array, front: Array) -> float:
-    """Return how far `place` (3,), in the frame of a row, lies behind its front; negative before it."""
-    row = (place[1] - middle[1]) / ROW
-    beyond = max(0.0, -row, row - front.shape[1] + 1.0)
-    x, out = place[0], place[2] - middle[0]
-    radius = _look_up(front, _column(x, out), row) - ROUNDING * beyond
-    return float(radius + CLEARANCE - np.hypot(x, out))
-
-
-@compiled
 def _keep_out(
-    skin: Array, vertices: IntArray, middle: Array, front: Array, turn: Array, hinge: Array
+    skin: Array, vertices: IntArray, middle: Array, front: Array, around: Array, turn: Array, hinge: Array
 ) -> None:
-    place = np.empty(3)
+    last = front.shape[1] - 1.001
     for v in vertices:
-        _to_row(skin[v], turn, hinge, place)
-        depth = _depth(place, middle, front)
+        x, y, z = _to_row(skin, v, turn, hinge)
+        row, out = (y - middle[1]) / ROW, z - middle[0]
+        far, beyond = np.sqrt(x * x + out * out), max(0.0, -row, row - front.shape[1] + 1.0)
+        row = min(max(row, 0.0), last)
+        offset = CLEARANCE - ROUNDING * beyond - far
+        sector, j = _sector(x, out), int(row)
+        if around[sector, j, 1] + offset <= 0.0 or around[sector, j, 0] + offset >= LOST:
+            continue
+        depth = _look_up(front, _column(x, out), row) + offset
         if depth <= 0.0 or depth >= LOST:
             continue
-        x, out = place[0], place[2] - middle[0]
-        push = depth * min(1.0, (LOST - depth) / (LOST - DEEPEST)) / max(np.hypot(x, out), CLEARANCE)
-        place[0] += push * x
-        place[2] += push * out
-        _from_row(place, turn, hinge, skin[v])
+        push = 1.0 + depth * min(1.0, (LOST - depth) / (LOST - DEEPEST)) / max(far, CLEARANCE)
+        _from_row(push * x, y, push * out + middle[0], turn, hinge, skin, v)
 
 
 @compiled
 def _keep_in(
-    tongue: Array, middle: Array, back: Array, edge: Array, up: float, turn: Array, hinge: Array
+    tongue: Array,
+    middle: Array,
+    back: Array,
+    around: Array,
+    edge: Array,
+    up: float,
+    turn: Array,
+    hinge: Array,
 ) -> None:
-    place = np.empty(3)
     for v in range(len(tongue)):
-        _to_row(tongue[v], turn, hinge, place)
-        x, out = place[0], place[2] - middle[0]
-        radius = np.hypot(x, out)
+        x, y, z = _to_row(tongue, v, turn, hinge)
+        out = z - middle[0]
+        radius = np.sqrt(x * x + out * out)
+        nearest = round(min(max((y - middle[1]) / ROW, 0.0), back.shape[1] - 1.0))
+        if radius < max(around[_sector(x, out), nearest, 2], 1.0):
+            continue
         column = _column(x, out)
         i, s = int(column), column - int(column)
-        beyond = up * (place[1] - ((1.0 - s) * edge[i] + s * edge[i + 1]))
-        if beyond <= 0.0 or radius < 1.0:
-            continue
-        nearest = round(min(max((place[1] - middle[1]) / ROW, 0.0), back.shape[1] - 1.0))
+        beyond = up * (y - ((1.0 - s) * edge[i] + s * edge[i + 1]))
         behind = radius - min(back[i, nearest], back[i + 1, nearest])
-        if behind <= 0.0:
+        if beyond <= 0.0 or behind <= 0.0:
             continue
         if beyond < behind:
-            place[1] -= up * beyond
+            y -= up * beyond
         else:
-            place[0] -= behind * x / radius
-            place[2] -= behind * out / radius
-        _from_row(place, turn, hinge, tongue[v])
+            x, out = x - behind * x / radius, out - behind * out / radius
+        _from_row(x, y, out + middle[0], turn, hinge, tongue, v)

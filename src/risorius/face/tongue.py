@@ -15,6 +15,7 @@ import scipy.sparse as sp
 from ..core.parameters import INDEX
 from .head import TONGUE_FIELDS, Head
 from .jaw import Jaw
+from .jit import compiled
 
 Array = npt.NDArray[np.float64]
 
@@ -50,10 +51,24 @@ class TongueShapes:
     def place(self, values: Array, jaw: Jaw, opening: float) -> Array:
         """Return the tongue (n1, 3) in mm for `values` (46,), with the jaw at `opening` 0..1."""
         active = values[self.columns]
-        opened = float(np.clip((opening - STANDS_UP_TO) / (1.0 - STANDS_UP_TO), 0.0, 1.0))
+        opened = min(max((opening - STANDS_UP_TO) / (1.0 - STANDS_UP_TO), 0.0), 1.0)
         lies = opened * (2.0 - opened) * (1.0 - float(active.max()))
-        moved = self.rest + np.tensordot(active, self.shapes, axes=1) + lies * self.lying
-        return jaw.carry(moved, opening)
+        moved = np.empty_like(self.rest)
+        _shape(self.rest, self.shapes, active, self.lying, lies, moved)
+        jaw.carry_to(moved, opening, moved)
+        return moved
+
+
+@compiled
+def _shape(rest: Array, shapes: Array, active: Array, lying: Array, lies: float, out: Array) -> None:
+    for v in range(len(rest)):
+        for c in range(3):
+            out[v, c] = rest[v, c] + lies * lying[v, c]
+    for s in range(len(active)):
+        if active[s] != 0.0:
+            for v in range(len(rest)):
+                for c in range(3):
+                    out[v, c] += active[s] * shapes[s, v, c]
 
 
 def _lying(rest: Array) -> Array:

@@ -22,7 +22,7 @@ from .regions import Placed, check_factors, place_regions
 
 Array = npt.NDArray[np.float64]
 Array32 = npt.NDArray[np.float32]
-IntArray = npt.NDArray[np.int32]
+IntArray = npt.NDArray[np.uint32]
 
 # Excess length that lies flat before a fold rises: a square root alone would start infinitely steep, and the
 # least tremor would show.
@@ -87,9 +87,9 @@ class _Raised:
         order = np.argsort(quads.ravel(), kind="stable")
         starts = np.searchsorted(quads.ravel()[order], np.arange(head.skin.matrix.shape[0] + 1))
         around = [quads[owner[order[starts[v] : starts[v + 1]]]] for v in vertices]
-        self._vertices = vertices.astype(np.int32)
-        self._start = np.concatenate([[0], np.cumsum([len(a) for a in around])]).astype(np.int32)
-        self._around = np.concatenate(around).astype(np.int32)
+        self._vertices = vertices.astype(np.uint32)
+        self._start = np.concatenate([[0], np.cumsum([len(a) for a in around])]).astype(np.uint32)
+        self._around = np.concatenate(around).astype(np.uint32)
         self._step = np.zeros((len(vertices), 3))
 
     def move(self, lift: Array, fine: Array) -> None:
@@ -150,11 +150,14 @@ def _fold(
     lift: Array,
 ) -> None:
     for r in range(len(stretch)):
-        width, give, gain, static, cap = law[zone[r]]
-        moving = gain * fold_height(width, stretch[r], give)
+        z, v = zone[r], vertex[r]
+        static, cap = law[z, 3], law[z, 4]
+        moving = law[z, 2] * fold_height(law[z, 0], stretch[r], law[z, 1])
         kept = static * min(1.0, max(0.0, 1.0 - (stretch[r] - 1.0) / OPENED))
-        heights[vertex[r], zone[r]] = mask[r] * cap * np.tanh((moving + kept) / cap)
-        lift[vertex[r]] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
+        if moving + kept > 0.0:
+            heights[v, z] = mask[r] * cap * np.tanh((moving + kept) / cap)
+        if moving > 0.0 and relief[r] != 0.0:
+            lift[v] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
 
 
 @compiled
