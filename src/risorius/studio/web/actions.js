@@ -1,3 +1,5 @@
+import { changedTake, takeOf } from "./take.js";
+
 /**
  * What the user can have done, by name: each asks the server, and puts its answer into the store.
  *
@@ -7,44 +9,54 @@
 export class Actions {
   #store;
   #connection;
-  #clock;
   #notify;
 
   /**
    * @param {import("./store.js").Store} store
    * @param {import("./connection.js").Connection} connection
-   * @param {import("./clock.js").Clock} clock
    * @param {(text: string) => void} notify says a line to the user
    */
-  constructor(store, connection, clock, notify) {
+  constructor(store, connection, notify) {
     this.#store = store;
     this.#connection = connection;
-    this.#clock = clock;
     this.#notify = notify;
   }
 
-  /** Perform the script of the store with its spans and settings anew. */
+  /** Perform the store's source with its emotions and choices anew. */
   perform() {
-    const { script, spans, settings } = this.#store;
-    return this.#changing("perform", { script, spans, settings }, "Performing …");
+    const parts = Object.fromEntries(["source", "choices", "emotions"].map((n) => [n, this.#store.get(n)]));
+    return this.#changing("perform", parts, "Performing …");
   }
 
   /**
-   * Change the score: "move", "stretch", "add", "delete", "keys", "clear_keys", …
-   * @param {string} kind @param {Record<string, any>} fields as the wire names them
+   * Perform the same source with other choices or emotions; those left out stay.
+   * @param {{choices?: object, emotions?: object[]}} parts `choices` holds only what is other than before
+   */
+  choose({ choices, emotions }) {
+    const asked = {};
+    if (choices) asked.choices = { ...this.#store.get("choices"), ...choices };
+    if (emotions) asked.emotions = emotions;
+    this.#store.set(asked);
+    return this.#store.get("take") ? this.#changing("choose", asked, "Performing …") : null;
+  }
+
+  /**
+   * Change the score.
+   * @param {string} kind one of the wire's edits: "move", "stretch", "retarget", "add", "delete", "keys", …
+   * @param {Record<string, any>} fields as the wire names them
    */
   edit(kind, fields) {
     return this.#changing("edit", { kind, ...fields }, "");
   }
 
-  /** Take back the last change of the score. */
+  /** Take back the last change. */
   undo() {
-    return this.#changing("undo", {}, "");
+    return this.#store.get("take")?.can_undo ? this.#changing("undo", {}, "") : null;
   }
 
-  /** Do again what was taken back. */
+  /** Make the change that was taken back last again. */
   redo() {
-    return this.#changing("redo", {}, "");
+    return this.#store.get("take")?.can_redo ? this.#changing("redo", {}, "") : null;
   }
 
   /**
@@ -69,10 +81,21 @@ export class Actions {
   }
 
   async #changing(verb, fields, busy) {
-    this.#store.set({ busy });
+    this.#store.set({ busy, saved: "saving" });
     const answer = await this.ask(verb, fields);
     this.#store.set({ busy: "" });
-    if (answer?.take) this.#store.set({ take: answer.take });
+    if (answer === null) return null;
+    this.#take(answer);
     return answer;
+  }
+
+  /** Put the answer to a change into the store: a whole take, or what became other in it. */
+  #take(answer) {
+    const before = this.#store.get("take");
+    const whole = answer.duration !== undefined || answer.whole;
+    const take = answer.duration === undefined ? changedTake(before, answer) : takeOf(answer);
+    const [first, last] = whole ? [0, take.frames] : [answer.from_frame, answer.to_frame];
+    const { source, choices, emotions } = take.made;
+    this.#store.set({ take, faces: { take: take.take, first, last }, source, choices, emotions, dial: null });
   }
 }

@@ -6,18 +6,21 @@
  *
  * Parts:
  *   catalogue   tables of the server (GET /api/catalogue); null until loaded
- *   session     {id, name}; null until open
- *   link        "up" | "down" | "lost": the socket
- *   saved       "saved" | "saving" | "failed"
- *   settings    settings of the performance, as the wire names them
- *   script      text to be said
- *   spans       emotions on stretches of the text
- *   take        the current take as the server describes it; null before the first
- *   busy        sentence of what is being waited for; "" when nothing is
+ *   session     the session's id; "" until open
+ *   link        "up" | "down"
+ *   saved       "saved" | "saving" | a line that says why it failed
+ *   source      {script, format, recording}: what is to be performed (`Source` of the wire)
+ *   choices     `Choices` of the wire: the settings of the next performance
+ *   emotions    `EmotionSpan`s of the wire
+ *   take        the current take (`take.js`); null before the first
+ *   faces       {take, first, last}: frames whose faces are other than before, set with each new take
+ *   busy        a sentence on what is being waited for; "" when nothing is
  *   selection   {time, parameter, movement}: what was last pointed at in timeline or rules; each may be null
  *   other       the second take of a comparison; null without one
- *   dial        {name: value} while dials show a face of their own; null while the take is shown
+ *   dial        what dials hold, as `Dial` of the wire; null while the take is shown
+ *   recordings  names of the recordings that the session has
  *   camera      name of the camera
+ *   tab         name of the panel that is open
  */
 export class Store {
   #parts;
