@@ -1,7 +1,7 @@
 /**
- * A head in the scene: its meshes, and how a frame of the server moves them.
+ * A head in the scene: its meshes, and how a face of the server moves them.
  *
- * Lengths are mm in the head's frame as in the server's frames; the figure's group is scaled to metres.
+ * Lengths are mm in the head's frame as in the server's messages; the figure's group is scaled to metres.
  * The skin stays with the body by the share that the neck keeps, all else turns with the head.
  */
 
@@ -11,102 +11,81 @@ import { materialOf } from "./materials.js";
 import { computeNormals } from "./normals.js";
 
 const MM = 1000;
-const FROM_SKIN = ["brows", "lashes"];
+const HAIRS = ["brows", "lashes", "hair"];
+const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
+const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
+const SKIN_NAMES = { ...NAMES, JOINTS_0: "skinIndex", WEIGHTS_0: "skinWeight" };
 
 /**
  * @param {ArrayBuffer} file the head as binary glTF
- * @param {THREE.Texture} surroundings what the eyes mirror
+ * @param {object} packing how faces of this head are packed, as the server describes it
+ * @param {{surroundings: THREE.Texture, simple: boolean}} drawing what the eyes mirror; whether to shade simply
  */
-export async function buildFigure(file, surroundings) {
+export async function buildFigure(file, packing, drawing) {
   const glb = readGlb(file);
-  const iris = await irisTexture(glb.images[0]);
-  return new Figure(glb, { iris, surroundings });
+  return new Figure(glb, packing, { ...drawing, iris: await irisTexture(glb.images[0]) });
 }
 
 export class Figure {
-  /** The figure in the scene. @type {THREE.Group} */
+  /** The figure in the scene. */
   group = new THREE.Group();
-  /** Vertices that each frame brings, in this order. @type {Record<string, number>} */
-  moving = {};
+  #packing;
   #meshes = {};
   #head = new THREE.Bone();
   #body = new THREE.Bone();
   #eyes = [];
-  #riders = [];
 
-  constructor(glb, pictures) {
-    const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node]));
-    this.pivot = new THREE.Vector3(...places.head.translation).multiplyScalar(MM);
+  constructor(glb, packing, drawing) {
+    this.#packing = packing;
+    this.pivot = new THREE.Vector3(...packing.pivot);
     this.#head.position.copy(this.pivot);
     this.#body.add(this.#head);
     this.group.add(this.#body);
     this.group.scale.setScalar(1 / MM);
-    for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
-    for (const name of ["skin", "tongue", "teeth_lower"]) {
-      this.moving[name] = this.#meshes[name].geometry.attributes.position.count;
-    }
+    const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
+    for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], drawing);
     this.#placeMouth();
   }
 
-  /** Points of the skin in mm, as last shown. */
-  get skin() {
-    return this.#meshes.skin.geometry.attributes.position.array;
-  }
-
-  /** Triangles of the skin. */
-  get triangles() {
-    return this.#meshes.skin.geometry.index.array;
+  /** How many numbers a face of this head has. */
+  get coordinates() {
+    return 3 * this.#packing.vertices;
   }
 
   /**
-   * Show a frame, or what lies between two.
-   * @param {Face} a @param {Face} b @param {number} share 0 shows `a`, 1 shows `b`
-   * @typedef {{points: Int16Array | Float32Array, scale: number, head: number[], eyes: number[][]}} Face
+   * Show a face, or what lies between two.
+   * @param {import("./faces.js").Face} a @param {import("./faces.js").Face} b
+   * @param {number} share 0 shows `a`, 1 shows `b`
    */
   show(a, b, share) {
-    let from = 0;
-    for (const [name, count] of Object.entries(this.moving)) {
-      const about = name === "skin" ? null : this.pivot;
-      this.#place(this.#meshes[name].geometry, from, count, a, b, share, about);
-      from += 3 * count;
-    }
-    this.#ride();
+    for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
     turn(this.#head.quaternion, a.head, b.head, share);
     this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
   }
 
+  /** Free what the graphics card holds. */
   dispose() {
-    for (const mesh of Object.values(this.#meshes)) {
-      mesh.geometry.dispose();
-      mesh.material.dispose();
+    for (const { geometry, material } of Object.values(this.#meshes)) {
+      geometry.dispose();
+      material.dispose();
     }
     this.group.removeFromParent();
   }
 
-  #add(name, data, place, pictures) {
-    const geometry = new THREE.BufferGeometry();
-    const still = !(name in { skin: 0, tongue: 0, teeth_lower: 0, brows: 0, lashes: 0 });
-    for (const [key, attribute] of Object.entries(attributesOf(data, name))) {
-      if (!still && key !== "color") attribute.setUsage(THREE.DynamicDrawUsage);
-      geometry.setAttribute(key, attribute);
-    }
-    geometry.setIndex(new THREE.BufferAttribute(data.index, 1));
-    const material = materialOf(data.material.name, pictures);
+  #add(name, data, translation, drawing) {
+    const moves = this.#packing.parts.some((part) => part.name === name);
+    const geometry = geometryOf(data, name === "skin" ? SKIN_NAMES : NAMES, moves);
+    const material = materialOf(data.material.name, drawing, drawing.simple);
     const mesh = name === "skin" ? this.#skinned(geometry, material) : new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
     mesh.castShadow = name === "skin" || name === "hair";
-    mesh.receiveShadow = name !== "lashes" && name !== "brows";
+    mesh.receiveShadow = !HAIRS.includes(name);
     this.#meshes[name] = mesh;
-    if (name === "skin") {
-      this.group.add(mesh);
-      return;
-    }
-    this.#head.add(mesh);
-    if (place.translation) {
-      mesh.position.set(...place.translation).multiplyScalar(MM);
+    (name === "skin" ? this.group : this.#head).add(mesh);
+    if (translation) {
+      mesh.position.set(...translation).multiplyScalar(MM);
       this.#eyes.push(mesh);
     }
-    if (FROM_SKIN.includes(name) && data.attributes._ROOTS) this.#riders.push(rider(geometry, data, this.pivot));
   }
 
   #skinned(geometry, material) {
@@ -116,42 +95,21 @@ export class Figure {
     return mesh;
   }
 
-  #place(geometry, from, count, a, b, share, about) {
-    const { position, normal } = geometry.attributes;
-    const points = position.array;
-    const [p, q] = [a.points, b.points];
-    const [u, v] = [a.scale * (1 - share), b.scale * share];
-    for (let k = 0; k < 3 * count; k++) points[k] = u * p[from + k] + v * q[from + k];
-    if (about) {
-      for (let k = 0; k < 3 * count; k += 3) {
-        points[k] -= about.x;
-        points[k + 1] -= about.y;
-        points[k + 2] -= about.z;
+  #place({ name, first, count, about }, a, b, share) {
+    const { attributes, index } = this.#meshes[name].geometry;
+    const { step, origin } = this.#packing;
+    const points = attributes.position.array;
+    const [u, v] = [step * (1 - share), step * share];
+    for (let axis = 0; axis < 3; axis++) {
+      const shift = origin[axis] - about[axis];
+      for (let k = axis, from = 3 * first + axis; k < 3 * count; k += 3, from += 3) {
+        points[k] = u * a[from] + v * b[from] + shift;
       }
     }
-    computeNormals(points, geometry.index.array, normal.array);
-    position.needsUpdate = true;
-    normal.needsUpdate = true;
-  }
-
-  #ride() {
-    const skin = this.skin;
-    for (const { position, offsets, roots, weights } of this.#riders) {
-      const points = position.array;
-      for (let k = 0; k < points.length; k += 3) {
-        let [x, y, z] = [offsets[k], offsets[k + 1], offsets[k + 2]];
-        for (let r = k; r < k + 3; r++) {
-          const [at, weight] = [3 * roots[r], weights[r]];
-          x += weight * skin[at];
-          y += weight * skin[at + 1];
-          z += weight * skin[at + 2];
-        }
-        points[k] = x;
-        points[k + 1] = y;
-        points[k + 2] = z;
-      }
-      position.needsUpdate = true;
-    }
+    attributes.position.needsUpdate = true;
+    if (HAIRS.includes(name)) return;
+    computeNormals(points, index.array, attributes.normal.array);
+    attributes.normal.needsUpdate = true;
   }
 
   /** Tell the mouth's materials where its front and back are. */
@@ -159,47 +117,35 @@ export class Figure {
     const { geometry } = this.#meshes.teeth_upper;
     geometry.computeBoundingBox();
     const front = geometry.boundingBox.max.z;
-    for (const name of ["teeth_upper", "teeth_lower", "tongue"]) {
-      this.#meshes[name].material.userData.mouth.value.set(front - 26, front - 2);
-    }
+    for (const name of MOUTH) this.#meshes[name].material.userData.mouth.value.set(front - 26, front - 2);
   }
 }
 
-function attributesOf(data, name) {
-  const names = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
-  if (name === "skin") Object.assign(names, { JOINTS_0: "skinIndex", WEIGHTS_0: "skinWeight" });
-  const attributes = {};
+function geometryOf(data, names, moves) {
+  const geometry = new THREE.BufferGeometry();
   for (const [theirs, ours] of Object.entries(names)) {
     const found = data.attributes[theirs];
     if (!found) continue;
     const array = found.array.slice();
     if (ours === "position") for (let k = 0; k < array.length; k++) array[k] *= MM;
-    attributes[ours] = new THREE.BufferAttribute(array, found.width, found.normalized);
+    const attribute = new THREE.BufferAttribute(array, found.width, found.normalized);
+    if (moves && (ours === "position" || ours === "normal")) attribute.setUsage(THREE.DynamicDrawUsage);
+    geometry.setAttribute(ours, attribute);
   }
-  return attributes;
+  return geometry.setIndex(new THREE.BufferAttribute(data.index, 1));
 }
 
-/** What a hair needs to go along with the skin: where it stands off its roots at rest. */
-function rider(geometry, data, pivot) {
-  const [roots, weights] = [data.attributes._ROOTS.array, data.attributes._WEIGHTS.array];
-  const skin = data.attributes._HOME.array;
-  const { position } = geometry.attributes;
-  const offsets = position.array.map((value, k) => value - skin[k] * MM);
-  void pivot;
-  return { position, offsets, roots, weights };
-}
+const TARGET = new THREE.Quaternion();
 
 function turn(quaternion, a, b, share) {
   quaternion.fromArray(a).slerp(TARGET.fromArray(b), share);
 }
-const TARGET = new THREE.Quaternion();
 
 async function irisTexture(blob) {
   const texture = new THREE.Texture(await createImageBitmap(blob));
   texture.colorSpace = THREE.SRGBColorSpace;
   texture.flipY = false;
   texture.anisotropy = 4;
-  texture.generateMipmaps = true;
   texture.needsUpdate = true;
   return texture;
 }
