@@ -5,12 +5,12 @@
 
 export const RULER = 20;
 const SPEECH = [
-  ["wave", 36],
-  ["words", 17],
-  ["phones", 16],
+  ["wave", 34],
+  ["words", 16],
+  ["phones", 15],
 ];
-export const BLOCK = 19; // height of one row of blocks
-const LANE_PAD = 3;
+export const BLOCK = 17; // height of one row of blocks
+const LANE_PAD = 2;
 export const GRAPH = 52;
 
 /** @param {import("./model.js").Model} model @returns {{kind: string, y: number, height: number}[]} */

@@ -1,0 +1,1 @@
+export function mountPerform(element) { element.textContent = ""; }
