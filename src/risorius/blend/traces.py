@@ -15,6 +15,7 @@ from .concatenate import SIGNED
 from .directions import shares_of
 from .intervals import Array
 from .limits import LIPS
+from .manual import hidden
 from .plan import Moment, Plan
 
 _LEAST = 1e-9
@@ -79,8 +80,8 @@ def traces(plan: Plan, parameter: str, times: Array) -> tuple[Trace, ...]:
 def _turned(moment: Moment, name: str) -> Iterator[tuple[str, Array, Array]]:
     terms = moment.terms(name)
     shares = shares_of(name, [term for _, term in terms])
-    for ((channel, _), term), share in zip(terms, shares, strict=True):
-        yield channel.name, term, share
+    for ((channel, curve), term), share in zip(terms, shares, strict=True):
+        yield channel.name, term + hidden(curve, moment.times), share
 
 
 def _moved(moment: Moment, name: str) -> Iterator[tuple[str, Array, Array]]:
@@ -96,4 +97,5 @@ def _part(moment: Moment, channel: Channel, name: str, own: Array) -> tuple[Arra
     asked[index] = values
     left = moment.settle(channel, name, moment.times[index], values)
     given[index] = left if channel.name == LIPS else moment.bounded(channel, name, index, left, own)
-    return asked, given
+    replaced = [hidden(curve, moment.times) for curve in channel.curves[name]]
+    return np.maximum(asked, np.max(replaced, axis=0)), given

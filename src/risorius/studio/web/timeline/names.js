@@ -62,7 +62,7 @@ export class Names {
       h("button", { class: "tl-graph-name", "data-name": base, title, onclick: explain }, number + spoken(base)),
       this.#side(base),
       h("button", { "aria-label": `Put the graph of ${spoken(base)} away`, title: "Put away", onclick: away }, "×"),
-    ].filter((part) => part !== null);
+    ];
   }
 
   #side(base) {
