@@ -12,11 +12,14 @@ export function shortcuts(root, desk, add) {
     "-": () => desk.zoom(1 / ZOOM),
     n: () => add(),
     d: () => root.querySelector("#tl-draw").click(),
+    ArrowLeft: () => desk.clock.step(-1),
+    ArrowRight: () => desk.clock.step(1),
+    Escape: () => desk.choose(null),
     Delete: () => desk.remove(),
     Backspace: () => desk.remove(),
   };
   root.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || typing(event.target)) return;
     const act = keys[event.key];
     if (!act || !desk.scene.model) return;
     event.preventDefault();
