@@ -62,7 +62,7 @@ def speak(
     settings = settings or Settings()
     if given is not None and given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
-    settings = _looking_like(profile_of(settings.profile), settings)
+    settings = looking_like(profile_of(settings.profile), settings)
     displays = _displays(emotion)
     utterance: Utterance | None
     if given is None or audio is not None or transcript is not None or holds_labels(given, text):
@@ -70,18 +70,19 @@ def speak(
     else:
         script = read_script(given, text=text, source=source)
         progress("Speaking …")
-        utterance = _spoken(script, displays, settings) if script.lines else None
+        utterance = spoken(script, displays, settings) if script.lines else None
     score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
 
 
-def _looking_like(speaker: Profile, settings: Settings) -> Settings:
+def looking_like(speaker: Profile, settings: Settings) -> Settings:
     """Return settings with the speaker's skin where they leave it open."""
     age = speaker.age if settings.age is None else settings.age
     return replace(settings, age=age, wrinkles={**speaker.wrinkles, **settings.wrinkles})
 
 
-def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
+def spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
+    """Speak a script's lines as the settings want it, the voice coloured by emotions."""
     return say(
         script,
         voice=settings.voice,

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property, partial
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -113,16 +113,23 @@ class Take:
         options = WriteOptions(chosen.size, chosen.at, chosen.every, chosen.look.transparent)
         write_targets(self._material(progress), check_targets(paths), options)
 
-    def faces(self, indices: Sequence[int] | None = None) -> Iterator[FaceFrame]:
+    def faces(
+        self,
+        indices: Sequence[int] | None = None,
+        *,
+        lead_in: float | None = None,
+        solver: FaceSolver | None = None,
+    ) -> Iterator[FaceFrame]:
         """Yield the face of every frame, or of the frames in `indices`, one at a time.
 
         A frame is the same whichever others are asked for: with a skin of springs, those before it are gone
-        through.
+        through, or with `lead_in` only those in so many seconds before the first (1 s: equal to 1e-6 mm).
+        `solver` is one that the caller keeps warm, made as `make_solver` does.
         """
         from .face.motion import animate
 
-        moving = self.settings.dynamics != "static"
-        return animate(self.performance, self._solver, moving, self._curves_between_frames, indices)
+        moving, drive = self.settings.dynamics != "static", self._curves_between_frames
+        return animate(self.performance, solver or self._solver, moving, drive, indices, lead_in)
 
     def _curves_between_frames(self, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         return self._plan.at(np.minimum(times, self.performance.times[-1]))
@@ -212,14 +219,17 @@ class Take:
 
     @cached_property
     def _solver(self) -> FaceSolver:
-        from .face.solve import FaceSolver
+        return make_solver(self.settings)
 
-        return FaceSolver(
-            self.head,
-            phases="biphasic" if self.settings.dynamics == "biphasic" else "linear",
-            age=self.head.identity.age,
-            wrinkles=self.settings.wrinkles,
-        )
+
+def make_solver(settings: Settings) -> FaceSolver:
+    """Return a solver for the head, age, wrinkles and skin that settings choose; HeadError if none is."""
+    from .face.head import load_head
+    from .face.solve import FaceSolver
+
+    head = load_head(settings.head, age=settings.age)
+    phases: Literal["linear", "biphasic"] = "biphasic" if settings.dynamics == "biphasic" else "linear"
+    return FaceSolver(head, phases=phases, age=head.identity.age, wrinkles=settings.wrinkles)
 
 
 def lip_rig(score: Score, head: str) -> LipRig | None:

@@ -64,6 +64,14 @@ class Movement:
         return self.id or f"{self.channel}@{self.start:g}"
 
 
+def fitted(onset: float, offset: float, length: float) -> tuple[float, float]:
+    """Return an onset and offset, shrunk in proportion where they are too long for a movement's length."""
+    if onset + offset <= length:
+        return onset, offset
+    factor = length / (onset + offset)
+    return onset * factor, offset * factor
+
+
 @dataclass(frozen=True, slots=True)
 class Dominance:
     """How strongly a lip segment holds one parameter (Cohen and Massaro; facts: science/01, section 1.1).

@@ -1,0 +1,159 @@
+"""The routes: the page and its files, the catalogue, heads and sounds, and the sockets of the sessions."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from functools import partial
+from importlib import resources
+from pathlib import Path
+
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import FileResponse, PlainTextResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocket
+
+from ..errors import InputError, RisoriusError, unknown
+from ..face.head import shipped_heads
+from .catalogue import catalogue_json
+from .connection import Connection, Room
+from .guard import Guard
+from .mesh import head_glb
+from .session import Session
+from .solvers import Solvers, stage_of
+
+WEB = Path(str(resources.files(__package__) / "web"))
+NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
+SAME_FOR_AN_HOUR = {"cache-control": "private, max-age=3600"}
+
+
+class Studio:
+    """The server's state: its folder, the sessions that are open, the solvers that are warm."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.rooms: dict[str, Room] = {}
+        self.solvers = Solvers()
+
+    def room(self, name: str) -> Room:
+        """Return a session by its name, opened if it is not; raise InputError for what is no name."""
+        if not NAME.fullmatch(name):
+            raise InputError("the session's name is not one; expected up to 40 of a-z, 0-9 and -")
+        if name not in self.rooms:
+            folder = self.folder / name
+            folder.mkdir(parents=True, exist_ok=True)
+            self.rooms[name] = Room(Session(name, folder))
+        return self.rooms[name]
+
+    def app(self) -> Starlette:
+        """Return the application."""
+        routes = [
+            Route("/", page),
+            Mount("/web", StaticFiles(directory=WEB)),
+            Route("/api/catalogue", catalogue),
+            Route("/api/head", head),
+            Route("/api/stage", stage),
+            Route("/api/session/{session}/take/{take:int}/sound.wav", self.sound),
+            WebSocketRoute("/ws/{session}", self.socket),
+        ]
+        guard = [Middleware(Guard)]
+        return Starlette(routes=routes, middleware=guard, lifespan=self._lifespan)
+
+    @asynccontextmanager
+    async def _lifespan(self, app: Starlette) -> AsyncIterator[None]:
+        warming = asyncio.get_running_loop().run_in_executor(None, self.warm)
+        yield
+        warming.cancel()
+        for room in self.rooms.values():
+            room.worker.shutdown(wait=False, cancel_futures=True)
+
+    def warm(self) -> None:
+        """Load and compile what the first play needs."""
+        catalogue_json()
+        self.solvers.warm()
+        _glb("standard", None, None, None)
+
+    async def socket(self, socket: WebSocket) -> None:
+        """Serve a page's socket."""
+        try:
+            room = self.room(socket.path_params["session"])
+        except InputError:
+            await socket.close(1008)
+            return
+        await Connection(socket, room, self.solvers).run()
+
+    async def sound(self, request: Request) -> Response:
+        """Return a take's sound."""
+        try:
+            live = self.room(request.path_params["session"]).session.live(request.path_params["take"])
+        except InputError as error:
+            return _refused(error, 404)
+        audio = live.take.utterance.audio if live.take.utterance else None
+        if audio is None:
+            return _refused(InputError("nothing is said in this take"), 404)
+        return FileResponse(audio.path, media_type="audio/wav")
+
+
+async def page(request: Request) -> Response:
+    """Return the page."""
+    return FileResponse(WEB / "index.html", headers={"cache-control": "no-cache"})
+
+
+async def catalogue(request: Request) -> Response:
+    """Return all tables."""
+    data = await run_in_threadpool(catalogue_json)
+    return Response(data, media_type="application/json", headers={"cache-control": "no-cache"})
+
+
+async def head(request: Request) -> Response:
+    """Return a head at rest as `.glb`."""
+    return await _of_head(request, _glb, "model/gltf-binary")
+
+
+async def stage(request: Request) -> Response:
+    """Return how a head's faces are unpacked (Stage in `web/wire.js`)."""
+    return await _of_head(request, _described, "application/json")
+
+
+async def _of_head(request: Request, make, kind: str) -> Response:  # type: ignore[no-untyped-def]
+    try:
+        chosen = _looks(request)
+        data = await run_in_threadpool(partial(make, *chosen))
+    except RisoriusError as error:
+        return _refused(error, 400)
+    return Response(data, media_type=kind, headers=SAME_FOR_AN_HOUR)
+
+
+def _looks(request: Request) -> tuple[str, float | None, str | None, float | None]:
+    given = request.query_params
+    name = given.get("head", "standard")
+    if name not in shipped_heads():
+        raise InputError(unknown("head", name, shipped_heads()))
+    return name, _number(given.get("age")), given.get("hair") or None, _number(given.get("complexion"))
+
+
+def _number(text: str | None) -> float | None:
+    try:
+        return float(text) if text else None
+    except ValueError:
+        raise InputError(f"'{text}' is not a number") from None
+
+
+def _glb(*chosen) -> bytes:  # type: ignore[no-untyped-def]
+    return head_glb(stage_of(*chosen))
+
+
+def _described(*chosen) -> bytes:  # type: ignore[no-untyped-def]
+    import json
+
+    return json.dumps(stage_of(*chosen).described()).encode()
+
+
+def _refused(error: RisoriusError, status: int) -> Response:
+    return PlainTextResponse(f"{error}\n", status_code=status)
