@@ -1,5 +1,7 @@
 import { changedTake, takeOf } from "./take.js";
 
+const PARTS = ["source", "choices", "emotions"];
+
 /**
  * What the user can have done, by name: each asks the server, and puts its answer into the store.
  *
@@ -24,8 +26,7 @@ export class Actions {
 
   /** Perform the store's source with its emotions and choices anew. */
   perform() {
-    const parts = Object.fromEntries(["source", "choices", "emotions"].map((n) => [n, this.#store.get(n)]));
-    return this.#changing("perform", parts, "Performing …");
+    return this.#changing("perform", this.#parts(), "Performing …");
   }
 
   /**
@@ -81,21 +82,34 @@ export class Actions {
   }
 
   async #changing(verb, fields, busy) {
+    const asked = this.#parts();
     this.#store.set({ busy, saved: "saving" });
     const answer = await this.ask(verb, fields);
     this.#store.set({ busy: "" });
-    if (answer === null) return null;
-    this.#take(answer);
+    if (answer === null) this.#store.set({ saved: "saved" });
+    else this.#take(answer, asked);
     return answer;
   }
 
   /** Put the answer to a change into the store: a whole take, or what became other in it. */
-  #take(answer) {
+  #take(answer, asked) {
     const before = this.#store.get("take");
     const whole = answer.duration !== undefined || answer.whole;
     const take = answer.duration === undefined ? changedTake(before, answer) : takeOf(answer);
     const [first, last] = whole ? [0, take.frames] : [answer.from_frame, answer.to_frame];
-    const { source, choices, emotions } = take.made;
-    this.#store.set({ take, faces: { take: take.take, first, last }, source, choices, emotions, dial: null });
+    const made = this.#adopted(before?.made, take.made, asked);
+    this.#store.set({ take, faces: { take: take.take, first, last }, dial: null, ...made });
+    for (const line of take.warnings) this.#notify(line);
+  }
+
+  /** What is other in how the take was made, but for what the user has changed meanwhile. */
+  #adopted(before, now, asked) {
+    const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+    const names = PARTS.filter((name) => !same(before?.[name], now[name]) && this.#store.get(name) === asked[name]);
+    return Object.fromEntries(names.map((name) => [name, now[name]]));
+  }
+
+  #parts() {
+    return Object.fromEntries(PARTS.map((name) => [name, this.#store.get(name)]));
   }
 }

@@ -3,6 +3,7 @@
 import { Actions } from "./actions.js";
 import { Clock } from "./clock.js";
 import { Connection } from "./connection.js";
+import { listenToDrops } from "./dropping.js";
 import { mountHeader } from "./header.js";
 import { listenToKeys } from "./keys.js";
 import { mountPanels } from "./panels/index.js";
@@ -50,4 +51,5 @@ mountViews(element("views"), element("empty"), studio);
 mountSplitter(element("splitter"));
 mountPanels(element("panel"), studio);
 mountTimeline(element("timeline"), { ...studio, explanation: element("explanation") });
+listenToDrops(studio);
 openSession(studio);

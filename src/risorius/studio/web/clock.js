@@ -11,6 +11,7 @@ const PULL = 0.1; // share of a smaller difference that is made up for on every 
 export class Clock {
   #audio = new Audio();
   #silent = true;
+  #address = null;
   #time = 0;
   #seen = 0;
   #playing = false;
@@ -60,12 +61,28 @@ export class Clock {
   load({ duration, fps, sound }) {
     this.duration = duration;
     this.fps = fps;
-    this.#silent = sound === null;
-    if (sound !== null) {
-      if (this.#audio.src !== new URL(sound, location.href).href) this.#audio.src = sound;
-    } else this.#audio.removeAttribute("src");
-    if (this.#loop) this.setLoop([this.#loop[0], Math.min(this.#loop[1], duration)]);
-    this.seek(this.#time);
+    if (sound !== this.#address) this.#fetch(sound);
+    if (this.#loop) this.#loop = [Math.min(this.#loop[0], duration), Math.min(this.#loop[1], duration)];
+    this.#time = Math.min(this.#time, duration);
+    if (duration === 0) this.pause();
+    this.#tell("state");
+    this.#tell("tick");
+  }
+
+  /** Have the sound here whole, so that it can be played from anywhere at once. */
+  async #fetch(address) {
+    this.#address = address;
+    this.#silent = true;
+    this.#audio.pause();
+    if (address === null) return;
+    const response = await fetch(address);
+    if (!response.ok || address !== this.#address) return;
+    const blob = await response.blob();
+    if (address !== this.#address) return;
+    URL.revokeObjectURL(this.#audio.src);
+    this.#audio.src = URL.createObjectURL(blob);
+    this.#audio.currentTime = this.#time;
+    this.#silent = false;
     if (this.#playing) this.#start();
   }
 

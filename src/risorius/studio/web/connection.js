@@ -53,8 +53,13 @@ export class Connection {
   request(verb, fields = {}) {
     if (!this.up) return Promise.reject(new Disconnected("the studio's server cannot be reached"));
     const id = this.#next++;
-    this.#socket.send(JSON.stringify({ id, do: verb, ...fields }));
+    this.#socket.send(JSON.stringify({ id, do: verb, ...fields }, withoutNulls));
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
+  }
+
+  /** Have everybody take up the session anew, as after a connection that was lost. */
+  reopen() {
+    if (this.up) this.#tell("up", null);
   }
 
   /** Close for good. */
@@ -105,4 +110,10 @@ export class Connection {
   #tell(name, message) {
     for (const call of [...(this.#calls.get(name) ?? [])]) call(message);
   }
+}
+
+/** What is null is left out: that is what the wire's fields are where nothing is said. */
+function withoutNulls(key, value) {
+  if (value === null || typeof value !== "object" || Array.isArray(value)) return value;
+  return Object.fromEntries(Object.entries(value).filter(([, inner]) => inner !== null));
 }

@@ -2,9 +2,19 @@
 
 import { make } from "../parts/dom.js";
 import { mountTabs } from "../parts/tabs.js";
+import { mountCompare } from "./compare.js";
+import { mountDials } from "./dials.js";
 import { mountPerform } from "./perform.js";
+import { mountProject } from "./project.js";
+import { mountRules } from "./rules.js";
 
-const PANELS = [["perform", "Perform", mountPerform]];
+const PANELS = [
+  ["perform", "Perform", mountPerform],
+  ["dials", "Dials", mountDials],
+  ["rules", "Rules", mountRules],
+  ["compare", "Compare", mountCompare],
+  ["project", "Project", mountProject],
+];
 
 /** @param {HTMLElement} element @param {object} studio */
 export function mountPanels(element, studio) {

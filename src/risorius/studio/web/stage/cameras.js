@@ -4,9 +4,9 @@ import * as THREE from "../vendor/three/three.module.min.js";
 
 // Centre in metres in the head's frame, height of what is seen in metres, turn and tilt in degrees.
 export const VIEWS = {
-  front: { label: "Front", centre: [0, 0.004, 0.03], height: 0.36, turn: 0, tilt: 0 },
-  three_quarter: { label: "Three-quarter", centre: [0, 0.004, 0.02], height: 0.36, turn: 35, tilt: 4 },
-  side: { label: "Side", centre: [0, 0.004, 0.0], height: 0.36, turn: 90, tilt: 0 },
+  front: { label: "Front", centre: [0, 0.0, 0.03], height: 0.31, turn: 0, tilt: 0 },
+  three_quarter: { label: "Three-quarter", centre: [0, 0.0, 0.01], height: 0.31, turn: 35, tilt: 4 },
+  side: { label: "Side", centre: [0, 0.0, -0.01], height: 0.31, turn: 90, tilt: 0 },
   mouth: { label: "Mouth", centre: [0, -0.055, 0.08], height: 0.13, turn: 0, tilt: 0 },
 };
 
@@ -28,30 +28,25 @@ export class View {
   /** @param {() => void} changed called when there is something else to see */
   constructor(changed) {
     this.#changed = changed;
-    this.choose("front");
+    this.#take(VIEWS.front);
   }
 
   /** @param {keyof VIEWS} name */
   choose(name) {
-    const { centre, height, turn, tilt } = VIEWS[name];
-    this.#centre.set(...centre);
-    this.#height = height;
-    this.#turn = turn;
-    this.#tilt = tilt;
-    this.#place();
+    this.state = VIEWS[name];
   }
 
   /** @param {number} across degrees @param {number} up degrees */
   orbit(across, up) {
     this.#turn += across;
     this.#tilt = THREE.MathUtils.clamp(this.#tilt + up, -STEEPEST, STEEPEST);
-    this.#place();
+    this.#moved();
   }
 
   /** @param {number} factor on the height that is seen */
   zoom(factor) {
     this.#height = THREE.MathUtils.clamp(this.#height * factor, NEAREST, FARTHEST);
-    this.#place();
+    this.#moved();
   }
 
   /** @param {number} across @param {number} up shares of the height that is seen */
@@ -59,7 +54,7 @@ export class View {
     const right = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0);
     const above = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1);
     this.#centre.addScaledVector(right, -across * this.#height).addScaledVector(above, up * this.#height);
-    this.#place();
+    this.#moved();
   }
 
   /** What the project keeps. */
@@ -68,10 +63,9 @@ export class View {
     return { centre: [x, y, z], height: this.#height, turn: this.#turn, tilt: this.#tilt };
   }
 
-  set state({ centre, height, turn, tilt }) {
-    this.#centre.set(...centre);
-    [this.#height, this.#turn, this.#tilt] = [height, turn, tilt];
-    this.#place();
+  set state(state) {
+    this.#take(state);
+    this.#moved();
   }
 
   /** Fit to a picture of this shape: the view's height is seen, or as much again across where it is narrow. */
@@ -114,6 +108,16 @@ export class View {
     this.zoom(ZOOM_PER_NOTCH ** event.deltaY);
   }
 
+  #take({ centre, height, turn, tilt }) {
+    this.#centre.set(...centre);
+    [this.#height, this.#turn, this.#tilt] = [height, turn, tilt];
+  }
+
+  #moved() {
+    this.#place();
+    this.#changed();
+  }
+
   #place() {
     const { camera } = this;
     const narrow = Math.min(1, camera.aspect / 0.82);
@@ -128,6 +132,5 @@ export class View {
     camera.lookAt(this.#centre);
     camera.updateMatrix();
     camera.updateProjectionMatrix();
-    this.#changed();
   }
 }

@@ -1,25 +1,43 @@
-/** How fine pictures are drawn: as fine as the screen, or coarser while the machine is too slow for that. */
+/**
+ * How fine pictures are drawn: as fine as the screen; coarser in motion while the machine is too slow for that;
+ * finer at rest where edges are not smoothed otherwise.
+ */
 
 const SLOW = 1000 / 24; // ms between pictures
 const FAST = 1000 / 50;
 const STEPS = [1, 0.8, 0.65, 0.5];
-const PATIENCE = 6; // pictures in a row that must be slow, or fast, before it is changed
-const REST = 300; // ms without a picture after which the next one stands alone
+const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
+const REST = 350; // ms without a picture after which the head is at rest
 
 export class Sharpness {
   #step = 0;
   #strikes = 0;
   #last = 0;
+  #timer = 0;
+  #atRest = false;
+  #still;
   #changed;
 
-  /** @param {() => void} changed called when the ratio is another */
-  constructor(changed) {
+  /**
+   * @param {boolean} rough whether edges are not smoothed
+   * @param {() => void} changed called when the ratio is another; it draws
+   */
+  constructor(rough, changed) {
+    this.#still = rough ? 2 : 1;
     this.#changed = changed;
   }
 
   /** Pixels drawn per CSS pixel. */
   get ratio() {
-    return STEPS[this.#step] * Math.min(window.devicePixelRatio, 2);
+    const screen = Math.min(window.devicePixelRatio, 2);
+    return this.#atRest ? Math.max(this.#still, screen) : STEPS[this.#step] * screen;
+  }
+
+  /** Something new is about to be drawn: it moves. */
+  moves() {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#rest(true), REST);
+    this.#rest(false);
   }
 
   /** Take note that a picture was drawn now. */
@@ -27,15 +45,21 @@ export class Sharpness {
     const now = performance.now();
     const since = now - this.#last;
     this.#last = now;
-    if (since > REST) {
-      this.#strikes = 0;
-      return;
-    }
-    const way = since > SLOW ? 1 : since < FAST ? -1 : 0;
-    this.#strikes = Math.sign(this.#strikes) === way ? this.#strikes + way : way;
-    if (Math.abs(this.#strikes) < PATIENCE * (way < 0 ? 10 : 1)) return;
+    if (since > REST || this.#atRest) this.#strikes = 0;
+    else this.#judge(since > SLOW ? 1 : since < FAST ? -0.1 : 0);
+  }
+
+  #rest(now) {
+    if (this.#atRest === now) return;
+    this.#atRest = now;
+    this.#changed();
+  }
+
+  #judge(strike) {
+    this.#strikes = Math.sign(this.#strikes) === Math.sign(strike) ? this.#strikes + strike : strike;
+    if (Math.abs(this.#strikes) < PATIENCE) return;
+    const step = Math.min(Math.max(this.#step + Math.sign(strike), 0), STEPS.length - 1);
     this.#strikes = 0;
-    const step = Math.min(Math.max(this.#step + way, 0), STEPS.length - 1);
     if (step === this.#step) return;
     this.#step = step;
     this.#changed();

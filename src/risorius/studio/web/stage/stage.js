@@ -33,7 +33,7 @@ export class Stage {
     /** What figures of this stage are built with. */
     this.drawing = { surroundings: surroundings(this.#renderer), simple };
     addLights(this.#scene, !simple);
-    this.#sharpness = new Sharpness(() => this.#resize());
+    this.#sharpness = new Sharpness(simple, () => this.#resize());
     this.view.listen(canvas);
     new ResizeObserver(() => this.#resize()).observe(canvas);
     this.#resize();
@@ -52,8 +52,13 @@ export class Stage {
     this.#resize();
   }
 
-  /** Draw a picture before long. */
+  /** Draw a picture before long: something moved. */
   invalidate() {
+    this.#sharpness.moves();
+    this.#ask();
+  }
+
+  #ask() {
     if (this.#asked) return;
     this.#asked = true;
     requestAnimationFrame(() => {
@@ -68,7 +73,7 @@ export class Stage {
     this.#renderer.setPixelRatio(this.#sharpness.ratio);
     this.#renderer.setSize(width, height, false);
     this.view.fit(width / Math.max(this.#figures.length, 1), height);
-    this.invalidate();
+    this.#ask();
   }
 
   #draw() {
