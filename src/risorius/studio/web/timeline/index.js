@@ -19,6 +19,8 @@ import { Tools } from "./tools.js";
 import { Viewport } from "./viewport.js";
 import { Why } from "./why.js";
 
+export { TIMELINE_KEYS } from "./shortcuts.js";
+
 /**
  * Show the timeline of a take.
  *
@@ -135,7 +137,7 @@ class Timeline {
     this.#scene.model = model;
     if (before === null) this.#dress();
     this.#scene.shapes ??= new Shapes(catalogue);
-    this.#edits.setDrawn((name) => model.drawn.get(name));
+    this.#edits.setModel(model);
     this.#details.setTake(take.take, fresh);
     this.#graphs.setModel(model, fresh);
     this.#arrange();

@@ -4,6 +4,22 @@
 
 const ZOOM = 1.4;
 
+/** What the page's list of keys says of the timeline. */
+export const TIMELINE_KEYS = [
+  { keys: "Ctrl wheel, + −", does: "Timeline: zoom" },
+  { keys: "N", does: "Timeline: add a movement at the playhead" },
+  { keys: "D", does: "Timeline: draw on the graphs, or not" },
+  { keys: "↑ ↓", does: "Movements: the one before, the next" },
+  { keys: "Page ↑ ↓", does: "Movements: the lane before, the next" },
+  { keys: "← →", does: "Movements: move by a frame" },
+  { keys: "Shift ← →", does: "Movements: stretch the end" },
+  { keys: "Alt ← →", does: "Movements: stretch the start" },
+  { keys: "Ctrl ← →", does: "Movements: longer or shorter onset" },
+  { keys: "Ctrl Shift ← →", does: "Movements: longer or shorter offset" },
+  { keys: "Delete", does: "Movements: delete" },
+  { keys: "Escape", does: "Movements: select none; a drag: give up" },
+];
+
 /** @param {HTMLElement} root @param {import("./desk.js").Desk} desk @param {() => void} add */
 export function shortcuts(root, desk, add) {
   const keys = {
