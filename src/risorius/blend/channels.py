@@ -15,7 +15,7 @@ from .concatenate import Layer, concatenate
 from .intervals import Array, Indices, Spans, union
 from .levels import Course, Levels, levels_of
 from .lips import LipCurve, Lips
-from .manual import key_curves
+from .manual import Replaced, key_curves, replaced_spans
 
 Origin = Movement | LipSegment | ManualCurve
 
@@ -73,6 +73,7 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
     for movement in score.movements:
         movements[movement.channel][movement.layer].append(movement)
     function = score.settings.onset_function
+    replaced = replaced_spans(score.manual)
     channels = []
     for name in CHANNELS:
         layers = [concatenate(found, function) for _, found in sorted(movements[name].items())]
@@ -86,6 +87,10 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
         for layer in layers:
             for parameter, curve in layer.curves.items():
                 curves[parameter].append(curve)
+        if name != "manual":
+            for parameter, spans in replaced.items():
+                if parameter in curves:
+                    curves[parameter] = [Replaced(curve, spans) for curve in curves[parameter]]
         if curves:
             levels = levels_of(_courses(name, layers, lips), CHANNEL_PRIORITY[name])
             channels.append(Channel(name, levels, dict(sorted(curves.items()))))

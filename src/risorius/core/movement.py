@@ -120,10 +120,15 @@ class LipSegment:
 
 @dataclass(frozen=True, slots=True)
 class ManualCurve:
-    """Curves drawn by hand: for each parameter its keys (time, value), joined by straight lines."""
+    """Curves drawn by hand: for each parameter its keys (time, value), joined by straight lines.
+
+    `replaces`: from its first to its last key a curve stands in place of what every other channel asks of the
+    parameter, so that it can be drawn lower, too; else the highest of all shows.
+    """
 
     keys: Mapping[str, tuple[tuple[float, float], ...]]
     cause: Cause = field(default_factory=Cause)
+    replaces: bool = False
 
 
 def check_movement(m: Movement) -> None:

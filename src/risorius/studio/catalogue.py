@@ -7,6 +7,8 @@ from dataclasses import asdict
 from functools import cache
 from typing import Any
 
+import numpy as np
+
 from .. import __version__
 from ..blend.coarticulation import LIP_MODELS
 from ..blend.conflict import POLICIES
@@ -28,6 +30,8 @@ from . import limits
 from .messages import encoded
 from .wire import Choices, Format
 
+ONSET_STEPS = 25
+
 
 @cache
 def catalogue() -> dict[str, Any]:
@@ -46,7 +50,7 @@ def catalogue() -> dict[str, Any]:
         "channels": [{"name": n, "priority": p} for n, p in CHANNEL_PRIORITY.items()],
         "policies": _documented(POLICIES),
         "lip_models": _documented(LIP_MODELS),
-        "onset_functions": _documented(ONSET_FUNCTIONS),
+        "onset_functions": [_sampled(row) for row in _documented(ONSET_FUNCTIONS)],
         "manners": list(lip_table().manners),
         "dynamics": list(DYNAMICS),
         "formats": list(Format.__args__),  # type: ignore[attr-defined]
@@ -135,6 +139,12 @@ def _output(output: Any) -> dict[str, Any]:
 def _documented(registry: Any) -> list[dict[str, str]]:
     """Return the names of a registry with the first sentence of what stands behind each."""
     return [{"name": name, "description": _first_line(registry.get(name))} for name in registry]
+
+
+def _sampled(row: dict[str, str]) -> dict[str, Any]:
+    """Return an onset function's row with its values at even steps from 0 to 1, to be drawn."""
+    steps = np.linspace(0.0, 1.0, ONSET_STEPS)
+    return {**row, "samples": ONSET_FUNCTIONS.get(row["name"])(steps).round(4).tolist()}
 
 
 def _first_line(thing: Any) -> str:

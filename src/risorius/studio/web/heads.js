@@ -1,0 +1,57 @@
+/** Figures of heads, fetched when they are needed and kept while they may be needed again. */
+
+import { buildFigure } from "./stage/figure.js";
+
+const MOST = 3;
+
+export class Heads {
+  #drawing;
+  #kept = new Map();
+
+  /** @param {object} drawing what the stage's figures are built with */
+  constructor(drawing) {
+    this.#drawing = drawing;
+  }
+
+  /**
+   * The figure of the head that choices ask for. `place` is where it stands: two places never share one.
+   * @param {object} choices of the wire @param {number} place
+   * @returns {Promise<import("./stage/figure.js").Figure>}
+   */
+  get(choices, place = 0) {
+    const asked = query(choices);
+    const key = `${place}?${asked}`;
+    const found = this.#kept.get(key) ?? this.#fetch(asked);
+    this.#kept.delete(key);
+    this.#kept.set(key, found);
+    found.catch(() => this.#kept.delete(key));
+    this.#dropOldest();
+    return found;
+  }
+
+  #dropOldest() {
+    for (const [key, figure] of [...this.#kept].slice(0, Math.max(0, this.#kept.size - MOST))) {
+      this.#kept.delete(key);
+      figure.then((it) => it.dispose());
+    }
+  }
+
+  async #fetch(asked) {
+    const [file, packing] = await Promise.all([
+      answered(`/api/head?${asked}`).then((response) => response.arrayBuffer()),
+      answered(`/api/stage?${asked}`).then((response) => response.json()),
+    ]);
+    return buildFigure(file, packing, this.#drawing);
+  }
+}
+
+function query({ head, age, hair, complexion }) {
+  const given = Object.entries({ head, age, hair, complexion }).filter(([, value]) => value !== null && value !== undefined);
+  return new URLSearchParams(given.map(([name, value]) => [name, String(value)])).toString();
+}
+
+async function answered(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error((await response.text()).trim() || response.statusText);
+  return response;
+}
