@@ -6,7 +6,7 @@ import asyncio
 import re
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from functools import partial
+from functools import lru_cache, partial
 from importlib import resources
 from pathlib import Path
 
@@ -26,6 +26,7 @@ from .connection import Connection, Room
 from .guard import Guard
 from .mesh import head_glb
 from .session import Session
+from .shade import shade
 from .solvers import Solvers, stage_of
 
 WEB = Path(str(resources.files(__package__) / "web"))
@@ -59,6 +60,7 @@ class Studio:
             Route("/api/catalogue", catalogue),
             Route("/api/head", head),
             Route("/api/stage", stage),
+            Route("/api/shade", shading),
             Route("/api/session/{session}/take/{take:int}/sound.wav", self.sound),
             WebSocketRoute("/ws/{session}", self.socket),
         ]
@@ -121,6 +123,11 @@ async def stage(request: Request) -> Response:
     return await _of_head(request, _described, "application/json")
 
 
+async def shading(request: Request) -> Response:
+    """Return what each vertex of a head's skin sees of the light (`shade.py`)."""
+    return await _of_head(request, _shaded, "application/octet-stream")
+
+
 async def _of_head(request: Request, make, kind: str) -> Response:  # type: ignore[no-untyped-def]
     try:
         chosen = _looks(request)
@@ -147,6 +154,11 @@ def _number(text: str | None) -> float | None:
 
 def _glb(*chosen) -> bytes:  # type: ignore[no-untyped-def]
     return head_glb(stage_of(*chosen))
+
+
+@lru_cache(maxsize=8)
+def _shaded(*chosen) -> bytes:  # type: ignore[no-untyped-def]
+    return shade(stage_of(*chosen).head)
 
 
 def _described(*chosen) -> bytes:  # type: ignore[no-untyped-def]
