@@ -89,7 +89,7 @@ class Stage:
         hairs = riding(self.pieces, skin - self._rest)
         grown = [self.pieces[name].points + move for name, move in hairs.items()]
         points = np.concatenate([skin, face.tongue, face.teeth_lower, *grown])
-        return np.round((points - self.origin) / STEP).clip(-32768, 32767).astype("<i2")
+        return np.asarray(np.round((points - self.origin) / STEP).clip(-32768, 32767), "<i2")
 
 
 def _pose(face: FaceFrame) -> npt.NDArray[np.float32]:
