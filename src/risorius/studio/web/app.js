@@ -13,7 +13,7 @@ import { mountSplitter } from "./splitter.js";
 import { Store } from "./store.js";
 import { Theatre } from "./theatre.js";
 import { followTheme } from "./theme.js";
-import { mountTimeline } from "./timeline/index.js";
+import { TIMELINE_KEYS, mountTimeline } from "./timeline/index.js";
 import { mountTransport } from "./transport.js";
 import { mountViews } from "./views.js";
 
@@ -45,7 +45,7 @@ const theatre = new Theatre(element("head"), { store, connection, clock, notify 
 const studio = { store, clock, connection, actions, notify, theatre, view: theatre.stage.view };
 
 const help = mountHeader(element("tools"), element("state"), studio);
-help.list(listenToKeys(studio, help.open));
+help.list([...listenToKeys(studio, help.open), ...TIMELINE_KEYS]);
 mountTransport(element("transport"), clock);
 mountViews(element("views"), element("empty"), studio);
 mountSplitter(element("splitter"));

@@ -99,7 +99,7 @@ export class BlockList {
   }
 
   #key(event) {
-    const done = this.#walk(event) || this.#shape(event);
+    const done = this.#walk(event) || this.#shape(event) || this.#back(event);
     if (!done) return;
     event.preventDefault();
     event.stopPropagation();
@@ -121,6 +121,16 @@ export class BlockList {
     };
     steps[key]?.();
     return key in steps;
+  }
+
+  /** Undo and redo, after what keys have just changed was sent. */
+  #back({ key, ctrlKey, metaKey, shiftKey }) {
+    if (!(ctrlKey || metaKey)) return false;
+    const again = (key.toLowerCase() === "z" && shiftKey) || key === "y";
+    if (again) this.#desk.redo();
+    else if (key.toLowerCase() === "z") this.#desk.undo();
+    else return false;
+    return true;
   }
 
   /** Arrows sideways: by a frame the block, with Shift its end, Alt its start, Ctrl its onset or its offset. */

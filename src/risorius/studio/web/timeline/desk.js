@@ -12,7 +12,7 @@ export class Desk {
   #nudged = null; // the block whose times were changed by keys and not sent yet
   #timer = 0;
 
-  /** @param {object} parts scene, edits, details, clock, actions, store, repaint */
+  /** @param {object} parts scene, edits, details, clock, actions, store, scroller, repaint, arrange */
   constructor(parts) {
     Object.assign(this, parts);
   }
@@ -66,12 +66,12 @@ export class Desk {
     this.#timer = setTimeout(() => this.settle(), PATIENCE);
   }
 
-  /** Send what was changed by keys. */
-  settle() {
+  /** Send what was changed by keys. @returns {Promise<any>} done when the answer is here */
+  async settle() {
     clearTimeout(this.#timer);
     const block = this.#nudged;
     this.#nudged = null;
-    if (block) this.edits.send(block);
+    if (block) await this.edits.send(block);
   }
 
   /** Give the selected block one of its times by number, in seconds. */
@@ -110,12 +110,12 @@ export class Desk {
   }
 
   async undo() {
-    this.settle();
+    await this.settle();
     await this.actions.undo();
   }
 
   async redo() {
-    this.settle();
+    await this.settle();
     await this.actions.redo();
   }
 
@@ -125,6 +125,13 @@ export class Desk {
     this.scene.view.reveal(shown.start, shown.end);
     this.revealRow(this.scene.body.find((row) => row.lane?.channel === block.channel));
     this.repaint();
+  }
+
+  /** Lay all movements of a lane on one row, or apart again. */
+  fold(channel) {
+    const { folded } = this.scene;
+    if (!folded.delete(channel)) folded.add(channel);
+    this.arrange();
   }
 
   revealRow(row) {

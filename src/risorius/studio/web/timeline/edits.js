@@ -9,7 +9,7 @@ export class Edits {
   #sent = new Map(); // what was sent last for an id or a parameter
   #actions;
   #changed;
-  #drawn = () => [];
+  #model = null;
 
   /**
    * @param {import("../actions.js").Actions} actions
@@ -20,9 +20,9 @@ export class Edits {
     this.#changed = changed;
   }
 
-  /** @param {(name: string) => [number, number][] | undefined} drawn the take's own keys */
-  setDrawn(drawn) {
-    this.#drawn = drawn;
+  /** @param {import("./model.js").Model} model what the changes are made to */
+  setModel(model) {
+    this.#model = model;
   }
 
   /** Ids of the blocks that are shown otherwise than the take has them. */
@@ -45,7 +45,7 @@ export class Edits {
 
   /** Keys of a parameter as they are shown. */
   keys(name) {
-    return this.#keys.get(name) ?? this.#drawn(name) ?? [];
+    return this.#keys.get(name) ?? this.#model?.drawn.get(name) ?? [];
   }
 
   /** Show a block at other times, without telling the server yet. */
@@ -86,13 +86,12 @@ export class Edits {
     return this.#sending(block.id, "delete", { movement: block.id }, () => this.drop(block.id));
   }
 
-  /** Make keys those of the parameters; none takes the curves back. */
-  async sendKeys(names, keys) {
+  /** Make keys those of the parameters (one, or both sides of one); none takes the curves back. */
+  sendKeys(names, keys) {
     this.holdKeys(names, keys);
-    for (const parameter of names) {
-      const [kind, fields] = keys.length ? ["keys", { parameter, keys }] : ["clear_keys", { parameter }];
-      await this.#sending(parameter, kind, fields, () => this.dropKeys([parameter]));
-    }
+    const parameter = names.length > 1 ? this.#model.parameters.get(names[0]).base : names[0];
+    const [kind, fields] = keys.length ? ["keys", { parameter, keys }] : ["clear_keys", { parameter }];
+    return this.#sending(parameter, kind, fields, () => this.dropKeys(names));
   }
 
   /** Send an edit; `over` is called when its answer is here, unless another was sent for the same meanwhile. */

@@ -184,15 +184,10 @@ export class DrawKeys {
 
   get #drawn() {
     const { model } = this.#desk.scene;
-    if (this.#line.length > 1) {
-      const { least, most } = scaleOf(model, this.#row);
-      return withLine(this.#kept, this.#line, FINE * (most - least));
-    }
-    const name = this.#row.names[0];
-    return withKey(this.#kept, ...this.#line[0], {
-      duration: model.duration,
-      valueAt: (time) => model.valueAt(name, time),
-    });
+    const around = model.around(this.#row.names[0]);
+    if (this.#line.length === 1) return withKey(this.#kept, ...this.#line[0], around);
+    const { least, most } = scaleOf(model, this.#row);
+    return withLine(this.#kept, this.#line, FINE * (most - least), around);
   }
 
   end() {

@@ -19,6 +19,8 @@ import { Tools } from "./tools.js";
 import { Viewport } from "./viewport.js";
 import { Why } from "./why.js";
 
+export { TIMELINE_KEYS } from "./shortcuts.js";
+
 /**
  * Show the timeline of a take.
  *
@@ -29,10 +31,11 @@ import { Why } from "./why.js";
  * @param {import("../clock.js").Clock} studio.clock
  * @param {import("../actions.js").Actions} studio.actions
  * @param {HTMLElement} studio.explanation where explanations are shown, beside the stage
- * @returns {Timeline}
+ * @returns {Timeline} also the element's `timeline`
  */
 export function mountTimeline(element, studio) {
-  return new Timeline(element, studio);
+  element.timeline = new Timeline(element, studio);
+  return element.timeline;
 }
 
 class Timeline {
@@ -77,7 +80,7 @@ class Timeline {
   }
 
   #build(element, actions, explanation) {
-    const canvas = h("canvas", { id: "tl-canvas", tabindex: "0", role: "img" });
+    const canvas = h("canvas", { id: "tl-canvas", tabindex: "-1", role: "img" });
     const playhead = h("div", { class: "tl-playhead" });
     const frame = h("div", { class: "tl-window" }, canvas, playhead);
     const depth = h("div", { class: "tl-depth" });
@@ -88,7 +91,7 @@ class Timeline {
     this.#scene = new Scene(canvas, { view: new Viewport(), edits: this.#edits, details: this.#details });
     const [scene, edits, details, clock, store] = [this.#scene, this.#edits, this.#details, this.#clock, this.#store];
     const repaint = () => this.repaint();
-    this.#desk = new Desk({ scene, edits, details, clock, actions, store, scroller, repaint });
+    this.#desk = new Desk({ scene, edits, details, clock, actions, store, scroller, repaint, arrange: () => this.#arrange() });
     const adder = new Adder(this.#root, this.#desk);
     const picker = new Picker(this.#root, this.#desk, this.#graphs);
     const add = (time = this.#clock.time, channel = null) => scene.model && adder.open(time, channel);
@@ -106,7 +109,7 @@ class Timeline {
     element.replaceChildren(this.#root);
     const why = new Why(explanation, this.#desk);
     this.#parts = { canvas, playhead, frame, depth, scroller, status, empty, list, tools, names, overview, why };
-    listen(canvas, this.#desk, add);
+    listen(canvas, this.#desk, { add, walk: () => list.focus() });
     shortcuts(this.#root, this.#desk, add);
   }
 
@@ -128,18 +131,18 @@ class Timeline {
   #takeUp() {
     const [take, catalogue] = [this.#store.get("take"), this.#store.get("catalogue")];
     const before = this.#scene.model;
-    this.#parts.empty.hidden = Boolean(take);
+    this.#root.classList.toggle("tl-idle", !take);
     if (!take || !catalogue) return;
     const fresh = before === null || before.take.speech !== take.speech || before.duration !== take.duration;
     const model = new Model(take, catalogue, fresh ? null : before);
     this.#scene.model = model;
     if (before === null) this.#dress();
     this.#scene.shapes ??= new Shapes(catalogue);
-    this.#edits.setDrawn((name) => model.drawn.get(name));
+    this.#edits.setModel(model);
     this.#details.setTake(take.take, fresh);
     this.#graphs.setModel(model, fresh);
     this.#arrange();
-    if (fresh) this.#scene.view.fit();
+    if (fresh) this.#scene.view.open();
     this.#parts.list.setModel(model);
     this.#select();
   }

@@ -3,16 +3,25 @@
  */
 
 const APART = 0.005; // s between two keys at least
-const TETHER = 0.15; // s around a first key within which the curve leaves and meets what was there
+const TETHER = 0.15; // s in which a drawn curve leaves what was there, and meets it again
 
-/** The keys with one more; the first one is tethered to the curve around it, so that nothing jumps. */
-export function withKey(keys, time, value, { duration, valueAt }) {
+/**
+ * The keys with one more.
+ * @param {{duration: number, valueAt: (time: number) => number}} around the curve as it was
+ */
+export function withKey(keys, time, value, around) {
   const rest = keys.filter(([other]) => Math.abs(other - time) >= APART);
-  if (rest.length > 0) return sorted([...rest, [time, value]]);
-  const [from, to] = [Math.max(0, time - TETHER), Math.min(duration, time + TETHER)];
-  return sorted([[from, valueAt(from)], [time, value], [to, valueAt(to)]].filter(
-    ([other], k) => k === 1 || Math.abs(other - time) >= APART,
-  ));
+  return tethered(rest, [[time, value]], around);
+}
+
+/** Keys and new ones among them; where there are none beyond these, they are tied to the curve as it was. */
+function tethered(keys, added, { duration, valueAt }) {
+  const [first, last] = [added[0][0], added.at(-1)[0]];
+  const ties = [];
+  if (!keys.some(([time]) => time < first)) ties.push(Math.max(0, first - TETHER));
+  if (!keys.some(([time]) => time > last)) ties.push(Math.min(duration, last + TETHER));
+  const apart = ties.filter((time) => time <= first - APART || time >= last + APART);
+  return sorted([...keys, ...added, ...apart.map((time) => [time, valueAt(time)])]);
 }
 
 /** The keys with one elsewhere, kept between its neighbours. */
@@ -27,11 +36,11 @@ export function without(keys, index) {
 }
 
 /** The keys with a line drawn freely in place of those under it. @param {[number, number][]} line any order */
-export function withLine(keys, line, tolerance) {
+export function withLine(keys, line, tolerance, around) {
   const drawn = simplified(sorted(line), tolerance);
   const [from, to] = [drawn[0][0], drawn.at(-1)[0]];
   const outside = keys.filter(([time]) => time < from - APART || time > to + APART);
-  return sorted([...outside, ...drawn]);
+  return tethered(outside, drawn, around);
 }
 
 function sorted(keys) {

@@ -48,9 +48,8 @@ export class KeyTable {
 
   #add(parameter, time) {
     const { model } = this.#desk.scene;
-    const surroundings = { duration: model.duration, valueAt: (t) => model.valueAt(parameter, t) };
     const keys = this.#desk.edits.keys(parameter);
-    this.#send(parameter, withKey(keys, time, model.valueAt(parameter, time), surroundings));
+    this.#send(parameter, withKey(keys, time, model.valueAt(parameter, time), model.around(parameter)));
   }
 
   #move(parameter, index, time, value) {

@@ -70,6 +70,11 @@ export class Model {
     return k < 0 ? values[0] : values[k] + (values[k + 1] - values[k]) * (at - k);
   }
 
+  /** What a curve drawn on a parameter is tied to. */
+  around(name) {
+    return { duration: this.duration, valueAt: (time) => this.valueAt(name, time) };
+  }
+
   /** Names of muscles, without their sides, in order of how far they move in the take. */
   get liveliest() {
     const moved = [...this.bases.values()].map(({ base, names }) => [base, this.#travel(names)]);

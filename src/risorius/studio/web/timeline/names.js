@@ -46,10 +46,17 @@ export class Names {
   #name(row) {
     const style = { top: `${row.y}px`, height: `${row.height}px` };
     if (row.kind === "graph") return h("div", { class: "tl-name", style }, ...this.#graph(row));
-    const { channel, priority } = row.lane;
-    style["--colour"] = `var(--tl-channel-${channel})`;
-    const title = `${channel}: priority ${priority}, ${row.lane.spans.items.length} movements`;
-    return h("div", { class: "tl-name", style, title }, h("span", {}, channel));
+    style["--colour"] = `var(--tl-channel-${row.lane.channel})`;
+    return h("div", { class: "tl-name", style }, this.#lane(row));
+  }
+
+  /** A lane's name folds it: all movements on one row. */
+  #lane({ lane: { channel, priority, spans, count }, fold }) {
+    const title = `${spans.items.length} movements, priority ${priority}; click to ${fold ? "unfold" : "fold"} the lane`;
+    const name = `${channel}${fold && count > 1 ? ` (${count})` : ""}`;
+    const turn = () => this.#desk.fold(channel);
+    return h("button", { class: "tl-lane-name", title, "aria-expanded": String(!fold), "data-name": channel, onclick: turn },
+      name); // prettier-ignore
   }
 
   #graph({ base, names }) {

@@ -85,9 +85,11 @@ function paintPauses({ context, view, model, palette, count }, row) {
 }
 
 const TONE_GAP = 3;
+const SPARSE = 20; // pixels a second: closer, they would hide the sound
 
 /** Accents as marks over their vowels, a phrase's last tones as flags; nuclear ones filled. */
 function paintTones({ context, view, model, palette, count }, row) {
+  if (view.scale < SPARSE) return;
   let free = -Infinity;
   context.textAlign = "left";
   context.textBaseline = "middle";
@@ -105,6 +107,8 @@ function paintTones({ context, view, model, palette, count }, row) {
     free = left + wide + TONE_GAP;
   }
 }
+
+const NARROW = 7; // pixels in which no text fits
 
 /** Words or phones: a box each with its text, as far as it fits. */
 export function paintTexts({ context, view, palette, model, count, time }, row) {
@@ -131,7 +135,7 @@ function paintText({ context, palette, view }, row, item, [x, end], now) {
   context.fillRect(x + 0.5, row.y + 1, Math.max(end - x - 1, 0.5), row.height - 2);
   context.globalAlpha = 1;
   const [left, right] = [Math.max(x, 0), Math.min(end, view.width)];
-  if (context.measureText(text).width + 4 > right - left) return;
+  if (right - left < NARROW || context.measureText(text).width + 4 > right - left) return;
   context.fillStyle = palette.text;
   context.fillText(text, (left + right) / 2, row.y + row.height / 2 + 0.5);
 }

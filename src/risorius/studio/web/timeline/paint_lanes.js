@@ -6,6 +6,7 @@ import { blockBand } from "./rows.js";
 
 const SMALLEST = 2; // pixels: a narrower block is a stroke, and only one of those is drawn in a pixel
 const LABELLED = 34;
+const WITH_LAYER = 90;
 export const HANDLE = 3.5; // half the size of what a block is stretched by
 const LEAST_HEIGHT = 0.45; // share of its row that the weakest movement fills
 
@@ -86,6 +87,7 @@ function paintEdited(context, xs, top, colour) {
 function paintLabel({ context, view, palette, count }, block, xs, [top, bottom]) {
   const [left, right] = [Math.max(xs[0], 0) + 4, Math.min(xs[3], view.width) - 3];
   const phone = !block.editable;
+  const text = block.layer && right - left > WITH_LAYER ? `${layerOf(block)} ${block.label}` : block.label;
   if (!block.label || right - left < (phone ? 6 : LABELLED)) return;
   context.font = `${phone ? 10 : 11}px ${palette.font}`;
   context.fillStyle = palette.label;
@@ -95,9 +97,15 @@ function paintLabel({ context, view, palette, count }, block, xs, [top, bottom])
   context.beginPath();
   context.rect(left - 2, top, right - left + 3, bottom - top);
   context.clip();
-  context.fillText(block.label, phone ? (left + right) / 2 : left, (top + bottom) / 2 + 1);
+  context.fillText(text, phone ? (left + right) / 2 : left, (top + bottom) / 2 + 1);
   context.restore();
   count.texts++;
+}
+
+/** A layer's name as people read it: "brows"; one that only counts ("1.happiness") says nothing more. */
+function layerOf({ layer, label }) {
+  const name = layer.replace(/^\d+\./, "");
+  return label.includes(name) ? "" : name;
 }
 
 function paintChosen({ context, palette }, block, xs, [top, bottom], focused) {

@@ -10,8 +10,12 @@ const WHEEL = 0.0022; // zoom by a wheel's pixel
 const LINE = 16; // pixels of a wheel that reports lines
 const STILL = 3; // pixels: less is a click
 
-/** @param {HTMLCanvasElement} canvas @param {import("./desk.js").Desk} desk @param {(time: number, channel: string) => void} add */
-export function listen(canvas, desk, add) {
+/**
+ * @param {HTMLCanvasElement} canvas @param {import("./desk.js").Desk} desk
+ * @param {{add: (time: number, channel: string) => void, walk: () => void}} parts `walk` gives the keys to the
+ *   list of blocks, at the one that is selected
+ */
+export function listen(canvas, desk, { add, walk }) {
   let gesture = null;
   let down = null;
 
@@ -26,7 +30,8 @@ export function listen(canvas, desk, add) {
     down = { x, y, found, still: true };
     gesture = event.button === 1 ? new Pan(desk, x) : begun(desk, found, x, y, event);
     canvas.setPointerCapture(event.pointerId);
-    canvas.focus({ preventScroll: true });
+    if (found.kind === "block" || found.kind === "handle") walk();
+    else canvas.focus({ preventScroll: true });
     event.preventDefault();
   });
   canvas.addEventListener("pointermove", (event) => {

@@ -27,13 +27,15 @@ export function headRows(model) {
 /**
  * @param {import("./model.js").Model} model
  * @param {{base: string, names: string[]}[]} graphs what is drawn beneath the lanes
+ * @param {Set<string>} folded channels whose lanes lay all movements on one row
  */
-export function bodyRows(model, graphs) {
+export function bodyRows(model, graphs, folded) {
   const rows = [];
   let y = 0;
   for (const lane of model.lanes) {
-    const height = lane.count * BLOCK + 2 * LANE_PAD;
-    rows.push({ kind: "lane", y, height, lane });
+    const fold = folded.has(lane.channel);
+    const height = (fold ? 1 : lane.count) * BLOCK + 2 * LANE_PAD;
+    rows.push({ kind: "lane", y, height, lane, fold });
     y += height;
   }
   for (const graph of graphs) {
@@ -51,7 +53,8 @@ export function heightOf(rows) {
 
 /** Top and bottom of a block, from the top of the body. */
 export function blockBand(row, block) {
-  const top = row.y + LANE_PAD + (row.lane.rows.get(block) ?? 0) * BLOCK;
+  const place = row.fold ? 0 : (row.lane.rows.get(block) ?? 0);
+  const top = row.y + LANE_PAD + place * BLOCK;
   return [top + 1, top + BLOCK - 1];
 }
 

@@ -13,6 +13,7 @@ export class Scene {
   head = [];
   body = [];
   graphs = [];
+  folded = new Set(); // channels
   scroll = 0;
   height = 0;
   time = 0;
@@ -46,7 +47,7 @@ export class Scene {
   /** Lay out anew: another model, or other graphs. */
   arrange() {
     this.head = headRows(this.model);
-    this.body = bodyRows(this.model, this.graphs);
+    this.body = bodyRows(this.model, this.graphs, this.folded);
   }
 
   /** Take up the canvas' size in the page's pixels. */

@@ -8,8 +8,6 @@ const STEP = 1.4; // zoom of a click
 
 export class Tools {
   #desk;
-  #undo;
-  #redo;
   #remove;
 
   /**
@@ -18,13 +16,10 @@ export class Tools {
    */
   constructor(parent, desk, { add, blocks, graphs }) {
     this.#desk = desk;
-    this.#undo = button("Undo", () => desk.undo());
-    this.#redo = button("Redo", () => desk.redo());
     this.#remove = button("Delete", () => desk.remove(), { title: "Delete the selected movement or key (Delete)" });
     parent.append(h("div", { class: "tl-tools", role: "toolbar", "aria-label": "Timeline tools" },
       button("Add…", add, { title: "Add a movement at the playhead (N)" }),
-      this.#remove, this.#undo, this.#redo,
-      button("Movements", blocks, { title: "Go to the list of movements: arrows walk in it and shape them" }),
+      this.#remove, button("Movements", blocks, { title: "Go to the list of movements: arrows walk in it and shape them" }),
       graphs,
       toggle("Draw", (on) => (desk.draws = on), false, "Draw curves by hand on the graphs (D)", "tl-draw"),
       h("span", { class: "tl-gap" }),
@@ -37,12 +32,7 @@ export class Tools {
 
   /** Show what can be done now. */
   show() {
-    const { model, selectedKey } = this.#desk.scene;
-    const take = model?.take;
-    this.#undo.disabled = !take?.can_undo;
-    this.#undo.title = take?.undoes ? `Undo: ${take.undoes} (Ctrl+Z)` : "Undo (Ctrl+Z)";
-    this.#redo.disabled = !take?.can_redo;
-    this.#redo.title = take?.redoes ? `Redo: ${take.redoes} (Ctrl+Shift+Z)` : "Redo (Ctrl+Shift+Z)";
+    const { selectedKey } = this.#desk.scene;
     this.#remove.disabled = !this.#desk.block?.editable && !selectedKey;
   }
 }

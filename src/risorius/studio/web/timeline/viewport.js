@@ -4,6 +4,7 @@
 
 const CLOSEST = 1200; // pixels a second at most: a frame of 30 fps is then 40 pixels wide
 const MARGIN = 0.02; // s shown before the beginning
+const READABLE = 14; // s shown of a longer take at first
 const FOLLOWED = 0.82; // share of the width after which a playhead that is followed turns the page
 const TURNED = 0.12; // where it stands after that
 
@@ -38,6 +39,13 @@ export class Viewport {
     this.duration = duration;
     this.scale = Math.max(this.scale, this.#widest);
     this.scrollTo(this.start);
+  }
+
+  /** Show a take for the first time: its beginning, as much as can be read. */
+  open() {
+    this.fit();
+    if (this.span > READABLE) this.zoom(this.span / READABLE, 0);
+    this.scrollTo(-MARGIN);
   }
 
   /** Show the whole take. */

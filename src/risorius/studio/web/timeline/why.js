@@ -1,6 +1,7 @@
 import { clockTime } from "./paint_head.js";
 import { h, spoken } from "./dom.js";
 import { KeyTable } from "./keytable.js";
+import { Targets } from "./targets.js";
 import { timesOf } from "./times.js";
 
 /**
@@ -15,11 +16,13 @@ export class Why {
   #asked = null;
   #times = [];
   #keys;
+  #targets;
 
   /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk */
   constructor(parent, desk) {
     this.#desk = desk;
     this.#keys = new KeyTable(desk);
+    this.#targets = new Targets(desk);
     parent.replaceChildren(this.#box);
   }
 
@@ -72,7 +75,7 @@ export class Why {
     this.#times = TIMES.map((title, k) => this.#time(title, k));
     this.refresh();
     const labels = TIMES.map((title, k) => h("label", { for: this.#times[k].id }, `${title}, s`, this.#times[k]));
-    return [lane, cause, h("div", { class: "tl-times" }, ...labels)];
+    return [lane, cause, h("div", { class: "tl-times" }, ...labels), this.#targets.element(block)];
   }
 
   #time(title, k) {
