@@ -77,24 +77,33 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
     channels = []
     for name in CHANNELS:
         layers = [concatenate(found, function) for _, found in sorted(movements[name].items())]
-        curves: dict[str, list[Curve]] = defaultdict(list)
-        if name == "lips" and lips is not None:
-            for parameter in lips.parameters:
-                curves[parameter].append(LipCurve(lips, parameter))
-        if name == "manual":
-            for parameter, drawn in key_curves(score.manual).items():
-                curves[parameter].extend(drawn)
-        for layer in layers:
-            for parameter, curve in layer.curves.items():
-                curves[parameter].append(curve)
+        curves = _curves(name, layers, score, lips)
         if name != "manual":
-            for parameter, spans in replaced.items():
-                if parameter in curves:
-                    curves[parameter] = [Replaced(curve, spans) for curve in curves[parameter]]
+            curves = {p: _free(found, replaced.get(p)) for p, found in curves.items()}
         if curves:
             levels = levels_of(_courses(name, layers, lips), CHANNEL_PRIORITY[name])
             channels.append(Channel(name, levels, dict(sorted(curves.items()))))
     return tuple(channels)
+
+
+def _curves(name: str, layers: Sequence[Layer], score: Score, lips: Lips | None) -> dict[str, list[Curve]]:
+    """All curves of a channel by parameter: of speech, drawn by hand, one of each layer."""
+    curves: dict[str, list[Curve]] = defaultdict(list)
+    if name == "lips" and lips is not None:
+        for parameter in lips.parameters:
+            curves[parameter].append(LipCurve(lips, parameter))
+    if name == "manual":
+        for parameter, drawn in key_curves(score.manual).items():
+            curves[parameter].extend(drawn)
+    for layer in layers:
+        for parameter, curve in layer.curves.items():
+            curves[parameter].append(curve)
+    return curves
+
+
+def _free(curves: list[Curve], spans: Spans | None) -> list[Curve]:
+    """Curves that rest while one drawn by hand stands in their place."""
+    return curves if spans is None else [Replaced(curve, spans) for curve in curves]
 
 
 def _courses(name: str, layers: Sequence[Layer], lips: Lips | None) -> list[Course]:

@@ -28,6 +28,7 @@ from .connection import Connection
 from .guard import Guard
 from .mesh import head_glb
 from .room import Room
+from .shade import shade
 from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, to_file, to_memory
 
@@ -62,6 +63,7 @@ class Studio:
             Route("/api/catalogue", catalogue),
             Route("/api/head", head),
             Route("/api/stage", stage),
+            Route("/api/shade", shading),
             Route("/api/session/{session}/take/{take:int}/sound.wav", self.sound),
             Route("/api/session/{session}/recording", self.recording, methods=["POST"]),
             Route("/api/session/{session}/project", self.project),
@@ -159,6 +161,11 @@ async def stage(request: Request) -> Response:
     return await _of_head(request, _described, "application/json")
 
 
+async def shading(request: Request) -> Response:
+    """Return what each vertex of a head's skin sees of the light (`shade.py`)."""
+    return await _of_head(request, _shaded, "application/octet-stream")
+
+
 async def _of_head(request: Request, make: Callable[..., bytes], kind: str) -> Response:
     data = await run_in_threadpool(make, *_looks(request))
     return Response(data, media_type=kind, headers=SAME_FOR_AN_HOUR)
@@ -182,6 +189,11 @@ def _number(text: str | None) -> float | None:
 @lru_cache(maxsize=4)
 def _glb(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
     return head_glb(stage_of(head, age, hair, complexion))
+
+
+@lru_cache(maxsize=8)
+def _shaded(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
+    return shade(stage_of(head, age, hair, complexion).head)
 
 
 def _described(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:

@@ -21,6 +21,7 @@ from ..face.head import Head
 from ..out.glb_scene import riding
 from ..out.gltf import quaternions
 from ..render.figure import Piece, figure_of
+from .shade import light
 
 FRAMES, DIALLED, MOMENT = 1, 2, 3
 HEADER = struct.Struct("<6I")
@@ -69,6 +70,7 @@ class Stage:
             "origin": self.origin.tolist(),
             "pivot": self.head.head_pivot.tolist(),
             "eyes": self.head.eye_centre.tolist(),
+            "light": light(),
             "parts": [
                 {"name": p.name, "first": p.first, "count": p.count, "about": list(p.about)}
                 for p in self.parts

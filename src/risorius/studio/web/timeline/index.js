@@ -31,10 +31,11 @@ export { TIMELINE_KEYS } from "./shortcuts.js";
  * @param {import("../clock.js").Clock} studio.clock
  * @param {import("../actions.js").Actions} studio.actions
  * @param {HTMLElement} studio.explanation where explanations are shown, beside the stage
- * @returns {Timeline}
+ * @returns {Timeline} also the element's `timeline`
  */
 export function mountTimeline(element, studio) {
-  return new Timeline(element, studio);
+  element.timeline = new Timeline(element, studio);
+  return element.timeline;
 }
 
 class Timeline {
