@@ -23,7 +23,7 @@ from .core.utterance import Utterance
 from .settings import Settings
 
 if TYPE_CHECKING:
-    from .blend import Explanation, Plan, Tally
+    from .blend import Explanation, Plan, Tally, Trace
     from .face.arkit_fit import ArkitTrack
     from .face.frame import FaceFrame
     from .face.head import Head
@@ -56,13 +56,15 @@ class Take:
     """What `speak`, `mix` and `pose` return.
 
     `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces
-    and pictures are made when they are asked for, one frame at a time.
+    and pictures are made when they are asked for, one frame at a time. `planned` is the plan that the
+    performance was made by, where it is still there.
     """
 
     performance: Performance
     settings: Settings = field(default_factory=Settings)
     utterance: Utterance | None = None
     sound: Audio | None = None
+    planned: Plan | None = field(default=None, repr=False, compare=False)
 
     @property
     def score(self) -> Score:
@@ -95,6 +97,15 @@ class Take:
         names = NAMES if parameter is None else [p.name for p in parameters_named(parameter)]
         found = (explain(self._plan, time, name) for name in names)
         return tuple(e for e in found if parameter is not None or e.winner is not None or e.losers)
+
+    def traces(self, parameter: str) -> tuple[Trace, ...]:
+        """Return what each channel asks of a parameter, and what it gets, at every frame.
+
+        `parameter` is a name with its side. Raises ParameterError for an unknown name.
+        """
+        from .blend import traces
+
+        return traces(self._plan, parameter, self.times)
 
     def summary(self) -> dict[str, Tally]:
         """Say how often each channel won, was inhibited or was limited over the whole clip."""
@@ -166,7 +177,7 @@ class Take:
     def _plan(self) -> Plan:
         from .blend import Plan
 
-        return Plan(self.score, lip_rig(self.score, self.settings.head))
+        return self.planned or Plan(self.score, lip_rig(self.score, self.settings.head))
 
     def _material(self, progress: Progress) -> Material:
         from .out import Material
@@ -175,12 +186,18 @@ class Take:
             performance=self.performance,
             utterance=self.utterance,
             audio=self.sound or (self.utterance.audio if self.utterance else None),
-            frames=self.faces,
+            frames=partial(self._told_faces, progress),
             pictures=partial(self.pictures, progress=progress),
             measures=self._measured,
             head=lambda: self._dressed,
             arkit=lambda: self.arkit,
         )
+
+    def _told_faces(self, progress: Progress) -> Iterator[FaceFrame]:
+        total = len(self.performance.values)
+        for done, face in enumerate(self.faces(), 1):
+            yield face
+            progress("Solving", done, total)
 
     def _measured(self, face: FaceFrame) -> list[float]:
         measures = astuple(self._gauge.measure(face))

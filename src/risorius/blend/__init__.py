@@ -9,15 +9,6 @@ from .summary import Tally, summarize
 from .traces import Trace, traces
 
 __all__ = [
-    "Explanation",
-    "Part",
-    "Plan",
-    "Tally",
-    "Trace",
-    "at",
-    "combine",
-    "explain",
-    "kept_down",
-    "summarize",
-    "traces",
-]
+    "Explanation", "Part", "Plan", "Tally", "Trace",
+    "at", "combine", "explain", "kept_down", "summarize", "traces",
+]  # fmt: skip

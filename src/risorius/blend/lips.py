@@ -43,14 +43,15 @@ class Lips:
         self.mouth = Mouth(segments, self.model, shapes, goals, tuning)
         spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
         self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
-        self._times: Array | None = None
-        self._values: Mapping[str, Array] = {}
+        self._last: tuple[Array, Mapping[str, Array]] | None = None
 
     def at(self, parameter: str, times: Array) -> Array:
         """Return the segments' curve of a parameter at sorted times, shape (n,)."""
-        if times is not self._times:
-            self._times, self._values = times, self.mouth.spoken_at(times)
-        return self._values[parameter]
+        last = self._last
+        if last is None or last[0] is not times:
+            # Set at once: another thread may ask for other times meanwhile.
+            self._last = last = (times, self.mouth.spoken_at(times))
+        return last[1][parameter]
 
     @cached_property
     def alone(self) -> Mapping[str, Array]:

@@ -162,6 +162,7 @@ def profiles() -> Mapping[str, Profile]:
 
 @cache
 def profile_texts() -> Mapping[str, str]:
+    """Return the texts of the package's profiles by name."""
     folder = DATA / "profiles"
     names = sorted(entry.name for entry in folder.iterdir() if entry.name.endswith(".toml"))
     return {name.removesuffix(".toml"): (folder / name).read_text(encoding="utf-8") for name in names}

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import re
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
-from functools import partial
+from functools import lru_cache
 from importlib import resources
 from pathlib import Path
 
@@ -14,19 +15,22 @@ from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.middleware import Middleware
 from starlette.requests import Request
-from starlette.responses import FileResponse, PlainTextResponse, Response
+from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
+from . import limits
 from .catalogue import catalogue_json
-from .connection import Connection, Room
+from .connection import Connection
 from .guard import Guard
 from .mesh import head_glb
-from .session import Session
+from .room import Room
+from .shade import shade
 from .solvers import Solvers, stage_of
+from .uploads import TooLargeError, to_file, to_memory
 
 WEB = Path(str(resources.files(__package__) / "web"))
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
@@ -48,7 +52,7 @@ class Studio:
         if name not in self.rooms:
             folder = self.folder / name
             folder.mkdir(parents=True, exist_ok=True)
-            self.rooms[name] = Room(Session(name, folder))
+            self.rooms[name] = Room(name, folder)
         return self.rooms[name]
 
     def app(self) -> Starlette:
@@ -59,11 +63,19 @@ class Studio:
             Route("/api/catalogue", catalogue),
             Route("/api/head", head),
             Route("/api/stage", stage),
+            Route("/api/shade", shading),
             Route("/api/session/{session}/take/{take:int}/sound.wav", self.sound),
+            Route("/api/session/{session}/recording", self.recording, methods=["POST"]),
+            Route("/api/session/{session}/project", self.project),
+            Route("/api/session/{session}/project", self.take_up, methods=["POST"]),
+            Route("/api/session/{session}/export/{job:int}/{file}", self.export),
             WebSocketRoute("/ws/{session}", self.socket),
         ]
         guard = [Middleware(Guard)]
-        return Starlette(routes=routes, middleware=guard, lifespan=self._lifespan)
+        refusals = {RisoriusError: _refused}
+        return Starlette(
+            routes=routes, middleware=guard, exception_handlers=refusals, lifespan=self._lifespan
+        )
 
     @asynccontextmanager
     async def _lifespan(self, app: Starlette) -> AsyncIterator[None]:
@@ -71,7 +83,7 @@ class Studio:
         yield
         warming.cancel()
         for room in self.rooms.values():
-            room.worker.shutdown(wait=False, cancel_futures=True)
+            room.close()
 
     def warm(self) -> None:
         """Load and compile what the first play needs."""
@@ -90,14 +102,42 @@ class Studio:
 
     async def sound(self, request: Request) -> Response:
         """Return a take's sound."""
-        try:
-            live = self.room(request.path_params["session"]).session.live(request.path_params["take"])
-        except InputError as error:
-            return _refused(error, 404)
+        live = self._asked_room(request).session.live(request.path_params["take"])
         audio = live.take.utterance.audio if live.take.utterance else None
         if audio is None:
-            return _refused(InputError("nothing is said in this take"), 404)
-        return FileResponse(audio.path, media_type="audio/wav")
+            raise InputError("nothing is said in this take")
+        return FileResponse(audio.path, media_type="audio/wav", headers={"cache-control": "no-cache"})
+
+    async def recording(self, request: Request) -> Response:
+        """Take in a recording; its body is the file, `name` in the query what it is called."""
+        room = self._asked_room(request)
+        uploaded = await to_file(request, room.session.folder, limits.RECORDING)
+        try:
+            name = await room.take_in(request.query_params.get("name", ""), uploaded)
+        finally:
+            uploaded.unlink(missing_ok=True)
+        return JSONResponse({"recording": name})
+
+    async def project(self, request: Request) -> Response:
+        """Return the project as a file."""
+        data = await self._asked_room(request).project()
+        named = {"content-disposition": 'attachment; filename="performance.risorius.json"'}
+        return Response(data, media_type="application/json", headers=named)
+
+    async def take_up(self, request: Request) -> Response:
+        """Take up a project; pages are told."""
+        room = self._asked_room(request)
+        await room.take_up(await to_memory(request, limits.PROJECT))
+        return JSONResponse({})
+
+    async def export(self, request: Request) -> Response:
+        """Return a file that an export has written."""
+        name = request.path_params["file"]
+        path = self._asked_room(request).exports.file(request.path_params["job"], name)
+        return FileResponse(path, filename=name)
+
+    def _asked_room(self, request: Request) -> Room:
+        return self.room(request.path_params["session"])
 
 
 async def page(request: Request) -> Response:
@@ -121,12 +161,13 @@ async def stage(request: Request) -> Response:
     return await _of_head(request, _described, "application/json")
 
 
-async def _of_head(request: Request, make, kind: str) -> Response:  # type: ignore[no-untyped-def]
-    try:
-        chosen = _looks(request)
-        data = await run_in_threadpool(partial(make, *chosen))
-    except RisoriusError as error:
-        return _refused(error, 400)
+async def shading(request: Request) -> Response:
+    """Return what each vertex of a head's skin sees of the light (`shade.py`)."""
+    return await _of_head(request, _shaded, "application/octet-stream")
+
+
+async def _of_head(request: Request, make: Callable[..., bytes], kind: str) -> Response:
+    data = await run_in_threadpool(make, *_looks(request))
     return Response(data, media_type=kind, headers=SAME_FOR_AN_HOUR)
 
 
@@ -145,15 +186,21 @@ def _number(text: str | None) -> float | None:
         raise InputError(f"'{text}' is not a number") from None
 
 
-def _glb(*chosen) -> bytes:  # type: ignore[no-untyped-def]
-    return head_glb(stage_of(*chosen))
+@lru_cache(maxsize=4)
+def _glb(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
+    return head_glb(stage_of(head, age, hair, complexion))
 
 
-def _described(*chosen) -> bytes:  # type: ignore[no-untyped-def]
-    import json
+@lru_cache(maxsize=8)
+def _shaded(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
+    return shade(stage_of(head, age, hair, complexion).head)
 
-    return json.dumps(stage_of(*chosen).described()).encode()
+
+def _described(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
+    return json.dumps(stage_of(head, age, hair, complexion).described()).encode()
 
 
-def _refused(error: RisoriusError, status: int) -> Response:
+async def _refused(request: Request, error: Exception) -> Response:
+    """Answer with one line: 413 for what is too large, 404 for what is not there to be fetched, else 400."""
+    status = 413 if isinstance(error, TooLargeError) else 404 if request.method == "GET" else 400
     return PlainTextResponse(f"{error}\n", status_code=status)

@@ -23,6 +23,7 @@ from ..rules.book import shipped
 from ..rules.emotions import emotions
 from ..rules.lips import lip_table
 from ..rules.profiles import attitudes, profile_texts, profiles
+from ..rules.tuned import numbers_of
 from ..settings import DYNAMICS, Settings
 from ..speech.voices import voices
 from . import limits
@@ -106,7 +107,7 @@ def _emotion(emotion: Any) -> dict[str, Any]:
 
 def _profile(name: str) -> dict[str, Any]:
     profile = profiles()[name]
-    numbers = {f.key: asdict(f) for f in limits.profile_numbers(profile)}
+    numbers = {f.key: asdict(f) for f in numbers_of(profile)}
     return {**_named(profile), "numbers": numbers, "text": profile_texts()[name]}
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable
 from pathlib import Path
 
 from ..core.look import Look
@@ -12,12 +11,11 @@ from ..core.performance import parse_fps
 from ..core.score import BlendSettings
 from ..errors import InputError, unknown
 from ..face.head import shipped_heads
-from ..out.atomic import replacing
-from ..rules.emotions import emotion_names
 from ..rules.profiles import profile, profile_from, profile_texts
 from ..settings import Settings
 from ..speech.engine import is_voice_file
-from .wire import Choices, EmotionSpan
+from .shelf import write_text
+from .wire import Choices
 
 LARGEST_PROFILE = 100_000
 
@@ -68,13 +66,6 @@ def blend_of(choices: Choices) -> BlendSettings:
     )
 
 
-def check_emotions(emotions: Iterable[EmotionSpan]) -> None:
-    """Raise InputError for an emotion that is none of ours."""
-    for span in emotions:
-        if span.emotion.strip().lower() not in emotion_names():
-            raise InputError(unknown("emotion", span.emotion, emotion_names()))
-
-
 def _profile(choices: Choices, folder: Path) -> str:
     """Return a profile's name, or the file in our folder that holds the one that was edited."""
     if choices.profile_text is None:
@@ -95,6 +86,5 @@ def _written(text: str, kind: str, folder: Path) -> Path:
     """Write TOML under a name that says what is in it, unless it is there."""
     path = folder / f"{kind}-{hashlib.sha256(text.encode()).hexdigest()[:16]}.toml"
     if not path.exists():
-        with replacing(path) as beside:
-            beside.write_text(text, encoding="utf-8")
+        write_text(path, text)
     return path

@@ -3,81 +3,124 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+import contextlib
+import logging
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from ..errors import InputError, RisoriusError
+from ..errors import RisoriusError
 from . import limits, wire
+from .dialling import Dialling
 from .messages import BadRequestError, answer, decode, event, refusal
-from .session import Session
-from .solvers import Solvers, stage_of
-from .stage import FRAMES, MOMENT
+from .room import Room
+from .solvers import Solvers
+from .streaming import Streams
 
-CHUNK = 4  # faces to a message
-LEAD_IN = 1.0  # seconds from which on the skin's motion before the first face counts
-
-
-class Room:
-    """A session with its pages: a thread for what changes it, the pages that hear of it."""
-
-    def __init__(self, session: Session) -> None:
-        self.session = session
-        self.worker = ThreadPoolExecutor(1, thread_name_prefix=f"session-{session.name}")
-        self.pages: set[Connection] = set()
+LOG = logging.getLogger(__name__)
 
 
 class Connection:
     """A page."""
 
     def __init__(self, socket: WebSocket, room: Room, solvers: Solvers) -> None:
-        self._socket, self._room, self._solvers = socket, room, solvers
+        self._socket, self._room = socket, room
         self._sending = asyncio.Lock()
         self._tasks: set[asyncio.Task[None]] = set()
-        self._streams: dict[int, asyncio.Event] = {}
-        self._faces = ThreadPoolExecutor(1, thread_name_prefix="faces")
+        self._events: asyncio.Queue[Any] = asyncio.Queue(limits.EVENTS)
+        self._threads = ThreadPoolExecutor(2, thread_name_prefix="faces")
+        self._streams = Streams(self._threads, solvers, self._send)
+        self._dialling = Dialling(self._threads, solvers, self._send)
+        self._loop = asyncio.get_running_loop()
 
     async def run(self) -> None:
         """Answer requests until the page goes."""
         await self._socket.accept()
         self._room.pages.add(self)
+        self._keep(self._send_events())
         try:
             while True:
-                self._begin(await self._socket.receive_text())
-        except (WebSocketDisconnect, KeyError):
-            pass  # gone, or it sent bytes
+                message = await self._socket.receive()
+                if message["type"] == "websocket.disconnect":
+                    break
+                self._begin(message.get("text"))
+        except WebSocketDisconnect:
+            pass
         finally:
             self._room.pages.discard(self)
-            for stop in self._streams.values():
-                stop.set()
-            for task in self._tasks:
+            self._streams.stop()
+            self._dialling.stop()
+            for task in tuple(self._tasks):
                 task.cancel()
-            self._faces.shutdown(wait=False, cancel_futures=True)
+            self._threads.shutdown(wait=False, cancel_futures=True)
 
-    def _begin(self, text: str) -> None:
-        task = asyncio.get_running_loop().create_task(self._answered(text))
+    def tell(self, told: Any) -> None:
+        """Send an event when its turn comes; one too many is dropped, progress first of all."""
+        with contextlib.suppress(asyncio.QueueFull):
+            self._events.put_nowait(told)
+
+    def _begin(self, text: str | None) -> None:
+        if len(self._tasks) > limits.PENDING:
+            self._keep(self._say(refusal(None, f"more than {limits.PENDING} requests at once")))
+        elif len(self._tasks) <= 2 * limits.PENDING:
+            self._keep(self._answered(text))
+
+    def _keep(self, work: Any) -> None:
+        task = self._loop.create_task(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
-    async def _answered(self, text: str) -> None:
+    async def _answered(self, text: str | None) -> None:
         number: int | None = None
         try:
+            if text is None:
+                raise BadRequestError("the message is not text; expected JSON")
             request = decode(text)
             number = request.id
-            if len(self._tasks) > limits.PENDING:
-                raise InputError(f"more than {limits.PENDING} requests at once")
             reply = answer(number, await self._done(number, request.asked))
         except BadRequestError as error:
             reply = refusal(error.id, error.message)
         except RisoriusError as error:
             reply = refusal(number, str(error))
-        except (RuntimeError, WebSocketDisconnect):
-            return  # gone
-        await self.send(reply)
+        except Exception:
+            # A fault of ours: the page hears of it, the terminal has the traceback.
+            LOG.exception("a request failed")
+            reply = refusal(number, "the studio failed; its terminal says why")
+        await self._say(reply)
 
-    async def send(self, message: str | bytes) -> None:
+    async def _done(self, number: int, asked: Any) -> Any:
+        room = self._room
+        if isinstance(asked, wire.Faces):
+            return await self._streams.send(room.session.live(asked.take), asked)
+        if isinstance(asked, wire.FaceAt):
+            return await self._streams.moment(room.session.live(asked.take), asked)
+        if isinstance(asked, wire.Cancel):
+            self._streams.cancel(asked.take)
+            return wire.Done()
+        if isinstance(asked, wire.Dial):
+            return await self._dialling.turn(number, asked, room.session.shelf)
+        if isinstance(asked, wire.Export):
+            return room.export(asked)
+        if isinstance(asked, wire.CancelExport):
+            room.exports.stop(asked.job)
+            return wire.Done()
+        if isinstance(asked, wire.Project):
+            return wire.Download(f"/api/session/{room.session.name}/project", "performance.risorius.json")
+        return await room.done(asked, self._progress(number), self)
+
+    def _progress(self, number: int) -> Any:
+        def told(stage: str, done: int = 0, total: int = 0) -> None:
+            progress = wire.Progress(stage, done, total, re=number)
+            self._loop.call_soon_threadsafe(self.tell, progress)
+
+        return told
+
+    async def _say(self, text: str) -> None:
+        with contextlib.suppress(WebSocketDisconnect, RuntimeError):
+            await self._send(text)
+
+    async def _send(self, message: str | bytes) -> None:
         """Send a message when those before it are on their way."""
         async with self._sending:
             if isinstance(message, str):
@@ -85,63 +128,6 @@ class Connection:
             else:
                 await self._socket.send_bytes(message)
 
-    async def _done(self, number: int, asked: Any) -> Any:
-        if isinstance(asked, wire.Faces):
-            return await self._stream(asked)
-        if isinstance(asked, wire.FaceAt):
-            return await self._moment(asked)
-        if isinstance(asked, wire.Cancel):
-            if asked.take in self._streams:
-                self._streams[asked.take].set()
-            return wire.Done()
-        method: Callable[..., Any] = getattr(self._room.session, _METHODS[type(asked)])
-        loop = asyncio.get_running_loop()
-
-        def progress(stage: str, done: int = 0, total: int = 0) -> None:
-            told = wire.Progress(stage, done, total, re=number)
-            asyncio.run_coroutine_threadsafe(self.send(event(told)), loop)
-
-        return await loop.run_in_executor(self._room.worker, method, asked, progress)
-
-    async def _stream(self, asked: wire.Faces) -> wire.Sent:
-        live = self._room.session.live(asked.take)
-        last = min(asked.last, len(live.take.performance.values))
-        if asked.take in self._streams:
-            self._streams[asked.take].set()
-        stop = self._streams[asked.take] = asyncio.Event()
-        loop, sent = asyncio.get_running_loop(), 0
-        settings = live.take.settings
-        stage = await loop.run_in_executor(self._faces, stage_of, settings.head, settings.age)
-        with self._solvers.lent(settings) as solver:
-            faces = live.take.faces(range(asked.first, last), lead_in=LEAD_IN, solver=solver)
-
-            def chunk(first: int) -> bytes:
-                some = [next(faces) for _ in range(min(CHUNK, last - first))]
-                return stage.packed(FRAMES, asked.take, first, some)
-
-            for first in range(asked.first, last, CHUNK):
-                if stop.is_set():
-                    break
-                await self.send(await loop.run_in_executor(self._faces, chunk, first))
-                sent = min(first + CHUNK, last) - asked.first
-        if self._streams.get(asked.take) is stop:
-            del self._streams[asked.take]
-        return wire.Sent(sent)
-
-    async def _moment(self, asked: wire.FaceAt) -> wire.Sent:
-        live = self._room.session.live(asked.take)
-        loop = asyncio.get_running_loop()
-
-        def face() -> bytes:
-            settings = live.take.settings
-            frame = round(asked.time * live.take.performance.fps)
-            frame = min(frame, len(live.take.performance.values) - 1)
-            with self._solvers.lent(settings) as solver:
-                found = list(live.take.faces([frame], lead_in=LEAD_IN, solver=solver))
-            return stage_of(settings.head, settings.age).packed(MOMENT, asked.take, frame, found)
-
-        await self.send(await loop.run_in_executor(self._faces, face))
-        return wire.Sent(1)
-
-
-_METHODS = {cls: name for name, cls in wire.VERBS.items()} | dict.fromkeys(wire.EDITS.values(), "edit")
+    async def _send_events(self) -> None:
+        while True:
+            await self._say(event(await self._events.get()))

@@ -18,7 +18,6 @@ from . import wire
 # Seconds of sound to a bucket of the waveform, coarse to fine; none has more buckets than MOST_BUCKETS.
 ZOOMS = (0.064, 0.016, 0.004)
 MOST_BUCKETS = 200_000
-BY_HAND = "by hand"
 
 
 def spoken(utterance: Utterance, sound: str) -> wire.Spoken:
@@ -71,7 +70,7 @@ def _block(m: Movement, edited: bool) -> wire.Block:
         targets=dict(m.targets),
         priority=priority,
         function=m.function,
-        cause=sentence(m.cause) + (f"; changed {BY_HAND}" if edited and m.cause.rule != BY_HAND else ""),
+        cause=sentence(m.cause),
         rule=m.cause.rule,
         edited=edited,
     )
@@ -108,7 +107,7 @@ def drawn(score: Score) -> tuple[wire.Drawn, ...]:
 
 
 def _drawn(name: str, curve: ManualCurve) -> wire.Drawn:
-    return wire.Drawn(name, tuple(curve.keys[name]), sentence(curve.cause))
+    return wire.Drawn(name, tuple(curve.keys[name]), sentence(curve.cause), curve.replaces)
 
 
 def curves(values: npt.NDArray[np.float64]) -> dict[str, str]:

@@ -66,13 +66,15 @@ def _asked(data: dict[str, Any]) -> Any:
     if not isinstance(verb, str) or verb not in kinds:
         kind = "request" if kinds is VERBS else "edit"
         raise InputError(unknown(kind, str(verb)[:40], (*kinds, "edit") if kinds is VERBS else kinds))
-    return build(kinds[verb], _without_nulls(data), Schema(verb))
+    return build(kinds[verb], without_nulls(data), Schema(verb))
 
 
-def _without_nulls(data: Any) -> Any:
+def without_nulls(data: Any) -> Any:
     """Leave out keys that hold null: they mean the default."""
     if isinstance(data, dict):
-        return {key: _without_nulls(value) for key, value in data.items() if value is not None}
+        return {key: without_nulls(value) for key, value in data.items() if value is not None}
+    if isinstance(data, list):
+        return [without_nulls(value) for value in data]
     return data
 
 

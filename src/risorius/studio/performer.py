@@ -1,15 +1,14 @@
-"""From what a page asks to a score: only what has changed is done again, and never more synthesis than that."""
+"""From what a page asks to a score: the voice is synthesized again only where it has to be another."""
 
 from __future__ import annotations
 
 import time
 import warnings
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
-from pathlib import Path
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from ..channels import Display
-from ..core.score import Score
+from ..core.edits import identified
 from ..core.utterance import Utterance
 from ..errors import InputError, RisoriusWarning
 from ..pipeline import looking_like, plan, spoken
@@ -18,70 +17,56 @@ from ..script import Script, parse_script
 from ..settings import Settings
 from ..speech.heard import listen
 from ..take import Progress
-from .choices import check_emotions, settings_of
+from .choices import settings_of
+from .shelf import Shelf
+from .version import Version
 from .wire import EmotionSpan, Made, Source
 
 LONGEST_SCRIPT = 200_000
 _MOST_KEPT = 8
-
-
-@dataclass(slots=True)
-class Performed:
-    """What came of a request: the score as the rules made it, its settings, what is said, what was odd."""
-
-    made: Made
-    score: Score
-    settings: Settings
-    utterance: Utterance | None
-    warnings: tuple[str, ...] = ()
-    milliseconds: dict[str, float] = field(default_factory=dict)
+Heard = tuple[Script, Utterance | None]
 
 
 class Performer:
     """Plans performances for one session; keeps the voices that it has heard. For one thread at a time."""
 
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
-        self._voices: dict[object, tuple[Script, Utterance | None]] = {}
+    def __init__(self, shelf: Shelf) -> None:
+        self._shelf = shelf
+        self._voices: dict[object, Heard] = {}
 
-    def perform(self, made: Made, progress: Progress) -> Performed:
+    def perform(self, made: Made, progress: Progress) -> Version:
         """Plan what a page asks. Raises RisoriusError with one line on what is wrong."""
         if len(made.source.script) > LONGEST_SCRIPT:
             raise InputError(f"the script is longer than {LONGEST_SCRIPT} characters")
-        check_emotions(made.emotions)
-        settings = settings_of(made.choices, self._folder)
+        spans = tuple(replace(span, emotion=self._shelf.emotion(span.emotion)) for span in made.emotions)
+        settings = settings_of(made.choices, self._shelf.folder)
         settings = looking_like(profile_of(settings.profile), settings)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always", RisoriusWarning)
             begun = time.perf_counter()
-            script, utterance, displays = self._heard(made, settings, progress)
+            script, utterance, displays = self._heard(made.source, spans, settings, progress)
             said = time.perf_counter()
-            score = plan(script, utterance, displays, settings)
+            score = identified(plan(script, utterance, displays, settings))
             planned = time.perf_counter()
-        return Performed(
-            made,
-            score,
-            settings,
-            utterance,
-            tuple(str(w.message) for w in caught if issubclass(w.category, RisoriusWarning)),
-            {"voice": 1e3 * (said - begun), "plan": 1e3 * (planned - said)},
+        odd = tuple(
+            " ".join(str(w.message).split()) for w in caught if issubclass(w.category, RisoriusWarning)
         )
+        spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (planned - said)}
+        return Version(made, score, score, settings, utterance, warnings=odd, milliseconds=spent)
 
     def _heard(
-        self, made: Made, settings: Settings, progress: Progress
+        self, source: Source, spans: tuple[EmotionSpan, ...], settings: Settings, progress: Progress
     ) -> tuple[Script, Utterance | None, tuple[Display, ...]]:
-        source = made.source
         if source.recording is not None or source.format == "TextGrid":
-            key: object = ("recording", source)
-            script, utterance = self._kept(key, lambda: self._recorded(source, progress))
-            return script, utterance, _placed(made.emotions, utterance)
+            script, utterance = self._kept(source, lambda: self._recorded(source, progress))
+            return script, utterance, _placed(spans, utterance)
         script = parse_script(source.script, _SUFFIX[source.format], "script")
-        displays = _placed([span for span in made.emotions if span.first is None], None)
-        if len(displays) < len(made.emotions):
+        displays = _placed([span for span in spans if span.first is None], None)
+        if len(displays) < len(spans):
             _, plain = self._voice(source, script, (), settings, progress)
-            displays = _placed(made.emotions, plain)
+            displays = _placed(spans, plain)
         _, utterance = self._voice(source, script, displays, settings, progress)
-        return script, utterance, _placed(made.emotions, utterance)
+        return script, utterance, _placed(spans, utterance)
 
     def _voice(
         self,
@@ -90,17 +75,17 @@ class Performer:
         displays: tuple[Display, ...],
         settings: Settings,
         progress: Progress,
-    ) -> tuple[Script, Utterance | None]:
+    ) -> Heard:
         felt = displays if settings.voice_emotion else ()
         voice = (settings.voice, settings.language, settings.rate, settings.lead, settings.tail)
 
-        def say() -> tuple[Script, Utterance | None]:
+        def say() -> Heard:
             progress("Speaking …")
             return script, spoken(script, felt, settings) if script.lines else None
 
         return self._kept((source, felt, settings.voice_emotion, *voice), say)
 
-    def _kept(self, key, make):  # type: ignore[no-untyped-def]
+    def _kept(self, key: object, make: Callable[[], Heard]) -> Heard:
         if key not in self._voices:
             made = make()
             while len(self._voices) >= _MOST_KEPT:
@@ -108,10 +93,10 @@ class Performer:
             self._voices[key] = made
         return self._voices[key]
 
-    def _recorded(self, source: Source, progress: Progress) -> tuple[Script, Utterance]:
-        audio = None if source.recording is None else self._folder / "recordings" / source.recording
+    def _recorded(self, source: Source, progress: Progress) -> Heard:
+        audio = None if source.recording is None else self._shelf.recording(source.recording)
         if source.format == "TextGrid":
-            labels = self._folder / "labels.TextGrid"
+            labels = self._shelf.folder / "labels.TextGrid"
             labels.write_text(source.script, encoding="utf-8")
             return listen(str(labels), audio, None, progress)
         return listen(source.script or None, audio, None, progress, text=True)

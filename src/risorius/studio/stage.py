@@ -21,6 +21,7 @@ from ..face.head import Head
 from ..out.glb_scene import riding
 from ..out.gltf import quaternions
 from ..render.figure import Piece, figure_of
+from .shade import light
 
 FRAMES, DIALLED, MOMENT = 1, 2, 3
 HEADER = struct.Struct("<6I")
@@ -69,6 +70,7 @@ class Stage:
             "origin": self.origin.tolist(),
             "pivot": self.head.head_pivot.tolist(),
             "eyes": self.head.eye_centre.tolist(),
+            "light": light(),
             "parts": [
                 {"name": p.name, "first": p.first, "count": p.count, "about": list(p.about)}
                 for p in self.parts
@@ -87,7 +89,7 @@ class Stage:
         hairs = riding(self.pieces, skin - self._rest)
         grown = [self.pieces[name].points + move for name, move in hairs.items()]
         points = np.concatenate([skin, face.tongue, face.teeth_lower, *grown])
-        return np.round((points - self.origin) / STEP).clip(-32768, 32767).astype("<i2")
+        return np.asarray(np.round((points - self.origin) / STEP).clip(-32768, 32767), "<i2")
 
 
 def _pose(face: FaceFrame) -> npt.NDArray[np.float32]:

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
+from ..core.edits import Add, ClearKeys, Delete, Keys, Move, Retarget, Stretch
 from ..core.schema import Range
 
 Seconds = Annotated[float, Range(0.0, 86_400.0)]
@@ -112,69 +113,7 @@ class Choose:
     emotions: tuple[EmotionSpan, ...] | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Move:
-    """Move a block so that it starts at `start`."""
-
-    movement: str
-    start: Seconds
-
-
-@dataclass(frozen=True, slots=True)
-class Stretch:
-    """Give a block other times; those left out stay. Onset and offset are seconds of rise and fall."""
-
-    movement: str
-    start: Seconds | None = None
-    end: Seconds | None = None
-    onset: Seconds | None = None
-    offset: Seconds | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Retarget:
-    """Give a block other targets, by parameter, action unit or alias, or another priority."""
-
-    movement: str
-    targets: Mapping[str, float] | None = None
-    priority: float | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Add:
-    """Add a block. Targets are parameters, action units or aliases."""
-
-    channel: str
-    start: Seconds
-    end: Seconds
-    targets: Mapping[str, float]
-    onset: Seconds = 0.1
-    offset: Seconds = 0.2
-    layer: str | None = None
-    function: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Delete:
-    """Delete a block."""
-
-    movement: str
-
-
-@dataclass(frozen=True, slots=True)
-class Keys:
-    """Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before."""
-
-    parameter: str
-    keys: tuple[tuple[float, float], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class ClearKeys:
-    """Take back what was drawn by hand for a parameter."""
-
-    parameter: str
-
+Edit = Move | Stretch | Retarget | Add | Delete | Keys | ClearKeys
 
 EDITS: Mapping[str, type] = {
     "move": Move,
@@ -185,9 +124,7 @@ EDITS: Mapping[str, type] = {
     "keys": Keys,
     "clear_keys": ClearKeys,
 }
-"""The kinds of `{"do": "edit", "kind": KIND, …}`; answered by TakeChange."""
-
-Edit = Move | Stretch | Retarget | Add | Delete | Keys | ClearKeys
+"""The kinds of `{"do": "edit", "kind": KIND, …}`, which are the library's own; answered by TakeChange."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -243,7 +180,7 @@ class Dial:
 
 @dataclass(frozen=True, slots=True)
 class SavePose:
-    """Keep the dialled face under a name, as a pose or as an emotion; answered by Download (its file)."""
+    """Keep the dialled face under a name, as a pose or as an emotion; answered by PoseFile."""
 
     name: str
     kind: Literal["pose", "emotion"]
@@ -427,11 +364,12 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """A parameter's curve drawn by hand: keys [time, value]."""
+    """A parameter's curve drawn by hand: keys [time, value]. `replaces`: as in Keys."""
 
     parameter: str
     keys: tuple[tuple[float, float], ...]
     cause: str
+    replaces: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -517,12 +455,18 @@ class TakeChange:
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """A session as it stands: its take (null before the first), recordings uploaded, what the page kept."""
+    """A session as it stands: its take (null before the first), what was uploaded and saved under a name.
+
+    `view`: what the page kept of itself. `notes`: what could not be taken up from what was saved.
+    """
 
     session: str
     take: TakeView | None
     recordings: tuple[str, ...]
+    emotions: tuple[str, ...]
+    poses: Mapping[str, Mapping[str, float]]
     view: Mapping[str, object]
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -636,6 +580,15 @@ class ProfileFile:
 
 
 @dataclass(frozen=True, slots=True)
+class PoseFile:
+    """What was saved under a name, as a file: an emotion (TOML), or the command that makes the pose."""
+
+    name: str
+    file: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Job:
     """An export that has begun."""
 
@@ -666,6 +619,13 @@ class Exported:
 
 
 @dataclass(frozen=True, slots=True)
+class Changed:
+    """Another page of the same session has changed it: its take is another now."""
+
+    take: int
+
+
+@dataclass(frozen=True, slots=True)
 class Saved:
     """The project was saved by itself; `error` says why it could not be."""
 
@@ -679,9 +639,15 @@ class Ready:
     what: str
 
 
-EVENTS: Mapping[str, type] = {"progress": Progress, "exported": Exported, "saved": Saved, "ready": Ready}
+EVENTS: Mapping[str, type] = {
+    "progress": Progress,
+    "exported": Exported,
+    "changed": Changed,
+    "saved": Saved,
+    "ready": Ready,
+}
 
 ANSWERS: tuple[type, ...] = (
     TakeView, TakeChange, State, Sent, Done, DialState, Download, Explained, ParameterDetail, Fired,
-    ProfileFile, Job,
+    ProfileFile, PoseFile, Job,
 )  # fmt: skip

@@ -18,6 +18,7 @@ from typing import Annotated, Any, Literal
 from . import wire
 
 FILE = Path(str(resources.files(__package__) / "web" / "wire.js"))
+_KNOWN = frozenset(wire.EDITS.values())
 _PLAIN = {str: "string", bool: "boolean", int: "number", float: "number", object: "any"}
 
 
@@ -38,7 +39,8 @@ _HEAD = (
 
 def _classes() -> list[type]:
     found = [thing for thing in vars(wire).values() if isinstance(thing, type)]
-    return [cls for cls in found if dataclasses.is_dataclass(cls) and cls.__module__ == wire.__name__]
+    ours = [cls for cls in found if cls in _KNOWN or cls.__module__ == wire.__name__]
+    return [cls for cls in ours if dataclasses.is_dataclass(cls)]
 
 
 def _typedef(cls: type) -> str:

@@ -5,12 +5,12 @@ import { buildFigure } from "./stage/figure.js";
 const MOST = 3;
 
 export class Heads {
-  #drawing;
+  #stage;
   #kept = new Map();
 
-  /** @param {object} drawing what the stage's figures are built with */
-  constructor(drawing) {
-    this.#drawing = drawing;
+  /** @param {import("./stage/stage.js").Stage} stage */
+  constructor(stage) {
+    this.#stage = stage;
   }
 
   /**
@@ -41,7 +41,16 @@ export class Heads {
       answered(`/api/head?${asked}`).then((response) => response.arrayBuffer()),
       answered(`/api/stage?${asked}`).then((response) => response.json()),
     ]);
-    return buildFigure(file, packing, this.#drawing);
+    const figure = await buildFigure(file, packing, this.#stage.lit(packing.light));
+    this.#shade(figure, asked);
+    return figure;
+  }
+
+  /** The shade may have to be worked out first: the head is shown without it until then. */
+  async #shade(figure, asked) {
+    const response = await answered(`/api/shade?${asked}`);
+    figure.shade = new Uint8Array(await response.arrayBuffer());
+    this.#stage.invalidate();
   }
 }
 

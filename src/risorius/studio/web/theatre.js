@@ -22,7 +22,7 @@ export class Theatre {
     this.#connection = connection;
     this.#notify = notify;
     this.stage = new Stage(canvas);
-    this.#heads = new Heads(this.stage.drawing);
+    this.#heads = new Heads(this.stage);
     this.#players = [0, 1].map((place) => new Player(connection, clock, (a, b, s) => this.#show(place, a, b, s)));
     connection.on("binary", (buffer) => this.#receive(unpackFaces(buffer)));
     store.watch(["catalogue", "take", "choices"], () => this.#cast(0, store.get("take")));

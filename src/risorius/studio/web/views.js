@@ -14,7 +14,8 @@ export function mountViews(element, empty, { store, view }) {
   document.getElementById("head").addEventListener("keydown", (event) => turn(event, view));
   store.watch(["take", "dial", "busy", "link", "catalogue"], () => {
     const nothing = store.get("take") === null && store.get("dial") === null;
-    empty.textContent = store.get("busy") || (nothing && store.get("catalogue") ? "Write a line, then perform it." : "");
+    const performing = nothing && store.get("busy");
+    empty.textContent = performing || (nothing && store.get("catalogue") ? "Write a line, then perform it." : "");
   });
 }
 

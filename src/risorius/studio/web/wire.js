@@ -1,6 +1,76 @@
 // Generated from src/risorius/studio/wire.py by `python -m risorius.studio.wire_types`: do not edit.
 
 /**
+ * Add a block. Targets are parameters, action units or aliases.
+ * Without `layer` it has one of its own, so that it takes nothing over from other blocks of its channel;
+ * without `id` it gets the next free one.
+ * @typedef {Object} Add
+ * @property {"edit"} do
+ * @property {"add"} kind
+ * @property {string} channel
+ * @property {number} start
+ * @property {number} end
+ * @property {Object<string, number>} targets
+ * @property {number} [onset]
+ * @property {number} [offset]
+ * @property {string|null} [layer]
+ * @property {string|null} [function]
+ * @property {string|null} [id]
+ */
+/**
+ * Take back what was drawn by hand for a parameter.
+ * @typedef {Object} ClearKeys
+ * @property {"edit"} do
+ * @property {"clear_keys"} kind
+ * @property {string} parameter
+ */
+/**
+ * Delete a block.
+ * @typedef {Object} Delete
+ * @property {"edit"} do
+ * @property {"delete"} kind
+ * @property {string} movement
+ */
+/**
+ * Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before.
+ * `replaces`: from the first key to the last the curve stands in place of what all channels ask; else the
+ * highest shows.
+ * @typedef {Object} Keys
+ * @property {"edit"} do
+ * @property {"keys"} kind
+ * @property {string} parameter
+ * @property {Array<[number, number]>} keys
+ * @property {boolean} [replaces]
+ */
+/**
+ * Move a block so that it starts at `start`.
+ * @typedef {Object} Move
+ * @property {"edit"} do
+ * @property {"move"} kind
+ * @property {string} movement
+ * @property {number} start
+ */
+/**
+ * Give a block other targets, by parameter, action unit or alias, or another priority.
+ * @typedef {Object} Retarget
+ * @property {"edit"} do
+ * @property {"retarget"} kind
+ * @property {string} movement
+ * @property {Object<string, number>|null} [targets]
+ * @property {number|null} [priority]
+ */
+/**
+ * Give a block other times; those left out stay. Onset and offset are seconds of rise and fall.
+ * @typedef {Object} Stretch
+ * @property {"edit"} do
+ * @property {"stretch"} kind
+ * @property {string} movement
+ * @property {number|null} [start]
+ * @property {number|null} [end]
+ * @property {number|null} [onset]
+ * @property {number|null} [offset]
+ */
+/**
  * An emotion to show, over the whole clip, over seconds, or over characters [first, last) of the text.
  * @typedef {Object} EmotionSpan
  * @property {string} emotion
@@ -74,70 +144,6 @@
  * @property {Array<EmotionSpan>|null} [emotions]
  */
 /**
- * Move a block so that it starts at `start`.
- * @typedef {Object} Move
- * @property {"edit"} do
- * @property {"move"} kind
- * @property {string} movement
- * @property {number} start
- */
-/**
- * Give a block other times; those left out stay. Onset and offset are seconds of rise and fall.
- * @typedef {Object} Stretch
- * @property {"edit"} do
- * @property {"stretch"} kind
- * @property {string} movement
- * @property {number|null} [start]
- * @property {number|null} [end]
- * @property {number|null} [onset]
- * @property {number|null} [offset]
- */
-/**
- * Give a block other targets, by parameter, action unit or alias, or another priority.
- * @typedef {Object} Retarget
- * @property {"edit"} do
- * @property {"retarget"} kind
- * @property {string} movement
- * @property {Object<string, number>|null} [targets]
- * @property {number|null} [priority]
- */
-/**
- * Add a block. Targets are parameters, action units or aliases.
- * @typedef {Object} Add
- * @property {"edit"} do
- * @property {"add"} kind
- * @property {string} channel
- * @property {number} start
- * @property {number} end
- * @property {Object<string, number>} targets
- * @property {number} [onset]
- * @property {number} [offset]
- * @property {string|null} [layer]
- * @property {string|null} [function]
- */
-/**
- * Delete a block.
- * @typedef {Object} Delete
- * @property {"edit"} do
- * @property {"delete"} kind
- * @property {string} movement
- */
-/**
- * Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before.
- * @typedef {Object} Keys
- * @property {"edit"} do
- * @property {"keys"} kind
- * @property {string} parameter
- * @property {Array<[number, number]>} keys
- */
-/**
- * Take back what was drawn by hand for a parameter.
- * @typedef {Object} ClearKeys
- * @property {"edit"} do
- * @property {"clear_keys"} kind
- * @property {string} parameter
- */
-/**
  * Take the last change back; answered by TakeChange.
  * @typedef {Object} Undo
  * @property {"undo"} do
@@ -182,7 +188,7 @@
  * @property {number|null} [age]
  */
 /**
- * Keep the dialled face under a name, as a pose or as an emotion; answered by Download (its file).
+ * Keep the dialled face under a name, as a pose or as an emotion; answered by PoseFile.
  * @typedef {Object} SavePose
  * @property {"name_pose"} do
  * @property {string} name
@@ -316,11 +322,12 @@
  * @property {boolean} [edited]
  */
 /**
- * A parameter's curve drawn by hand: keys [time, value].
+ * A parameter's curve drawn by hand: keys [time, value]. `replaces`: as in Keys.
  * @typedef {Object} Drawn
  * @property {string} parameter
  * @property {Array<[number, number]>} keys
  * @property {string} cause
+ * @property {boolean} replaces
  */
 /**
  * The sound's peaks at one zoom: base64 of int8 pairs (least, greatest), one pair per bucket.
@@ -390,12 +397,16 @@
  * @property {Array<string>} warnings
  */
 /**
- * A session as it stands: its take (null before the first), recordings uploaded, what the page kept.
+ * A session as it stands: its take (null before the first), what was uploaded and saved under a name.
+ * `view`: what the page kept of itself. `notes`: what could not be taken up from what was saved.
  * @typedef {Object} State
  * @property {string} session
  * @property {TakeView|null} take
  * @property {Array<string>} recordings
+ * @property {Array<string>} emotions
+ * @property {Object<string, Object<string, number>>} poses
  * @property {Object<string, any>} view
+ * @property {Array<string>} notes
  */
 /**
  * How many faces were sent.
@@ -483,6 +494,13 @@
  * @property {string} text
  */
 /**
+ * What was saved under a name, as a file: an emotion (TOML), or the command that makes the pose.
+ * @typedef {Object} PoseFile
+ * @property {string} name
+ * @property {string} file
+ * @property {string} text
+ */
+/**
  * An export that has begun.
  * @typedef {Object} Job
  * @property {number} job
@@ -506,6 +524,12 @@
  * @property {string} error
  */
 /**
+ * Another page of the same session has changed it: its take is another now.
+ * @typedef {Object} Changed
+ * @property {"changed"} event
+ * @property {number} take
+ */
+/**
  * The project was saved by itself; `error` says why it could not be.
  * @typedef {Object} Saved
  * @property {"saved"} event
@@ -519,5 +543,5 @@
  */
 /** @typedef {"open" | "perform" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
-/** @typedef {"progress" | "exported" | "saved" | "ready"} EventName */
+/** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

@@ -5,8 +5,8 @@ import * as THREE from "../vendor/three/three.module.min.js";
 // Centre in metres in the head's frame, height of what is seen in metres, turn and tilt in degrees.
 export const VIEWS = {
   front: { label: "Front", centre: [0, 0.0, 0.03], height: 0.31, turn: 0, tilt: 0 },
-  three_quarter: { label: "Three-quarter", centre: [0, 0.0, 0.01], height: 0.31, turn: 35, tilt: 4 },
-  side: { label: "Side", centre: [0, 0.0, -0.01], height: 0.31, turn: 90, tilt: 0 },
+  three_quarter: { label: "Three-quarter", centre: [0, -0.005, -0.02], height: 0.32, turn: 35, tilt: 4 },
+  side: { label: "Side", centre: [0, -0.005, -0.02], height: 0.32, turn: 90, tilt: 0 },
   mouth: { label: "Mouth", centre: [0, -0.055, 0.08], height: 0.13, turn: 0, tilt: 0 },
 };
 

@@ -19,11 +19,11 @@ const SKIN_NAMES = { ...NAMES, JOINTS_0: "skinIndex", WEIGHTS_0: "skinWeight" };
 /**
  * @param {ArrayBuffer} file the head as binary glTF
  * @param {object} packing how faces of this head are packed, as the server describes it
- * @param {{surroundings: THREE.Texture, simple: boolean}} drawing what the eyes mirror; whether to shade simply
+ * @param {THREE.Texture} mirrored what the eyes mirror
  */
-export async function buildFigure(file, packing, drawing) {
+export async function buildFigure(file, packing, mirrored) {
   const glb = readGlb(file);
-  return new Figure(glb, packing, { ...drawing, iris: await irisTexture(glb.images[0]) });
+  return new Figure(glb, packing, { mirrored, iris: await irisTexture(glb.images[0]) });
 }
 
 export class Figure {
@@ -35,7 +35,7 @@ export class Figure {
   #body = new THREE.Bone();
   #eyes = [];
 
-  constructor(glb, packing, drawing) {
+  constructor(glb, packing, pictures) {
     this.#packing = packing;
     this.pivot = new THREE.Vector3(...packing.pivot);
     this.#head.position.copy(this.pivot);
@@ -43,8 +43,27 @@ export class Figure {
     this.group.add(this.#body);
     this.group.scale.setScalar(1 / MM);
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
-    for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], drawing);
+    for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
+    this.shade = null;
+  }
+
+  /**
+   * What each vertex of the skin sees at rest of the room and of each lamp, (vertices, 1 + lamps); null: all.
+   * @param {Uint8Array | null} seen
+   */
+  set shade(seen) {
+    const { geometry } = this.#meshes.skin;
+    const { count } = geometry.attributes.position;
+    const [free, reach] = [new Uint8Array(count).fill(255), new Uint8Array(4 * count).fill(255)];
+    const width = seen ? seen.length / count : 0;
+    for (let k = 0; k < count * width; k++) {
+      const [vertex, column] = [Math.floor(k / width), k % width];
+      if (column === 0) free[vertex] = seen[k];
+      else reach[4 * vertex + column - 1] = seen[k];
+    }
+    geometry.setAttribute("free", new THREE.BufferAttribute(free, 1, true));
+    geometry.setAttribute("reach", new THREE.BufferAttribute(reach, 4, true));
   }
 
   /** How many numbers a face of this head has. */
@@ -72,14 +91,12 @@ export class Figure {
     this.group.removeFromParent();
   }
 
-  #add(name, data, translation, drawing) {
+  #add(name, data, translation, pictures) {
     const moves = this.#packing.parts.some((part) => part.name === name);
     const geometry = geometryOf(data, name === "skin" ? SKIN_NAMES : NAMES, moves);
-    const material = materialOf(data.material.name, drawing, drawing.simple);
+    const material = materialOf(data.material.name, pictures);
     const mesh = name === "skin" ? this.#skinned(geometry, material) : new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
-    mesh.castShadow = name === "skin" || name === "hair";
-    mesh.receiveShadow = !HAIRS.includes(name);
     this.#meshes[name] = mesh;
     (name === "skin" ? this.group : this.#head).add(mesh);
     if (translation) {

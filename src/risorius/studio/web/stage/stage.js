@@ -7,8 +7,9 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { View } from "./cameras.js";
-import { addLights, surroundings } from "./lights.js";
+import { lightsOf, mirrored } from "./lights.js";
 import { Sharpness } from "./sharpness.js";
+import { developAsFilm } from "./tone.js";
 
 export class Stage {
   #canvas;
@@ -16,6 +17,7 @@ export class Stage {
   #scene = new THREE.Scene();
   #figures = [];
   #sharpness;
+  #mirrored = null;
   #asked = false;
   #drawn = 0;
   /** From where the heads are looked at. */
@@ -24,19 +26,25 @@ export class Stage {
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.#canvas = canvas;
-    const simple = drawnBySoftware();
-    this.#renderer = new THREE.WebGLRenderer({ canvas, alpha: true, antialias: !simple });
-    this.#renderer.toneMapping = THREE.ACESFilmicToneMapping;
-    this.#renderer.toneMappingExposure = 0.95;
-    this.#renderer.shadowMap.enabled = !simple;
-    this.#renderer.shadowMap.type = THREE.PCFShadowMap;
-    /** What figures of this stage are built with. */
-    this.drawing = { surroundings: surroundings(this.#renderer), simple };
-    addLights(this.#scene, !simple);
-    this.#sharpness = new Sharpness(simple, () => this.#resize());
+    const rough = drawnBySoftware();
+    this.#renderer = new THREE.WebGLRenderer({ canvas, alpha: true, antialias: !rough });
+    developAsFilm(this.#renderer);
+    this.#sharpness = new Sharpness(rough, () => this.#resize());
     this.view.listen(canvas);
     new ResizeObserver(() => this.#resize()).observe(canvas);
     this.#resize();
+  }
+
+  /**
+   * Light the stage, the first time; return what eyes mirror of it.
+   * @param {object} light as the server describes it
+   */
+  lit(light) {
+    if (this.#mirrored === null) {
+      this.#scene.add(...lightsOf(light));
+      this.#mirrored = mirrored(this.#renderer, light);
+    }
+    return this.#mirrored;
   }
 
   /** Pictures drawn so far. */
