@@ -23,7 +23,7 @@ from .core.utterance import Utterance
 from .settings import Settings
 
 if TYPE_CHECKING:
-    from .blend import Explanation, Lane, Plan, Tally
+    from .blend import Explanation, Plan, Tally, Trace
     from .face.arkit_fit import ArkitTrack
     from .face.frame import FaceFrame
     from .face.head import Head
@@ -98,14 +98,14 @@ class Take:
         found = (explain(self._plan, time, name) for name in names)
         return tuple(e for e in found if parameter is not None or e.winner is not None or e.losers)
 
-    def lanes(self, parameter: str) -> tuple[Lane, ...]:
+    def traces(self, parameter: str) -> tuple[Trace, ...]:
         """Return what each channel asks of a parameter, and what it gets, at every frame.
 
         `parameter` is a name with its side. Raises ParameterError for an unknown name.
         """
-        from .blend import lanes_of
+        from .blend import traces
 
-        return lanes_of(self._plan, parameter, self.times)
+        return traces(self._plan, parameter, self.times)
 
     def summary(self) -> dict[str, Tally]:
         """Say how often each channel won, was inhibited or was limited over the whole clip."""

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from .explain import Explanation, Part, explain
 from .hindered import kept_down
-from .lanes import Lane, lanes_of
 from .plan import Plan, at, combine
 from .summary import Tally, summarize
 from .traces import Trace, traces
 
 __all__ = [
-    "Explanation", "Lane", "Part", "Plan", "Tally", "Trace",
-    "at", "combine", "explain", "kept_down", "lanes_of", "summarize", "traces",
+    "Explanation", "Part", "Plan", "Tally", "Trace",
+    "at", "combine", "explain", "kept_down", "summarize", "traces",
 ]  # fmt: skip

@@ -8,8 +8,10 @@ from fractions import Fraction
 from ..core.performance import frame_times
 from ..core.score import Score
 from .concatenate import SIGNED
-from .lanes import LEAST, asked_and_given
+from .limits import LIPS
 from .plan import Moment, Plan
+
+_LEAST = 1e-9
 
 
 @dataclass(slots=True)
@@ -39,10 +41,16 @@ def summarize(source: Score | Plan, fps: Fraction) -> dict[str, Tally]:
 
 
 def _count(moment: Moment, name: str, tallies: dict[str, Tally]) -> None:
-    shown = moment.value(name)
-    for channel, index, asked, given in asked_and_given(moment, name):
-        tally, active = tallies[channel], asked > LEAST
+    own, shown = moment.own(name), moment.value(name)
+    for channel in moment.plan.channels:
+        if name not in channel.curves:
+            continue
+        _, asked = channel.sample(name, moment.times)
+        index, given = moment.settled(channel, name)
+        if channel.name != LIPS:
+            given = moment.bounded(channel, name, index, given, own)
+        tally, active = tallies[channel.name], asked > _LEAST
         tally.active += int(active.sum())
-        tally.won += int((active & (given > LEAST) & (given >= shown[index] - LEAST)).sum())
-        tally.inhibited += int((active & (given <= LEAST)).sum())
-        tally.limited += int((active & (given > LEAST) & (given < asked - LEAST)).sum())
+        tally.won += int((active & (given > _LEAST) & (given >= shown[index] - _LEAST)).sum())
+        tally.inhibited += int((active & (given <= _LEAST)).sum())
+        tally.limited += int((active & (given > _LEAST) & (given < asked - _LEAST)).sum())

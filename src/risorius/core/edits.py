@@ -83,10 +83,15 @@ class Delete:
 
 @dataclass(frozen=True, slots=True)
 class Keys:
-    """Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before."""
+    """Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before.
+
+    `replaces`: from the first key to the last the curve stands in place of what all channels ask; else the
+    highest shows.
+    """
 
     parameter: str
     keys: tuple[tuple[float, float], ...]
+    replaces: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,7 +213,7 @@ def _keys(score: Score, edit: Keys) -> Score:
             f"keys of {edit.parameter} lie outside the clip; expected times from 0 to {score.duration:g} s"
         )
     rest = _undrawn(score, edit.parameter)
-    curve = ManualCurve({edit.parameter: edit.keys}, Cause(BY_HAND, "drawn"))
+    curve = ManualCurve({edit.parameter: edit.keys}, Cause(BY_HAND, "drawn"), edit.replaces)
     return replace(score, manual=(*rest, curve))
 
 

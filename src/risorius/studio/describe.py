@@ -107,7 +107,7 @@ def drawn(score: Score) -> tuple[wire.Drawn, ...]:
 
 
 def _drawn(name: str, curve: ManualCurve) -> wire.Drawn:
-    return wire.Drawn(name, tuple(curve.keys[name]), sentence(curve.cause))
+    return wire.Drawn(name, tuple(curve.keys[name]), sentence(curve.cause), curve.replaces)
 
 
 def curves(values: npt.NDArray[np.float64]) -> dict[str, str]:

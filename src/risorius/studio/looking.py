@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterable
 
-import numpy as np
-import numpy.typing as npt
-
-from ..blend import Explanation, Lane
+from ..blend import Explanation, Trace
 from ..blend import Part as Told
 from ..core.action_units import resolve_targets
 from ..core.movement import Movement
@@ -49,27 +47,19 @@ def channel_curves(session: Session, asked: wire.ChannelCurves, progress: Progre
     """Return what each channel asks of a parameter and gets."""
     take = session.live(asked.take).take
     return wire.ParameterDetail(
-        asked.parameter, tuple(_channel(lane, take) for lane in take.lanes(asked.parameter))
+        asked.parameter, tuple(_channel(trace, take) for trace in take.traces(asked.parameter))
     )
 
 
-def _channel(lane: Lane, take: Take) -> wire.ChannelCurve:
+def _channel(trace: Trace, take: Take) -> wire.ChannelCurve:
     times, step = take.times, float(1 / take.performance.fps)
-    return wire.ChannelCurve(
-        lane.channel,
-        packed(lane.asked),
-        packed(lane.given),
-        _spans(lane.inhibited, times, step),
-        _spans(lane.limited, times, step),
-    )
 
+    def spans(runs: Iterable[tuple[int, int]]) -> tuple[tuple[float, float], ...]:
+        """Return from when to when, each frame standing for the time up to the next."""
+        return tuple((float(times[first]), float(times[last]) + step) for first, last in runs)
 
-def _spans(
-    where: npt.NDArray[np.bool_], times: npt.NDArray[np.float64], step: float
-) -> tuple[tuple[float, float], ...]:
-    """Return from when to when something holds, each frame standing for the time up to the next."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], where, [False]]).astype(np.int8)))
-    return tuple((float(times[a]), float(times[b - 1]) + step) for a, b in edges.reshape(-1, 2))
+    asked, given = packed(trace.asked), packed(trace.given)
+    return wire.ChannelCurve(trace.channel, asked, given, spans(trace.inhibited), spans(trace.limited))
 
 
 def rules_fired(session: Session, asked: wire.RulesFired, progress: Progress) -> wire.Fired:

@@ -364,11 +364,12 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """A parameter's curve drawn by hand: keys [time, value]."""
+    """A parameter's curve drawn by hand: keys [time, value]. `replaces`: as in Keys."""
 
     parameter: str
     keys: tuple[tuple[float, float], ...]
     cause: str
+    replaces: bool
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,11 +33,14 @@
  */
 /**
  * Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before.
+ * `replaces`: from the first key to the last the curve stands in place of what all channels ask; else the
+ * highest shows.
  * @typedef {Object} Keys
  * @property {"edit"} do
  * @property {"keys"} kind
  * @property {string} parameter
  * @property {Array<[number, number]>} keys
+ * @property {boolean} [replaces]
  */
 /**
  * Move a block so that it starts at `start`.
@@ -319,11 +322,12 @@
  * @property {boolean} [edited]
  */
 /**
- * A parameter's curve drawn by hand: keys [time, value].
+ * A parameter's curve drawn by hand: keys [time, value]. `replaces`: as in Keys.
  * @typedef {Object} Drawn
  * @property {string} parameter
  * @property {Array<[number, number]>} keys
  * @property {string} cause
+ * @property {boolean} replaces
  */
 /**
  * The sound's peaks at one zoom: base64 of int8 pairs (least, greatest), one pair per bucket.
