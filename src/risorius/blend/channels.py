@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -73,37 +73,43 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
     for movement in score.movements:
         movements[movement.channel][movement.layer].append(movement)
     function = score.settings.onset_function
+    drawn = {name: list[Curve](curves) for name, curves in key_curves(score.manual).items()}
     replaced = replaced_spans(score.manual)
     channels = []
     for name in CHANNELS:
         layers = [concatenate(found, function) for _, found in sorted(movements[name].items())]
-        curves = _curves(name, layers, score, lips)
-        if name != "manual":
-            curves = {p: _free(found, replaced.get(p)) for p, found in curves.items()}
+        curves = _layered(layers)
+        if name == "lips" and lips is not None:
+            curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
+        curves = _joined(drawn, curves) if name == "manual" else _under(replaced, curves)
         if curves:
             levels = levels_of(_courses(name, layers, lips), CHANNEL_PRIORITY[name])
             channels.append(Channel(name, levels, dict(sorted(curves.items()))))
     return tuple(channels)
 
 
-def _curves(name: str, layers: Sequence[Layer], score: Score, lips: Lips | None) -> dict[str, list[Curve]]:
-    """All curves of a channel by parameter: of speech, drawn by hand, one of each layer."""
-    curves: dict[str, list[Curve]] = defaultdict(list)
-    if name == "lips" and lips is not None:
-        for parameter in lips.parameters:
-            curves[parameter].append(LipCurve(lips, parameter))
-    if name == "manual":
-        for parameter, drawn in key_curves(score.manual).items():
-            curves[parameter].extend(drawn)
+Curves = dict[str, list[Curve]]
+
+
+def _layered(layers: Sequence[Layer]) -> Curves:
+    """Return the curves of all layers by parameter."""
+    curves: Curves = defaultdict(list)
     for layer in layers:
         for parameter, curve in layer.curves.items():
             curves[parameter].append(curve)
     return curves
 
 
-def _free(curves: list[Curve], spans: Spans | None) -> list[Curve]:
-    """Curves that rest while one drawn by hand stands in their place."""
-    return curves if spans is None else [Replaced(curve, spans) for curve in curves]
+def _joined(first: Mapping[str, Sequence[Curve]], then: Curves) -> Curves:
+    return {name: [*first.get(name, ()), *then.get(name, ())] for name in {**first, **then}}
+
+
+def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
+    """Return the curves at rest while others, drawn by hand, stand in their place."""
+    return {
+        name: [Replaced(curve, replaced[name]) for curve in held] if name in replaced else held
+        for name, held in curves.items()
+    }
 
 
 def _courses(name: str, layers: Sequence[Layer], lips: Lips | None) -> list[Course]:

@@ -197,8 +197,10 @@ def _add(score: Score, edit: Add) -> Score:
         function=edit.function or DEFAULT_FUNCTION,
         cause=Cause(BY_HAND, "added"),
     )
-    movements = (*score.movements, _placed(score, added))
-    return replace(score, movements=tuple(sorted(movements, key=lambda m: (m.start, m.channel, m.layer))))
+    _placed(score, added)
+    before = score.movements
+    place = next((i for i, m in enumerate(before) if m.start > added.start), len(before))
+    return replace(score, movements=(*before[:place], added, *before[place:]))
 
 
 def _delete(score: Score, edit: Delete) -> Score:

@@ -11,7 +11,7 @@ from typing import Any
 
 from ..core.schema import Range
 from ..core.toml import written
-from ..errors import InputError, ParameterError, unknown
+from ..errors import ParameterError, unknown
 from .profiles import profile, profile_from, profile_texts
 
 
@@ -62,7 +62,11 @@ def tuned_text(base: str, name: str, numbers: Mapping[str, float]) -> str:
     under = profile(base)
     changed: dict[str, Any] = {}
     for key, value in numbers.items():
-        _set(changed, under, key.split("."), value, key)
+        try:
+            _set(changed, under, key.split("."), value, key)
+        except KeyError:
+            known = (number.key for number in numbers_of(under))
+            raise ParameterError(unknown("number of a profile", key, known)) from None
     head = {"name": name, "base": base, "description": f"Like {base}, tuned by hand.", "source": "by hand"}
     text = written({**head, **changed})
     profile_from(text, name, profile_texts())
@@ -70,26 +74,30 @@ def tuned_text(base: str, name: str, numbers: Mapping[str, float]) -> str:
 
 
 def _set(table: dict[str, Any], item: Any, path: list[str], value: float, key: str) -> None:
-    """Set a number in `table`, which is laid out as the dataclass `item`."""
+    """Set a number in `table`, which is laid out as the dataclass `item`; KeyError where it has none."""
     first, rest = path[0], path[1:]
-    fields = [f.name for f in dataclasses.fields(item)]
-    if first not in fields or first in ("name", "description", "source"):
-        raise ParameterError(unknown("number of a profile", key, (n.key for n in numbers_of(item))))
-    held = getattr(item, first)
-    if dataclasses.is_dataclass(held) and rest:
+    held = getattr(item, first) if first in _numbered(item) else None
+    if dataclasses.is_dataclass(held):
+        if not rest:
+            raise KeyError(key)
         _set(table.setdefault(first, {}), held, rest, value, key)
     elif isinstance(held, Mapping) and rest:
         table.setdefault(first, {})[".".join(rest)] = value
     elif isinstance(held, tuple) and rest:
         table[first] = _replaced(table.get(first, list(held)), rest, value, key)
-    elif not rest and not isinstance(held, tuple | Mapping):
+    elif not rest and first in _numbered(item) and not isinstance(held, tuple | Mapping):
         table[first] = value
     else:
-        raise InputError(f"'{key}' is not a number of a profile")
+        raise KeyError(key)
+
+
+def _numbered(item: Any) -> tuple[str, ...]:
+    """Return the fields of a profile or a part that hold numbers, or may."""
+    return tuple(f.name for f in dataclasses.fields(item) if not isinstance(getattr(item, f.name), str))
 
 
 def _replaced(items: list[float], path: list[str], value: float, key: str) -> list[float]:
     place = int(path[0]) if len(path) == 1 and path[0].isdigit() else len(items)
     if place >= len(items):
-        raise InputError(f"'{key}' is not a number of a profile; expected .0 to .{len(items) - 1}")
+        raise KeyError(key)
     return [value if i == place else item for i, item in enumerate(items)]
