@@ -8,11 +8,12 @@ from typing import Any
 import pytest
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.remote.webelement import WebElement
 
 from .driving import Page
 
 LINE = "Oh really? I like it very much."
-BROWS = "signals.brows.nuclear"
+BROWS = "signals.brows"
 TIMELINE = "document.querySelector('#timeline').timeline"
 FRAME = 1 / 30
 JUMP = 0.3  # s by which a block is moved: further than any edge that it could snap to
@@ -34,6 +35,22 @@ class Timeline:
         """Wait until what was changed is drawn."""
         self.page.run("for (let k = 0; k < 3; k++) await new Promise(requestAnimationFrame)")
 
+    def restore(self) -> None:
+        """Take all changes back, and show the whole take."""
+        self.page.run("""
+          const { desk, scene } = timeline;
+          document.querySelectorAll("dialog[open]").forEach((dialog) => dialog.close());
+          document.querySelectorAll(":popover-open").forEach((popover) => popover.hidePopover());
+          if (desk.draws) document.querySelector("#tl-draw").click();
+          while (scene.model.take.can_undo) await desk.undo();
+          scene.folded.clear();
+          desk.choose(null);
+          desk.arrange();
+          desk.scroller.scrollTop = 0;
+          desk.fit();
+        """)
+        self.settle()
+
     @property
     def take(self) -> int:
         return int(self.page.get("timeline.scene.model.take.take"))
@@ -41,7 +58,7 @@ class Timeline:
     def block(self, start: str = BROWS) -> dict[str, Any]:
         """Return the first block whose id starts so, as the take has it."""
         found: dict[str, Any] = self.page.run(
-            "return timeline.scene.model.take.blocks.find(({ id }) => id.startsWith(arguments[0])) ?? null", start
+            "return timeline.scene.model.take.blocks.find(({ id }) => id.startsWith(arguments[0]))", start
         )
         return found
 
@@ -132,6 +149,11 @@ class Timeline:
             chain.key_up(key)
         chain.perform()
 
+    def tool(self, name: str) -> WebElement:
+        """Return a button of the timeline's tools."""
+        found = self.page.driver.find_elements("css selector", ".tl-tools button")
+        return next(button for button in found if button.text == name)
+
     def explained(self, what: str) -> str:
         """Return the explanation once it contains something."""
         text = "document.querySelector('#explanation').innerText"
@@ -139,12 +161,19 @@ class Timeline:
         return str(self.page.get(text))
 
 
+@pytest.fixture(scope="module")
+def performed(browser_page: Page) -> Timeline:
+    browser_page.open("timeline")
+    return Timeline(browser_page)
+
+
 @pytest.fixture
-def timeline(page: Page) -> Iterator[Timeline]:
-    made = Timeline(page)
-    page.complaints()
-    yield made
-    assert page.complaints() == []
+def timeline(performed: Timeline) -> Iterator[Timeline]:
+    """The timeline as it was after performing: what a test changes is taken back."""
+    performed.page.complaints()
+    yield performed
+    assert performed.page.complaints() == []
+    performed.restore()
 
 
 def moved(block: dict[str, Any], delta: float) -> Any:
@@ -170,7 +199,6 @@ def test_a_take_is_drawn_and_listed(timeline: Timeline) -> None:
 def test_a_block_is_dragged_and_the_change_taken_back_and_made_again(timeline: Timeline) -> None:
     before, take = timeline.block(), timeline.take
     middle = (before["apex_start"] + before["apex_end"]) / 2
-    timeline.press("", held="")
     timeline.drag(timeline.place(before, middle), timeline.pixels(JUMP))
     timeline.changed(take)
     there = timeline.block()
@@ -226,7 +254,7 @@ def test_a_drag_is_given_up_by_escape(timeline: Timeline) -> None:
 
 def test_a_block_is_moved_and_stretched_by_keys_alone(timeline: Timeline) -> None:
     page, block = timeline.page, timeline.block()
-    page.run("[...document.querySelectorAll('.tl-tools button')].find((b) => b.textContent === 'Movements').focus()")
+    timeline.tool("Movements").send_keys("")
     timeline.press(Keys.ENTER)
     for _ in range(page.get("timeline.scene.model.take.blocks.length")):
         if page.get("document.activeElement.dataset.id") == block["id"]:
@@ -262,7 +290,7 @@ def test_a_block_is_deleted_and_comes_back(timeline: Timeline) -> None:
 
 def test_a_movement_is_added(timeline: Timeline) -> None:
     page, take = timeline.page, timeline.take
-    page.run("document.querySelector('.tl-tools button').click()")
+    timeline.tool("Add…").click()
     page.wait("document.querySelector('.tl dialog').open")
     page.run("""
       const set = (name, value) => {
@@ -307,7 +335,7 @@ def test_a_key_set_on_a_graph_lowers_a_muscle_and_is_explained(timeline: Timelin
 def test_a_curve_is_drawn_freely(timeline: Timeline) -> None:
     page, take = timeline.page, timeline.take
     page.run("document.querySelector('#tl-draw').click()")
-    start, end = timeline.graph("frontalis_medialis", 1.5, 0.2), timeline.graph("frontalis_medialis", 2.0, 0.8)
+    start, end = (timeline.graph("frontalis_medialis", *at) for at in ((1.5, 0.2), (2.0, 0.8)))
     chain = page.actions()
     pointer = chain.w3c_actions.pointer_action
     pointer.move_to_location(*start)
@@ -373,7 +401,7 @@ def test_a_click_on_the_ruler_moves_the_playhead(timeline: Timeline) -> None:
 
 def test_graphs_are_searched_and_chosen(timeline: Timeline) -> None:
     page = timeline.page
-    page.run("[...document.querySelectorAll('.tl-tools button')].find((b) => b.textContent === 'Graphs…').click()")
+    timeline.tool("Graphs…").click()
     search = page.driver.find_element("css selector", "#tl-picker input[type=search]")
     search.send_keys("AU15")
     boxes = page.driver.find_elements("css selector", "#tl-picker input[type=checkbox]")
@@ -388,6 +416,6 @@ def test_a_lane_folds_to_one_row(timeline: Timeline) -> None:
     page = timeline.page
     height = "timeline.scene.body.find(({ lane }) => lane?.channel === 'signals').height"
     before = page.get(height)
-    page.run("document.querySelector('[data-name=signals]').click()")
+    page.run("document.querySelector('.tl-names [data-name=signals]').click()")
     assert page.get(height) < before / 2
-    assert page.get("document.querySelector('[data-name=signals]').getAttribute('aria-expanded')") == "false"
+    assert page.get("document.querySelector('.tl-names [data-name=signals]').ariaExpanded") == "false"
