@@ -25,7 +25,7 @@ export function mountRecording(studio) {
       return;
     }
     const remove = button("Remove", { onclick: () => store.set({ source: { ...store.get("source"), recording: null } }) });
-    fill(element, make("span", { class: "name" }, recording), remove);
+    fill(element, make("span", { class: "name", title: recording }, plainName(recording)), remove);
   }
 }
 
@@ -49,4 +49,9 @@ export async function upload({ store, notify, actions }, file) {
   } finally {
     store.set({ busy: "" });
   }
+}
+
+/** A recording's own name: the server tells those of the same name apart by eight digits before the suffix. */
+function plainName(recording) {
+  return recording.replace(/-[0-9a-f]{8}(?=\.\w+$)/, "");
 }
