@@ -9,6 +9,7 @@ export class Desk {
   snaps = true;
   follows = true;
   draws = false; // whether a pointer draws on graphs
+  chosen = null; // the block that was last selected here, and not elsewhere on the page
   #nudged = null; // the block whose times were changed by keys and not sent yet
   #timer = 0;
 
@@ -27,6 +28,7 @@ export class Desk {
     }
     const shown = this.edits.shown(block) ?? block;
     const at = time ?? (shown.apex_start + shown.apex_end) / 2;
+    this.chosen = block.id;
     this.actions.select({ movement: block.id, time: Math.min(at, this.scene.model.duration) });
   }
 

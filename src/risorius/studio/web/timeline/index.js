@@ -204,6 +204,10 @@ class Timeline {
     if (this.#scene.selectedKey && this.#scene.selectedKey.parameter !== parameter) this.#scene.selectedKey = null;
     this.#parts.list.setSelected(this.#scene.selected);
     this.#parts.why.show(selection);
+    if (this.#scene.selected !== null && movement !== this.#desk.chosen) {
+      this.#desk.chosen = movement;
+      this.#desk.reveal(this.#desk.block); // it was pointed at elsewhere on the page
+    }
     this.repaint();
   }
 
@@ -211,7 +215,8 @@ class Timeline {
     const { scene } = this.#desk;
     scene.time = this.#clock.time;
     if (!scene.model) return;
-    if (this.#clock.playing && this.#desk.follows && scene.view.follow(scene.time)) this.repaint();
+    const follow = () => (this.#clock.playing ? scene.view.follow(scene.time) : scene.view.reveal(scene.time));
+    if (this.#desk.follows && follow()) this.repaint();
     const word = scene.model.speech?.words.at(scene.time) ?? null;
     const phone = scene.model.speech?.phones.at(scene.time) ?? null;
     if (word !== this.#said?.word || phone !== this.#said?.phone) this.repaint();
