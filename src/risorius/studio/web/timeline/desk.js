@@ -32,7 +32,7 @@ export class Desk {
     this.actions.select({ movement: block.id, time: Math.min(at, this.scene.model.duration) });
   }
 
-  /** Ask why a parameter has its value at a time. */
+  /** Ask why a parameter, or both sides of one, has its value at a time. */
   ask(time, parameter) {
     this.settle();
     const at = Math.max(0, Math.min(time, this.scene.model.duration));
@@ -138,9 +138,10 @@ export class Desk {
 
   revealRow(row) {
     if (!row) return;
-    const room = this.scene.height - this.scene.headHeight;
-    const top = Math.min(row.y, Math.max(this.scroller.scrollTop, row.y + Math.min(row.height, room) - room));
-    if (top !== this.scroller.scrollTop) this.scroller.scrollTop = top;
+    const { scroll, height, headHeight, unit } = this.scene;
+    const room = height - headHeight;
+    const top = Math.min(row.y, Math.max(scroll, row.y + Math.min(row.height, room) - room));
+    if (top !== scroll) this.scroller.scrollTop = top * unit;
   }
 
   zoom(factor, x = this.scene.view.x(this.clock.time)) {

@@ -118,8 +118,8 @@ class Timeline {
   #listen() {
     const { scroller } = this.#parts;
     scroller.addEventListener("scroll", () => {
-      this.#scene.scroll = scroller.scrollTop;
-      this.#parts.names.scrollTo(scroller.scrollTop);
+      this.#scene.scroll = scroller.scrollTop / this.#scene.unit;
+      this.#parts.names.scroll();
       this.repaint();
     });
     new ResizeObserver(() => this.#resize()).observe(scroller);
@@ -172,9 +172,8 @@ class Timeline {
     if (!scene.model) return;
     scene.graphs = this.#graphs.rows;
     scene.arrange();
-    this.#parts.depth.style.height = `${Math.max(scene.headHeight + scene.bodyHeight - this.#parts.scroller.clientHeight, 0)}px`;
-    this.#parts.names.show();
     this.#resize();
+    this.#parts.names.show();
   }
 
   #resize() {
@@ -182,10 +181,9 @@ class Timeline {
     const height = scroller.clientHeight;
     frame.style.height = `${height}px`;
     names.setHeight(height);
-    if (this.#scene.model) {
-      depth.style.height = `${Math.max(this.#scene.headHeight + this.#scene.bodyHeight - height, 0)}px`;
-    }
     if (frame.clientWidth > 0) this.#scene.resize(frame.clientWidth, height);
+    const whole = this.#scene.model ? (this.#scene.headHeight + this.#scene.bodyHeight) * this.#scene.unit : 0;
+    depth.style.height = `${Math.max(whole - height, 0)}px`;
     this.repaint();
   }
 
@@ -200,8 +198,8 @@ class Timeline {
     const selection = this.#store.get("selection") ?? { time: null, parameter: null, movement: null };
     const { time, parameter, movement } = selection;
     this.#scene.selected = this.#scene.model?.blocks.has(movement) ? movement : null;
-    this.#scene.marked = parameter ? { time, parameter } : null;
-    if (this.#scene.selectedKey && this.#scene.selectedKey.parameter !== parameter) this.#scene.selectedKey = null;
+    this.#scene.marked = parameter && this.#scene.model ? { time, name: this.#scene.model.named(parameter)[0] } : null;
+    if (this.#scene.selectedKey?.parameter !== parameter) this.#scene.selectedKey = null;
     this.#parts.list.setSelected(this.#scene.selected);
     this.#parts.why.show(selection);
     if (this.#scene.selected !== null && movement !== this.#desk.chosen) {
@@ -226,7 +224,7 @@ class Timeline {
 
   #showTime() {
     const { scene } = this.#desk;
-    this.#parts.playhead.style.transform = `translateX(${scene.view.x(scene.time)}px)`;
+    this.#parts.playhead.style.transform = `translateX(${scene.view.x(scene.time) * scene.unit}px)`;
     this.#parts.names.setTime(`${clockTime(scene.time)} s`);
   }
 
