@@ -79,12 +79,14 @@ function stroke({ context }, colour, width) {
   context.stroke();
 }
 
-/** Channels' curves: what each asks as a line, what it gets filled; hatched where it was held back. */
+/** Channels' curves: what each asks as a line, what it gets filled; shaded where one was held back. */
 function paintChannels(scene, row, scale, { channels }) {
+  for (const how of ["limited", "inhibited"]) {
+    const spans = channels.flatMap((channel) => channel[how]).sort((a, b) => a[0] - b[0]);
+    shade(scene, row, spans, scene.palette[how]);
+  }
   for (const channel of channels) {
     const colour = scene.palette.channels[channel.channel];
-    shade(scene, row, channel.limited, scene.palette.limited);
-    shade(scene, row, channel.inhibited, scene.palette.inhibited);
     fillGiven(scene, scale, channel, colour);
     scene.context.beginPath();
     trace(scene, scale, scene.model.pyramid(channel.asked), scale.neutral);

@@ -104,11 +104,17 @@ function hover(canvas, desk, { kind, block, handle, row, time }) {
   canvas.style.cursor = cursorOf(kind, handle, block, desk);
 }
 
-function valueOf({ scene: { model } }, kind, row, time) {
+/** The value under the pointer, and which channels are held back there. */
+function valueOf({ scene: { model, details } }, kind, row, time) {
   if (kind !== "graph" || time < 0 || time > model.duration) return "";
   const [name] = row.names;
   const { unit } = model.parameters.get(name);
-  return `${spoken(name)}: ${model.valueAt(name, time).toFixed(2)}${unit ? ` ${unit}` : ""} at ${clockTime(time)} s`;
+  const value = `${spoken(name)}: ${model.valueAt(name, time).toFixed(2)}${unit ? ` ${unit}` : ""} at ${clockTime(time)} s`;
+  const held = ["inhibited", "limited"].flatMap((how) => {
+    const there = (details.of(name)?.channels ?? []).filter((one) => one[how].some(([from, to]) => from <= time && time <= to));
+    return there.map(({ channel }) => `\n${channel} is ${how}`);
+  });
+  return value + held.join("");
 }
 
 function cursorOf(kind, handle, block, desk) {
