@@ -71,8 +71,7 @@ def remember_face(page: Page) -> None:
     page.run("window.kept = studio.theatre.figures[0].skin.slice()")
 
 
-MOVED = """
-(() => {
+MOVED = """(() => {
   const skin = studio.theatre.figures[0].skin;
   let most = 0;
   for (let k = 0; k < skin.length; k += 3) {

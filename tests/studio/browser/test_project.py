@@ -47,7 +47,9 @@ def test_a_reload_shows_the_same(page: Page) -> None:
     choose(page, "perform", "profile", "lively")
     page.wait(f"studio.store.get('take').made.choices.profile === 'lively' && {SETTLED}")
     open_panel(page, "Rules")
-    page.run("studio.view.choose('side'); studio.clock.seek(1); await new Promise((go) => setTimeout(go, 1200))")
+    page.run(
+        "studio.view.choose('side'); studio.clock.seek(1); await new Promise((go) => setTimeout(go, 1200))"
+    )
     before = page.get(CURVES)
     page.open(page.get("location.hash.slice(1)"))
     page.wait(f"studio.store.get('take') !== null && {SHOWN}")
