@@ -57,7 +57,7 @@ IMPOSSIBLE = [
     (Add("signals", 11.0, 12.0, BROWS), "after the end"),
     (Add("signals", 1.0, 2.0, BROWS, function="bouncy"), "unknown onset function 'bouncy'"),
     (Delete("d"), "unknown block 'd'"),
-    (Keys("mentalis", ((0.0, 0.1),)), "unknown parameter 'mentalis'; did you mean 'mentalis.left'"),
+    (Keys("mentalist", ((0.0, 0.1),)), "unknown muscle or parameter 'mentalist'; did you mean 'mentalis'"),
     (Keys("masseter", ()), "has no keys"),
     (Keys("masseter", ((1.0, 0.1), (1.0, 0.2))), "times must increase"),
     (Keys("masseter", ((1.0, 1.1),)), "out of range"),
@@ -156,6 +156,15 @@ def test_keys_stand_in_place_of_those_drawn_before_and_can_be_taken_back(drawn):
     assert [curve.keys["masseter"] for curve in held] == [drawn]
     assert any("mentalis.left" in curve.keys for curve in score.manual)
     assert edited(score, ClearKeys("masseter")) == edited(SCORE, ClearKeys("masseter"))
+
+
+@given(keys)
+def test_keys_of_a_name_without_side_are_of_both(drawn):
+    score = edited(SCORE, Keys("mentalis", drawn))
+    held = {name: keys for curve in score.manual for name, keys in curve.keys.items()}
+    assert held["mentalis.left"] == held["mentalis.right"] == drawn
+    cleared = edited(edited(score, ClearKeys("mentalis.left")), ClearKeys("mentalis.right"))
+    assert edited(score, ClearKeys("mentalis")) == cleared
 
 
 def test_an_edit_is_the_same_again_on_a_score_planned_anew():

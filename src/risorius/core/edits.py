@@ -8,15 +8,15 @@ through all changes, and its cause, which then says that it was changed by hand.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
-from ..errors import InputError, ParameterError, unknown
+from ..errors import InputError, unknown
 from .action_units import resolve_targets
 from .functions import DEFAULT_FUNCTION
 from .movement import Cause, ManualCurve, Movement
-from .parameters import INDEX
+from .parameters import parameters_named
 from .schema import Range
 from .score import Score, check_score
 
@@ -85,6 +85,8 @@ class Delete:
 class Keys:
     """Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before.
 
+    A name without its side means both sides.
+
     `replaces`: from the first key to the last the curve stands in place of what all channels ask; else the
     highest shows.
     """
@@ -96,7 +98,7 @@ class Keys:
 
 @dataclass(frozen=True, slots=True)
 class ClearKeys:
-    """Take back what was drawn by hand for a parameter."""
+    """Take back what was drawn by hand for a parameter; a name without its side means both sides."""
 
     parameter: str
 
@@ -208,29 +210,28 @@ def _delete(score: Score, edit: Delete) -> Score:
 
 
 def _keys(score: Score, edit: Keys) -> Score:
-    if edit.parameter not in INDEX:
-        raise ParameterError(unknown("parameter", edit.parameter, INDEX))
+    names = [p.name for p in parameters_named(edit.parameter)]
     if edit.keys and not (edit.keys[0][0] >= 0.0 and edit.keys[-1][0] <= score.duration):
         raise InputError(
             f"keys of {edit.parameter} lie outside the clip; expected times from 0 to {score.duration:g} s"
         )
-    rest = _undrawn(score, edit.parameter)
-    curve = ManualCurve({edit.parameter: edit.keys}, Cause(BY_HAND, "drawn"), edit.replaces)
+    rest = _undrawn(score, names)
+    curve = ManualCurve(dict.fromkeys(names, edit.keys), Cause(BY_HAND, "drawn"), edit.replaces)
     return replace(score, manual=(*rest, curve))
 
 
 def _clear(score: Score, edit: ClearKeys) -> Score:
-    rest = _undrawn(score, edit.parameter)
+    rest = _undrawn(score, [p.name for p in parameters_named(edit.parameter)])
     if rest == score.manual:
         raise InputError(f"nothing is drawn by hand for '{edit.parameter}'")
     return replace(score, manual=rest)
 
 
-def _undrawn(score: Score, parameter: str) -> tuple[ManualCurve, ...]:
-    """Return the drawn curves without those of a parameter."""
+def _undrawn(score: Score, names: Collection[str]) -> tuple[ManualCurve, ...]:
+    """Return the drawn curves without those of some parameters."""
     kept = []
     for curve in score.manual:
-        keys = {name: keys for name, keys in curve.keys.items() if name != parameter}
+        keys = {name: keys for name, keys in curve.keys.items() if name not in names}
         if keys:
             kept.append(curve if len(keys) == len(curve.keys) else replace(curve, keys=keys))
     return tuple(kept)

@@ -34,7 +34,10 @@ const store = new Store({
   selection: { time: null, parameter: null, movement: null },
   other: null,
   dial: null,
+  graphs: null,
   recordings: [],
+  ownEmotions: [],
+  poses: {},
   tab: "perform",
 });
 const notify = mountNotice(element("notice"));
@@ -47,9 +50,12 @@ const studio = { store, clock, connection, actions, notify, theatre, view: theat
 const help = mountHeader(element("tools"), element("state"), studio);
 help.list([...listenToKeys(studio, help.open), ...TIMELINE_KEYS]);
 mountTransport(element("transport"), clock);
-mountViews(element("views"), element("empty"), studio);
+mountViews(element("views"), element("empty"), element("views-names"), studio);
 mountSplitter(element("splitter"));
 mountPanels(element("panel"), studio);
 mountTimeline(element("timeline"), { ...studio, explanation: element("explanation") });
 listenToDrops(studio);
 openSession(studio);
+
+// For the curious, and for tests.
+window.studio = studio;

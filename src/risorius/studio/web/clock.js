@@ -38,6 +38,11 @@ export class Clock {
     return this.#playing;
   }
 
+  /** Where the sound is that is heard now, in seconds; null where none is. */
+  get sounding() {
+    return this.#silent || this.#audio.paused ? null : this.#audio.currentTime;
+  }
+
   /** Speed, 1 as recorded. */
   get rate() {
     return this.#rate;

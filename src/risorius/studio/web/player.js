@@ -43,6 +43,11 @@ export class Player {
     return this.#take;
   }
 
+  /** Whether the face of the clock's time has not come yet. */
+  get behind() {
+    return this.#take !== null && !this.#faces.has(this.#now());
+  }
+
   /**
    * Show another take; frames outside [first, last) keep the faces that they had.
    * @param {{take: number, frames: number, rate: number} | null} take
@@ -77,6 +82,11 @@ export class Player {
     this.#ask();
   }
 
+  /** The last frame that is not after the clock's time. */
+  #now() {
+    return Math.floor(Math.min(this.#clock.time * this.#take.rate, this.#take.frames - 1));
+  }
+
   #drop(now) {
     const [first, last] = [now - BEHIND * this.#take.rate, now + 1.5 * AHEAD * this.#take.rate];
     if (this.#faces.size < (BEHIND + 2 * AHEAD) * this.#take.rate) return;
@@ -93,7 +103,7 @@ export class Player {
   #ask() {
     if (!this.#take || !this.#connection.up) return;
     const { take, frames, rate } = this.#take;
-    const now = Math.floor(Math.min(this.#clock.time * rate, frames - 1));
+    const now = this.#now();
     let first = now;
     while (first < frames && this.#faces.has(first)) first += 1;
     if (first >= frames || first - now > REFILL * rate) return;

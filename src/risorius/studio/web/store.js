@@ -19,7 +19,9 @@
  *   other       the second take of a comparison; null without one
  *   dial        what dials hold, as `Dial` of the wire; null while the take is shown
  *   recordings  names of the recordings that the session has
- *   camera      name of the camera
+ *   ownEmotions names of emotions saved in the session
+ *   poses       {name: {parameter: value}}: poses saved in the session
+ *   graphs      which muscles' graphs the timeline shows, and which lanes are folded; null until chosen
  *   tab         name of the panel that is open
  */
 export class Store {

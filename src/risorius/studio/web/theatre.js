@@ -30,6 +30,11 @@ export class Theatre {
     store.watch(["dial"], () => store.get("dial") === null && this.#players[0].update());
   }
 
+  /** Who stands at the place of the take, and at that of the comparison; null where nobody does. */
+  get figures() {
+    return this.#figures;
+  }
+
   /** The players of the take and of the comparison. */
   get players() {
     return this.#players;

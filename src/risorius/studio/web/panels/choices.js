@@ -88,9 +88,10 @@ export function choiceRows(form, catalogue, choices, set, only = null) {
       return element;
     });
     if (fields.length === 0) continue;
-    if (only) form.append(...fields);
-    else form.append(make("details", { open }, make("summary", {}, title), make("div", { class: "stack" }, ...fields)));
+    if (only) continue;
+    form.append(make("details", { open }, make("summary", {}, title), make("div", { class: "stack" }, ...fields)));
   }
+  if (only) form.append(...only.map((key) => controls.get(key).element));
   const show = (now) => {
     for (const [key, { control }] of controls) control.show(now[key]);
     const voice = controls.get("voice")?.control;

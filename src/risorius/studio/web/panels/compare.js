@@ -5,7 +5,10 @@ import { choiceRows } from "./choices.js";
 import { fill, make, settled, spoken } from "../parts/dom.js";
 import { takeOf } from "../take.js";
 
-const OFFERED = ["conflict", "lips", "contact", "onset_function", "profile", "attitudes", "without", "articulation", "manner", "dynamics", "lively", "head", "age"];
+const OFFERED = [
+  "conflict", "lips", "contact", "without", "onset_function", "profile", "attitudes", "lively", "manner",
+  "articulation", "dynamics", "head", "age",
+];
 const MOST_LISTED = 8;
 const WAIT = 250;
 
@@ -18,7 +21,7 @@ export function mountCompare(element, studio) {
   const show = button("Show side by side", { class: "primary", id: "compare", onclick: compare });
   const end = button("One head again", { id: "compare-end", onclick: () => store.set({ other: null }) });
   const table = make("div", { class: "stack tight" });
-  element.append(note, form, make("div", { class: "panel-foot" }, show, end), table);
+  element.append(note, form, table, make("div", { class: "panel-foot" }, show, end));
   const again = settled(() => store.get("other") && compare(), WAIT);
   let rows = null;
   store.watch(["catalogue"], () => {
@@ -53,8 +56,14 @@ export function mountCompare(element, studio) {
     store.set({ busy: "Performing the other …" });
     const answer = await actions.ask("compare", { choices: { ...store.get("choices"), ...other } });
     store.set({ busy: "" });
-    if (answer) store.set({ other: takeOf(answer), dial: null });
+    if (answer) store.set({ other: { ...takeOf(answer), label: labelOf(other) }, dial: null });
   }
+}
+
+/** What the second take has other than the first, in words. */
+function labelOf(other) {
+  const parts = Object.entries(other).map(([key, value]) => `${spoken(key)}: ${[value ?? "own"].flat().join(", ") || "none"}`);
+  return parts.join(" · ") || "the same";
 }
 
 /** Where the two differ most, by parameter. */

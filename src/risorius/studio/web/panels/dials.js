@@ -33,9 +33,15 @@ export function mountDials(element, studio) {
   });
   const springs = check("Skin swings", { value: true, change: (live) => { face.live = live; } });
   const reset = button("Reset", { id: "dials-reset", onclick: () => { face.dial = emptyDial(); send(); show(); } });
-  const again = button("Back to the line", { onclick: () => store.set({ dial: null }) });
+  const again = button("Back to line", { onclick: () => store.set({ dial: null }) });
+  const saved = make("div", { class: "row tight", role: "group", "aria-label": "Saved poses" });
+  const foot = make("div", { class: "panel-foot" }, mountKeeping(studio, () => face));
   const top = make("div", { class: "row" }, springs, reset, again);
-  element.append(kinds.element, sides.element, search, rows, notes, top, mountKeeping(studio, () => face));
+  element.append(kinds.element, sides.element, top, notes, search, saved, rows, foot);
+  store.watch(["poses"], () => {
+    const poses = Object.entries(store.get("poses"));
+    fill(saved, ...poses.map(([name, values]) => button(name, { class: "chip", onclick: () => take(values) })));
+  });
   store.watch(["catalogue"], show);
   store.watch(["dial"], () => { again.hidden = store.get("dial") === null || store.get("take") === null; });
 
@@ -65,6 +71,12 @@ export function mountDials(element, studio) {
   function wire() {
     const { head, age } = store.get("choices");
     return { ...face.dial, live: face.live, head, age };
+  }
+
+  function take(values) {
+    face.dial = { ...emptyDial(), values };
+    send();
+    show();
   }
 
   function send() {

@@ -19,7 +19,7 @@ export function mountEmotions({ store, actions }, script) {
   });
   part.disabled = true;
   const performed = settled(() => actions.choose({ emotions: store.get("emotions") }), WAIT);
-  store.watch(["catalogue"], show);
+  store.watch(["catalogue", "ownEmotions"], show);
   store.watch(["emotions"], () => shown !== store.get("emotions") && show());
   store.watch(["source"], showPlaces);
   const buttons = make("div", { class: "row" }, all, part);
@@ -53,7 +53,8 @@ export function mountEmotions({ store, actions }, script) {
   }
 
   function row(span, place) {
-    const names = store.get("catalogue").emotions.map(({ name, description }) => ({ name, description }));
+    const own = store.get("ownEmotions").map((name) => ({ name }));
+    const names = [...store.get("catalogue").emotions.map(({ name, description }) => ({ name, description })), ...own];
     const name = choice(names, { value: span.emotion, change: (emotion) => change(place, { emotion }) });
     name.setAttribute("aria-label", "Emotion");
     const input = (intensity) => change(place, { intensity });

@@ -20,12 +20,12 @@ export function mountRecording(studio) {
   function show() {
     const { recording } = store.get("source");
     if (recording === null) {
-      const choose = button("Choose a recording …", { onclick: () => file.click() });
-      fill(element, choose, make("span", { class: "hint" }, "or drop one on the page"));
+      const choose = button("Recording …", { onclick: () => file.click() });
+      fill(element, choose, make("span", { class: "hint" }, "or drop one here"));
       return;
     }
     const remove = button("Remove", { onclick: () => store.set({ source: { ...store.get("source"), recording: null } }) });
-    fill(element, make("span", { class: "name" }, recording), remove);
+    fill(element, make("span", { class: "name", title: recording }, plainName(recording)), remove);
   }
 }
 
@@ -41,12 +41,17 @@ export async function upload({ store, notify, actions }, file) {
   try {
     const response = await fetch(address, { method: "POST", body: file });
     if (!response.ok) throw new Error((await response.text()).trim());
-    const { name } = await response.json();
-    store.set({ source: { ...store.get("source"), recording: name, format: "text" } });
+    const { recording } = await response.json();
+    store.set({ source: { ...store.get("source"), recording, format: "text" } });
     await actions.perform();
   } catch (error) {
     notify(error.message);
   } finally {
     store.set({ busy: "" });
   }
+}
+
+/** A recording's own name: the server tells those of the same name apart by eight digits before the suffix. */
+function plainName(recording) {
+  return recording.replace(/-[0-9a-f]{8}(?=\.\w+$)/, "");
 }

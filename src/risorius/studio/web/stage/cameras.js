@@ -24,6 +24,8 @@ export class View {
   #turn = 0;
   #tilt = 0;
   #changed;
+  /** Called when the view has become another. */
+  onmove = () => {};
 
   /** @param {() => void} changed called when there is something else to see */
   constructor(changed) {
@@ -116,6 +118,7 @@ export class View {
   #moved() {
     this.#place();
     this.#changed();
+    this.onmove();
   }
 
   #place() {

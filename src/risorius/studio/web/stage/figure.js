@@ -66,6 +66,11 @@ export class Figure {
     geometry.setAttribute("reach", new THREE.BufferAttribute(reach, 4, true));
   }
 
+  /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
+  get skin() {
+    return this.#meshes.skin.geometry.attributes.position.array;
+  }
+
   /** How many numbers a face of this head has. */
   get coordinates() {
     return 3 * this.#packing.vertices;

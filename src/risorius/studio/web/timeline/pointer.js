@@ -51,11 +51,13 @@ export function listen(canvas, desk, { add, walk }) {
     [gesture, down] = [null, null];
   };
   canvas.addEventListener("pointercancel", cancel);
-  canvas.addEventListener("keydown", (event) => {
+  // Whatever has the keyboard: a drag is given up before anything else is.
+  const giveUp = (event) => {
     if (event.key !== "Escape" || !gesture) return;
     cancel();
     event.stopPropagation();
-  });
+  };
+  document.addEventListener("keydown", giveUp, true);
   canvas.addEventListener("dblclick", (event) => doubled(desk, pick(desk.scene, ...place(event)), place(event), add));
   canvas.addEventListener("wheel", (event) => wheeled(event, desk, place(event)[0]), { passive: false });
 }
@@ -77,7 +79,10 @@ function begun(desk, found, x, y, event) {
 }
 
 function clicked(desk, { kind, row, time }) {
-  if (kind === "graph" && !desk.draws) desk.ask(time, row.names[0]);
+  if (kind === "graph" && !desk.draws) {
+    if (!desk.clock.playing) desk.clock.seek(time); // the face shows what is explained
+    desk.ask(time, row.names[0]);
+  }
   if (kind === "lane" || kind === "none") desk.choose(null);
 }
 
