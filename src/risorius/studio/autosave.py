@@ -14,7 +14,8 @@ from ..out.atomic import replacing
 from ..out.layout import write_json
 from ..out.node import Node
 from ..out.score_json import ScoreFile, score_to_json
-from .project import Opened, check_version, header, made_from, score_file, version_of, view_of
+from .project import Opened, check_version, header, made_from, version_of, view_of
+from .scores import parsed, score_file
 from .session import Session
 from .shelf import Shelf, write_text
 from .version import Version
@@ -79,9 +80,9 @@ class Autosave:
         return ()
 
     def _read(self, path: Path, shelf: Shelf) -> tuple[Opened, int]:
-        entries = Node(json.loads(path.read_text(encoding="utf-8"))).entries(_KEYS, _KEYS[:-2])
+        entries = parsed(path.read_bytes()).entries(_KEYS, _KEYS[:-2])
         check_version(entries["risorius_project"])
-        score = Node(json.loads(self._named(entries["score"]).read_text(encoding="utf-8")))
+        score = parsed(self._named(entries["score"]).read_bytes())
         named = entries.get("sound")
         sound = None if named is None or named.value is None else self._named(named)
         held = _with_own_sound(score_file(score, sound))

@@ -51,7 +51,7 @@ class Dialling:
         self._values = np.array(list(values.values()))
         self._number, self._until = number, self._loop.time() + (SETTLED if asked.live else 0.0)
         if self._moving is None or self._moving.done():
-            self._moving = self._loop.create_task(self._move(asked.live))
+            self._moving = self._loop.create_task(self._move())
         return wire.DialState(values)
 
     def stop(self) -> None:
@@ -70,15 +70,17 @@ class Dialling:
         self._held.push(lent.__exit__)
         self._dial, self._looks = Dial(solver), (head, age)
 
-    async def _move(self, live: bool) -> None:
-        """Send faces until the skin lies still, the last one at rest."""
+    async def _move(self) -> None:
+        """Send faces until the skin lies still, the last one at rest, and no dial was turned meanwhile."""
         before = self._loop.time() - 1.0 / RATE
-        while live and self._loop.time() < self._until:
-            now = self._loop.time()
-            await self._show(now - before)
-            before = now
-            await asyncio.sleep(max(0.0, 1.0 / RATE - (self._loop.time() - now)))
-        await self._show(None)
+        shown = None
+        while shown != self._number:
+            while (now := self._loop.time()) < self._until:
+                await self._show(now - before)
+                before = now
+                await asyncio.sleep(max(0.0, 1.0 / RATE - (self._loop.time() - now)))
+            shown = self._number
+            await self._show(None)
 
     async def _show(self, seconds: float | None) -> None:
         dial, values, number = self._dial, self._values, self._number

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import time
-import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from ..channels import Display
 from ..core.edits import identified
 from ..core.utterance import Utterance
-from ..errors import InputError, RisoriusWarning
+from ..errors import InputError
+from ..out.score_json import ScoreFile
 from ..pipeline import looking_like, plan, spoken
 from ..rules.profiles import profile_of
 from ..script import Script, parse_script
 from ..settings import Settings
 from ..speech.heard import listen
+from ..speech.recording import read_recording
 from ..take import Progress
 from .choices import settings_of
+from .scores import adopted, parsed, score_file
 from .shelf import Shelf
 from .version import Version
+from .warned import collected
 from .wire import EmotionSpan, Made, Source
 
 LONGEST_SCRIPT = 200_000
@@ -33,26 +36,51 @@ class Performer:
     def __init__(self, shelf: Shelf) -> None:
         self._shelf = shelf
         self._voices: dict[object, Heard] = {}
+        self._scores: dict[Source, ScoreFile] = {}
 
     def perform(self, made: Made, progress: Progress) -> Version:
         """Plan what a page asks. Raises RisoriusError with one line on what is wrong."""
-        if len(made.source.script) > LONGEST_SCRIPT:
+        if len(made.source.script) > LONGEST_SCRIPT and made.source.format != "score":
             raise InputError(f"the script is longer than {LONGEST_SCRIPT} characters")
         spans = tuple(replace(span, emotion=self._shelf.emotion(span.emotion)) for span in made.emotions)
         settings = settings_of(made.choices, self._shelf.folder)
         settings = looking_like(profile_of(settings.profile), settings)
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always", RisoriusWarning)
-            begun = time.perf_counter()
+        if made.source.format == "score":
+            return self._scored(made, settings)
+        begun = time.perf_counter()
+        with collected() as odd:
             script, utterance, displays = self._heard(made.source, spans, settings, progress)
             said = time.perf_counter()
             score = identified(plan(script, utterance, displays, settings))
-            planned = time.perf_counter()
-        odd = tuple(
-            " ".join(str(w.message).split()) for w in caught if issubclass(w.category, RisoriusWarning)
-        )
-        spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (planned - said)}
-        return Version(made, score, score, settings, utterance, warnings=odd, milliseconds=spent)
+        spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (time.perf_counter() - said)}
+        return Version(made, score, score, settings, utterance, warnings=tuple(odd), milliseconds=spent)
+
+    def adopted(self, made: Made) -> Made:
+        """Return a request to perform a score with the score's own settings in its choices."""
+        if made.source.format != "score":
+            return made
+        return replace(made, choices=adopted(made.choices, self._held(made.source).score.settings))
+
+    def _scored(self, made: Made, settings: Settings) -> Version:
+        held = self._held(made.source)
+        score = identified(replace(held.score, settings=settings.blend))
+        return Version(made, score, score, settings, held.utterance)
+
+    def _held(self, source: Source) -> ScoreFile:
+        if source not in self._scores:
+            self._scores = {source: self._read(source)}
+        return self._scores[source]
+
+    def _read(self, source: Source) -> ScoreFile:
+        name = source.recording
+        if name is None:
+            return score_file(parsed(source.script), None)
+        sound = read_recording(self._shelf.recording(name))
+        held = score_file(parsed(source.script), sound.path)
+        if held.utterance is None:
+            return held
+        # The file is there as long as this Audio of it.
+        return replace(held, utterance=replace(held.utterance, audio=sound))
 
     def _heard(
         self, source: Source, spans: tuple[EmotionSpan, ...], settings: Settings, progress: Progress

@@ -13,7 +13,6 @@ import io
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,12 +23,13 @@ from ..core.schema import Source, build
 from ..core.utterance import Utterance
 from ..errors import InputError
 from ..out.node import Node
-from ..out.score_json import ScoreFile, score_from_json, score_to_json
+from ..out.score_json import ScoreFile, score_to_json
 from ..pipeline import looking_like
 from ..rules.profiles import profile_of
 from . import wire
 from .choices import settings_of
 from .messages import encoded, without_nulls
+from .scores import parsed, score_file
 from .session import Session
 from .shelf import Shelf
 from .version import Version
@@ -99,11 +99,7 @@ def open_project(data: bytes, shelf: Shelf) -> Opened:
 
 
 def _entries(data: bytes) -> dict[str, Node]:
-    try:
-        document = json.loads(data)
-    except (ValueError, RecursionError):
-        raise InputError("the file is not a project: it is not JSON") from None
-    entries = Node(document).entries(_KEYS, _REQUIRED)
+    entries = parsed(data).entries(_KEYS, _REQUIRED)
     check_version(entries["risorius_project"])
     return entries
 
@@ -133,18 +129,6 @@ def _edit(node: Node) -> wire.Edit:
     with node.located():
         edit: wire.Edit = build(wire.EDITS[kind], without_nulls(members), Source(_PLACE))
         return edit
-
-
-def score_file(node: Node, sound: Path | None) -> ScoreFile:
-    """Return a score and what is said, sounding as the file `sound` of ours (silent where None).
-
-    The way to a sound that the score names itself is not followed.
-    """
-    document = dict(node.value) if isinstance(node.value, dict) else node.value
-    if isinstance(document, dict) and isinstance(document.get("speech"), dict):
-        speech = {name: value for name, value in document["speech"].items() if name != "audio"}
-        document["speech"] = speech if sound is None else {**speech, "audio": sound.name}
-    return score_from_json(Node(document, node.path), Path() if sound is None else sound.parent)
 
 
 def version_of(made: wire.Made, held: ScoreFile, entries: Mapping[str, Node], shelf: Shelf) -> Version:

@@ -66,6 +66,7 @@ def configured(studio: Studio) -> uvicorn.Config:
         studio.app(),
         log_level="warning",
         access_log=False,
+        ws="websockets-sansio",
         ws_max_size=limits.MESSAGE,
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=2,

@@ -58,7 +58,8 @@ class Session:
 
     def perform(self, asked: wire.Perform, progress: Progress) -> wire.TakeView:
         """Perform a script; edits made on the one before are made again where it is the same script."""
-        return self._planned(wire.Made(asked.source, asked.choices, asked.emotions), "perform", progress)
+        made = self._performer.adopted(wire.Made(asked.source, asked.choices, asked.emotions))
+        return self._planned(made, "perform", progress)
 
     def choose(self, asked: wire.Choose, progress: Progress) -> wire.TakeView:
         """Perform the same script with other choices."""

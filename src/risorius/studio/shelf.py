@@ -59,7 +59,7 @@ class Shelf:
             raise InputError(f"there are {_MOST} recordings already; expected a new session")
         plain = re.sub(r"[^\w-]+", "-", stem, flags=re.ASCII).strip("-")[:40] or "recording"
         digest = hashlib.sha256(uploaded.read_bytes()).hexdigest()[:8]
-        kept = f"{plain}-{digest}{suffix}"
+        kept = f"{plain.removesuffix(f'-{digest}')}-{digest}{suffix}"
         uploaded.replace(folder / kept)
         return kept
 

@@ -57,16 +57,18 @@ async function loadCatalogue(store) {
 function keepView({ store, connection, clock, view }) {
   const keep = settled(() => {
     if (store.get("link") !== "up" || store.get("take") === null || clock.playing) return;
-    const shown = { tab: store.get("tab"), camera: view.state, time: clock.time };
+    const [tab, graphs] = [store.get("tab"), store.get("graphs")];
+    const shown = { tab, graphs, camera: view.state, time: clock.time };
     connection.request("view", { view: shown }).catch(() => {});
   }, WAIT);
-  store.watch(["tab"], keep);
+  store.watch(["tab", "graphs"], keep);
   clock.on("tick", keep);
   view.onmove = keep;
 }
 
-function showView({ view, clock, openTab }, { tab, camera, time }) {
+function showView({ store, view, clock, openTab }, { tab, camera, time, graphs }) {
   if (tab) openTab(tab);
   if (camera) view.state = camera;
   if (time) clock.seek(time);
+  if (graphs) store.set({ graphs });
 }

@@ -21,6 +21,7 @@
  *   recordings  names of the recordings that the session has
  *   ownEmotions names of emotions saved in the session
  *   poses       {name: {parameter: value}}: poses saved in the session
+ *   graphs      which muscles' graphs the timeline shows, and which lanes are folded; null until chosen
  *   tab         name of the panel that is open
  */
 export class Store {

@@ -67,10 +67,10 @@ export class Graphs {
     return { chosen: this.#chosen, sides: Object.fromEntries(this.#sides) };
   }
 
+  /** Show what `kept` was. @param {import("./model.js").Model} model */
   restore({ chosen = null, sides = {} }, model) {
     const known = (base) => model.bases.has(base);
     this.#chosen = Array.isArray(chosen) ? chosen.filter(known) : null;
     this.#sides = new Map(Object.entries(sides).filter(([base]) => known(base)));
-    this.#changed();
   }
 }

@@ -49,6 +49,8 @@ class Timeline {
   #parts;
   #root;
   #frame = 0;
+  #said = null;
+  #kept = null;
 
   constructor(element, { store, clock, actions, explanation }) {
     this.#store = store;
@@ -56,7 +58,7 @@ class Timeline {
     const repaint = () => this.repaint();
     this.#edits = new Edits(actions, repaint);
     this.#details = new Details(actions, repaint);
-    this.#graphs = new Graphs(() => this.#arrange());
+    this.#graphs = new Graphs(() => this.#rearrange());
     this.#build(element, actions, explanation);
     this.#listen();
   }
@@ -91,7 +93,7 @@ class Timeline {
     this.#scene = new Scene(canvas, { view: new Viewport(), edits: this.#edits, details: this.#details });
     const [scene, edits, details, clock, store] = [this.#scene, this.#edits, this.#details, this.#clock, this.#store];
     const repaint = () => this.repaint();
-    this.#desk = new Desk({ scene, edits, details, clock, actions, store, scroller, repaint, arrange: () => this.#arrange() });
+    this.#desk = new Desk({ scene, edits, details, clock, actions, store, scroller, repaint, arrange: () => this.#rearrange() });
     const adder = new Adder(this.#root, this.#desk);
     const picker = new Picker(this.#root, this.#desk, this.#graphs);
     const add = (time = this.#clock.time, channel = null) => scene.model && adder.open(time, channel);
@@ -124,6 +126,7 @@ class Timeline {
     onTheme(() => this.#dress());
     this.#store.watch(["catalogue", "take"], () => this.#takeUp());
     this.#store.watch(["selection"], () => this.#select());
+    this.#store.watch(["graphs"], () => this.#restore());
     this.#clock.on("tick", () => this.#tick());
   }
 
@@ -145,6 +148,23 @@ class Timeline {
     if (fresh) this.#scene.view.open();
     this.#parts.list.setModel(model);
     this.#select();
+  }
+
+  /** The user has other graphs or lanes: lay out, and have it kept with the project. */
+  #rearrange() {
+    this.#kept = { ...this.#graphs.kept, folded: [...this.#scene.folded] };
+    this.#arrange();
+    this.#store.set({ graphs: this.#kept });
+  }
+
+  /** Show what was kept with the project. */
+  #restore() {
+    const kept = this.#store.get("graphs");
+    if (!kept || kept === this.#kept || !this.#scene.model) return;
+    this.#kept = kept;
+    this.#graphs.restore(kept, this.#scene.model);
+    this.#scene.folded = new Set(kept.folded);
+    this.#arrange();
   }
 
   #arrange() {
@@ -198,8 +218,6 @@ class Timeline {
     this.#said = { word, phone };
     this.#showTime();
   }
-
-  #said = null;
 
   #showTime() {
     const { scene } = this.#desk;

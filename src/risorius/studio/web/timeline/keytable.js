@@ -35,7 +35,7 @@ export class KeyTable {
     const [at, amount] = [time, value].map((number, k) => {
       const bounds = k ? { min: low, max: high } : { min: 0 };
       const label = `${k ? "Value" : "Time"} of ${what}`;
-      const input = h("input", { id: `tl-key-${index}-${k}`, type: "number", step: "any", "aria-label": label, ...bounds });
+      const input = h("input", { id: `tl-key-${index}-${k}`, type: "number", step: "0.01", "aria-label": label, ...bounds });
       input.value = Number(number.toFixed(3));
       return input;
     });

@@ -79,7 +79,10 @@ function begun(desk, found, x, y, event) {
 }
 
 function clicked(desk, { kind, row, time }) {
-  if (kind === "graph" && !desk.draws) desk.ask(time, row.names[0]);
+  if (kind === "graph" && !desk.draws) {
+    if (!desk.clock.playing) desk.clock.seek(time); // the face shows what is explained
+    desk.ask(time, row.names[0]);
+  }
   if (kind === "lane" || kind === "none") desk.choose(null);
 }
 

@@ -33,14 +33,15 @@ export class Targets {
 
   #row(block, { title, names, value }, k) {
     const { low, high, unit } = this.#desk.scene.model.parameters.get(names[0]);
-    const input = h("input", { id: `tl-target-${k}`, type: "number", min: low, max: high, step: "any" });
+    const input = h("input", { id: `tl-target-${k}`, type: "number", min: low, max: high, step: "0.01" });
     input.value = Number(value.toFixed(3));
     input.addEventListener("change", () => this.#change(block, names, input));
     return h("label", { class: "tl-target", for: input.id }, h("span", {}, `${spoken(title)}${unit ? `, ${unit}` : ""}`), input);
   }
 
   #change(block, names, input) {
-    if (input.value === "" || !input.checkValidity()) {
+    const { rangeUnderflow, rangeOverflow } = input.validity;
+    if (input.value === "" || rangeUnderflow || rangeOverflow) {
       input.reportValidity();
       return;
     }

@@ -55,40 +55,44 @@ export class Why {
   }
 
   #parts(block, parameter, time, reasons) {
-    const heading = block ? block.label || "silence" : spoken(parameter);
-    const found = [h("h2", { tabindex: "-1" }, heading)];
-    if (block) found.push(...this.#block(block));
-    else this.#times = [];
-    found.push(h("p", { class: "hint" }, `At ${clockTime(time)} s`), ...reasons.map((one) => this.#reason(one)));
-    if (reasons.length === 0) found.push(h("p", {}, block ? "It shows in nothing at this time." : "At rest: nothing moves it."));
-    if (parameter) found.push(this.#keys.element(parameter, time));
-    return found;
+    this.#times = [];
+    const when = h("p", { class: "hint" }, `At ${clockTime(time)} s`);
+    if (parameter) {
+      const told = reasons.map((one) => this.#reason(one));
+      const title = reasons.length ? [] : [h("h3", {}, spoken(parameter)), h("p", {}, "At rest: nothing moves it.")];
+      return [when, ...title, ...told, this.#keys.element(parameter, time)];
+    }
+    const idle = h("p", {}, "At this time it shows in nothing.");
+    const told = reasons.length ? reasons.map((one) => this.#reason(one)) : [idle];
+    return [...this.#head(block), when, ...told, ...(block.editable ? this.#shape(block) : [])];
   }
 
-  #block(block) {
+  /** What a movement is, and why it is there. */
+  #head(block) {
+    const title = h("h2", {}, block.label || "silence");
     const lane = h("p", { class: "tl-part", style: colourOf(block.channel) }, `${block.channel}, priority ${block.priority}`);
     const cause = h("p", {}, block.cause ? `Because of ${block.cause}` : "No cause is known.");
-    if (!block.editable) {
-      this.#times = [];
-      return [lane, cause];
-    }
+    return [title, lane, cause];
+  }
+
+  /** Its times and targets as numbers to change. */
+  #shape(block) {
     this.#times = TIMES.map((title, k) => this.#time(title, k));
     this.refresh();
     const labels = TIMES.map((title, k) => h("label", { for: this.#times[k].id }, `${title}, s`, this.#times[k]));
-    return [lane, cause, h("div", { class: "tl-times" }, ...labels), this.#targets.element(block)];
+    return [h("div", { class: "tl-times" }, ...labels), this.#targets.element(block)];
   }
 
   #time(title, k) {
     const change = ({ target }) => target.value && this.#desk.setTime(k, Number(target.value));
-    const step = this.#desk.scene.model.frame.toFixed(4);
-    return h("input", { id: `tl-time-${k}`, type: "number", min: "0", step: "any", "data-step": step, onchange: change });
+    return h("input", { id: `tl-time-${k}`, type: "number", min: "0", step: "0.01", onchange: change });
   }
 
   #reason({ names, value, unit, winner, losers, notes }) {
     const amount = `${value.toFixed(unit ? 1 : 2)}${unit ? ` ${unit}` : ""}`;
     const lines = [...(winner ? [this.#part(winner, false)] : []), ...losers.map((part) => this.#part(part, true))];
     return h("section", {},
-      h("h3", {}, h("span", {}, names), h("span", {}, amount)),
+      h("h3", {}, h("span", {}, names), h("span", { class: "tl-amount" }, amount)),
       winner ? null : h("p", {}, "At rest."),
       h("ul", {}, ...lines, ...notes.map((note) => h("li", { class: "tl-part" }, note))),
     ); // prettier-ignore
@@ -100,12 +104,12 @@ export class Why {
       ? h("button", { class: "tl-what", title: "Go to this movement", onclick: () => this.#go(movement) }, what)
       : h("span", { class: "tl-what" }, what);
     const less = Math.abs(given - asked) > 5e-4;
-    const amount = less ? `${given.toFixed(2)} of ${asked.toFixed(2)}` : asked.toFixed(2);
+    const amount = less ? `gets ${given.toFixed(2)} of the ${asked.toFixed(2)} it asks for` : `gives ${asked.toFixed(2)}`;
     const from = [rule, place].filter(Boolean).join(", ");
     const why = reason ? `${lost ? "not shown: " : ""}${reason}` : "";
     const struck = lost && !reason.startsWith("add");
     return h("li", { class: struck ? "tl-part lost" : "tl-part", style: colourOf(channel) },
-      `${channel}: `, named, ` asks ${amount}`, from ? h("span", { class: "hint" }, ` (${from})`) : null,
+      `${channel}: `, named, ` ${amount}`, from ? h("span", { class: "hint" }, ` (${from})`) : null,
       why ? h("p", {}, struck ? why : reason) : null); // prettier-ignore
   }
 
