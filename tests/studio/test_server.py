@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from websockets.exceptions import ConnectionClosed
+from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from risorius.studio import limits
 
@@ -28,6 +28,33 @@ def fetched(server, path, data=None):
             return answer.status, answer.read()
     except urllib.error.HTTPError as error:
         return error.code, error.read()
+
+
+def test_the_server_says_when_it_is_warm(server):
+    with server.page("warm") as page:
+        page.ask("open")
+        if any(event["event"] == "ready" for event in page.events):
+            assert [page.event("ready")["what"] for _ in range(2)] == ["warming", "warm"]
+        assert server.studio.warm.is_set()
+
+
+def test_sessions_without_a_page_give_way_and_nothing_is_made_by_asking(tmp_path, monkeypatch):
+    monkeypatch.setattr(limits, "SESSIONS", 2)
+    with serving(tmp_path) as server:
+        assert fetched(server, "/api/session/none/project")[0] == 404
+        assert not (tmp_path / "none").exists()
+        with server.page("one") as one:
+            one.perform("Hm.")
+            one.event("saved")
+            for name in ("two", "three", "four"):
+                with server.page(name) as page:
+                    page.ask("open")
+            assert one.ask("open")["take"] is not None
+            assert len(server.studio.rooms) == 2
+            with server.page("five") as page:
+                page.ask("open")
+                with pytest.raises(InvalidStatus), server.page("six"):
+                    pass
 
 
 def test_a_line_is_performed_seen_and_heard(server):

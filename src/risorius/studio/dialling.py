@@ -6,7 +6,6 @@ import asyncio
 from collections.abc import Awaitable, Callable
 from concurrent.futures import Executor
 from contextlib import ExitStack
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +19,7 @@ from .dials import SETTLED, Dial, dialled
 from .shelf import Shelf
 from .solvers import Solvers, stage_of
 from .stage import DIALLED
+from .threads import on_thread
 
 Send = Callable[[bytes], Awaitable[None]]
 RATE = 30.0  # faces a second while the skin moves
@@ -54,19 +54,17 @@ class Dialling:
             self._moving = self._loop.create_task(self._move())
         return wire.DialState(values)
 
-    def stop(self) -> None:
-        """Give the solver back."""
+    async def stop(self) -> None:
+        """Give the solver back when it is not worked with any more."""
         if self._moving is not None:
             self._moving.cancel()
+            await asyncio.wait([self._moving])
         self._held.close()
 
     async def _take_head(self, head: str, age: float | None) -> None:
-        if self._moving is not None:
-            self._moving.cancel()
-        self._held.close()
-        settings = Settings(head=head, age=age)
-        lent = self._solvers.lent(settings)
-        solver = await self._on_thread(lent.__enter__)
+        await self.stop()
+        lent = self._solvers.lent(Settings(head=head, age=age))
+        solver = await on_thread(self._threads, lent.__enter__)
         self._held.push(lent.__exit__)
         self._dial, self._looks = Dial(solver), (head, age)
 
@@ -92,7 +90,4 @@ class Dialling:
             found = dial.still(values) if seconds is None else dial.moved(values, seconds)
             return stage_of(head, age).packed(DIALLED, number, 0, [found])
 
-        await self._send(await self._on_thread(face))
-
-    async def _on_thread(self, work: Callable[[], Any]) -> Any:
-        return await self._loop.run_in_executor(self._threads, work)
+        await self._send(await on_thread(self._threads, face))
