@@ -40,7 +40,7 @@ class Client:
         return answer["error"]
 
     def tried(self, do, **fields):
-        number = next(self.numbers)
+        self.number = number = next(self.numbers)
         self.socket.send(json.dumps({"id": number, "do": do, **fields}))
         return self.answer(number)
 

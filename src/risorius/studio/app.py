@@ -5,8 +5,9 @@ from __future__ import annotations
 import asyncio
 import json
 import re
+import threading
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from functools import lru_cache
 from importlib import resources
 from pathlib import Path
@@ -22,6 +23,7 @@ from starlette.websockets import WebSocket
 
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
+from ..pipeline import speak
 from . import limits
 from .catalogue import catalogue_json
 from .connection import Connection
@@ -44,16 +46,32 @@ class Studio:
         self.folder = folder
         self.rooms: dict[str, Room] = {}
         self.solvers = Solvers()
+        self.warm = asyncio.Event()
 
-    def room(self, name: str) -> Room:
-        """Return a session by its name, opened if it is not; raise InputError for what is no name."""
+    def room(self, name: str, *, made: bool = True) -> Room:
+        """Return a session by its name, opened if it is not, made if there is none and `made` allows it.
+
+        Raises InputError for what is no name, for a session that there is not, and for one too many.
+        """
         if not NAME.fullmatch(name):
             raise InputError("the session's name is not one; expected up to 40 of a-z, 0-9 and -")
         if name not in self.rooms:
             folder = self.folder / name
+            if not made and not folder.is_dir():
+                raise InputError(f"there is no session '{name}'")
+            self._make_place()
             folder.mkdir(parents=True, exist_ok=True)
             self.rooms[name] = Room(name, folder)
         return self.rooms[name]
+
+    def _make_place(self) -> None:
+        """Close the session that was opened first of those that no page shows, where there are too many."""
+        if len(self.rooms) < limits.SESSIONS:
+            return
+        unseen = next((name for name, room in self.rooms.items() if not room.pages), None)
+        if unseen is None:
+            raise InputError(f"{limits.SESSIONS} sessions are open; expected one to be closed first")
+        self.rooms.pop(unseen).close()
 
     def app(self) -> Starlette:
         """Return the application."""
@@ -79,17 +97,18 @@ class Studio:
 
     @asynccontextmanager
     async def _lifespan(self, app: Starlette) -> AsyncIterator[None]:
-        warming = asyncio.get_running_loop().run_in_executor(None, self.warm)
+        loop = asyncio.get_running_loop()
+
+        def warm() -> None:
+            warm_up(self.solvers)
+            # The loop is closed where the server has ended meanwhile.
+            with suppress(RuntimeError):
+                loop.call_soon_threadsafe(self.warm.set)
+
+        threading.Thread(target=warm, name="warming", daemon=True).start()
         yield
-        warming.cancel()
         for room in self.rooms.values():
             room.close()
-
-    def warm(self) -> None:
-        """Load and compile what the first play needs."""
-        catalogue_json()
-        self.solvers.warm()
-        _glb("standard", None, None, None)
 
     async def socket(self, socket: WebSocket) -> None:
         """Serve a page's socket."""
@@ -98,7 +117,7 @@ class Studio:
         except InputError:
             await socket.close(1008)
             return
-        await Connection(socket, room, self.solvers).run()
+        await Connection(socket, room, self.solvers, self.warm).run()
 
     async def sound(self, request: Request) -> Response:
         """Return a take's sound."""
@@ -137,7 +156,15 @@ class Studio:
         return FileResponse(path, filename=name)
 
     def _asked_room(self, request: Request) -> Room:
-        return self.room(request.path_params["session"])
+        return self.room(request.path_params["session"], made=request.method == "POST")
+
+
+def warm_up(solvers: Solvers) -> None:
+    """Load and compile what the first line, the first face and the head's file need."""
+    catalogue_json()
+    solvers.warm()
+    speak("Hm.", text=True)
+    _glb("standard", None, None, None)
 
 
 async def page(request: Request) -> Response:

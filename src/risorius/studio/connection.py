@@ -18,14 +18,15 @@ from .room import Room
 from .solvers import Solvers
 from .streaming import Streams
 
+OWN = 2  # tasks of a page that are no requests
 LOG = logging.getLogger(__name__)
 
 
 class Connection:
     """A page."""
 
-    def __init__(self, socket: WebSocket, room: Room, solvers: Solvers) -> None:
-        self._socket, self._room = socket, room
+    def __init__(self, socket: WebSocket, room: Room, solvers: Solvers, warm: asyncio.Event) -> None:
+        self._socket, self._room, self._warm = socket, room, warm
         self._sending = asyncio.Lock()
         self._tasks: set[asyncio.Task[None]] = set()
         self._events: asyncio.Queue[Any] = asyncio.Queue(limits.EVENTS)
@@ -49,11 +50,11 @@ class Connection:
             pass
         finally:
             self._room.pages.discard(self)
-            self._streams.stop()
-            self._dialling.stop()
             for task in tuple(self._tasks):
                 task.cancel()
-            self._threads.shutdown(wait=False, cancel_futures=True)
+            await asyncio.gather(*self._tasks, return_exceptions=True)
+            await self._dialling.stop()
+            self._threads.shutdown(wait=False)
 
     def tell(self, told: Any) -> None:
         """Send an event when its turn comes; one too many is dropped, progress first of all."""
@@ -61,7 +62,7 @@ class Connection:
             self._events.put_nowait(told)
 
     def _begin(self, text: str | None) -> None:
-        if len(self._tasks) > limits.PENDING:
+        if len(self._tasks) > limits.PENDING + OWN:
             self._keep(self._say(refusal(None, f"more than {limits.PENDING} requests at once")))
         elif len(self._tasks) <= 2 * limits.PENDING:
             self._keep(self._answered(text))
@@ -129,5 +130,12 @@ class Connection:
                 await self._socket.send_bytes(message)
 
     async def _send_events(self) -> None:
+        if not self._warm.is_set():
+            self.tell(wire.Ready("warming"))
+            self._keep(self._tell_warm())
         while True:
             await self._say(event(await self._events.get()))
+
+    async def _tell_warm(self) -> None:
+        await self._warm.wait()
+        self.tell(wire.Ready("warm"))

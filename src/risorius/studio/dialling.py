@@ -6,7 +6,6 @@ import asyncio
 from collections.abc import Awaitable, Callable
 from concurrent.futures import Executor
 from contextlib import ExitStack
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +19,7 @@ from .dials import SETTLED, Dial, dialled
 from .shelf import Shelf
 from .solvers import Solvers, stage_of
 from .stage import DIALLED
+from .threads import on_thread
 
 Send = Callable[[bytes], Awaitable[None]]
 RATE = 30.0  # faces a second while the skin moves
@@ -51,34 +51,34 @@ class Dialling:
         self._values = np.array(list(values.values()))
         self._number, self._until = number, self._loop.time() + (SETTLED if asked.live else 0.0)
         if self._moving is None or self._moving.done():
-            self._moving = self._loop.create_task(self._move(asked.live))
+            self._moving = self._loop.create_task(self._move())
         return wire.DialState(values)
 
-    def stop(self) -> None:
-        """Give the solver back."""
+    async def stop(self) -> None:
+        """Give the solver back when it is not worked with any more."""
         if self._moving is not None:
             self._moving.cancel()
+            await asyncio.wait([self._moving])
         self._held.close()
 
     async def _take_head(self, head: str, age: float | None) -> None:
-        if self._moving is not None:
-            self._moving.cancel()
-        self._held.close()
-        settings = Settings(head=head, age=age)
-        lent = self._solvers.lent(settings)
-        solver = await self._on_thread(lent.__enter__)
+        await self.stop()
+        lent = self._solvers.lent(Settings(head=head, age=age))
+        solver = await on_thread(self._threads, lent.__enter__)
         self._held.push(lent.__exit__)
         self._dial, self._looks = Dial(solver), (head, age)
 
-    async def _move(self, live: bool) -> None:
-        """Send faces until the skin lies still, the last one at rest."""
+    async def _move(self) -> None:
+        """Send faces until the skin lies still, the last one at rest, and no dial was turned meanwhile."""
         before = self._loop.time() - 1.0 / RATE
-        while live and self._loop.time() < self._until:
-            now = self._loop.time()
-            await self._show(now - before)
-            before = now
-            await asyncio.sleep(max(0.0, 1.0 / RATE - (self._loop.time() - now)))
-        await self._show(None)
+        shown = None
+        while shown != self._number:
+            while (now := self._loop.time()) < self._until:
+                await self._show(now - before)
+                before = now
+                await asyncio.sleep(max(0.0, 1.0 / RATE - (self._loop.time() - now)))
+            shown = self._number
+            await self._show(None)
 
     async def _show(self, seconds: float | None) -> None:
         dial, values, number = self._dial, self._values, self._number
@@ -90,7 +90,4 @@ class Dialling:
             found = dial.still(values) if seconds is None else dial.moved(values, seconds)
             return stage_of(head, age).packed(DIALLED, number, 0, [found])
 
-        await self._send(await self._on_thread(face))
-
-    async def _on_thread(self, work: Callable[[], Any]) -> Any:
-        return await self._loop.run_in_executor(self._threads, work)
+        await self._send(await on_thread(self._threads, face))

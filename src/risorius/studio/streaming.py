@@ -5,15 +5,14 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Awaitable, Callable, Iterator
 from concurrent.futures import Executor
-from typing import TypeVar
 
 from ..face.frame import FaceFrame
 from . import wire
 from .session import Live
 from .solvers import Solvers, stage_of
 from .stage import FRAMES, MOMENT, Stage
+from .threads import on_thread
 
-T = TypeVar("T")
 Send = Callable[[bytes], Awaitable[None]]
 CHUNK = 4  # faces to a message
 LEAD_IN = 1.0  # seconds of motion before the first face that count
@@ -32,12 +31,12 @@ class Streams:
         stopped = self._stopped[asked.take] = asyncio.Event()
         last = min(asked.last, len(live.take.performance.values))
         first, settings = asked.first, live.take.settings
-        stage = await self._on_thread(lambda: stage_for(live))
+        stage = await on_thread(self._threads, lambda: stage_for(live))
         with self._solvers.lent(settings) as solver:
             faces = live.take.faces(range(first, last), lead_in=LEAD_IN, solver=solver)
             while first < last and not stopped.is_set():
                 count = min(CHUNK, last - first)
-                message = await self._on_thread(_chunk(stage, asked.take, first, count, faces))
+                message = await on_thread(self._threads, _chunk(stage, asked.take, first, count, faces))
                 await self._send(message)
                 first += count
         if self._stopped.get(asked.take) is stopped:
@@ -54,21 +53,13 @@ class Streams:
                 found = list(live.take.faces([frame], lead_in=LEAD_IN, solver=solver))
             return stage_for(live).packed(MOMENT, asked.take, frame, found)
 
-        await self._send(await self._on_thread(face))
+        await self._send(await on_thread(self._threads, face))
         return wire.Sent(1)
 
     def cancel(self, take: int) -> None:
         """End the window of a take that is being sent, if one is."""
         if take in self._stopped:
             self._stopped[take].set()
-
-    def stop(self) -> None:
-        """End all windows."""
-        for stopped in self._stopped.values():
-            stopped.set()
-
-    async def _on_thread(self, work: Callable[[], T]) -> T:
-        return await asyncio.get_running_loop().run_in_executor(self._threads, work)
 
 
 def stage_for(live: Live) -> Stage:

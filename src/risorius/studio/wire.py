@@ -634,9 +634,9 @@ class Saved:
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """How far the server has warmed up; the first face waits for "faces"."""
+    """Whether the server is still "warming" (kernels are compiled; the first face waits), or is "warm"."""
 
-    what: str
+    what: Literal["warming", "warm"]
 
 
 EVENTS: Mapping[str, type] = {

@@ -20,9 +20,10 @@ def test_an_export_shows_its_progress_and_gives_its_files(page: Page) -> None:
     assert not page.driver.find_element(By.ID, "export").is_enabled()
     for suffix in (".muscles.csv", ".TextGrid"):
         page.run(f"document.querySelector('[data-suffix=\"{suffix}\"] input').click()")
+    page.run("window.told = []; studio.connection.on('progress', ({ job }) => job && told.push(job))")
     page.driver.find_element(By.ID, "export").click()
-    page.wait("document.querySelector('#jobs progress')")
     page.wait("document.querySelectorAll('#jobs a').length === 2", 120.0)
+    assert page.get("told.length") > 0
     page.picture("exported")
     table = page.run("return (await fetch(document.querySelector('#jobs a').href)).text()")
     rows = table.splitlines()

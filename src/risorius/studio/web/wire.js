@@ -18,7 +18,7 @@
  * @property {string|null} [id]
  */
 /**
- * Take back what was drawn by hand for a parameter.
+ * Take back what was drawn by hand for a parameter; a name without its side means both sides.
  * @typedef {Object} ClearKeys
  * @property {"edit"} do
  * @property {"clear_keys"} kind
@@ -33,6 +33,7 @@
  */
 /**
  * Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before.
+ * A name without its side means both sides.
  * `replaces`: from the first key to the last the curve stands in place of what all channels ask; else the
  * highest shows.
  * @typedef {Object} Keys
@@ -536,10 +537,10 @@
  * @property {string} error
  */
 /**
- * How far the server has warmed up; the first face waits for "faces".
+ * Whether the server is still "warming" (kernels are compiled; the first face waits), or is "warm".
  * @typedef {Object} Ready
  * @property {"ready"} event
- * @property {string} what
+ * @property {"warming"|"warm"} what
  */
 /** @typedef {"open" | "perform" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */

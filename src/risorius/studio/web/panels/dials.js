@@ -33,7 +33,7 @@ export function mountDials(element, studio) {
   });
   const springs = check("Skin swings", { value: true, change: (live) => { face.live = live; } });
   const reset = button("Reset", { id: "dials-reset", onclick: () => { face.dial = emptyDial(); send(); show(); } });
-  const again = button("Back to line", { onclick: () => store.set({ dial: null }) });
+  const again = button("Back to line", { id: "dials-back", onclick: () => store.set({ dial: null }) });
   const saved = make("div", { class: "row tight", role: "group", "aria-label": "Saved poses" });
   const foot = make("div", { class: "panel-foot" }, mountKeeping(studio, () => face));
   const top = make("div", { class: "row" }, springs, reset, again);
