@@ -538,6 +538,19 @@ def list_(what: str) -> None:
         click.echo(line)
 
 
+@commands.command()
+@click.option("--port", type=click.IntRange(0, 65535), help="Port; 0 is any that is free.  [default: 8765]")
+@click.option("--no-browser", is_flag=True, help="Do not open a browser.")
+@click.option(
+    "--folder", type=click.Path(path_type=Path), help="Where sessions are kept.  [default: the user's data]"
+)
+def studio(port: int | None, no_browser: bool, folder: Path | None) -> None:
+    """See, hear and shape a performance in the browser, on this machine alone."""
+    from .studio.server import PORT, serve
+
+    serve(PORT if port is None else port, folder=folder, browser=not no_browser, say=_say)
+
+
 @commands.group()
 def rules() -> None:
     """Look at the rules that turn speech into movements: ours, as a file of yours changes them."""

@@ -8,10 +8,14 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .blend import combine
+import numpy as np
+import numpy.typing as npt
+
+from .blend import Plan
 from .channels import Brief, Display, compose
 from .core.action_units import resolve_targets
 from .core.movement import Cause, ManualCurve
+from .core.parameters import INDEX, NEUTRAL
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
 from .out import check_targets as check_outputs
@@ -62,7 +66,7 @@ def speak(
     settings = settings or Settings()
     if given is not None and given.lower().endswith(".json") and not text:
         return mix(given, settings=settings)
-    settings = _looking_like(profile_of(settings.profile), settings)
+    settings = looking_like(profile_of(settings.profile), settings)
     displays = _displays(emotion)
     utterance: Utterance | None
     if given is None or audio is not None or transcript is not None or holds_labels(given, text):
@@ -70,18 +74,19 @@ def speak(
     else:
         script = read_script(given, text=text, source=source)
         progress("Speaking …")
-        utterance = _spoken(script, displays, settings) if script.lines else None
+        utterance = spoken(script, displays, settings) if script.lines else None
     score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
 
 
-def _looking_like(speaker: Profile, settings: Settings) -> Settings:
+def looking_like(speaker: Profile, settings: Settings) -> Settings:
     """Return settings with the speaker's skin where they leave it open."""
     age = speaker.age if settings.age is None else settings.age
     return replace(settings, age=age, wrinkles={**speaker.wrinkles, **settings.wrinkles})
 
 
-def _spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
+def spoken(script: Script, displays: tuple[Display, ...], settings: Settings) -> Utterance:
+    """Speak a script's lines as the settings want it, the voice coloured by emotions."""
     return say(
         script,
         voice=settings.voice,
@@ -128,10 +133,17 @@ def plan(
     return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend)
 
 
-def perform(score: Score, settings: Settings | None = None, utterance: Utterance | None = None) -> Take:
-    """Combine a score's movements into curves."""
+def perform(
+    score: Score,
+    settings: Settings | None = None,
+    utterance: Utterance | None = None,
+    *,
+    like: Take | None = None,
+) -> Take:
+    """Combine a score's movements into curves; `like` is a take whose work on the same lips is taken over."""
     settings = settings or Settings()
-    return Take(combine(score, settings.fps, lip_rig(score, settings.head)), settings, utterance)
+    made = Plan(score, lip_rig(score, settings.head), None if like is None else like.planned)
+    return Take(made.performance(settings.fps), settings, utterance, planned=made)
 
 
 def mix(
@@ -234,14 +246,27 @@ def rig(
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
     """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top."""
-    units = dict(targets)
-    shown = {emotion_key(display.emotion): display.intensity for display in _displays(emotion)}
-    for name, value in blended(shown).items():
-        units[name] = max(units.get(name, 0.0), value, key=abs)
-    keys = {name: ((0.0, value),) for name, value in resolve_targets(units).items()}
+    shown = {display.emotion: display.intensity for display in _displays(emotion)}
+    keys = {name: ((0.0, value),) for name, value in _posed(targets, shown).items()}
     held = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))
     return perform(score, settings)
+
+
+def pose_values(targets: Mapping[str, float], emotion: Mapping[str, float]) -> npt.NDArray[np.float64]:
+    """Return all parameters of a pose, shape (46,), as `pose` holds them. Raises ParameterError."""
+    values = NEUTRAL.copy()
+    for name, value in _posed(targets, emotion).items():
+        values[INDEX[name]] = value
+    return values
+
+
+def _posed(targets: Mapping[str, float], emotion: Mapping[str, float]) -> dict[str, float]:
+    """Return targets with emotions on top, by parameter."""
+    units = dict(targets)
+    for name, value in blended({emotion_key(name): value for name, value in emotion.items()}).items():
+        units[name] = max(units.get(name, 0.0), value, key=abs)
+    return resolve_targets(units)
 
 
 def _displays(emotion: Emotions) -> tuple[Display, ...]:

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property, partial
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -23,7 +23,7 @@ from .core.utterance import Utterance
 from .settings import Settings
 
 if TYPE_CHECKING:
-    from .blend import Explanation, Plan, Tally
+    from .blend import Explanation, Plan, Tally, Trace
     from .face.arkit_fit import ArkitTrack
     from .face.frame import FaceFrame
     from .face.head import Head
@@ -56,13 +56,15 @@ class Take:
     """What `speak`, `mix` and `pose` return.
 
     `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces
-    and pictures are made when they are asked for, one frame at a time.
+    and pictures are made when they are asked for, one frame at a time. `planned` is the plan that the
+    performance was made by, where it is still there.
     """
 
     performance: Performance
     settings: Settings = field(default_factory=Settings)
     utterance: Utterance | None = None
     sound: Audio | None = None
+    planned: Plan | None = field(default=None, repr=False, compare=False)
 
     @property
     def score(self) -> Score:
@@ -96,6 +98,15 @@ class Take:
         found = (explain(self._plan, time, name) for name in names)
         return tuple(e for e in found if parameter is not None or e.winner is not None or e.losers)
 
+    def traces(self, parameter: str) -> tuple[Trace, ...]:
+        """Return what each channel asks of a parameter, and what it gets, at every frame.
+
+        `parameter` is a name with its side. Raises ParameterError for an unknown name.
+        """
+        from .blend import traces
+
+        return traces(self._plan, parameter, self.times)
+
     def summary(self) -> dict[str, Tally]:
         """Say how often each channel won, was inhibited or was limited over the whole clip."""
         from .blend import summarize
@@ -113,16 +124,23 @@ class Take:
         options = WriteOptions(chosen.size, chosen.at, chosen.every, chosen.look.transparent)
         write_targets(self._material(progress), check_targets(paths), options)
 
-    def faces(self, indices: Sequence[int] | None = None) -> Iterator[FaceFrame]:
+    def faces(
+        self,
+        indices: Sequence[int] | None = None,
+        *,
+        lead_in: float | None = None,
+        solver: FaceSolver | None = None,
+    ) -> Iterator[FaceFrame]:
         """Yield the face of every frame, or of the frames in `indices`, one at a time.
 
         A frame is the same whichever others are asked for: with a skin of springs, those before it are gone
-        through.
+        through, or with `lead_in` only those in so many seconds before the first (1 s: equal to 1e-6 mm).
+        `solver` is one that the caller keeps warm, made as `make_solver` does.
         """
         from .face.motion import animate
 
-        moving = self.settings.dynamics != "static"
-        return animate(self.performance, self._solver, moving, self._curves_between_frames, indices)
+        moving, drive = self.settings.dynamics != "static", self._curves_between_frames
+        return animate(self.performance, solver or self._solver, moving, drive, indices, lead_in)
 
     def _curves_between_frames(self, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         return self._plan.at(np.minimum(times, self.performance.times[-1]))
@@ -159,7 +177,7 @@ class Take:
     def _plan(self) -> Plan:
         from .blend import Plan
 
-        return Plan(self.score, lip_rig(self.score, self.settings.head))
+        return self.planned or Plan(self.score, lip_rig(self.score, self.settings.head))
 
     def _material(self, progress: Progress) -> Material:
         from .out import Material
@@ -168,12 +186,18 @@ class Take:
             performance=self.performance,
             utterance=self.utterance,
             audio=self.sound or (self.utterance.audio if self.utterance else None),
-            frames=self.faces,
+            frames=partial(self._told_faces, progress),
             pictures=partial(self.pictures, progress=progress),
             measures=self._measured,
             head=lambda: self._dressed,
             arkit=lambda: self.arkit,
         )
+
+    def _told_faces(self, progress: Progress) -> Iterator[FaceFrame]:
+        total = len(self.performance.values)
+        for done, face in enumerate(self.faces(), 1):
+            yield face
+            progress("Solving", done, total)
 
     def _measured(self, face: FaceFrame) -> list[float]:
         measures = astuple(self._gauge.measure(face))
@@ -212,14 +236,17 @@ class Take:
 
     @cached_property
     def _solver(self) -> FaceSolver:
-        from .face.solve import FaceSolver
+        return make_solver(self.settings)
 
-        return FaceSolver(
-            self.head,
-            phases="biphasic" if self.settings.dynamics == "biphasic" else "linear",
-            age=self.head.identity.age,
-            wrinkles=self.settings.wrinkles,
-        )
+
+def make_solver(settings: Settings) -> FaceSolver:
+    """Return a solver for the head, age, wrinkles and skin that settings choose; HeadError if none is."""
+    from .face.head import load_head
+    from .face.solve import FaceSolver
+
+    head = load_head(settings.head, age=settings.age)
+    phases: Literal["linear", "biphasic"] = "biphasic" if settings.dynamics == "biphasic" else "linear"
+    return FaceSolver(head, phases=phases, age=head.identity.age, wrinkles=settings.wrinkles)
 
 
 def lip_rig(score: Score, head: str) -> LipRig | None:

@@ -321,3 +321,28 @@ def test_speech_alone_leaves_all_else_at_rest(lips: tuple[LipSegment, ...]) -> N
     aimed = {name for s in lips for name in s.targets}
     still = [i for i, name in enumerate(NAMES) if name not in aimed]
     assert (values[:, still] == NEUTRAL[still]).all()
+
+
+def test_a_plan_takes_over_the_work_on_the_same_lips_and_gives_the_same_values():
+    lips = tuple(
+        LipSegment(phone, 0.2 * k, 0.2 * k + 0.2, {"masseter": 0.1 * (k % 5), "mentalis.left": 0.3})
+        for k, phone in enumerate("ABCDEFGHIJ")
+    )
+    smile = Movement("emotion", 0.3, 1.7, 0.2, 0.3, {"zygomatic_major.left": 0.8})
+    one = Plan(Score(2.0, (smile,), lips))
+    moved = replace(one.score, movements=(replace(smile, start=0.6),))
+    two = Plan(moved, like=one)
+    assert two.lips is one.lips
+    times = np.linspace(0.0, 2.0, 200)
+    assert np.array_equal(two.at(times), Plan(moved).at(times))
+    others = (
+        replace(moved, lips=lips[:-1]),
+        replace(moved, settings=BlendSettings(lips="lookahead")),
+        replace(moved, settings=BlendSettings(min_onset=0.2)),
+        replace(moved, settings=BlendSettings(contact=False)),
+    )
+    for other in others:
+        assert Plan(other, like=one).lips is not one.lips
+    graded = replace(moved, settings=BlendSettings(conflict="graded"))
+    assert Plan(graded, like=one).lips is one.lips
+    assert np.array_equal(Plan(graded, like=one).at(times), Plan(graded).at(times))

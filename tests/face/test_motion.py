@@ -139,3 +139,19 @@ def test_the_biphasic_skin_holds_a_muscle_alone_and_yields_less_to_many(head, so
     assert np.abs(stiff.solve(many).skin - solver.solve(many).skin).max() > 0.1
     played = skins(animate(held(many, many), stiff))
     np.testing.assert_allclose(played[1], stiff.solve(many).skin, atol=0.02)
+
+
+def test_a_second_before_a_frame_is_all_that_its_skin_remembers(solver):
+    rows = [np.array(NEUTRAL) for _ in range(60)]
+    for k, row in enumerate(rows):
+        row[INDEX["zygomatic_major.left"]] = 0.5 + 0.5 * np.sin(k)
+    whole = skins(animate(held(*rows), solver, indices=range(45, 50)))
+    near = skins(animate(held(*rows), solver, indices=range(45, 50), lead_in=1.0))
+    late = skins(animate(held(*rows), solver, indices=range(45, 50), lead_in=0.05))
+    assert np.abs(whole - near).max() < 1e-5
+    assert np.abs(whole - late).max() > 1e-2
+
+
+def test_before_the_start_there_is_no_lead_in(solver, plan):
+    frames = performance(plan, 30)
+    assert np.array_equal(skins(animate(frames, solver)), skins(animate(frames, solver, lead_in=5.0)))

@@ -102,6 +102,11 @@ def test_hand_drawn_curves_may_name_both_sides() -> None:
     assert curve == ManualCurve({"mentalis.left": keys, "mentalis.right": keys})
 
 
+def test_a_drawn_curve_that_replaces_comes_back() -> None:
+    curve = ManualCurve({"masseter": ((0.0, 0.5), (1.0, 0.2))}, replaces=True)
+    assert entry_from_json(Node(entry_to_json(curve))) == curve
+
+
 def test_what_is_written_is_small() -> None:
     """Defaults stay away, so that a person can read a score."""
     movement = entry_from_json(Node(SMILE))

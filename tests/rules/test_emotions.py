@@ -8,7 +8,15 @@ from hypothesis import strategies as st
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import PARAMETERS, RIVALS, Kind
 from risorius.errors import InputError, ParameterError
-from risorius.rules.emotions import Display, Emotion, emotion, emotion_names, emotions, parse_display
+from risorius.rules.emotions import (
+    Display,
+    Emotion,
+    emotion,
+    emotion_names,
+    emotion_text,
+    emotions,
+    parse_display,
+)
 from risorius.rules.load import load_folder
 
 SIX = ("anger", "disgust", "fear", "happiness", "sadness", "surprise")
@@ -199,3 +207,15 @@ def test_nothing_felt_shows_nothing_and_all_of_it_the_whole(name: str) -> None:
 )
 def test_options(text: str, display: Display) -> None:
     assert parse_display(text) == display
+
+
+def test_an_emotion_set_by_hand_is_a_file_that_shows_it(tmp_path):
+    path = tmp_path / "grin.toml"
+    path.write_text(emotion_text("grin", {"AU12": 0.9, "zygomatic_minor.left": 0.4, "AU6": 0.0}))
+    assert emotion(str(path)).targets(1.0) == {
+        "zygomatic_major.left": 0.9,
+        "zygomatic_major.right": 0.9,
+        "zygomatic_minor.left": 0.4,
+    }
+    with pytest.raises(ParameterError, match="AU99"):
+        emotion_text("grin", {"AU99": 1.0})

@@ -6,5 +6,9 @@ from .explain import Explanation, Part, explain
 from .hindered import kept_down
 from .plan import Plan, at, combine
 from .summary import Tally, summarize
+from .traces import Trace, traces
 
-__all__ = ["Explanation", "Part", "Plan", "Tally", "at", "combine", "explain", "kept_down", "summarize"]
+__all__ = [
+    "Explanation", "Part", "Plan", "Tally", "Trace",
+    "at", "combine", "explain", "kept_down", "summarize", "traces",
+]  # fmt: skip

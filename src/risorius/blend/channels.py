@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -15,7 +15,7 @@ from .concatenate import Layer, concatenate
 from .intervals import Array, Indices, Spans, union
 from .levels import Course, Levels, levels_of
 from .lips import LipCurve, Lips
-from .manual import key_curves
+from .manual import Replaced, key_curves, replaced_spans
 
 Origin = Movement | LipSegment | ManualCurve
 
@@ -84,23 +84,43 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
     for movement in score.movements:
         movements[movement.channel][movement.layer].append(movement)
     function = score.settings.onset_function
+    drawn = {name: list[Curve](curves) for name, curves in key_curves(score.manual).items()}
+    replaced = replaced_spans(score.manual)
     channels = []
     for name in CHANNELS:
         layers = [concatenate(found, function) for _, found in sorted(movements[name].items())]
-        curves: dict[str, list[Curve]] = defaultdict(list)
+        curves = _layered(layers)
         if name == "lips" and lips is not None:
-            for parameter in lips.parameters:
-                curves[parameter].append(LipCurve(lips, parameter))
-        if name == "manual":
-            for parameter, drawn in key_curves(score.manual).items():
-                curves[parameter].extend(drawn)
-        for layer in layers:
-            for parameter, curve in layer.curves.items():
-                curves[parameter].append(curve)
+            curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
+        curves = _joined(drawn, curves) if name == "manual" else _under(replaced, curves)
         if curves:
             levels = levels_of(_courses(name, layers, lips), CHANNEL_PRIORITY[name])
             channels.append(Channel(name, levels, dict(sorted(curves.items()))))
     return tuple(channels)
+
+
+Curves = dict[str, list[Curve]]
+
+
+def _layered(layers: Sequence[Layer]) -> Curves:
+    """Return the curves of all layers by parameter."""
+    curves: Curves = defaultdict(list)
+    for layer in layers:
+        for parameter, curve in layer.curves.items():
+            curves[parameter].append(curve)
+    return curves
+
+
+def _joined(first: Mapping[str, Sequence[Curve]], then: Curves) -> Curves:
+    return {name: [*first.get(name, ()), *then.get(name, ())] for name in {**first, **then}}
+
+
+def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
+    """Return the curves at rest while others, drawn by hand, stand in their place."""
+    return {
+        name: [Replaced(curve, replaced[name]) for curve in held] if name in replaced else held
+        for name, held in curves.items()
+    }
 
 
 def _courses(name: str, layers: Sequence[Layer], lips: Lips | None) -> list[Course]:

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ..core.functions import DEFAULT_FUNCTION
-from ..core.movement import CHANNEL_PRIORITY, Movement
+from ..core.movement import CHANNEL_PRIORITY, Movement, fitted
 from ..core.parameters import NEUTRAL, PARAMETERS
 from .levels import Course
 from .strokes import Stroke, StrokeCurve, last_time, value_at
@@ -95,11 +95,7 @@ def _resume(steps: list[Step], interrupted: list[Step], before: float) -> None:
 
 def _step(movement: Movement, start: float, function: str | None) -> Step:
     """A movement held from `start` on; an onset and offset too long for it shrink in proportion."""
-    length = movement.end - start
-    onset, offset = movement.onset, movement.offset
-    if onset + offset > length:
-        factor = length / (onset + offset)
-        onset, offset = onset * factor, offset * factor
+    onset, offset = fitted(movement.onset, movement.offset, movement.end - start)
     targets = {name: value - NEUTRALS[name] for name, value in movement.targets.items()}
     shape = function or movement.function
     return Step(movement, start, movement.end, onset, offset, shape, targets, movement.end)

@@ -20,6 +20,7 @@ from .conflict import Hindrance
 from .contact import CONTACTS, SEAL, TUCK
 from .directions import shares_of
 from .limits import LIPS
+from .manual import hidden
 from .mouth import JAW
 from .plan import Moment, Plan
 
@@ -92,11 +93,12 @@ def _parts(plan: Plan, time: float, name: str) -> list[Part]:
     """All that moves a muscle, contact or the tongue at a time."""
     moment = Moment(plan, np.array([time]))
     own = moment.own(name)
-    found = []
+    found: list[Part] = []
     for channel in plan.channels:
         for curve in channel.curves.get(name, ()):
             asked = _value(curve, time)
             if abs(asked) <= _LEAST:
+                found.extend(_replaced(channel, curve, time))
                 continue
             kept = moment.settle(channel, name, moment.times, np.array([asked]))
             shared = limited = kept
@@ -121,7 +123,16 @@ def _directed(plan: Plan, time: float, name: str) -> list[Part]:
             smaller = "added, made smaller by the others" if abs(given) < abs(asked) - _LEAST else ""
             part = _part(channel.name, curve.origin(time))
             found.append(replace(part, asked=asked, given=given, reason=smaller))
+        found.extend(_replaced(channel, curve, time))
     return found
+
+
+def _replaced(channel: Channel, curve: Curve, time: float) -> Iterator[Part]:
+    """What asks for something where a curve drawn by hand stands in its place."""
+    asked = float(hidden(curve, np.array([time]))[0])
+    if abs(asked) > _LEAST:
+        part = _part(channel.name, curve.origin(time))
+        yield replace(part, asked=asked, reason="replaced by the curve drawn by hand")
 
 
 def _goal(plan: Plan, time: float, name: str) -> list[Part]:

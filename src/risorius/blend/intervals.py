@@ -85,6 +85,12 @@ def neighbours(a: Spans, times: Array) -> tuple[Array, Array]:
     return times - ends[k], starts[k] - times
 
 
+def covers(a: Spans, times: Array) -> npt.NDArray[np.bool_]:
+    """Return whether each time lies in the set, its ends included, shape (n,)."""
+    since, until = neighbours(a, times)
+    return np.asarray((since <= 0.0) | (until <= 0.0))
+
+
 def ranges(low: Indices, high: Indices) -> tuple[Indices, Indices]:
     """Return every index from low to high (exclusive) of each range, one range after the other.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Mapping
 from functools import cached_property
 
@@ -48,7 +47,8 @@ class Lips:
         self.mouth = Mouth(segments, self.model, shapes, goals, tuning)
         spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
         self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
-        self._sampled: deque[tuple[Array, Mapping[str, Array]]] = deque(maxlen=_GRIDS)
+        # Replaced as a whole: another thread may ask for other times meanwhile.
+        self._sampled: tuple[tuple[Array, Mapping[str, Array]], ...] = ()
 
     def at(self, parameter: str, times: Array) -> Array:
         """Return the segments' curve of a parameter at sorted times, shape (n,)."""
@@ -56,7 +56,7 @@ class Lips:
             if known is times:
                 return values[parameter]
         values = self.mouth.spoken_at(times)
-        self._sampled.append((times, values))
+        self._sampled = (*self._sampled[-_GRIDS + 1 :], (times, values))
         return values[parameter]
 
     @cached_property

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..core.movement import ManualCurve
 from .concatenate import NEUTRALS
-from .intervals import Array, Indices, Spans, above_line
+from .intervals import Array, Indices, Spans, above_line, covers, difference, merged
+
+if TYPE_CHECKING:
+    from .channels import Curve, Origin
 
 
 class KeyCurve:
@@ -48,3 +52,55 @@ def key_curves(curves: Iterable[ManualCurve]) -> dict[str, list[KeyCurve]]:
         for name in curve.keys:
             found.setdefault(name, []).append(KeyCurve(name, curve))
     return found
+
+
+class Replaced:
+    """Another channel's curve, at rest while one drawn by hand stands in its place."""
+
+    def __init__(self, curve: Curve, spans: Spans) -> None:
+        self.curve, self._spans = curve, spans
+
+    def sample(self, times: Array) -> tuple[Indices, Array]:
+        """Return where the curve is neither at rest nor replaced and its values there."""
+        return self._free(times, *self.curve.sample(times))
+
+    def lines(self, times: Array) -> tuple[Indices, Array]:
+        """Return what `sample` returns, by lines between knots where the curve has such."""
+        return self._free(times, *self.curve.lines(times))
+
+    def _free(self, times: Array, index: Indices, values: Array) -> tuple[Indices, Array]:
+        free = ~covers(self._spans, times[index])
+        return index[free], values[free]
+
+    def above(self, threshold: float) -> Spans:
+        """Return when the curve is higher than `threshold` and not replaced, shape (n, 2)."""
+        return difference(self.curve.above(threshold), self._spans)
+
+    def origin(self, time: float) -> Origin:
+        """Return what stands behind the curve at a time."""
+        return self.curve.origin(time)
+
+    def breakpoints(self) -> Array:
+        """Return when the curve's parts begin and end, and when it is replaced, shape (n,)."""
+        return np.concatenate((self.curve.breakpoints(), self._spans.ravel()))
+
+    def hidden(self, times: Array) -> Array:
+        """Return what the curve would be where it is replaced, 0 elsewhere, at sorted times, shape (n,)."""
+        values = np.zeros(len(times))
+        index, asked = self.curve.sample(times)
+        values[index] = asked
+        return np.where(covers(self._spans, times), values, 0.0)
+
+
+def replaced_spans(curves: Iterable[ManualCurve]) -> dict[str, Spans]:
+    """Return for each parameter when a drawn curve stands in place of all other channels' movements."""
+    found: dict[str, list[tuple[float, float]]] = {}
+    for curve in curves:
+        for name, keys in curve.keys.items() if curve.replaces else ():
+            found.setdefault(name, []).append((keys[0][0], keys[-1][0]))
+    return {name: merged(np.array(spans)) for name, spans in found.items()}
+
+
+def hidden(curve: Curve, times: Array) -> Array:
+    """Return what a drawn curve keeps from showing of another channel's, at sorted times, shape (n,)."""
+    return curve.hidden(times) if isinstance(curve, Replaced) else np.zeros(len(times))

@@ -7,6 +7,7 @@ policy, brought within the lips' limits and joined; the jaw shares, directions a
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -40,16 +41,22 @@ CHUNK = 16_384
 class Plan:
     """A score made ready: its curves at any times, on the head whose `rig` performs its articulators.
 
-    Raises as `check_score` and `tune` do, and InputError where lips need a rig and there is none.
+    `like` is the plan of a score with other movements: the work on its lips is taken over where they and the
+    settings are the same. Raises as `check_score` and `tune` do, and InputError where lips need a rig and
+    there is none.
     """
 
-    def __init__(self, score: Score, rig: LipRig | None = None) -> None:
+    def __init__(self, score: Score, rig: LipRig | None = None, like: Plan | None = None) -> None:
         check_score(score)
         policy = POLICIES.get(score.settings.conflict)
         LIP_MODELS.get(score.settings.lips)
-        self.score = score
+        self.score, self.rig = score, rig
         self.tuning = tune(score.settings)
-        self.lips = Lips(score, self.tuning, rig) if score.lips else None
+        self.lips: Lips | None
+        if like is not None and like.rig is rig and _speak_alike(like.score, score):
+            self.lips = like.lips
+        else:
+            self.lips = Lips(score, self.tuning, rig) if score.lips else None
         self.channels = compile_channels(score, self.lips)
         levels = next((c.levels for c in self.channels if c.name == LIPS), steady(CHANNEL_PRIORITY[LIPS]))
         self.limits = Limits(self.lips.mouth, levels) if self.lips else None
@@ -68,6 +75,10 @@ class Plan:
             values[order[piece]] = Moment(self, wanted[order[piece]]).values()
         return values
 
+    def performance(self, fps: Fraction) -> Performance:
+        """Return the performance at frames k/fps, k = 0 … round(duration·fps)."""
+        return Performance(self.score, fps, self.at(frame_times(self.score.duration, fps)))
+
     def adds(self, name: str) -> bool:
         """Return whether channels add up in a parameter; else the highest wins."""
         return self.policy.join is Join.SUM or name in SIGNED or (name == JAW and self.lips is not None)
@@ -76,6 +87,12 @@ class Plan:
         """Yield sorted times in pieces that lie in one block and are not too long."""
         for chosen in _chunks(times):
             yield times[chosen]
+
+
+def _speak_alike(a: Score, b: Score) -> bool:
+    """Whether the lips of two scores are the same, and so is all that they are compiled by."""
+    chosen = (replace(s.settings, conflict="", onset_function=None) for s in (a, b))
+    return len(set(chosen)) == 1 and (a.lips is b.lips or a.lips == b.lips)
 
 
 def _chunks(times: Array) -> Iterator[slice]:
@@ -224,4 +241,4 @@ def combine(score: Score, fps: Fraction, rig: LipRig | None = None) -> Performan
     score needs whose lips are articulators. Raises InputError or ParameterError if the score cannot be
     performed.
     """
-    return Performance(score, fps, Plan(score, rig).at(frame_times(score.duration, fps)))
+    return Plan(score, rig).performance(fps)

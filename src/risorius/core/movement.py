@@ -64,6 +64,14 @@ class Movement:
         return self.id or f"{self.channel}@{self.start:g}"
 
 
+def fitted(onset: float, offset: float, length: float) -> tuple[float, float]:
+    """Return an onset and offset, shrunk in proportion where they are too long for a movement's length."""
+    if onset + offset <= length:
+        return onset, offset
+    factor = length / (onset + offset)
+    return onset * factor, offset * factor
+
+
 @dataclass(frozen=True, slots=True)
 class Dominance:
     """How strongly a lip segment holds one parameter (Cohen and Massaro; facts: science/01, section 1.1).
@@ -112,10 +120,15 @@ class LipSegment:
 
 @dataclass(frozen=True, slots=True)
 class ManualCurve:
-    """Curves drawn by hand: for each parameter its keys (time, value), joined by straight lines."""
+    """Curves drawn by hand: for each parameter its keys (time, value), joined by straight lines.
+
+    `replaces`: from its first to its last key a curve stands in place of what every other channel asks of the
+    parameter, so that it can be drawn lower, too; else the highest of all shows.
+    """
 
     keys: Mapping[str, tuple[tuple[float, float], ...]]
     cause: Cause = field(default_factory=Cause)
+    replaces: bool = False
 
 
 def check_movement(m: Movement) -> None:

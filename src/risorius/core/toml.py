@@ -1,9 +1,11 @@
-"""Reading of strict tables from TOML texts and files."""
+"""Reading of strict tables from TOML texts and files, and writing of plain ones."""
 
 from __future__ import annotations
 
+import json
 import re
 import tomllib
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -65,3 +67,32 @@ def _toml_error(message: str, name: str) -> InputError:
         return InputError(f"not a TOML file: {message}", Place(name))
     line, column = (int(n) if n else None for n in position.group(2, 3))
     return InputError(f"not a TOML file: {position[1]}", Place(name, line, column))
+
+
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def written(tables: Mapping[str, Any]) -> str:
+    """Return TOML text that says `tables`: texts, numbers, flags, lists of these, and tables of all this."""
+    return "\n".join(_lines(tables, ())).strip() + "\n"
+
+
+def _lines(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
+    inner = {key: value for key, value in table.items() if isinstance(value, Mapping)}
+    if path and (len(inner) < len(table) or not table):
+        yield f"[{'.'.join(map(_key, path))}]"
+    yield from (f"{_key(key)} = {_value(value)}" for key, value in table.items() if key not in inner)
+    for key, value in inner.items():
+        yield ""
+        yield from _lines(value, (*path, key))
+
+
+def _key(key: str) -> str:
+    return key if _BARE.fullmatch(key) else _value(key)
+
+
+def _value(value: object) -> str:
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_value, value))}]"
+    # JSON escapes a text as TOML does, but for one control character.
+    return json.dumps(value, ensure_ascii=False, allow_nan=False).replace("\x7f", "\\u007f")

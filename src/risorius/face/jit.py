@@ -16,12 +16,14 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 def compiled(function: F) -> F:
     """Compile a function for one thread, kept on disk; its arithmetic is not rearranged."""
-    return cast(F, numba.njit(cache=True, error_model="numpy")(function))
+    return cast(F, numba.njit(cache=True, nogil=True, error_model="numpy")(function))
 
 
 def compiled_fast(function: F) -> F:
     """Compile a function whose sums may be rearranged into vectors."""
-    return cast(F, numba.njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc"})(function))
+    return cast(
+        F, numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "reassoc"})(function)
+    )
 
 
 def inlined(function: F) -> F:

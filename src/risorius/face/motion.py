@@ -6,6 +6,7 @@ the same at every frame rate; a frame lies between two steps.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
@@ -44,19 +45,23 @@ def animate(
     dynamics: bool = True,
     drive: Drive | None = None,
     indices: Sequence[int] | None = None,
+    lead_in: float | None = None,
 ) -> Iterator[FaceFrame]:
     """Yield the face at every frame of `performance`, or at those in `indices`, one at a time.
 
     With `dynamics` the skin moves with its inertia, starting at rest in the first frame; frames that are left
-    out are gone through all the same, so that the others do not depend on it. `drive` gives the curves
-    between frames (straight lines where None); with the score's own, faces at one time agree at all frame
-    rates. Raises ParameterError for a value that is not a number or out of range.
+    out are gone through all the same, so that the others do not depend on it; with `lead_in` only that many
+    seconds before the first of them (see `Motion.start_before`). `drive` gives the curves between frames
+    (straight lines where None); with the score's own, faces at one time agree at all frame rates. Raises
+    ParameterError for a value that is not a number or out of range.
     """
     chosen = range(len(performance.values)) if indices is None else indices
     if not dynamics:
         yield from (solver.solve(performance.values[i]) for i in chosen)
         return
     motion = Motion(solver, drive or between_frames(performance))
+    if lead_in is not None and len(chosen):
+        motion.start_before(Fraction(int(chosen[0])) / performance.fps, lead_in)
     for i in chosen:
         values = performance.values[i]
         yield solver.solve_moving(values, *motion.go_to(Fraction(int(i)) / performance.fps))
@@ -78,13 +83,23 @@ class Motion:
         exact = time * RATE
         last = -(-exact.numerator // exact.denominator)
         if self._step < 0 or last < self._step:
-            self._first, self._step = 0, 0
-            self._block = self._values_from(0)
-            self._springs.settle(self._block[0])
+            self._settle_at(0)
         while self._step < last:
             self._step += 1
             self._springs.step(self._values(self._step))
         return self._springs, float(1 - (last - exact))
+
+    def start_before(self, time: Fraction, lead_in: float) -> None:
+        """Come to rest `lead_in` seconds before `time`, or at 0: what was before is forgotten.
+
+        The skin forgets by a factor of e in 57 ms, so that after a second no point is 1e-6 mm elsewhere.
+        """
+        self._settle_at(max(0, math.floor((time - Fraction(lead_in)) * RATE)))
+
+    def _settle_at(self, step: int) -> None:
+        self._first, self._step = step, step
+        self._block = self._values_from(step)
+        self._springs.settle(self._block[0])
 
     def _values(self, step: int) -> Array:
         if step - self._first >= len(self._block):

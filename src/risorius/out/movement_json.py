@@ -36,7 +36,7 @@ _LIPS_REQUIRED = ("channel", "phone", "start", "end", "targets")
 _LIPS_KEYS = (*_LIPS_REQUIRED, "limits", "dominance", "yields", "cause")
 _LIP_NAMES = {"*", *ARTICULATORS}
 _MANUAL_REQUIRED = ("channel", "keys")
-_MANUAL_KEYS = (*_MANUAL_REQUIRED, "cause")
+_MANUAL_KEYS = (*_MANUAL_REQUIRED, "replaces", "cause")
 
 
 def entry_to_json(entry: Entry) -> Json:
@@ -46,7 +46,8 @@ def entry_to_json(entry: Entry) -> Json:
     if isinstance(entry, LipSegment):
         return _lips_to_json(entry)
     keys = {name: [list(key) for key in keys] for name, keys in entry.keys.items()}
-    return {"channel": "manual", "keys": keys} | _cause_to_json(entry.cause)
+    replaces = {"replaces": True} if entry.replaces else {}
+    return {"channel": "manual", "keys": keys} | replaces | _cause_to_json(entry.cause)
 
 
 def entry_from_json(node: Node) -> Entry:
@@ -176,7 +177,8 @@ def _limit(parameter: str, node: Node) -> tuple[float, float]:
 def _manual_from_json(node: Node) -> ManualCurve:
     entries = node.entries(_MANUAL_KEYS, _MANUAL_REQUIRED)
     curves = _by_parameter(entries["keys"].members())
-    return ManualCurve({name: _keys(name, curve) for name, curve in curves.items()}, _cause(entries))
+    keys = {name: _keys(name, curve) for name, curve in curves.items()}
+    return ManualCurve(keys, _cause(entries), "replaces" in entries and entries["replaces"].flag())
 
 
 def _keys(parameter: str, node: Node) -> tuple[tuple[float, float], ...]:

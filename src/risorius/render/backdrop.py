@@ -26,7 +26,7 @@ def backdrop(width: int, height: int, asked: str | None, centre: Colour, edge: C
         return gradient(width, height, centre, edge)
     if Path(asked).is_file():
         return _picture(Path(asked), width, height)
-    return np.tile(srgb_decode(np.array(_colour(asked)) / 255.0).astype(np.float32), (height, width, 1))
+    return np.tile(srgb_decode(np.array(colour_named(asked)) / 255.0).astype(np.float32), (height, width, 1))
 
 
 def gradient(width: int, height: int, centre: Colour, edge: Colour) -> FloatArray:
@@ -44,7 +44,8 @@ def gradient(width: int, height: int, centre: Colour, edge: Colour) -> FloatArra
     return srgb_decode(np.clip(encoded + noise, 0.0, 1.0)).astype(np.float32)
 
 
-def _colour(asked: str) -> Colour:
+def colour_named(asked: str) -> Colour:
+    """Return a colour as CSS writes it, 0..255 each; raise InputError for what is none."""
     from PIL import ImageColor
 
     try:

@@ -12,6 +12,7 @@ from typing import Annotated
 
 from ..core.action_units import check_intensity, resolve_targets
 from ..core.schema import Range
+from ..core.toml import written
 from ..errors import InputError, ParameterError, unknown
 from .conduct import Conduct
 from .fuzzy_sets import concluded
@@ -21,6 +22,8 @@ Seconds = Annotated[float, Range(0.0, 10.0)]
 Share = Annotated[float, Range(0.0, 1.0)]
 # What share of its full contraction belongs to each of five intensities.
 Degrees = tuple[Share, Share, Share, Share, Share]
+# Seconds, as emotions of the package rise and fall.
+HAND_ONSET, HAND_OFFSET = 0.45, 0.75
 INTENSITIES = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
@@ -142,6 +145,27 @@ def _from_file(path: str) -> Emotion:
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)"
 _FILE = ".toml"
 _DISPLAY = re.compile(rf"([\w -]+|.+\.toml):({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?", re.ASCII)
+
+
+def emotion_text(name: str, units: Mapping[str, float]) -> str:
+    """Return the file (TOML) of an emotion whose full display is `units`, action units or parameters.
+
+    Raises ParameterError for an unknown unit or a value out of its range.
+    """
+    resolve_targets(units)
+    shown = {unit: value for unit, value in units.items() if value != 0.0}
+    return written(
+        {
+            "name": name,
+            "aliases": [],
+            "description": f"{name}, set by hand.",
+            "source": "by hand",
+            "onset": HAND_ONSET,
+            "offset": HAND_OFFSET,
+            "targets": shown,
+            "emblem": {"onset": 0.25, "offset": 0.35, "duration": 1.0, "targets": shown},
+        }
+    )
 
 
 def parse_display(text: str) -> Display:

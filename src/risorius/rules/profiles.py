@@ -156,12 +156,13 @@ class Attitude:
 @cache
 def profiles() -> Mapping[str, Profile]:
     """Return the package's profiles by name."""
-    texts = _texts()
+    texts = profile_texts()
     return {name: profile_from(text, f"profiles/{name}.toml", texts) for name, text in texts.items()}
 
 
 @cache
-def _texts() -> Mapping[str, str]:
+def profile_texts() -> Mapping[str, str]:
+    """Return the texts of the package's profiles by name."""
     folder = DATA / "profiles"
     names = sorted(entry.name for entry in folder.iterdir() if entry.name.endswith(".toml"))
     return {name.removesuffix(".toml"): (folder / name).read_text(encoding="utf-8") for name in names}
@@ -205,7 +206,7 @@ def profile_of(given: str) -> Profile:
     """Return the profile of that name, or of a file (`.toml`) whose base, if any, is one of ours."""
     if not given.endswith(".toml"):
         return profile(given)
-    return profile_from(read_text(Path(given)), given, _texts())
+    return profile_from(read_text(Path(given)), given, profile_texts())
 
 
 def profile(name: str) -> Profile:

@@ -3,10 +3,10 @@
 from .anchor import Anchor
 from .model import Mark, MarkKind, Script, SpokenLine
 from .movements import movements_of
-from .read import read_script
+from .read import parse_script, read_script
 from .states import felt_in, listening_in
 
 __all__ = [
     "Anchor", "Mark", "MarkKind", "Script", "SpokenLine",
-    "felt_in", "listening_in", "movements_of", "read_script",
+    "felt_in", "listening_in", "movements_of", "parse_script", "read_script",
 ]  # fmt: skip

@@ -47,6 +47,14 @@ def read_script(given: str, *, text: bool = False, source: str = "text") -> Scri
     return _read_file(given, suffix)
 
 
+def parse_script(text: str, suffix: str, source: str = "text") -> Script:
+    """Return the script of a text in the format of files with `suffix` (".xml"); no file is opened.
+
+    Raises InputError or ParameterError with the place in the text.
+    """
+    return READERS.get(suffix)(text, source)
+
+
 def _suffix(given: str) -> str:
     return Path(given).suffix.lower() if "\0" not in given else ""
 

@@ -1,0 +1,101 @@
+"""What every channel makes of one parameter over time: asked, given, and where it was held back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import INDEX
+from ..errors import ParameterError, unknown
+from .channels import Channel
+from .concatenate import SIGNED
+from .directions import shares_of
+from .intervals import Array
+from .limits import LIPS
+from .manual import hidden
+from .plan import Moment, Plan
+
+_LEAST = 1e-9
+Mask = npt.NDArray[np.bool_]
+Run = tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Trace:
+    """A channel's part in one parameter, as deviations from its neutral, at n times.
+
+    `asked`: what its movements want; `given`: what is left of it after the policy, the jaw's sharing and the
+    limits of speech; both shape (n,).
+    """
+
+    channel: str
+    asked: Array
+    given: Array
+
+    @property
+    def inhibited(self) -> tuple[Run, ...]:
+        """Runs [first, last] of indices at which something was asked and nothing is left."""
+        return tuple(_runs(self._active & (np.abs(self.given) <= _LEAST)))
+
+    @property
+    def limited(self) -> tuple[Run, ...]:
+        """Runs [first, last] of indices at which less than was asked is left, but something."""
+        less = np.abs(self.given) < np.abs(self.asked) - _LEAST
+        return tuple(_runs(self._active & less & (np.abs(self.given) > _LEAST)))
+
+    @property
+    def _active(self) -> Mask:
+        return np.asarray(np.abs(self.asked) > _LEAST)
+
+
+def _runs(mask: Mask) -> Iterator[Run]:
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(np.int8)))
+    for first, after in edges.reshape(-1, 2).tolist():
+        yield first, after - 1
+
+
+def traces(plan: Plan, parameter: str, times: Array) -> tuple[Trace, ...]:
+    """Return the part of every channel that moves a parameter, at sorted times (n,), highest priority first.
+
+    Raises ParameterError for an unknown name.
+    """
+    if parameter not in INDEX:
+        raise ParameterError(unknown("parameter", parameter, INDEX))
+    wanted = np.asarray(times, dtype=np.float64)
+    moving = [c.name for c in plan.channels if parameter in c.curves]
+    found = {name: Trace(name, *np.zeros((2, len(wanted)))) for name in moving}
+    start = 0
+    for piece in plan.pieces(wanted) if len(wanted) else ():
+        moment, here = Moment(plan, piece), slice(start, start + len(piece))
+        for channel, asked, given in (_turned if parameter in SIGNED else _moved)(moment, parameter):
+            found[channel].asked[here] += asked
+            found[channel].given[here] += given
+        start += len(piece)
+    return tuple(found.values())
+
+
+def _turned(moment: Moment, name: str) -> Iterator[tuple[str, Array, Array]]:
+    terms = moment.terms(name)
+    shares = shares_of(name, [term for _, term in terms])
+    for ((channel, curve), term), share in zip(terms, shares, strict=True):
+        yield channel.name, term + hidden(curve, moment.times), share
+
+
+def _moved(moment: Moment, name: str) -> Iterator[tuple[str, Array, Array]]:
+    own = moment.own(name)
+    for channel in moment.plan.channels:
+        if name in channel.curves:
+            yield channel.name, *_part(moment, channel, name, own)
+
+
+def _part(moment: Moment, channel: Channel, name: str, own: Array) -> tuple[Array, Array]:
+    asked, given = np.zeros((2, len(moment.times)))
+    index, values = channel.sample(name, moment.times)
+    asked[index] = values
+    left = moment.settle(channel, name, moment.times[index], values)
+    given[index] = left if channel.name == LIPS else moment.bounded(channel, name, index, left, own)
+    replaced = [hidden(curve, moment.times) for curve in channel.curves[name]]
+    return np.maximum(asked, np.max(replaced, axis=0)), given

@@ -1,0 +1,233 @@
+"""The routes: the page and its files, the catalogue, heads and sounds, and the sockets of the sessions."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import threading
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+from functools import lru_cache
+from importlib import resources
+from pathlib import Path
+
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocket
+
+from ..errors import InputError, RisoriusError, unknown
+from ..face.head import shipped_heads
+from ..pipeline import speak
+from . import limits
+from .catalogue import catalogue_json
+from .connection import Connection
+from .guard import Guard
+from .mesh import head_glb
+from .room import Room
+from .shade import shade
+from .solvers import Solvers, stage_of
+from .uploads import TooLargeError, to_file, to_memory
+
+WEB = Path(str(resources.files(__package__) / "web"))
+NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
+SAME_FOR_AN_HOUR = {"cache-control": "private, max-age=3600"}
+
+
+class Studio:
+    """The server's state: its folder, the sessions that are open, the solvers that are warm."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.rooms: dict[str, Room] = {}
+        self.solvers = Solvers()
+        self.warm = asyncio.Event()
+
+    def room(self, name: str, *, made: bool = True) -> Room:
+        """Return a session by its name, opened if it is not, made if there is none and `made` allows it.
+
+        Raises InputError for what is no name, for a session that there is not, and for one too many.
+        """
+        if not NAME.fullmatch(name):
+            raise InputError("the session's name is not one; expected up to 40 of a-z, 0-9 and -")
+        if name not in self.rooms:
+            folder = self.folder / name
+            if not made and not folder.is_dir():
+                raise InputError(f"there is no session '{name}'")
+            self._make_place()
+            folder.mkdir(parents=True, exist_ok=True)
+            self.rooms[name] = Room(name, folder)
+        return self.rooms[name]
+
+    def _make_place(self) -> None:
+        """Close the session that was opened first of those that no page shows, where there are too many."""
+        if len(self.rooms) < limits.SESSIONS:
+            return
+        unseen = next((name for name, room in self.rooms.items() if not room.pages), None)
+        if unseen is None:
+            raise InputError(f"{limits.SESSIONS} sessions are open; expected one to be closed first")
+        self.rooms.pop(unseen).close()
+
+    def app(self) -> Starlette:
+        """Return the application."""
+        routes = [
+            Route("/", page),
+            Mount("/web", StaticFiles(directory=WEB)),
+            Route("/api/catalogue", catalogue),
+            Route("/api/head", head),
+            Route("/api/stage", stage),
+            Route("/api/shade", shading),
+            Route("/api/session/{session}/take/{take:int}/sound.wav", self.sound),
+            Route("/api/session/{session}/recording", self.recording, methods=["POST"]),
+            Route("/api/session/{session}/project", self.project),
+            Route("/api/session/{session}/project", self.take_up, methods=["POST"]),
+            Route("/api/session/{session}/export/{job:int}/{file}", self.export),
+            WebSocketRoute("/ws/{session}", self.socket),
+        ]
+        guard = [Middleware(Guard)]
+        refusals = {RisoriusError: _refused}
+        return Starlette(
+            routes=routes, middleware=guard, exception_handlers=refusals, lifespan=self._lifespan
+        )
+
+    @asynccontextmanager
+    async def _lifespan(self, app: Starlette) -> AsyncIterator[None]:
+        loop = asyncio.get_running_loop()
+
+        def warm() -> None:
+            warm_up(self.solvers)
+            # The loop is closed where the server has ended meanwhile.
+            with suppress(RuntimeError):
+                loop.call_soon_threadsafe(self.warm.set)
+
+        threading.Thread(target=warm, name="warming", daemon=True).start()
+        yield
+        for room in self.rooms.values():
+            room.close()
+
+    async def socket(self, socket: WebSocket) -> None:
+        """Serve a page's socket."""
+        try:
+            room = self.room(socket.path_params["session"])
+        except InputError:
+            await socket.close(1008)
+            return
+        await Connection(socket, room, self.solvers, self.warm).run()
+
+    async def sound(self, request: Request) -> Response:
+        """Return a take's sound."""
+        live = self._asked_room(request).session.live(request.path_params["take"])
+        audio = live.take.utterance.audio if live.take.utterance else None
+        if audio is None:
+            raise InputError("nothing is said in this take")
+        return FileResponse(audio.path, media_type="audio/wav", headers={"cache-control": "no-cache"})
+
+    async def recording(self, request: Request) -> Response:
+        """Take in a recording; its body is the file, `name` in the query what it is called."""
+        room = self._asked_room(request)
+        uploaded = await to_file(request, room.session.folder, limits.RECORDING)
+        try:
+            name = await room.take_in(request.query_params.get("name", ""), uploaded)
+        finally:
+            uploaded.unlink(missing_ok=True)
+        return JSONResponse({"recording": name})
+
+    async def project(self, request: Request) -> Response:
+        """Return the project as a file."""
+        data = await self._asked_room(request).project()
+        named = {"content-disposition": 'attachment; filename="performance.risorius.json"'}
+        return Response(data, media_type="application/json", headers=named)
+
+    async def take_up(self, request: Request) -> Response:
+        """Take up a project; pages are told."""
+        room = self._asked_room(request)
+        await room.take_up(await to_memory(request, limits.PROJECT))
+        return JSONResponse({})
+
+    async def export(self, request: Request) -> Response:
+        """Return a file that an export has written."""
+        name = request.path_params["file"]
+        path = self._asked_room(request).exports.file(request.path_params["job"], name)
+        return FileResponse(path, filename=name)
+
+    def _asked_room(self, request: Request) -> Room:
+        return self.room(request.path_params["session"], made=request.method == "POST")
+
+
+def warm_up(solvers: Solvers) -> None:
+    """Load and compile what the first line, the first face and the head's file need."""
+    catalogue_json()
+    solvers.warm()
+    speak("Hm.", text=True)
+    _glb("standard", None, None, None)
+
+
+async def page(request: Request) -> Response:
+    """Return the page."""
+    return FileResponse(WEB / "index.html", headers={"cache-control": "no-cache"})
+
+
+async def catalogue(request: Request) -> Response:
+    """Return all tables."""
+    data = await run_in_threadpool(catalogue_json)
+    return Response(data, media_type="application/json", headers={"cache-control": "no-cache"})
+
+
+async def head(request: Request) -> Response:
+    """Return a head at rest as `.glb`."""
+    return await _of_head(request, _glb, "model/gltf-binary")
+
+
+async def stage(request: Request) -> Response:
+    """Return how a head's faces are unpacked (Stage in `web/wire.js`)."""
+    return await _of_head(request, _described, "application/json")
+
+
+async def shading(request: Request) -> Response:
+    """Return what each vertex of a head's skin sees of the light (`shade.py`)."""
+    return await _of_head(request, _shaded, "application/octet-stream")
+
+
+async def _of_head(request: Request, make: Callable[..., bytes], kind: str) -> Response:
+    data = await run_in_threadpool(make, *_looks(request))
+    return Response(data, media_type=kind, headers=SAME_FOR_AN_HOUR)
+
+
+def _looks(request: Request) -> tuple[str, float | None, str | None, float | None]:
+    given = request.query_params
+    name = given.get("head", "standard")
+    if name not in shipped_heads():
+        raise InputError(unknown("head", name, shipped_heads()))
+    return name, _number(given.get("age")), given.get("hair") or None, _number(given.get("complexion"))
+
+
+def _number(text: str | None) -> float | None:
+    try:
+        return float(text) if text else None
+    except ValueError:
+        raise InputError(f"'{text}' is not a number") from None
+
+
+@lru_cache(maxsize=4)
+def _glb(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
+    return head_glb(stage_of(head, age, hair, complexion))
+
+
+@lru_cache(maxsize=8)
+def _shaded(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
+    return shade(stage_of(head, age, hair, complexion).head)
+
+
+def _described(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
+    return json.dumps(stage_of(head, age, hair, complexion).described()).encode()
+
+
+async def _refused(request: Request, error: Exception) -> Response:
+    """Answer with one line: 413 for what is too large, 404 for what is not there to be fetched, else 400."""
+    status = 413 if isinstance(error, TooLargeError) else 404 if request.method == "GET" else 400
+    return PlainTextResponse(f"{error}\n", status_code=status)

@@ -1,0 +1,141 @@
+"""One page's socket: requests in, answers and faces out; one that reads slowly holds up only itself."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from ..errors import RisoriusError
+from . import limits, wire
+from .dialling import Dialling
+from .messages import BadRequestError, answer, decode, event, refusal
+from .room import Room
+from .solvers import Solvers
+from .streaming import Streams
+
+OWN = 2  # tasks of a page that are no requests
+LOG = logging.getLogger(__name__)
+
+
+class Connection:
+    """A page."""
+
+    def __init__(self, socket: WebSocket, room: Room, solvers: Solvers, warm: asyncio.Event) -> None:
+        self._socket, self._room, self._warm = socket, room, warm
+        self._sending = asyncio.Lock()
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._events: asyncio.Queue[Any] = asyncio.Queue(limits.EVENTS)
+        self._threads = ThreadPoolExecutor(2, thread_name_prefix="faces")
+        self._streams = Streams(self._threads, solvers, self._send)
+        self._dialling = Dialling(self._threads, solvers, self._send)
+        self._loop = asyncio.get_running_loop()
+
+    async def run(self) -> None:
+        """Answer requests until the page goes."""
+        await self._socket.accept()
+        self._room.pages.add(self)
+        self._keep(self._send_events())
+        try:
+            while True:
+                message = await self._socket.receive()
+                if message["type"] == "websocket.disconnect":
+                    break
+                self._begin(message.get("text"))
+        except WebSocketDisconnect:
+            pass
+        finally:
+            self._room.pages.discard(self)
+            for task in tuple(self._tasks):
+                task.cancel()
+            await asyncio.gather(*self._tasks, return_exceptions=True)
+            await self._dialling.stop()
+            self._threads.shutdown(wait=False)
+
+    def tell(self, told: Any) -> None:
+        """Send an event when its turn comes; one too many is dropped, progress first of all."""
+        with contextlib.suppress(asyncio.QueueFull):
+            self._events.put_nowait(told)
+
+    def _begin(self, text: str | None) -> None:
+        if len(self._tasks) > limits.PENDING + OWN:
+            self._keep(self._say(refusal(None, f"more than {limits.PENDING} requests at once")))
+        elif len(self._tasks) <= 2 * limits.PENDING:
+            self._keep(self._answered(text))
+
+    def _keep(self, work: Any) -> None:
+        task = self._loop.create_task(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+    async def _answered(self, text: str | None) -> None:
+        number: int | None = None
+        try:
+            if text is None:
+                raise BadRequestError("the message is not text; expected JSON")
+            request = decode(text)
+            number = request.id
+            reply = answer(number, await self._done(number, request.asked))
+        except BadRequestError as error:
+            reply = refusal(error.id, error.message)
+        except RisoriusError as error:
+            reply = refusal(number, str(error))
+        except Exception:
+            # A fault of ours: the page hears of it, the terminal has the traceback.
+            LOG.exception("a request failed")
+            reply = refusal(number, "the studio failed; its terminal says why")
+        await self._say(reply)
+
+    async def _done(self, number: int, asked: Any) -> Any:
+        room = self._room
+        if isinstance(asked, wire.Faces):
+            return await self._streams.send(room.session.live(asked.take), asked)
+        if isinstance(asked, wire.FaceAt):
+            return await self._streams.moment(room.session.live(asked.take), asked)
+        if isinstance(asked, wire.Cancel):
+            self._streams.cancel(asked.take)
+            return wire.Done()
+        if isinstance(asked, wire.Dial):
+            return await self._dialling.turn(number, asked, room.session.shelf)
+        if isinstance(asked, wire.Export):
+            return room.export(asked)
+        if isinstance(asked, wire.CancelExport):
+            room.exports.stop(asked.job)
+            return wire.Done()
+        if isinstance(asked, wire.Project):
+            return wire.Download(f"/api/session/{room.session.name}/project", "performance.risorius.json")
+        return await room.done(asked, self._progress(number), self)
+
+    def _progress(self, number: int) -> Any:
+        def told(stage: str, done: int = 0, total: int = 0) -> None:
+            progress = wire.Progress(stage, done, total, re=number)
+            self._loop.call_soon_threadsafe(self.tell, progress)
+
+        return told
+
+    async def _say(self, text: str) -> None:
+        with contextlib.suppress(WebSocketDisconnect, RuntimeError):
+            await self._send(text)
+
+    async def _send(self, message: str | bytes) -> None:
+        """Send a message when those before it are on their way."""
+        async with self._sending:
+            if isinstance(message, str):
+                await self._socket.send_text(message)
+            else:
+                await self._socket.send_bytes(message)
+
+    async def _send_events(self) -> None:
+        if not self._warm.is_set():
+            self.tell(wire.Ready("warming"))
+            self._keep(self._tell_warm())
+        while True:
+            await self._say(event(await self._events.get()))
+
+    async def _tell_warm(self) -> None:
+        await self._warm.wait()
+        self.tell(wire.Ready("warm"))

@@ -1,0 +1,127 @@
+"""A take as the page sees it: words, blocks, curves and the sound's outline."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Collection, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.audio import Audio
+from ..core.movement import CHANNEL_PRIORITY, Cause, LipSegment, ManualCurve, Movement, fitted
+from ..core.parameters import NAMES, NEUTRAL
+from ..core.score import Score
+from ..core.utterance import Utterance
+from . import wire
+
+# Seconds of sound to a bucket of the waveform, coarse to fine; none has more buckets than MOST_BUCKETS.
+ZOOMS = (0.064, 0.016, 0.004)
+MOST_BUCKETS = 200_000
+
+
+def spoken(utterance: Utterance, sound: str) -> wire.Spoken:
+    """Return what is said; `sound` is the path that the page fetches it from."""
+    words = tuple(wire.Word(w.text, w.start, w.end, w.source_start, w.source_end) for w in utterance.words)
+    phones = tuple(wire.Phone(p.symbol, p.start, p.end, p.stress, p.word) for p in utterance.phones)
+    accents = [wire.Tone(a.time, a.label, a.word, True, a.nuclear) for a in utterance.accents]
+    ends = [wire.Tone(b.time, b.label, b.word, False, False) for b in utterance.boundaries]
+    tones = tuple(sorted((*accents, *ends), key=lambda tone: tone.time))
+    pauses = tuple(wire.Pause(p.start, p.end, str(p.kind)) for p in utterance.pauses)
+    return wire.Spoken(
+        utterance.text, utterance.language, sound, words, phones, tones, pauses, waves(utterance.audio)
+    )
+
+
+def waves(audio: Audio) -> tuple[wire.Wave, ...]:
+    """Return the sound's peaks, coarse to fine."""
+    samples = audio.read()
+    zooms = [z for z in ZOOMS if audio.duration / z <= MOST_BUCKETS] or [audio.duration / MOST_BUCKETS]
+    return tuple(_wave(samples, round(zoom * audio.sample_rate), audio.sample_rate) for zoom in zooms)
+
+
+def _wave(samples: npt.NDArray[np.int16], size: int, rate: int) -> wire.Wave:
+    edges = np.arange(0, max(len(samples), 1), size)
+    padded = samples if len(samples) else np.zeros(1, np.int16)
+    low, high = np.minimum.reduceat(padded, edges), np.maximum.reduceat(padded, edges)
+    pairs = (np.stack([low, high], axis=1) >> 8).astype(np.int8)
+    return wire.Wave(size / rate, base64.b64encode(pairs.tobytes()).decode())
+
+
+def blocks(score: Score, edited: Collection[str] = ()) -> dict[str, wire.Block]:
+    """Return all movements and lip segments as blocks by id."""
+    found = {m.id: _block(m, m.id in edited) for m in score.movements}
+    found |= {f"lips.{n}": _segment(f"lips.{n}", s) for n, s in enumerate(score.lips)}
+    return found
+
+
+def _block(m: Movement, edited: bool) -> wire.Block:
+    onset, offset = fitted(m.onset, m.offset, m.end - m.start)
+    priority = CHANNEL_PRIORITY[m.channel] if m.priority is None else m.priority
+    return wire.Block(
+        id=m.id,
+        channel=m.channel,
+        layer=m.layer,
+        label=m.cause.trigger or m.label,
+        start=m.start,
+        apex_start=m.start + onset,
+        apex_end=m.end - offset,
+        end=m.end,
+        targets=dict(m.targets),
+        priority=priority,
+        function=m.function,
+        cause=sentence(m.cause),
+        rule=m.cause.rule,
+        edited=edited,
+    )
+
+
+def _segment(name: str, s: LipSegment) -> wire.Block:
+    return wire.Block(
+        id=name,
+        channel="lips",
+        layer="",
+        label=s.phone,
+        start=s.start,
+        apex_start=s.start,
+        apex_end=s.end,
+        end=s.end,
+        targets=dict(s.targets),
+        priority=CHANNEL_PRIORITY["lips"],
+        function="",
+        cause=sentence(s.cause),
+        rule=s.cause.rule,
+        editable=False,
+    )
+
+
+def sentence(cause: Cause) -> str:
+    """Return a cause in words: what triggered it, and by which rule and mark."""
+    by = ", ".join(part for part in (cause.rule, cause.place) if part)
+    return f"{cause.trigger} ({by})" if cause.trigger and by else cause.trigger or by
+
+
+def drawn(score: Score) -> tuple[wire.Drawn, ...]:
+    """Return the curves drawn by hand, one for each parameter."""
+    return tuple(_drawn(name, curve) for curve in score.manual for name in curve.keys)
+
+
+def _drawn(name: str, curve: ManualCurve) -> wire.Drawn:
+    return wire.Drawn(name, tuple(curve.keys[name]), sentence(curve.cause), curve.replaces)
+
+
+def curves(values: npt.NDArray[np.float64]) -> dict[str, str]:
+    """Return the curves of (frames, 46) values that leave their neutral, by name."""
+    moving = np.flatnonzero((values != NEUTRAL).any(axis=0))
+    return {NAMES[column]: packed(values[:, column]) for column in moving}
+
+
+def changed_curves(before: Mapping[str, str], after: Mapping[str, str]) -> dict[str, str]:
+    """Return the curves that are other than before; "" where one has come to rest."""
+    names = sorted({*before, *after}, key=NAMES.index)
+    return {name: after.get(name, "") for name in names if before.get(name, "") != after.get(name, "")}
+
+
+def packed(values: npt.NDArray[np.float64]) -> str:
+    """Return numbers as base64 of little-endian float32."""
+    return base64.b64encode(np.ascontiguousarray(values, "<f4").tobytes()).decode()

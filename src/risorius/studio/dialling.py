@@ -1,0 +1,93 @@
+"""A page's dials: each turn is answered with what the face holds; faces follow until the skin lies still."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from concurrent.futures import Executor
+from contextlib import ExitStack
+
+import numpy as np
+import numpy.typing as npt
+
+from ..core.parameters import NAMES
+from ..errors import InputError, unknown
+from ..face.head import shipped_heads
+from ..settings import Settings
+from . import wire
+from .dials import SETTLED, Dial, dialled
+from .shelf import Shelf
+from .solvers import Solvers, stage_of
+from .stage import DIALLED
+from .threads import on_thread
+
+Send = Callable[[bytes], Awaitable[None]]
+RATE = 30.0  # faces a second while the skin moves
+
+
+class Dialling:
+    """What one page dials."""
+
+    def __init__(self, threads: Executor, solvers: Solvers, send: Send) -> None:
+        self._threads, self._solvers, self._send = threads, solvers, send
+        self._loop = asyncio.get_running_loop()
+        self._held = ExitStack()
+        self._looks: tuple[str, float | None] | None = None
+        self._dial: Dial | None = None
+        self._values: npt.NDArray[np.float64] = np.zeros(len(NAMES))
+        self._number, self._until = 0, 0.0
+        self._moving: asyncio.Task[None] | None = None
+        self._turning = asyncio.Lock()
+
+    async def turn(self, number: int, asked: wire.Dial, shelf: Shelf) -> wire.DialState:
+        """Take new values; the faces on the way there are sent as they come. Raises ParameterError."""
+        if asked.head not in shipped_heads():
+            raise InputError(unknown("head", asked.head, shipped_heads()))
+        emotions = {shelf.emotion(name): value for name, value in asked.emotions.items()}
+        values = dialled(asked.values, emotions)
+        async with self._turning:
+            if self._looks != (asked.head, asked.age):
+                await self._take_head(asked.head, asked.age)
+        self._values = np.array(list(values.values()))
+        self._number, self._until = number, self._loop.time() + (SETTLED if asked.live else 0.0)
+        if self._moving is None or self._moving.done():
+            self._moving = self._loop.create_task(self._move())
+        return wire.DialState(values)
+
+    async def stop(self) -> None:
+        """Give the solver back when it is not worked with any more."""
+        if self._moving is not None:
+            self._moving.cancel()
+            await asyncio.wait([self._moving])
+        self._held.close()
+
+    async def _take_head(self, head: str, age: float | None) -> None:
+        await self.stop()
+        lent = self._solvers.lent(Settings(head=head, age=age))
+        solver = await on_thread(self._threads, lent.__enter__)
+        self._held.push(lent.__exit__)
+        self._dial, self._looks = Dial(solver), (head, age)
+
+    async def _move(self) -> None:
+        """Send faces until the skin lies still, the last one at rest, and no dial was turned meanwhile."""
+        before = self._loop.time() - 1.0 / RATE
+        shown = None
+        while shown != self._number:
+            while (now := self._loop.time()) < self._until:
+                await self._show(now - before)
+                before = now
+                await asyncio.sleep(max(0.0, 1.0 / RATE - (self._loop.time() - now)))
+            shown = self._number
+            await self._show(None)
+
+    async def _show(self, seconds: float | None) -> None:
+        dial, values, number = self._dial, self._values, self._number
+        assert dial is not None
+        assert self._looks is not None
+        head, age = self._looks
+
+        def face() -> bytes:
+            found = dial.still(values) if seconds is None else dial.moved(values, seconds)
+            return stage_of(head, age).packed(DIALLED, number, 0, [found])
+
+        await self._send(await on_thread(self._threads, face))

@@ -1,0 +1,116 @@
+"""Exports: a take written as files of a session's folder, with progress, one after the other."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import threading
+from collections import OrderedDict
+from dataclasses import replace
+from pathlib import Path
+
+from ..core.look import TRANSPARENT, Look
+from ..errors import InputError, RisoriusError
+from ..out import OUTPUTS, check_targets
+from ..render.backdrop import colour_named
+from ..settings import Settings, parse_size
+from ..take import Progress, Take
+from . import limits, wire
+
+_NAME = re.compile(r"[^\w -]+")
+_MOST_JOBS = 20
+
+
+class StoppedError(RisoriusError):
+    """An export was stopped."""
+
+
+class Exports:
+    """The exports of a session. Files lie in `folder`/exports/NUMBER."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder / "exports"
+        shutil.rmtree(self._folder, ignore_errors=True)
+        self._jobs: OrderedDict[int, threading.Event] = OrderedDict()
+        self._files: dict[tuple[int, str], Path] = {}
+        self._last = 0
+
+    def begin(self) -> int:
+        """Return the number of a new export; the files of the oldest go."""
+        self._last += 1
+        self._jobs[self._last] = threading.Event()
+        while len(self._jobs) > _MOST_JOBS:
+            oldest, _ = self._jobs.popitem(last=False)
+            shutil.rmtree(self._folder / str(oldest), ignore_errors=True)
+            self._files = {key: path for key, path in self._files.items() if key[0] != oldest}
+        return self._last
+
+    def stop(self, job: int) -> None:
+        """Stop an export, or the one that waits; nothing of it is kept."""
+        if job not in self._jobs:
+            raise InputError(f"there is no export {job}")
+        self._jobs[job].set()
+
+    def write(self, job: int, take: Take, asked: wire.Export, progress: Progress) -> tuple[str, ...]:
+        """Write the files and return their names. Raises RisoriusError; then nothing is kept."""
+        stopped, writing = self._jobs[job], threading.get_ident()
+
+        def told(stage: str, done: int = 0, total: int = 0) -> None:
+            # Another thread may say that the start takes long: stopping it would not stop this one.
+            if stopped.is_set() and threading.get_ident() == writing:
+                raise StoppedError("the export was stopped")
+            progress(stage, done, total)
+
+        folder = self._folder / str(job)
+        folder.mkdir(parents=True, exist_ok=True)
+        names = _names(asked)
+        told("Writing …")
+        exported_take(take, asked).write(*(folder / name for name in names), progress=told)
+        self._files |= {(job, name): folder / name for name in names}
+        return names
+
+    def file(self, job: int, name: str) -> Path:
+        """Return a file that an export has written; raise InputError where there is none."""
+        if (job, name) not in self._files:
+            raise InputError("there is no such file")
+        return self._files[job, name]
+
+
+def check(take: Take, asked: wire.Export) -> None:
+    """Raise InputError or OutputError where an export cannot be made as asked."""
+    if not 0 < len(asked.suffixes) <= limits.EXPORTED:
+        raise InputError(f"{len(asked.suffixes)} files are asked for; expected 1 to {limits.EXPORTED}")
+    settings = _settings(take.settings, asked)
+    check_targets(_names(asked), alpha=settings.look.transparent)
+
+
+def exported_take(take: Take, asked: wire.Export) -> Take:
+    """Return a take drawn as an export asks."""
+    return Take(take.performance, _settings(take.settings, asked), take.utterance, take.sound, take.planned)
+
+
+def _names(asked: wire.Export) -> tuple[str, ...]:
+    """Return the files' names: letters, digits, - and spaces of the name asked for, and each suffix."""
+    stem = _NAME.sub("", asked.name).strip()[:60] or "performance"
+    return tuple(f"{stem}{OUTPUTS.get(suffix).suffix}" for suffix in asked.suffixes)
+
+
+def _settings(settings: Settings, asked: wire.Export) -> Settings:
+    look = Look(
+        style=asked.style,
+        camera=asked.camera,
+        light=asked.light,
+        background=_background(asked.background),
+        quality=asked.quality,
+        hair=settings.look.hair,
+        complexion=settings.look.complexion,
+        overlay=asked.overlay,
+    )
+    return replace(settings, size=parse_size(asked.size), at=asked.at, every=asked.every, look=look)
+
+
+def _background(asked: str | None) -> str | None:
+    """Return a background that is no file."""
+    if asked not in (None, TRANSPARENT):
+        return "#{:02x}{:02x}{:02x}".format(*colour_named(asked))
+    return asked

@@ -1,0 +1,61 @@
+"""What was done, to be undone: a line of states with one of them present."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from ..errors import InputError
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class Step(Generic[T]):
+    """A state, and in words what led to it."""
+
+    state: T
+    what: str
+
+
+class History(Generic[T]):
+    """States that follow one another; what is done after an undo takes the place of what was undone."""
+
+    def __init__(self, most: int) -> None:
+        self._most = most
+        self._steps: list[Step[T]] = []
+        self._at = -1
+
+    @property
+    def present(self) -> T | None:
+        """The present state, None before the first."""
+        return self._steps[self._at].state if self._steps else None
+
+    @property
+    def undoes(self) -> str:
+        """What an undo would take back, "" where there is nothing."""
+        return self._steps[self._at].what if self._at > 0 else ""
+
+    @property
+    def redoes(self) -> str:
+        """What a redo would make again, "" where there is nothing."""
+        return self._steps[self._at + 1].what if self._at + 1 < len(self._steps) else ""
+
+    def push(self, state: T, what: str) -> None:
+        """Make `state` the present; what was undone is forgotten, and the oldest where there are too many."""
+        self._steps = [*self._steps[: self._at + 1], Step(state, what)][-self._most - 1 :]
+        self._at = len(self._steps) - 1
+
+    def undo(self) -> T:
+        """Go one state back and return it; raise InputError where there is none."""
+        if self._at <= 0:
+            raise InputError("there is nothing to undo")
+        self._at -= 1
+        return self._steps[self._at].state
+
+    def redo(self) -> T:
+        """Go one state forth again and return it; raise InputError where there is none."""
+        if self._at + 1 >= len(self._steps):
+            raise InputError("there is nothing to redo")
+        self._at += 1
+        return self._steps[self._at].state

@@ -1,0 +1,96 @@
+"""What a page may ask without changing the take: why, which channel, which rules; files under a name."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+
+from ..blend import Explanation, Trace
+from ..blend import Part as Told
+from ..core.action_units import resolve_targets
+from ..core.movement import Movement
+from ..core.parameters import INDEX, PARAMETERS
+from ..core.score import Score
+from ..narration import narrate
+from ..rules.book import book_of
+from ..rules.tuned import tuned_text
+from ..take import Progress, Take
+from . import wire
+from .describe import packed
+from .session import Session
+
+
+def explain(session: Session, asked: wire.Explain, progress: Progress) -> wire.Explained:
+    """Say why parameters have their values at a time."""
+    take = session.live(asked.take).take
+    found = take.explain(asked.time, asked.parameter)
+    ids = {m.id for m in take.score.movements}
+    reasons = tuple(_reason(e, ids) for e in found)
+    return wire.Explained(asked.time, reasons, tuple(narrate(found, asked.time)))
+
+
+def _reason(e: Explanation, ids: set[str]) -> wire.Reason:
+    winner = None if e.winner is None else _part(e.winner, ids)
+    losers = tuple(_part(part, ids) for part in e.losers)
+    return wire.Reason(e.parameter, e.value, PARAMETERS[INDEX[e.parameter]].unit, winner, losers, e.notes)
+
+
+def _part(part: Told, ids: set[str]) -> wire.Part:
+    cause = part.cause
+    block = part.label if part.label in ids else ""
+    return wire.Part(
+        part.channel, part.what, cause.rule, cause.place, part.asked, part.given, part.reason, block
+    )
+
+
+def channel_curves(session: Session, asked: wire.ChannelCurves, progress: Progress) -> wire.ParameterDetail:
+    """Return what each channel asks of a parameter and gets."""
+    take = session.live(asked.take).take
+    return wire.ParameterDetail(
+        asked.parameter, tuple(_channel(trace, take) for trace in take.traces(asked.parameter))
+    )
+
+
+def _channel(trace: Trace, take: Take) -> wire.ChannelCurve:
+    times, step = take.times, float(1 / take.performance.fps)
+
+    def spans(runs: Iterable[tuple[int, int]]) -> tuple[tuple[float, float], ...]:
+        """Return from when to when, each frame standing for the time up to the next."""
+        return tuple((float(times[first]), float(times[last]) + step) for first, last in runs)
+
+    asked, given = packed(trace.asked), packed(trace.given)
+    return wire.ChannelCurve(trace.channel, asked, given, spans(trace.inhibited), spans(trace.limited))
+
+
+def rules_fired(session: Session, asked: wire.RulesFired, progress: Progress) -> wire.Fired:
+    """Return the rules that fired in a take."""
+    live = session.live(asked.take)
+    book = book_of(live.take.settings.rules)
+    rules = []
+    for rule, movements in sorted(_by_rule(live.take.score).items()):
+        comment = book.entries[rule].rule.comment if rule in book.entries else ""
+        times = tuple(m.start for m in movements)
+        rules.append(wire.FiredRule(rule, comment, tuple(m.id for m in movements), times))
+    return wire.Fired(tuple(rules))
+
+
+def _by_rule(score: Score) -> dict[str, list[Movement]]:
+    found = defaultdict(list)
+    for movement in score.movements:
+        found[movement.cause.rule].append(movement)
+    return found
+
+
+def profile_save(session: Session, asked: wire.ProfileText, progress: Progress) -> wire.ProfileFile:
+    """Return a profile with other numbers as a file; without any, and under its own name, as it stands."""
+    return wire.ProfileFile(asked.name, tuned_text(asked.base, asked.name, asked.numbers))
+
+
+def name_pose(session: Session, asked: wire.SavePose, progress: Progress) -> wire.PoseFile:
+    """Keep a face under a name, and return it as a file for the command line."""
+    if asked.kind == "emotion":
+        text = session.shelf.save_emotion(asked.name, asked.values)
+        return wire.PoseFile(asked.name, f"{asked.name}.toml", text)
+    session.shelf.save_pose(asked.name, asked.values)
+    words = [f"{name}={value:g}" for name, value in resolve_targets(asked.values).items() if value]
+    return wire.PoseFile(asked.name, f"{asked.name}.txt", f"risorius pose {' '.join(words)} -o face.png\n")

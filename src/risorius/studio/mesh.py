@@ -1,0 +1,20 @@
+"""The head at rest as a `.glb` file, its vertices in the order of the frames."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from ..out.glb_scene import GlbScene
+from ..out.gltf import Gltf
+from .stage import Stage
+
+
+def head_glb(stage: Stage) -> bytes:
+    """Return the file."""
+    gltf = Gltf(generator="Risorius", copyright="Head: CC0 1.0")
+    GlbScene(stage.head, gltf, stage.pieces).build()
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "head.glb"
+        gltf.save(path)
+        return path.read_bytes()

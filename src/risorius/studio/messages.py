@@ -1,0 +1,108 @@
+"""Messages to and from JSON: strict decoding into the dataclasses of `wire`, and plain encoding."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any
+
+from ..core.schema import Source as Schema
+from ..core.schema import build
+from ..errors import InputError, RisoriusError, unknown
+from .wire import EDITS, EVENTS, VERBS
+
+MOST_ID = 2**53
+_EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """A decoded request: its number, and what is asked as one of the dataclasses of `wire`."""
+
+    id: int
+    asked: Any
+
+
+class BadRequestError(RisoriusError):
+    """A message that cannot be understood; `id` is its number where it has one."""
+
+    id: int | None = None
+
+
+def decode(text: str) -> Request:
+    """Return the request that a message is; raise BadRequestError with one line on what is wrong."""
+    found: int | None = None
+    try:
+        data = _parsed(text)
+        found = _number(data)
+        return Request(found, _asked(data))
+    except RisoriusError as error:
+        bad = BadRequestError(error.message)
+        bad.id = found
+        raise bad from None
+
+
+def _parsed(text: str) -> dict[str, Any]:
+    try:
+        data = json.loads(text)
+    except (ValueError, RecursionError):
+        raise InputError("the message is not JSON") from None
+    if not isinstance(data, dict):
+        raise InputError("the message is not an object {…}")
+    return data
+
+
+def _number(data: dict[str, Any]) -> int:
+    number = data.pop("id", None)
+    if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number <= MOST_ID:
+        raise InputError("the message has no number; expected e.g. 'id': 7")
+    return number
+
+
+def _asked(data: dict[str, Any]) -> Any:
+    verb, kinds = data.pop("do", None), VERBS
+    if verb == "edit":
+        verb, kinds = data.pop("kind", None), EDITS
+    if not isinstance(verb, str) or verb not in kinds:
+        kind = "request" if kinds is VERBS else "edit"
+        raise InputError(unknown(kind, str(verb)[:40], (*kinds, "edit") if kinds is VERBS else kinds))
+    return build(kinds[verb], without_nulls(data), Schema(verb))
+
+
+def without_nulls(data: Any) -> Any:
+    """Leave out keys that hold null: they mean the default."""
+    if isinstance(data, dict):
+        return {key: without_nulls(value) for key, value in data.items() if value is not None}
+    if isinstance(data, list):
+        return [without_nulls(value) for value in data]
+    return data
+
+
+def encoded(item: Any) -> Any:
+    """Return a dataclass of `wire` as what JSON can hold."""
+    if is_dataclass(item):
+        return {f.name: encoded(getattr(item, f.name)) for f in fields(item)}
+    if isinstance(item, dict):
+        return {key: encoded(value) for key, value in item.items()}
+    if isinstance(item, tuple | list):
+        return [encoded(value) for value in item]
+    return item
+
+
+def answer(number: int, item: Any) -> str:
+    """Return the answer to a request."""
+    return _text({"re": number, "ok": encoded(item)})
+
+
+def refusal(number: int | None, message: str) -> str:
+    """Return the answer to a request that cannot be followed."""
+    return _text({"re": number, "error": message})
+
+
+def event(item: Any) -> str:
+    """Return an event as a message."""
+    return _text({"event": _EVENT_NAMES[type(item)], **encoded(item)})
+
+
+def _text(data: Any) -> str:
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)

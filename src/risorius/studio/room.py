@@ -1,0 +1,149 @@
+"""A session with the pages that show it, the thread that works for it, and what is done after each change."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from ..errors import OutputError, RisoriusError
+from ..take import Progress
+from . import exports, looking, wire
+from .autosave import Autosave
+from .exports import Exports
+from .project import open_project, project_file
+from .session import Session
+
+if TYPE_CHECKING:
+    from .connection import Connection
+
+T = TypeVar("T")
+Handler = Callable[[Session, Any, Progress], Any]
+
+HANDLERS: dict[type, Handler] = {
+    wire.Open: Session.open,
+    wire.Perform: Session.perform,
+    wire.Choose: Session.choose,
+    wire.Compare: Session.compare,
+    **dict.fromkeys(wire.EDITS.values(), Session.edit),
+    wire.Undo: Session.undo,
+    wire.Redo: Session.redo,
+    wire.View: Session.keep_view,
+    wire.Explain: looking.explain,
+    wire.ChannelCurves: looking.channel_curves,
+    wire.RulesFired: looking.rules_fired,
+    wire.ProfileText: looking.profile_save,
+    wire.SavePose: looking.name_pose,
+}
+"""What is done on the session's thread, by request."""
+CHANGING = (wire.Perform, wire.Choose, *wire.EDITS.values(), wire.Undo, wire.Redo)
+SAVING = (*CHANGING, wire.View)
+
+
+class Room:
+    """A session with its pages."""
+
+    def __init__(self, name: str, folder: Path) -> None:
+        self.session = Session(name, folder)
+        self.exports = Exports(folder)
+        self.pages: set[Connection] = set()
+        self._autosave = Autosave(folder)
+        self._loaded = False
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._worker = ThreadPoolExecutor(1, thread_name_prefix=f"session-{name}")
+        self._exporter = ThreadPoolExecutor(1, thread_name_prefix=f"export-{name}")
+
+    async def done(self, asked: Any, progress: Progress, page: Connection) -> Any:
+        """Return the answer to a request of a page; save and tell other pages what it changes."""
+        answered = await self._run(lambda: HANDLERS[type(asked)](self.session, asked, progress))
+        if isinstance(asked, CHANGING):
+            await self.tell_others(page)
+        if isinstance(asked, SAVING):
+            await self.save()
+        return answered
+
+    async def save(self) -> None:
+        """Save the session; tell its pages that it is, or why it is not."""
+        try:
+            await self._run(lambda: self._autosave.save(self.session))
+        except OutputError as error:
+            await self.tell(wire.Saved(str(error)))
+        else:
+            await self.tell(wire.Saved())
+
+    async def project(self) -> bytes:
+        """Return the project as a file."""
+        return await self._run(lambda: project_file(self.session))
+
+    async def take_up(self, data: bytes) -> None:
+        """Take up an uploaded project in place of the session's own; raise RisoriusError, then nothing is."""
+
+        def opened() -> None:
+            found = open_project(data, self.session.shelf)
+            self.session.restore(found.version, found.view)
+
+        await self._run(opened)
+        await self.tell_others(None)
+        await self.save()
+
+    async def take_in(self, name: str, uploaded: Path) -> str:
+        """Keep an uploaded recording; return the name it has got."""
+        return await self._run(lambda: self.session.shelf.take_in(name, uploaded))
+
+    def export(self, asked: wire.Export) -> wire.Job:
+        """Begin an export; its pages hear how far it is. Raises RisoriusError where it cannot be made."""
+        take = self.session.live(asked.take).take
+        exports.check(take, asked)
+        job = self.exports.begin()
+        loop = asyncio.get_running_loop()
+
+        def told(stage: str, done: int = 0, total: int = 0) -> None:
+            event = wire.Progress(stage, done, total, job=job)
+            asyncio.run_coroutine_threadsafe(self.tell(event), loop)
+
+        def written() -> wire.Exported:
+            try:
+                names = self.exports.write(job, take, asked, told)
+            except RisoriusError as error:
+                return wire.Exported(job, (), str(error))
+            path = f"/api/session/{self.session.name}/export/{job}/"
+            return wire.Exported(job, tuple(wire.Download(path + name, name) for name in names))
+
+        async def run() -> None:
+            await self.tell(await loop.run_in_executor(self._exporter, written))
+
+        self._keep(loop.create_task(run()))
+        return wire.Job(job)
+
+    async def tell(self, event: Any) -> None:
+        """Send an event to all pages; one that is slow to read holds up nobody else."""
+        for page in tuple(self.pages):
+            page.tell(event)
+
+    async def tell_others(self, page: Connection | None) -> None:
+        """Tell all other pages that the session's take is another."""
+        current = self.session.current
+        for other in self.pages - {page}:
+            other.tell(wire.Changed(0 if current is None else current.number))
+
+    def close(self) -> None:
+        """Let the threads go."""
+        self._worker.shutdown(wait=False, cancel_futures=True)
+        self._exporter.shutdown(wait=False, cancel_futures=True)
+
+    async def _run(self, work: Callable[[], T]) -> T:
+        """Do work on the session's thread, where it is taken up from its folder first."""
+
+        def loaded() -> T:
+            if not self._loaded:
+                self.session.notes = self._autosave.load(self.session)
+                self._loaded = True
+            return work()
+
+        return await asyncio.get_running_loop().run_in_executor(self._worker, loaded)
+
+    def _keep(self, task: asyncio.Task[None]) -> None:
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)

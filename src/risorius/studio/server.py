@@ -1,0 +1,75 @@
+"""Running the studio: bound to this machine alone."""
+
+from __future__ import annotations
+
+import os
+import socket
+import threading
+import webbrowser
+from collections.abc import Callable
+from pathlib import Path
+
+import uvicorn
+
+from ..errors import OutputError
+from . import limits
+from .app import Studio
+
+HOST = "127.0.0.1"
+PORT = 8765
+
+
+def default_folder() -> Path:
+    """Return where sessions are kept: RISORIUS_STUDIO, or a folder of the user's."""
+    given = os.environ.get("RISORIUS_STUDIO")
+    if given:
+        return Path(given)
+    base = os.environ.get("XDG_DATA_HOME") or "~/.local/share"
+    return Path(base).expanduser() / "risorius" / "studio"
+
+
+def bound(port: int) -> socket.socket:
+    """Return a socket bound to this machine, at `port` (0: any that is free); raise OutputError."""
+    made = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        made.bind((HOST, port))
+    except OSError as error:
+        made.close()
+        raise OutputError(f"port {port} cannot be used: {error.strerror}; expected another --port") from None
+    return made
+
+
+def serve(
+    port: int = PORT,
+    *,
+    folder: Path | None = None,
+    browser: bool = True,
+    say: Callable[[str], None] = print,
+) -> None:
+    """Serve the studio until interrupted; tell its address, and open a browser there if asked.
+
+    Raises OutputError where the port is taken.
+    """
+    listening = bound(port)
+    url = f"http://{HOST}:{listening.getsockname()[1]}/"
+    server = uvicorn.Server(configured(Studio(folder or default_folder())))
+    say(f"The studio is at {url} (Ctrl+C ends it)")
+    if browser:
+        threading.Timer(0.5, webbrowser.open, [url]).start()
+    server.run(sockets=[listening])
+
+
+def configured(studio: Studio) -> uvicorn.Config:
+    """Return how uvicorn runs a studio: messages within bounds, no access log."""
+    return uvicorn.Config(
+        studio.app(),
+        log_level="warning",
+        access_log=False,
+        ws="websockets-sansio",
+        ws_max_size=limits.MESSAGE,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=2,
+        server_header=False,
+        lifespan="on",
+    )

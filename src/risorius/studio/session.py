@@ -1,0 +1,234 @@
+"""A session: one project, its takes, and what a page may change. A verb is a method of its name."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+
+from ..core.edits import is_edited
+from ..errors import InputError
+from ..pipeline import perform
+from ..take import Progress, Take
+from . import describe, limits, wire
+from .history import History
+from .performer import Performer
+from .shelf import Shelf
+from .version import Version, worded
+
+# Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
+SETTLING = 0.5
+
+
+@dataclass(slots=True)
+class Live:
+    """A take with its number, and what the page was told of it."""
+
+    number: int
+    take: Take
+    version: Version
+    blocks: dict[str, wire.Block]
+    curves: dict[str, str]
+
+
+class Session:
+    """One project. Its methods run on one thread at a time."""
+
+    def __init__(self, name: str, folder: Path) -> None:
+        self.name, self.folder = name, folder
+        self.shelf = Shelf(folder)
+        self.takes: OrderedDict[int, Live] = OrderedDict()
+        self.history: History[Version] = History(limits.UNDO)
+        self.current: Live | None = None
+        self.view: dict[str, object] = {}
+        self.notes: tuple[str, ...] = ()
+        self._performer = Performer(self.shelf)
+        self._number = 0
+
+    def open(self, asked: wire.Open, progress: Progress) -> wire.State:
+        """Return the session as it stands."""
+        take = None if self.current is None else self.described(self.current)
+        shelf = self.shelf
+        return wire.State(
+            self.name, take, shelf.recordings(), tuple(shelf.emotions()), shelf.poses(), self.view, self.notes
+        )
+
+    def perform(self, asked: wire.Perform, progress: Progress) -> wire.TakeView:
+        """Perform a script; edits made on the one before are made again where it is the same script."""
+        made = self._performer.adopted(wire.Made(asked.source, asked.choices, asked.emotions))
+        return self._planned(made, "perform", progress)
+
+    def choose(self, asked: wire.Choose, progress: Progress) -> wire.TakeView:
+        """Perform the same script with other choices."""
+        made = self._made(asked.choices, asked.emotions)
+        return self._planned(made, "change the settings", progress)
+
+    def compare(self, asked: wire.Compare, progress: Progress) -> wire.TakeView:
+        """Perform the same script with other choices, beside the session's take, with the same edits."""
+        version = self._performer.perform(self._made(asked.choices, asked.emotions), progress)
+        return self.described(self._live(version.with_edits(self.version().edits)))
+
+    def edit(self, asked: wire.Edit, progress: Progress) -> wire.TakeChange:
+        """Make an edit."""
+        version = self.version().changed(asked)
+        self.history.push(version, worded(version.edits[-1]))
+        return self._changed(version)
+
+    def undo(self, asked: wire.Undo, progress: Progress) -> wire.TakeChange:
+        """Take the last change back."""
+        return self._changed(self.history.undo())
+
+    def redo(self, asked: wire.Redo, progress: Progress) -> wire.TakeChange:
+        """Make the change that was taken back last again."""
+        return self._changed(self.history.redo())
+
+    def keep_view(self, asked: wire.View, progress: Progress) -> wire.Done:
+        """Keep what the page shows."""
+        self.view = dict(asked.view)
+        return wire.Done()
+
+    def live(self, number: int) -> Live:
+        """Return a take by its number; raise InputError if it is not kept any more."""
+        if number not in self.takes:
+            raise InputError(f"there is no take {number}; expected one of {sorted(self.takes)}")
+        return self.takes[number]
+
+    @property
+    def last_number(self) -> int:
+        """The number of the last take: none is given twice."""
+        return self._number
+
+    def restore(self, version: Version, view: dict[str, object], number: int = 0) -> None:
+        """Take up a version that was saved; each of its edits can be undone. Takes count on from `number`."""
+        self._number = max(self._number, number)
+        history: History[Version] = History(limits.UNDO)
+        step = replace(version, score=version.base, edits=())
+        history.push(step, "perform")
+        for edit in version.edits:
+            step = step.changed(edit)
+            history.push(step, worded(edit))
+        self.current = self._live(step)
+        self.history, self.view = history, view
+
+    def version(self) -> Version:
+        """Return the present version; raise InputError before the first."""
+        version = self.history.present
+        if version is None:
+            raise InputError("nothing is performed yet; expected 'perform' first")
+        return version
+
+    def _made(self, choices: wire.Choices | None, emotions: tuple[wire.EmotionSpan, ...] | None) -> wire.Made:
+        made = self.version().made
+        return wire.Made(
+            made.source,
+            made.choices if choices is None else choices,
+            made.emotions if emotions is None else emotions,
+        )
+
+    def _planned(self, made: wire.Made, what: str, progress: Progress) -> wire.TakeView:
+        before = self.history.present
+        version = self._performer.perform(made, progress)
+        if before is not None and before.made.source == made.source:
+            version = version.with_edits(before.edits)
+        live = self._live(version)
+        self.history.push(version, what)
+        self.current = live
+        return self.described(live)
+
+    def _changed(self, version: Version) -> wire.TakeChange:
+        before = self.current
+        self.current = after = self._live(version)
+        assert before is not None
+        return self._difference(before, after)
+
+    def _live(self, version: Version) -> Live:
+        """Return a version's take, the one that is there already if it is."""
+        for live in self.takes.values():
+            if live.version is version:
+                self.takes.move_to_end(live.number)
+                return live
+        begun = perf_counter()
+        like = None if self.current is None else self.current.take
+        take = perform(version.score, version.settings, version.utterance, like=like)
+        version.milliseconds["blend"] = 1e3 * (perf_counter() - begun)
+        self._number += 1
+        edited = frozenset(m.id for m in version.score.movements if is_edited(m))
+        live = Live(
+            self._number,
+            take,
+            version,
+            describe.blocks(version.score, edited),
+            describe.curves(take.performance.values),
+        )
+        self.takes[live.number] = live
+        while len(self.takes) > limits.TAKES:
+            oldest = next(n for n, held in self.takes.items() if held is not self.current)
+            del self.takes[oldest]
+        return live
+
+    def described(self, live: Live) -> wire.TakeView:
+        """Return a take whole."""
+        take, version = live.take, live.version
+        sound = f"/api/session/{self.name}/take/{live.number}/sound.wav"
+        return wire.TakeView(
+            take=live.number,
+            duration=take.duration,
+            fps=str(take.performance.fps),
+            frames=len(take.performance.values),
+            speech=None if take.utterance is None else describe.spoken(take.utterance, sound),
+            blocks=tuple(live.blocks.values()),
+            drawn=describe.drawn(take.score),
+            curves=live.curves,
+            made=version.made,
+            can_undo=bool(self.history.undoes),
+            can_redo=bool(self.history.redoes),
+            undoes=self.history.undoes,
+            redoes=self.history.redoes,
+            warnings=version.warnings,
+            milliseconds=version.milliseconds,
+        )
+
+    def _difference(self, before: Live, after: Live) -> wire.TakeChange:
+        whole = None if _alike(before, after) else self.described(after)
+        first, last = (0, 0) if whole else _frames_changed(before.take, after.take)
+        blocks = () if whole else tuple(b for n, b in after.blocks.items() if before.blocks.get(n) != b)
+        return wire.TakeChange(
+            take=after.number,
+            before=before.number,
+            blocks=blocks,
+            gone=() if whole else tuple(n for n in before.blocks if n not in after.blocks),
+            drawn=describe.drawn(after.take.score),
+            curves={} if whole else describe.changed_curves(before.curves, after.curves),
+            from_frame=first,
+            to_frame=last,
+            made=after.version.made,
+            can_undo=bool(self.history.undoes),
+            can_redo=bool(self.history.redoes),
+            undoes=self.history.undoes,
+            redoes=self.history.redoes,
+            whole=whole,
+            warnings=after.version.warnings,
+        )
+
+
+def _alike(a: Live, b: Live) -> bool:
+    """Whether two takes have the same speech, frames and head, and differ in blocks and curves only."""
+    one, two = a.version, b.version
+    if a.take.duration != b.take.duration or one.utterance is not two.utterance:
+        return False
+    return all(getattr(one.settings, name) == getattr(two.settings, name) for name in _LOOKS)
+
+
+_LOOKS = ("fps", "head", "age", "look", "dynamics", "wrinkles")
+
+
+def _frames_changed(a: Take, b: Take) -> tuple[int, int]:
+    """Return the frames [from, to) whose faces are other, the skin's settling included."""
+    other = np.flatnonzero((a.performance.values != b.performance.values).any(axis=1))
+    if not len(other):
+        return 0, 0
+    lag = round(SETTLING * b.performance.fps)
+    return int(other[0]), min(int(other[-1]) + 1 + lag, len(b.performance.values))

@@ -1,0 +1,33 @@
+"""The light that the page draws a head in: the library's own, and what the head at rest keeps from itself."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..face.head import Head
+from ..render.inputs import OCCLUSION
+from ..render.lights import STUDIO
+from ..render.scene import HeadScene
+
+
+def light() -> dict[str, Any]:
+    """Return the lamps (direction and linear colour each), and the room's light from above and below."""
+    lamps = [{"direction": lamp.direction(), "colour": lamp.colour} for lamp in STUDIO.lamps]
+    return {"lamps": lamps, "sky": STUDIO.sky, "ground": STUDIO.ground}
+
+
+def shade(head: Head) -> bytes:
+    """Return what each vertex of the skin sees at rest of the room, and of each lamp.
+
+    uint8 (vertices, 1 + lamps), 255 for all. The first of a scene's lamps is left to shadows that move, so
+    the page's are all put behind it.
+    """
+    lamps = STUDIO.lighting().lamps
+    scene = HeadScene(head, np.concatenate([lamps[:1], lamps]))
+    count = head.skin.matrix.shape[0]
+    under_hair = scene.reach[:count, :1]
+    reach = scene.reach[:count, 1:] * np.concatenate([under_hair, np.ones((count, len(lamps) - 1))], axis=1)
+    seen = np.concatenate([scene.attributes[:count, OCCLUSION, None], reach], axis=1)
+    return np.round(255.0 * seen.clip(0.0, 1.0)).astype(np.uint8).tobytes()

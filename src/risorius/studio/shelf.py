@@ -1,0 +1,132 @@
+"""What lies in a session's folder under names that the page gave: recordings, poses and emotions.
+
+A name is only ever looked up among those that are there; no path is made of one.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from ..core.action_units import resolve_targets
+from ..errors import InputError, unknown
+from ..out.atomic import replacing
+from ..rules.emotions import emotion, emotion_key, emotion_names, emotion_text
+from ..script.read import RECORDING_SUFFIXES
+from ..speech.recording import read_recording
+
+_NAME = re.compile(r"[\w][\w -]{0,59}")
+_MOST = 200
+
+
+class Shelf:
+    """The things of a session's folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._emotions: dict[str, str] = _table(folder / "emotions.json")
+        self._poses: dict[str, dict[str, float]] = _table(folder / "poses.json")
+
+    def recordings(self) -> tuple[str, ...]:
+        """Return the names of the recordings, in alphabetical order."""
+        folder = self.folder / "recordings"
+        return tuple(sorted(p.name for p in folder.iterdir())) if folder.is_dir() else ()
+
+    def recording(self, name: str) -> Path:
+        """Return a recording's file; raise InputError naming the nearest where there is none of that name."""
+        if name not in self.recordings():
+            raise InputError(unknown("recording", name, self.recordings()))
+        return self.folder / "recordings" / name
+
+    def take_in(self, name: str, uploaded: Path) -> str:
+        """Keep an uploaded recording and return the name it has got; raise InputError if it is none."""
+        stem, suffix = Path(name).stem, Path(name).suffix.lower()
+        if suffix not in RECORDING_SUFFIXES:
+            raise InputError(f"'{name}' is not a recording; expected {', '.join(RECORDING_SUFFIXES)}")
+        try:
+            read_recording(uploaded)
+        except InputError as error:
+            raise InputError(f"the recording cannot be used: {error.message}") from None
+        folder = self.folder / "recordings"
+        folder.mkdir(exist_ok=True)
+        if len(self.recordings()) >= _MOST:
+            raise InputError(f"there are {_MOST} recordings already; expected a new session")
+        plain = re.sub(r"[^\w-]+", "-", stem, flags=re.ASCII).strip("-")[:40] or "recording"
+        digest = hashlib.sha256(uploaded.read_bytes()).hexdigest()[:8]
+        kept = f"{plain.removesuffix(f'-{digest}')}-{digest}{suffix}"
+        uploaded.replace(folder / kept)
+        return kept
+
+    def emotions(self) -> Mapping[str, str]:
+        """Return the emotions that were saved: by name, the file of each."""
+        return self._emotions
+
+    def emotion_values(self) -> dict[str, dict[str, float]]:
+        """Return the full display of each emotion that was saved, by name."""
+        return {name: dict(emotion(self.emotion(name)).units) for name in self._emotions}
+
+    def poses(self) -> Mapping[str, Mapping[str, float]]:
+        """Return the poses that were saved, by name."""
+        return self._poses
+
+    def emotion(self, name: str) -> str:
+        """Return by what the library finds an emotion: its name, or the file of one that was saved."""
+        if name in self._emotions:
+            return str(self.folder / self._emotions[name])
+        if name.strip().lower() not in emotion_names():
+            raise InputError(unknown("emotion", name, (*self._emotions, *emotion_names())))
+        return emotion_key(name)
+
+    def temporary(self, data: bytes) -> Path:
+        """Return a new file of the session's folder with `data`, to be taken in or removed."""
+        number, name = tempfile.mkstemp(prefix="upload-", dir=self.folder)
+        with os.fdopen(number, "wb") as file:
+            file.write(data)
+        return Path(name)
+
+    def save_emotion(self, name: str, values: Mapping[str, float]) -> str:
+        """Save an emotion whose full display is `values`; return the text of its file."""
+        self._check(name, self._emotions)
+        if name.lower() in emotion_names():
+            raise InputError(f"'{name}' is an emotion of Risorius; expected another name")
+        text = emotion_text(name, values)
+        # Files are found by what is in them: the library keeps what it has read by its path.
+        file = f"emotion-{hashlib.sha256(text.encode()).hexdigest()[:16]}.toml"
+        write_text(self.folder / file, text)
+        self._emotions[name] = file
+        write_text(self.folder / "emotions.json", json.dumps(self._emotions))
+        return text
+
+    def save_pose(self, name: str, values: Mapping[str, float]) -> None:
+        """Save a pose: values by muscle, action unit or other parameter."""
+        self._check(name, self._poses)
+        resolve_targets(values)
+        self._poses[name] = dict(values)
+        write_text(self.folder / "poses.json", json.dumps(self._poses))
+
+    def _check(self, name: str, known: Mapping[str, object]) -> None:
+        if not _NAME.fullmatch(name):
+            raise InputError(f"'{name[:60]}' is not a name; expected up to 60 letters, digits, - and spaces")
+        if name not in known and len(known) >= _MOST:
+            raise InputError(f"there are {_MOST} already; expected a name that is there")
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a file whole or not at all."""
+    with replacing(path) as beside:
+        beside.write_text(text, encoding="utf-8")
+
+
+def _table(path: Path) -> dict[str, Any]:
+    """Return what a file of ours holds; nothing where there is none or it is spoilt."""
+    try:
+        held = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return held if isinstance(held, dict) else {}

@@ -1,0 +1,72 @@
+"""Solvers and stages that stay warm: one of each for a head as it looks, lent to one thread at a time."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import lru_cache
+
+from ..core.parameters import NEUTRAL
+from ..face.head import load_head
+from ..face.solve import FaceSolver
+from ..render.dress import dressed
+from ..settings import Settings
+from ..take import make_solver
+from .stage import Stage
+
+_MOST_IDLE = 4
+
+
+def _key(settings: Settings) -> tuple[object, ...]:
+    wrinkles = tuple(sorted(settings.wrinkles.items()))
+    return settings.head, settings.age, settings.dynamics == "biphasic", wrinkles
+
+
+class Solvers:
+    """Builds solvers when they are asked for and keeps the last few that nobody uses."""
+
+    def __init__(self) -> None:
+        self._idle: list[tuple[tuple[object, ...], FaceSolver]] = []
+        self._lock = threading.Lock()
+
+    @contextmanager
+    def lent(self, settings: Settings) -> Iterator[FaceSolver]:
+        """Lend a solver as the settings want it."""
+        key = _key(settings)
+        solver = self._taken(key) or make_solver(settings)
+        try:
+            yield solver
+        finally:
+            with self._lock:
+                self._idle = [(key, solver), *self._idle][:_MOST_IDLE]
+
+    def _taken(self, key: tuple[object, ...]) -> FaceSolver | None:
+        with self._lock:
+            for place, (known, solver) in enumerate(self._idle):
+                if known == key:
+                    del self._idle[place]
+                    return solver
+        return None
+
+    def warm(self) -> None:
+        """Compile and build what the first face needs."""
+        with self.lent(Settings()) as solver:
+            solver.solve(NEUTRAL)
+            springs = solver.springs()
+            springs.settle(NEUTRAL)
+            springs.step(NEUTRAL)
+
+
+@lru_cache(maxsize=4)
+def stage_of(
+    head: str, age: float | None = None, hair: str | None = None, complexion: float | None = None
+) -> Stage:
+    """Return the stage of a head that comes with Risorius."""
+    from dataclasses import replace
+
+    from ..core.look import Look
+
+    found = load_head(head, age=age)
+    looks = dressed(found.identity.looks, Look(hair=hair, complexion=complexion))
+    return Stage(replace(found, identity=replace(found.identity, looks=looks)))

@@ -1,0 +1,97 @@
+"""Faces as binary messages: what moves in each frame, as whole hundredths of a millimetre.
+
+Little-endian. Header of 6 uint32: kind (1 a take's frames, 2 a dialled face, 3 the face at a time), take (or
+the request's number), first frame, count, vertices per frame, floats of pose per frame. Then the poses,
+float32 (count, 13): quaternions x, y, z, w of head, left eye and right eye, and the jaw's angle in radians.
+Then the positions, int16 (count, vertices, 3): `origin + step * value` mm in the head's frame, before the
+head turns. The vertices are those of `parts` in order, as the meshes of the head's file have them.
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..face.frame import FaceFrame
+from ..face.head import Head
+from ..out.glb_scene import riding
+from ..out.gltf import quaternions
+from ..render.figure import Piece, figure_of
+from .shade import light
+
+FRAMES, DIALLED, MOMENT = 1, 2, 3
+HEADER = struct.Struct("<6I")
+POSE = 13
+STEP = 0.01
+_OWN = ("skin", "tongue", "teeth_lower")
+PARTS = (*_OWN, "brows", "lashes")
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A mesh whose vertices are sent: its name, the first of its vertices and how many; its mesh's origin."""
+
+    name: str
+    first: int
+    count: int
+    about: tuple[float, float, float]
+
+
+class Stage:
+    """How a head's faces are packed."""
+
+    def __init__(self, head: Head) -> None:
+        self.head = head
+        self.pieces: dict[str, Piece] = figure_of(head)
+        points = np.concatenate([self.pieces[name].points for name in PARTS])
+        self.vertices = len(points)
+        self.origin = np.round(0.5 * (points.min(axis=0) + points.max(axis=0)))
+        self._rest = self.pieces["skin"].points
+        self.parts = tuple(self._parts())
+
+    def _parts(self) -> Any:
+        first = 0
+        for name in PARTS:
+            count = len(self.pieces[name].points)
+            about = np.zeros(3) if name == "skin" else self.head.head_pivot
+            yield Part(name, first, count, (float(about[0]), float(about[1]), float(about[2])))
+            first += count
+
+    def described(self) -> dict[str, Any]:
+        """Return what a page needs to unpack faces."""
+        return {
+            "vertices": self.vertices,
+            "pose": POSE,
+            "step": STEP,
+            "origin": self.origin.tolist(),
+            "pivot": self.head.head_pivot.tolist(),
+            "eyes": self.head.eye_centre.tolist(),
+            "light": light(),
+            "parts": [
+                {"name": p.name, "first": p.first, "count": p.count, "about": list(p.about)}
+                for p in self.parts
+            ],
+        }
+
+    def packed(self, kind: int, take: int, first: int, faces: list[FaceFrame]) -> bytes:
+        """Return the message with these faces."""
+        poses = np.concatenate([_pose(face) for face in faces])
+        positions = np.stack([self._positions(face) for face in faces])
+        header = HEADER.pack(kind, take, first, len(faces), self.vertices, POSE)
+        return b"".join((header, poses.astype("<f4").tobytes(), positions.tobytes()))
+
+    def _positions(self, face: FaceFrame) -> npt.NDArray[np.int16]:
+        skin = face.skin.astype(np.float64)
+        hairs = riding(self.pieces, skin - self._rest)
+        grown = [self.pieces[name].points + move for name, move in hairs.items()]
+        points = np.concatenate([skin, face.tongue, face.teeth_lower, *grown])
+        return np.asarray(np.round((points - self.origin) / STEP).clip(-32768, 32767), "<i2")
+
+
+def _pose(face: FaceFrame) -> npt.NDArray[np.float32]:
+    turns = quaternions([face.head_rotation, *face.eye_rotation]).ravel()
+    return np.concatenate([turns, np.array([face.jaw_angle], np.float32)])

@@ -1,0 +1,74 @@
+"""Faces of a take to a page: a window at a time, solved on a thread while the page reads the ones before."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable, Iterator
+from concurrent.futures import Executor
+
+from ..face.frame import FaceFrame
+from . import wire
+from .session import Live
+from .solvers import Solvers, stage_of
+from .stage import FRAMES, MOMENT, Stage
+from .threads import on_thread
+
+Send = Callable[[bytes], Awaitable[None]]
+CHUNK = 4  # faces to a message
+LEAD_IN = 1.0  # seconds of motion before the first face that count
+
+
+class Streams:
+    """The windows that one page is being sent, one for each take."""
+
+    def __init__(self, threads: Executor, solvers: Solvers, send: Send) -> None:
+        self._threads, self._solvers, self._send = threads, solvers, send
+        self._stopped: dict[int, asyncio.Event] = {}
+
+    async def send(self, live: Live, asked: wire.Faces) -> wire.Sent:
+        """Send a window; the one before of the same take ends."""
+        self.cancel(asked.take)
+        stopped = self._stopped[asked.take] = asyncio.Event()
+        last = min(asked.last, len(live.take.performance.values))
+        first, settings = asked.first, live.take.settings
+        stage = await on_thread(self._threads, lambda: stage_for(live))
+        with self._solvers.lent(settings) as solver:
+            faces = live.take.faces(range(first, last), lead_in=LEAD_IN, solver=solver)
+            while first < last and not stopped.is_set():
+                count = min(CHUNK, last - first)
+                message = await on_thread(self._threads, _chunk(stage, asked.take, first, count, faces))
+                await self._send(message)
+                first += count
+        if self._stopped.get(asked.take) is stopped:
+            del self._stopped[asked.take]
+        return wire.Sent(max(first - asked.first, 0))
+
+    async def moment(self, live: Live, asked: wire.FaceAt) -> wire.Sent:
+        """Send the face at a time."""
+
+        def face() -> bytes:
+            performance, settings = live.take.performance, live.take.settings
+            frame = min(round(asked.time * performance.fps), len(performance.values) - 1)
+            with self._solvers.lent(settings) as solver:
+                found = list(live.take.faces([frame], lead_in=LEAD_IN, solver=solver))
+            return stage_for(live).packed(MOMENT, asked.take, frame, found)
+
+        await self._send(await on_thread(self._threads, face))
+        return wire.Sent(1)
+
+    def cancel(self, take: int) -> None:
+        """End the window of a take that is being sent, if one is."""
+        if take in self._stopped:
+            self._stopped[take].set()
+
+
+def stage_for(live: Live) -> Stage:
+    """Return the stage on which a take is shown."""
+    settings = live.take.settings
+    return stage_of(settings.head, settings.age, settings.look.hair, settings.look.complexion)
+
+
+def _chunk(
+    stage: Stage, take: int, first: int, count: int, faces: Iterator[FaceFrame]
+) -> Callable[[], bytes]:
+    return lambda: stage.packed(FRAMES, take, first, [next(faces) for _ in range(count)])

@@ -1,0 +1,45 @@
+"""What a page uploads: read within bounds, to disk or to memory, whatever length it claims to have."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+from starlette.requests import ClientDisconnect, Request
+
+from ..errors import InputError
+
+
+class TooLargeError(InputError):
+    """An upload is larger than it may be."""
+
+
+async def to_file(request: Request, folder: Path, most: int) -> Path:
+    """Return a new file in `folder` with the request's body; raise TooLargeError beyond `most` bytes."""
+    number, name = tempfile.mkstemp(prefix="upload-", dir=folder)
+    path, size = Path(name), 0
+    try:
+        with os.fdopen(number, "wb") as file:
+            async for piece in request.stream():
+                size += len(piece)
+                _check(size, most)
+                file.write(piece)
+    except (InputError, ClientDisconnect, OSError):
+        path.unlink(missing_ok=True)
+        raise
+    return path
+
+
+async def to_memory(request: Request, most: int) -> bytes:
+    """Return the request's body; raise TooLargeError beyond `most` bytes."""
+    data = bytearray()
+    async for piece in request.stream():
+        _check(len(data) + len(piece), most)
+        data += piece
+    return bytes(data)
+
+
+def _check(size: int, most: int) -> None:
+    if size > most:
+        raise TooLargeError(f"the upload is larger than {most:,} bytes")

@@ -1,0 +1,115 @@
+import { changedTake, takeOf } from "./take.js";
+
+const PARTS = ["source", "choices", "emotions"];
+
+/**
+ * What the user can have done, by name: each asks the server, and puts its answer into the store.
+ *
+ * Whatever changes the take goes through here, so that all parts of the page see one take.
+ * An action that is refused says so in the page's notice, and resolves to null.
+ */
+export class Actions {
+  #store;
+  #connection;
+  #notify;
+
+  /**
+   * @param {import("./store.js").Store} store
+   * @param {import("./connection.js").Connection} connection
+   * @param {(text: string) => void} notify says a line to the user
+   */
+  constructor(store, connection, notify) {
+    this.#store = store;
+    this.#connection = connection;
+    this.#notify = notify;
+  }
+
+  /** Perform the store's source with its emotions and choices anew. */
+  perform() {
+    return this.#changing("perform", this.#parts(), "Performing …");
+  }
+
+  /**
+   * Perform the same source with other choices or emotions; those left out stay.
+   * @param {{choices?: object, emotions?: object[]}} parts `choices` holds only what is other than before
+   */
+  choose({ choices, emotions }) {
+    const asked = {};
+    if (choices) asked.choices = { ...this.#store.get("choices"), ...choices };
+    if (emotions) asked.emotions = emotions;
+    this.#store.set(asked);
+    return this.#store.get("take") ? this.#changing("choose", asked, "Performing …") : null;
+  }
+
+  /**
+   * Change the score.
+   * @param {string} kind one of the wire's edits: "move", "stretch", "retarget", "add", "delete", "keys", …
+   * @param {Record<string, any>} fields as the wire names them
+   */
+  edit(kind, fields) {
+    return this.#changing("edit", { kind, ...fields }, "");
+  }
+
+  /** Take back the last change. */
+  undo() {
+    return this.#store.get("take")?.can_undo ? this.#changing("undo", {}, "") : null;
+  }
+
+  /** Make the change that was taken back last again. */
+  redo() {
+    return this.#store.get("take")?.can_redo ? this.#changing("redo", {}, "") : null;
+  }
+
+  /**
+   * Point at something: everything that shows details follows.
+   * @param {{time?: number | null, parameter?: string | null, movement?: string | null}} selection
+   */
+  select({ time = null, parameter = null, movement = null }) {
+    this.#store.set({ selection: { time, parameter, movement } });
+  }
+
+  /**
+   * Ask the server for anything else; null if it refuses, with its line shown.
+   * @param {string} verb @param {Record<string, any>} [fields]
+   */
+  async ask(verb, fields = {}) {
+    try {
+      return await this.#connection.request(verb, fields);
+    } catch (error) {
+      this.#notify(error.message);
+      return null;
+    }
+  }
+
+  async #changing(verb, fields, busy) {
+    const asked = this.#parts();
+    this.#store.set({ busy, saved: "saving" });
+    const answer = await this.ask(verb, fields);
+    this.#store.set({ busy: "" });
+    if (answer === null) this.#store.set({ saved: "saved" });
+    else this.#take(answer, asked);
+    return answer;
+  }
+
+  /** Put the answer to a change into the store: a whole take, or what became other in it. */
+  #take(answer, asked) {
+    const before = this.#store.get("take");
+    const whole = answer.duration !== undefined || answer.whole;
+    const take = answer.duration === undefined ? changedTake(before, answer) : takeOf(answer);
+    const [first, last] = whole ? [0, take.frames] : [answer.from_frame, answer.to_frame];
+    const made = this.#adopted(before?.made, take.made, asked);
+    this.#store.set({ take, faces: { take: take.take, first, last }, dial: null, ...made });
+    for (const line of take.warnings) this.#notify(line);
+  }
+
+  /** What is other in how the take was made, but for what the user has changed meanwhile. */
+  #adopted(before, now, asked) {
+    const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+    const names = PARTS.filter((name) => !same(before?.[name], now[name]) && this.#store.get(name) === asked[name]);
+    return Object.fromEntries(names.map((name) => [name, now[name]]));
+  }
+
+  #parts() {
+    return Object.fromEntries(PARTS.map((name) => [name, this.#store.get(name)]));
+  }
+}

@@ -1,0 +1,61 @@
+/** The page: makes its parts, and connects them. */
+
+import { Actions } from "./actions.js";
+import { Clock } from "./clock.js";
+import { Connection } from "./connection.js";
+import { listenToDrops } from "./dropping.js";
+import { mountHeader } from "./header.js";
+import { listenToKeys } from "./keys.js";
+import { mountPanels } from "./panels/index.js";
+import { mountNotice } from "./parts/notice.js";
+import { sessionName, openSession } from "./session.js";
+import { mountSplitter } from "./splitter.js";
+import { Store } from "./store.js";
+import { Theatre } from "./theatre.js";
+import { followTheme } from "./theme.js";
+import { TIMELINE_KEYS, mountTimeline } from "./timeline/index.js";
+import { mountTransport } from "./transport.js";
+import { mountViews } from "./views.js";
+
+const element = (id) => document.getElementById(id);
+
+followTheme();
+const store = new Store({
+  catalogue: null,
+  session: sessionName(),
+  link: "down",
+  saved: "saved",
+  source: { script: "", format: "text", recording: null },
+  choices: null,
+  emotions: [],
+  take: null,
+  faces: null,
+  busy: "",
+  selection: { time: null, parameter: null, movement: null },
+  other: null,
+  dial: null,
+  graphs: null,
+  recordings: [],
+  ownEmotions: [],
+  poses: {},
+  tab: "perform",
+});
+const notify = mountNotice(element("notice"));
+const clock = new Clock();
+const connection = new Connection(`ws://${location.host}/ws/${store.get("session")}`);
+const actions = new Actions(store, connection, notify);
+const theatre = new Theatre(element("head"), { store, connection, clock, notify });
+const studio = { store, clock, connection, actions, notify, theatre, view: theatre.stage.view };
+
+const help = mountHeader(element("tools"), element("state"), studio);
+help.list([...listenToKeys(studio, help.open), ...TIMELINE_KEYS]);
+mountTransport(element("transport"), clock);
+mountViews(element("views"), element("empty"), element("views-names"), studio);
+mountSplitter(element("splitter"));
+mountPanels(element("panel"), studio);
+mountTimeline(element("timeline"), { ...studio, explanation: element("explanation") });
+listenToDrops(studio);
+openSession(studio);
+
+// For the curious, and for tests.
+window.studio = studio;

@@ -1,0 +1,189 @@
+/**
+ * Time of the performance: the sound's own while it plays, so that picture and sound cannot drift apart.
+ *
+ * Without a sound, and beyond its end, the page's time runs instead. `on("tick", call)` hears the time on
+ * every animation frame on which it may have changed, `on("state", call)` changes of playing, speed and loop.
+ */
+
+const JUMP = 0.08; // s by which the sound may differ from the time shown before that jumps to it
+const PULL = 0.1; // share of a smaller difference that is made up for on every frame
+
+export class Clock {
+  #audio = new Audio();
+  #silent = true;
+  #address = null;
+  #time = 0;
+  #seen = 0;
+  #playing = false;
+  #rate = 1;
+  #loop = null;
+  #calls = { tick: new Set(), state: new Set() };
+
+  /** Seconds of the take. */
+  duration = 0;
+  /** Frames per second of the take. */
+  fps = 30;
+
+  constructor() {
+    this.#audio.preservesPitch = true;
+    this.#audio.preload = "auto";
+  }
+
+  /** Seconds from the first sample of the sound. */
+  get time() {
+    return this.#time;
+  }
+
+  get playing() {
+    return this.#playing;
+  }
+
+  /** Where the sound is that is heard now, in seconds; null where none is. */
+  get sounding() {
+    return this.#silent || this.#audio.paused ? null : this.#audio.currentTime;
+  }
+
+  /** Speed, 1 as recorded. */
+  get rate() {
+    return this.#rate;
+  }
+
+  /** [from, to] in seconds, or null: the stretch that is repeated. */
+  get loop() {
+    return this.#loop;
+  }
+
+  /** @param {"tick" | "state"} name @param {(clock: Clock) => void} call @returns {() => void} ends it */
+  on(name, call) {
+    this.#calls[name].add(call);
+    return () => this.#calls[name].delete(call);
+  }
+
+  /**
+   * Take up another take; time stays where it is, within the take.
+   * @param {{duration: number, fps: number, sound: string | null}} take `sound` is an address
+   */
+  load({ duration, fps, sound }) {
+    this.duration = duration;
+    this.fps = fps;
+    if (sound !== this.#address) this.#fetch(sound);
+    if (this.#loop) this.#loop = [Math.min(this.#loop[0], duration), Math.min(this.#loop[1], duration)];
+    this.#time = Math.min(this.#time, duration);
+    if (duration === 0) this.pause();
+    this.#tell("state");
+    this.#tell("tick");
+  }
+
+  /** Have the sound here whole, so that it can be played from anywhere at once. */
+  async #fetch(address) {
+    this.#address = address;
+    this.#silent = true;
+    this.#audio.pause();
+    if (address === null) return;
+    const response = await fetch(address);
+    if (!response.ok || address !== this.#address) return;
+    const blob = await response.blob();
+    if (address !== this.#address) return;
+    URL.revokeObjectURL(this.#audio.src);
+    this.#audio.src = URL.createObjectURL(blob);
+    this.#audio.currentTime = this.#time;
+    this.#silent = false;
+    if (this.#playing) this.#start();
+  }
+
+  /** @param {number} time seconds, brought within the take */
+  seek(time) {
+    this.#time = Math.min(Math.max(time, 0), this.duration);
+    if (!this.#silent) this.#audio.currentTime = this.#time;
+    this.#seen = performance.now();
+    this.#tell("tick");
+  }
+
+  /** Go to a frame's time, `count` frames on; pauses. @param {number} count */
+  step(count) {
+    this.pause();
+    const frame = Math.round(this.#time * this.fps) + count;
+    this.seek(frame / this.fps);
+  }
+
+  play() {
+    if (this.duration === 0) return;
+    const [from, to] = this.#bounds();
+    if (this.#time >= to - 0.5 / this.fps || this.#time < from) this.seek(from);
+    this.#playing = true;
+    this.#start();
+    this.#tell("state");
+    requestAnimationFrame(() => this.#run());
+  }
+
+  pause() {
+    if (!this.#playing) return;
+    this.#playing = false;
+    this.#audio.pause();
+    this.#tell("state");
+  }
+
+  toggle() {
+    if (this.#playing) this.pause();
+    else this.play();
+  }
+
+  /** @param {number} rate 0.1 to 2 */
+  setRate(rate) {
+    this.#rate = rate;
+    this.#audio.playbackRate = rate;
+    this.#tell("state");
+  }
+
+  /** @param {[number, number] | null} loop seconds */
+  setLoop(loop) {
+    this.#loop = loop && loop[1] - loop[0] > 1 / this.fps ? loop : null;
+    this.#tell("state");
+  }
+
+  #bounds() {
+    return this.#loop ?? [0, this.duration];
+  }
+
+  #start() {
+    this.#seen = performance.now();
+    if (this.#silent) return;
+    this.#audio.playbackRate = this.#rate;
+    // Refused where nobody has touched the page yet: then time runs without sound.
+    this.#audio.play().catch(() => {});
+  }
+
+  #run() {
+    if (!this.#playing) return;
+    const now = performance.now();
+    const guess = this.#time + ((now - this.#seen) / 1000) * this.#rate;
+    this.#seen = now;
+    this.#time = this.#heard(guess);
+    const [from, to] = this.#bounds();
+    if (this.#time >= to) this.#reachedEnd(from, to);
+    this.#tell("tick");
+    if (this.#playing) requestAnimationFrame(() => this.#run());
+  }
+
+  /** Time by the sound where it plays; between its coarse reports, the time guessed from the last one. */
+  #heard(guess) {
+    const audio = this.#audio;
+    if (this.#silent || audio.paused || audio.ended || audio.readyState < 3) return guess;
+    const ahead = audio.currentTime - guess;
+    return Math.abs(ahead) > JUMP ? audio.currentTime : guess + PULL * ahead;
+  }
+
+  #reachedEnd(from, to) {
+    if (this.#loop) {
+      this.seek(from);
+      this.#start();
+      return;
+    }
+    this.#time = to;
+    this.pause();
+  }
+
+  #tell(name) {
+    for (const call of [...this.#calls[name]]) call(this);
+  }
+}

@@ -1,0 +1,59 @@
+/** The page's head: what state it is in, undo and redo, theme, help. */
+
+import { button } from "./parts/fields.js";
+import { fill, make } from "./parts/dom.js";
+import { glyph } from "./parts/glyphs.js";
+import { switchTheme } from "./theme.js";
+
+/**
+ * @param {HTMLElement} tools @param {HTMLElement} state @param {object} studio
+ * @returns {{open: () => void, list: (keys: {keys: string, does: string}[]) => void}} the help
+ */
+export function mountHeader(tools, state, { store, actions }) {
+  const tool = (name, label, act) =>
+    button(glyph(name), { class: "plain icon", id: name, "aria-label": label, title: label, onclick: act });
+  const undo = tool("undo", "Undo", () => actions.undo());
+  const redo = tool("redo", "Redo", () => actions.redo());
+  const keys = make("dl", { class: "keys" });
+  const dialog = make(
+    "dialog",
+    { "aria-label": "Keys" },
+    make("h2", {}, "Keys"),
+    keys,
+    make("form", { method: "dialog", class: "row" }, make("button", { class: "primary" }, "Close")),
+  );
+  const open = () => dialog.showModal();
+  tools.append(undo, redo, tool("theme", "Light or dark", switchTheme), tool("help", "Keys", open), dialog);
+  store.watch(["take"], () => {
+    showStep(undo, "Undo", store.get("take")?.can_undo, store.get("take")?.undoes, "Ctrl Z");
+    showStep(redo, "Redo", store.get("take")?.can_redo, store.get("take")?.redoes, "Ctrl Shift Z");
+  });
+  store.watch(["link", "saved", "busy", "take", "catalogue"], () => showState(state, store));
+  const list = (known) =>
+    fill(keys, ...known.flatMap((key) => [make("dt", {}, make("kbd", {}, key.keys)), make("dd", {}, key.does)]));
+  return { open, list };
+}
+
+function showStep(tool, name, can, what, keys) {
+  tool.disabled = !can;
+  const label = what ? `${name}: ${what}` : name;
+  tool.setAttribute("aria-label", label);
+  tool.title = `${label} (${keys})`;
+}
+
+function showState(element, store) {
+  const [kind, text] = stateOf(store);
+  element.dataset.kind = kind;
+  element.textContent = text;
+}
+
+function stateOf(store) {
+  if (store.get("link") === "down") {
+    return store.get("catalogue") ? ["bad", "The server does not answer; trying again …"] : ["", "Starting …"];
+  }
+  if (store.get("busy")) return ["", store.get("busy")];
+  const saved = store.get("saved");
+  if (saved !== "saved" && saved !== "saving") return ["bad", saved];
+  if (!store.get("take")) return ["", ""];
+  return ["", saved === "saving" ? "Saving …" : "All changes saved"];
+}

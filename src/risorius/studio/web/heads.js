@@ -1,0 +1,66 @@
+/** Figures of heads, fetched when they are needed and kept while they may be needed again. */
+
+import { buildFigure } from "./stage/figure.js";
+
+const MOST = 3;
+
+export class Heads {
+  #stage;
+  #kept = new Map();
+
+  /** @param {import("./stage/stage.js").Stage} stage */
+  constructor(stage) {
+    this.#stage = stage;
+  }
+
+  /**
+   * The figure of the head that choices ask for. `place` is where it stands: two places never share one.
+   * @param {object} choices of the wire @param {number} place
+   * @returns {Promise<import("./stage/figure.js").Figure>}
+   */
+  get(choices, place = 0) {
+    const asked = query(choices);
+    const key = `${place}?${asked}`;
+    const found = this.#kept.get(key) ?? this.#fetch(asked);
+    this.#kept.delete(key);
+    this.#kept.set(key, found);
+    found.catch(() => this.#kept.delete(key));
+    this.#dropOldest();
+    return found;
+  }
+
+  #dropOldest() {
+    for (const [key, figure] of [...this.#kept].slice(0, Math.max(0, this.#kept.size - MOST))) {
+      this.#kept.delete(key);
+      figure.then((it) => it.dispose());
+    }
+  }
+
+  async #fetch(asked) {
+    const [file, packing] = await Promise.all([
+      answered(`/api/head?${asked}`).then((response) => response.arrayBuffer()),
+      answered(`/api/stage?${asked}`).then((response) => response.json()),
+    ]);
+    const figure = await buildFigure(file, packing, this.#stage.lit(packing.light));
+    this.#shade(figure, asked);
+    return figure;
+  }
+
+  /** The shade may have to be worked out first: the head is shown without it until then. */
+  async #shade(figure, asked) {
+    const response = await answered(`/api/shade?${asked}`);
+    figure.shade = new Uint8Array(await response.arrayBuffer());
+    this.#stage.invalidate();
+  }
+}
+
+function query({ head, age, hair, complexion }) {
+  const given = Object.entries({ head, age, hair, complexion }).filter(([, value]) => value !== null && value !== undefined);
+  return new URLSearchParams(given.map(([name, value]) => [name, String(value)])).toString();
+}
+
+async function answered(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error((await response.text()).trim() || response.statusText);
+  return response;
+}

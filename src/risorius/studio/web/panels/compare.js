@@ -1,0 +1,96 @@
+/** Two settings side by side: the take, and the same line with what is chosen here, in step. */
+
+import { button } from "../parts/fields.js";
+import { choiceRows } from "./choices.js";
+import { fill, make, settled, spoken } from "../parts/dom.js";
+import { takeOf } from "../take.js";
+
+const OFFERED = [
+  "conflict", "lips", "contact", "without", "onset_function", "profile", "attitudes", "lively", "manner",
+  "articulation", "dynamics", "head", "age",
+];
+const MOST_LISTED = 8;
+const WAIT = 250;
+
+/** @param {HTMLElement} element @param {object} studio */
+export function mountCompare(element, studio) {
+  const { store, actions } = studio;
+  let other = {}; // what the second take has other than the first
+  const form = make("div", { class: "stack" });
+  const note = make("p", { class: "hint" }, "The take stands at the left. At the right, the same line with these settings:");
+  const show = button("Show side by side", { class: "primary", id: "compare", onclick: compare });
+  const end = button("One head again", { id: "compare-end", onclick: () => store.set({ other: null }) });
+  const table = make("div", { class: "stack tight" });
+  element.append(note, form, table, make("div", { class: "panel-foot" }, show, end));
+  const again = settled(() => store.get("other") && compare(), WAIT);
+  let rows = null;
+  store.watch(["catalogue"], () => {
+    const catalogue = store.get("catalogue");
+    if (!catalogue || rows) return;
+    rows = choiceRows(form, catalogue, store.get("choices"), set, OFFERED);
+    mark();
+  });
+  store.watch(["choices"], () => {
+    rows?.show({ ...store.get("choices"), ...other });
+    if (rows) mark();
+  });
+  store.watch(["take"], () => (store.get("take") === null ? store.set({ other: null }) : again()));
+  store.watch(["take", "other", "link"], () => {
+    show.disabled = store.get("take") === null || store.get("link") !== "up";
+    end.hidden = store.get("other") === null;
+    fill(table, ...differences(store.get("take"), store.get("other"), store.get("catalogue")));
+  });
+
+  function set(key, value) {
+    other = { ...other, [key]: value };
+    if (JSON.stringify(value) === JSON.stringify(store.get("choices")[key])) delete other[key];
+    mark();
+    again();
+  }
+
+  function mark() {
+    for (const key of OFFERED) rows?.row(key)?.toggleAttribute("data-other", key in other);
+  }
+
+  async function compare() {
+    store.set({ busy: "Performing the other …" });
+    const answer = await actions.ask("compare", { choices: { ...store.get("choices"), ...other } });
+    store.set({ busy: "" });
+    if (answer) store.set({ other: { ...takeOf(answer), label: labelOf(other) }, dial: null });
+  }
+}
+
+/** What the second take has other than the first, in words. */
+function labelOf(other) {
+  const parts = Object.entries(other).map(([key, value]) => `${spoken(key)}: ${[value ?? "own"].flat().join(", ") || "none"}`);
+  return parts.join(" · ") || "the same";
+}
+
+/** Where the two differ most, by parameter. */
+function differences(take, other, catalogue) {
+  if (!take || !other) return [];
+  const rows = catalogue.parameters
+    .map(({ name, low, high, neutral, unit }) => {
+      const [apart, frame] = furthest(take.curves[name], other.curves[name], neutral);
+      return { name, apart, time: frame / take.rate, unit, share: apart / Math.min(high - low, 40) };
+    })
+    .filter(({ share }) => share > 0.005)
+    .sort((a, b) => b.share - a.share)
+    .slice(0, MOST_LISTED);
+  if (rows.length === 0) return [make("p", { class: "hint" }, "Both are the same.")];
+  const cells = rows.map(({ name, apart, time, unit }) =>
+    make("tr", {}, make("th", { scope: "row" }, spoken(name)), make("td", {}, `${apart.toFixed(unit ? 1 : 2)}${unit && ` ${unit}`}`), make("td", {}, `${time.toFixed(2)} s`)),
+  );
+  const head = make("tr", {}, ...["Differs most in", "by", "at"].map((text) => make("th", { scope: "col" }, text)));
+  return [make("table", { class: "differences" }, make("thead", {}, head), make("tbody", {}, ...cells))];
+}
+
+function furthest(a, b, neutral) {
+  let [apart, at] = [0, 0];
+  const count = Math.max(a?.length ?? 0, b?.length ?? 0);
+  for (let k = 0; k < count; k++) {
+    const now = Math.abs((a?.[k] ?? neutral) - (b?.[k] ?? neutral));
+    if (now > apart) [apart, at] = [now, k];
+  }
+  return [apart, at];
+}

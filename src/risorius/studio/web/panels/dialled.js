@@ -1,0 +1,63 @@
+/** What dials there are, from the catalogue, and what each reads and changes in the face that is held. */
+
+import { spoken } from "../parts/dom.js";
+
+/** A face at rest, as `Dial` of the wire has it. */
+export function emptyDial() {
+  return { values: {}, emotions: {} };
+}
+
+/**
+ * The dials of a kind, in groups.
+ * @param {object} catalogue @param {"muscles" | "units" | "emotions"} kind @param {"both" | "left" | "right"} side
+ * @returns {{title: string, dials: Dial[]}[]}
+ * @typedef {{label: string, hint: string, range: object, get: (face: object) => number,
+ *            set: (face: object, value: number) => object}} Dial
+ */
+export function unitsOf(catalogue, kind, side) {
+  if (kind === "emotions") return [{ title: "", dials: catalogue.emotions.map(emotionDial) }];
+  if (kind === "units") return [{ title: "", dials: catalogue.action_units.map((unit) => unitDial(unit, side)) }];
+  const groups = new Map();
+  for (const parameter of catalogue.parameters) {
+    const { group, side: own } = parameter;
+    if (own && own !== (side === "both" ? "left" : side)) continue;
+    if (!groups.has(group)) groups.set(group, []);
+    groups.get(group).push(muscleDial(parameter, side));
+  }
+  return [...groups].map(([title, dials]) => ({ title, dials }));
+}
+
+function muscleDial({ name, base, side: own, low, high, neutral, number, unit }, side) {
+  const names = !own ? [name] : side === "both" ? [`${base}.left`, `${base}.right`] : [name];
+  const label = number === null ? spoken(base) : `${String(number).padStart(2, "0")} ${spoken(base)}`;
+  const step = high - low > 2 ? 0.5 : 0.01;
+  return { label: unit ? `${label}, ${unit}` : label, hint: "", range: { low, high, neutral, step }, ...over("values", names, neutral) };
+}
+
+/** A unit by its side: one that has no sides is the same on both. */
+function unitDial({ name, title, targets, approximate }, side) {
+  const sided = Object.keys(targets).some((target) => target.endsWith(".left"));
+  const key = side === "both" || !sided ? name : `${name}.${side}`;
+  const hint = `${title}${approximate ? " (approximately)" : ""}`;
+  return { label: `${name} ${title}`, hint, range: { low: 0, high: 1, neutral: 0, step: 0.01 }, ...over("values", [key], 0) };
+}
+
+function emotionDial({ name, description }) {
+  const range = { low: 0, high: 1, neutral: 0, step: 0.01 };
+  return { label: spoken(name), hint: description, range, ...over("emotions", [name], 0) };
+}
+
+/** Reading and setting these names of a part of the face; what is at rest is left out. */
+function over(part, names, neutral) {
+  return {
+    get: (face) => face[part][names[0]] ?? neutral,
+    set: (face, value) => {
+      const changed = { ...face[part] };
+      for (const name of names) {
+        if (value === neutral) delete changed[name];
+        else changed[name] = value;
+      }
+      return { ...face, [part]: changed };
+    },
+  };
+}

@@ -1,0 +1,38 @@
+/** What is performed, and how: the line or the recording, its emotions, and all settings. */
+
+import { button, choice, field } from "../parts/fields.js";
+import { make } from "../parts/dom.js";
+import { mountChoices } from "./choices.js";
+import { mountEmotions } from "./emotions.js";
+import { mountRecording } from "./recording.js";
+import { mountScript } from "./script.js";
+
+/** @param {HTMLElement} element @param {object} studio */
+export function mountPerform(element, studio) {
+  const { store, actions } = studio;
+  const script = mountScript(studio);
+  const form = make("div", { class: "stack" });
+  const perform = button("Perform", { class: "primary", id: "perform", onclick: () => actions.perform() });
+  const foot = make("div", { class: "panel-foot" }, perform, make("span", { class: "hint" }, make("kbd", {}, "Ctrl"), " ", make("kbd", {}, "Enter")));
+  element.append(script.element, mountRecording(studio), mountEmotions(studio, script), form, foot);
+  const ready = store.watch(["catalogue"], () => {
+    if (!store.get("catalogue")) return;
+    form.append(formatField(studio));
+    mountChoices(form, studio);
+    ready?.();
+  });
+  store.watch(["busy", "source", "link"], () => {
+    const { script: text, recording } = store.get("source");
+    perform.disabled = store.get("link") !== "up" || (text.trim() === "" && recording === null);
+  });
+}
+
+function formatField({ store }) {
+  const options = store.get("catalogue").formats.map((name) => ({ name, title: name === "text" ? "plain text" : name }));
+  const change = (format) => store.set({ source: { ...store.get("source"), format } });
+  const list = choice(options, { value: store.get("source").format, change });
+  store.watch(["source"], () => list.show(store.get("source").format));
+  const row = field("Written as", list, { hint: "What kind of script the line is" });
+  row.dataset.choice = "format";
+  return row;
+}

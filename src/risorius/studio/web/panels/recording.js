@@ -1,0 +1,57 @@
+/** A recording in place of a synthesized voice: dropped anywhere on the page, or chosen. */
+
+import { button } from "../parts/fields.js";
+import { fill, make } from "../parts/dom.js";
+
+const SOUNDS = "audio/*,.wav,.flac,.ogg,.mp3";
+
+/** @param {object} studio */
+export function mountRecording(studio) {
+  const { store } = studio;
+  const file = make("input", {
+    type: "file", id: "recording", accept: SOUNDS, class: "unseen", tabindex: "-1",
+    "aria-label": "Recording",
+    onchange: () => file.files[0] && upload(studio, file.files[0]),
+  });
+  const element = make("div", { class: "recording" });
+  store.watch(["source"], show);
+  return make("div", {}, file, element);
+
+  function show() {
+    const { recording } = store.get("source");
+    if (recording === null) {
+      const choose = button("Recording …", { onclick: () => file.click() });
+      fill(element, choose, make("span", { class: "hint" }, "or drop one here"));
+      return;
+    }
+    const remove = button("Remove", { onclick: () => store.set({ source: { ...store.get("source"), recording: null } }) });
+    fill(element, make("span", { class: "name", title: recording }, plainName(recording)), remove);
+  }
+}
+
+/** Send a recording to the session, and take it as what is performed. @param {object} studio @param {File} file */
+export async function upload({ store, notify, actions }, file) {
+  const limit = store.get("catalogue")?.limits.recording ?? Infinity;
+  if (file.size > limit) {
+    notify(`${file.name} is larger than ${Math.round(limit / 1e6)} MB`);
+    return;
+  }
+  store.set({ busy: `Sending ${file.name} …` });
+  const address = `/api/session/${store.get("session")}/recording?name=${encodeURIComponent(file.name)}`;
+  try {
+    const response = await fetch(address, { method: "POST", body: file });
+    if (!response.ok) throw new Error((await response.text()).trim());
+    const { recording } = await response.json();
+    store.set({ source: { ...store.get("source"), recording, format: "text" } });
+    await actions.perform();
+  } catch (error) {
+    notify(error.message);
+  } finally {
+    store.set({ busy: "" });
+  }
+}
+
+/** A recording's own name: the server tells those of the same name apart by eight digits before the suffix. */
+function plainName(recording) {
+  return recording.replace(/-[0-9a-f]{8}(?=\.\w+$)/, "");
+}

@@ -1,0 +1,33 @@
+/** Places in a text: the wire counts characters (code points), the browser counts UTF-16 units. */
+
+/** @param {string} text @param {number} unit @returns {number} characters before it */
+export function characterAt(text, unit) {
+  return [...text.slice(0, unit)].length;
+}
+
+/** @param {string} text @param {number} character @returns {number} units before it */
+export function unitAt(text, character) {
+  return [...text].slice(0, character).join("").length;
+}
+
+/**
+ * Spans over characters after an edit of the text: they keep to their words, grow with what is typed within,
+ * and go when all that they stood on is gone.
+ * @param {{first: number | null, last: number | null}[]} spans
+ * @param {string} before @param {string} after
+ */
+export function movedSpans(spans, before, after) {
+  const [a, b] = [[...before], [...after]];
+  let same = 0;
+  while (same < a.length && same < b.length && a[same] === b[same]) same += 1;
+  let end = 0;
+  while (end < a.length - same && end < b.length - same && a.at(-1 - end) === b.at(-1 - end)) end += 1;
+  const [changedTo, by] = [a.length - end, b.length - a.length];
+  const moved = (place, isLast) => {
+    if (place < same || (place === same && (isLast || changedTo > same))) return place;
+    return place >= changedTo ? place + by : isLast ? same : changedTo + by;
+  };
+  return spans
+    .map((span) => (span.first === null ? span : { ...span, first: moved(span.first, false), last: moved(span.last, true) }))
+    .filter((span) => span.first === null || span.last > span.first);
+}

@@ -1,0 +1,129 @@
+/**
+ * Shows the face of the clock's time on a figure: keeps a window of faces around the playhead, asks the server
+ * for those that are missing, and drops those far away, so that memory does not grow with the length.
+ */
+
+import { KINDS } from "./stage/faces.js";
+
+const BEHIND = 2; // s of faces kept before the playhead
+const AHEAD = 8; // s of faces asked for beyond it
+const REFILL = 4; // s left ahead at which more is asked for
+const SOON = 0.5; // s after what has arrived within which a frame is waited for
+const AGAIN = 400; // ms after which a request that failed is made again
+
+export class Player {
+  #connection;
+  #clock;
+  #show;
+  #take = null;
+  #faces = new Map();
+  #asking = null;
+  #retry = 0;
+
+  /**
+   * @param {import("./connection.js").Connection} connection
+   * @param {import("./clock.js").Clock} clock
+   * @param {(a: object, b: object, share: number) => void} show shows what lies between two faces
+   */
+  constructor(connection, clock, show) {
+    this.#connection = connection;
+    this.#clock = clock;
+    this.#show = show;
+    clock.on("tick", () => this.update());
+    connection.on("up", () => this.#ask());
+  }
+
+  /** Faces that are held now. */
+  get held() {
+    return this.#faces.size;
+  }
+
+  /** The take that is shown, or null. */
+  get take() {
+    return this.#take;
+  }
+
+  /** Whether the face of the clock's time has not come yet. */
+  get behind() {
+    return this.#take !== null && !this.#faces.has(this.#now());
+  }
+
+  /**
+   * Show another take; frames outside [first, last) keep the faces that they had.
+   * @param {{take: number, frames: number, rate: number} | null} take
+   * @param {number} first @param {number} last
+   */
+  load(take, first = 0, last = Infinity) {
+    this.#take = take;
+    for (const frame of [...this.#faces.keys()]) {
+      if (!take || (frame >= first && frame < last) || frame >= take.frames) this.#faces.delete(frame);
+    }
+    this.#asking = null;
+    if (take) this.update();
+  }
+
+  /** Take in faces from the server. @param {ReturnType<typeof import("./stage/faces.js").unpackFaces>} sent */
+  receive({ kind, take, first, faces }) {
+    if (kind !== KINDS.take || take !== this.#take?.take) return;
+    faces.forEach((face, k) => this.#faces.set(first + k, face));
+    if (this.#asking) this.#asking.arrived = first + faces.length;
+    this.update();
+  }
+
+  /** Show the face of the clock's time if it is there, and see to it that there are more. */
+  update() {
+    if (!this.#take) return;
+    const at = Math.min(this.#clock.time * this.#take.rate, this.#take.frames - 1);
+    const before = Math.floor(at);
+    const a = this.#faces.get(before);
+    const b = this.#faces.get(Math.min(before + 1, this.#take.frames - 1)) ?? a;
+    if (a) this.#show(a, b, at - before);
+    this.#drop(before);
+    this.#ask();
+  }
+
+  /** The last frame that is not after the clock's time. */
+  #now() {
+    return Math.floor(Math.min(this.#clock.time * this.#take.rate, this.#take.frames - 1));
+  }
+
+  #drop(now) {
+    const [first, last] = [now - BEHIND * this.#take.rate, now + 1.5 * AHEAD * this.#take.rate];
+    if (this.#faces.size < (BEHIND + 2 * AHEAD) * this.#take.rate) return;
+    for (const frame of this.#faces.keys()) if (frame < first || frame > last) this.#faces.delete(frame);
+  }
+
+  /** Whether a frame is asked for and due soon: not so after a jump far ahead. */
+  #comes(frame, rate) {
+    const asking = this.#asking;
+    return asking && frame >= asking.first && frame < asking.last && frame <= asking.arrived + SOON * rate;
+  }
+
+  /** Ask for the first stretch that is missing from the playhead on, unless it is on its way. */
+  #ask() {
+    if (!this.#take || !this.#connection.up) return;
+    const { take, frames, rate } = this.#take;
+    const now = this.#now();
+    let first = now;
+    while (first < frames && this.#faces.has(first)) first += 1;
+    if (first >= frames || first - now > REFILL * rate) return;
+    if (this.#comes(first, rate)) return;
+    const asking = { first, last: Math.min(first + Math.ceil(AHEAD * rate), frames), arrived: first };
+    this.#asking = asking;
+    clearTimeout(this.#retry);
+    const { last } = asking;
+    const over = () => {
+      if (this.#asking === asking) this.#asking = null;
+    };
+    this.#connection.request("faces", { take, first, last }).then(
+      () => {
+        over();
+        this.#ask();
+      },
+      () => {
+        over();
+        this.#retry = setTimeout(() => this.#ask(), AGAIN);
+      },
+    );
+  }
+}

@@ -1,0 +1,36 @@
+/** The bar between stage and timeline: it moves by pointer and by arrow keys, and stays where it was left. */
+
+const KEY = "risorius-timeline";
+const LOWEST = 120; // px of the timeline's height
+const LEFT_ABOVE = 260; // px that the stage keeps
+const STEP = 24;
+
+/** @param {HTMLElement} bar */
+export function mountSplitter(bar) {
+  const timeline = document.getElementById("timeline");
+  const kept = Number(localStorage.getItem(KEY));
+  if (kept) set(kept);
+  bar.addEventListener("pointerdown", (event) => {
+    const from = event.clientY + timeline.clientHeight;
+    bar.setPointerCapture(event.pointerId);
+    const move = (moved) => set(from - moved.clientY);
+    bar.addEventListener("pointermove", move);
+    bar.addEventListener("lostpointercapture", () => bar.removeEventListener("pointermove", move), { once: true });
+  });
+  bar.addEventListener("keydown", (event) => {
+    const by = { ArrowUp: STEP, ArrowDown: -STEP }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    set(timeline.clientHeight + by);
+  });
+
+  function set(height) {
+    const highest = Math.max(LOWEST, window.innerHeight - LEFT_ABOVE);
+    const now = Math.round(Math.min(Math.max(height, LOWEST), highest));
+    document.documentElement.style.setProperty("--timeline-height", `${now}px`);
+    bar.setAttribute("aria-valuenow", String(now));
+    bar.setAttribute("aria-valuemin", String(LOWEST));
+    bar.setAttribute("aria-valuemax", String(highest));
+    localStorage.setItem(KEY, String(now));
+  }
+}

@@ -1,0 +1,173 @@
+/**
+ * A head in the scene: its meshes, and how a face of the server moves them.
+ *
+ * Lengths are mm in the head's frame as in the server's messages; the figure's group is scaled to metres.
+ * The skin stays with the body by the share that the neck keeps, all else turns with the head.
+ */
+
+import * as THREE from "../vendor/three/three.module.min.js";
+import { readGlb } from "./glb.js";
+import { materialOf } from "./materials.js";
+import { computeNormals } from "./normals.js";
+
+const MM = 1000;
+const HAIRS = ["brows", "lashes", "hair"];
+const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
+const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
+const SKIN_NAMES = { ...NAMES, JOINTS_0: "skinIndex", WEIGHTS_0: "skinWeight" };
+
+/**
+ * @param {ArrayBuffer} file the head as binary glTF
+ * @param {object} packing how faces of this head are packed, as the server describes it
+ * @param {THREE.Texture} mirrored what the eyes mirror
+ */
+export async function buildFigure(file, packing, mirrored) {
+  const glb = readGlb(file);
+  return new Figure(glb, packing, { mirrored, iris: await irisTexture(glb.images[0]) });
+}
+
+export class Figure {
+  /** The figure in the scene. */
+  group = new THREE.Group();
+  #packing;
+  #meshes = {};
+  #head = new THREE.Bone();
+  #body = new THREE.Bone();
+  #eyes = [];
+
+  constructor(glb, packing, pictures) {
+    this.#packing = packing;
+    this.pivot = new THREE.Vector3(...packing.pivot);
+    this.#head.position.copy(this.pivot);
+    this.#body.add(this.#head);
+    this.group.add(this.#body);
+    this.group.scale.setScalar(1 / MM);
+    const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
+    for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
+    this.#placeMouth();
+    this.shade = null;
+  }
+
+  /**
+   * What each vertex of the skin sees at rest of the room and of each lamp, (vertices, 1 + lamps); null: all.
+   * @param {Uint8Array | null} seen
+   */
+  set shade(seen) {
+    const { geometry } = this.#meshes.skin;
+    const { count } = geometry.attributes.position;
+    const [free, reach] = [new Uint8Array(count).fill(255), new Uint8Array(4 * count).fill(255)];
+    const width = seen ? seen.length / count : 0;
+    for (let k = 0; k < count * width; k++) {
+      const [vertex, column] = [Math.floor(k / width), k % width];
+      if (column === 0) free[vertex] = seen[k];
+      else reach[4 * vertex + column - 1] = seen[k];
+    }
+    geometry.setAttribute("free", new THREE.BufferAttribute(free, 1, true));
+    geometry.setAttribute("reach", new THREE.BufferAttribute(reach, 4, true));
+  }
+
+  /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
+  get skin() {
+    return this.#meshes.skin.geometry.attributes.position.array;
+  }
+
+  /** How many numbers a face of this head has. */
+  get coordinates() {
+    return 3 * this.#packing.vertices;
+  }
+
+  /**
+   * Show a face, or what lies between two.
+   * @param {import("./faces.js").Face} a @param {import("./faces.js").Face} b
+   * @param {number} share 0 shows `a`, 1 shows `b`
+   */
+  show(a, b, share) {
+    for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
+    turn(this.#head.quaternion, a.head, b.head, share);
+    this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
+  }
+
+  /** Free what the graphics card holds. */
+  dispose() {
+    for (const { geometry, material } of Object.values(this.#meshes)) {
+      geometry.dispose();
+      material.dispose();
+    }
+    this.group.removeFromParent();
+  }
+
+  #add(name, data, translation, pictures) {
+    const moves = this.#packing.parts.some((part) => part.name === name);
+    const geometry = geometryOf(data, name === "skin" ? SKIN_NAMES : NAMES, moves);
+    const material = materialOf(data.material.name, pictures);
+    const mesh = name === "skin" ? this.#skinned(geometry, material) : new THREE.Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    this.#meshes[name] = mesh;
+    (name === "skin" ? this.group : this.#head).add(mesh);
+    if (translation) {
+      mesh.position.set(...translation).multiplyScalar(MM);
+      this.#eyes.push(mesh);
+    }
+  }
+
+  #skinned(geometry, material) {
+    const mesh = new THREE.SkinnedMesh(geometry, material);
+    const inverse = [new THREE.Matrix4(), new THREE.Matrix4().makeTranslation(this.pivot.clone().negate())];
+    mesh.bind(new THREE.Skeleton([this.#body, this.#head], inverse), new THREE.Matrix4());
+    return mesh;
+  }
+
+  #place({ name, first, count, about }, a, b, share) {
+    const { attributes, index } = this.#meshes[name].geometry;
+    const { step, origin } = this.#packing;
+    const points = attributes.position.array;
+    const [u, v] = [step * (1 - share), step * share];
+    for (let axis = 0; axis < 3; axis++) {
+      const shift = origin[axis] - about[axis];
+      for (let k = axis, from = 3 * first + axis; k < 3 * count; k += 3, from += 3) {
+        points[k] = u * a[from] + v * b[from] + shift;
+      }
+    }
+    attributes.position.needsUpdate = true;
+    if (HAIRS.includes(name)) return;
+    computeNormals(points, index.array, attributes.normal.array);
+    attributes.normal.needsUpdate = true;
+  }
+
+  /** Tell the mouth's materials where its front and back are. */
+  #placeMouth() {
+    const { geometry } = this.#meshes.teeth_upper;
+    geometry.computeBoundingBox();
+    const front = geometry.boundingBox.max.z;
+    for (const name of MOUTH) this.#meshes[name].material.userData.mouth.value.set(front - 26, front - 2);
+  }
+}
+
+function geometryOf(data, names, moves) {
+  const geometry = new THREE.BufferGeometry();
+  for (const [theirs, ours] of Object.entries(names)) {
+    const found = data.attributes[theirs];
+    if (!found) continue;
+    const array = found.array.slice();
+    if (ours === "position") for (let k = 0; k < array.length; k++) array[k] *= MM;
+    const attribute = new THREE.BufferAttribute(array, found.width, found.normalized);
+    if (moves && (ours === "position" || ours === "normal")) attribute.setUsage(THREE.DynamicDrawUsage);
+    geometry.setAttribute(ours, attribute);
+  }
+  return geometry.setIndex(new THREE.BufferAttribute(data.index, 1));
+}
+
+const TARGET = new THREE.Quaternion();
+
+function turn(quaternion, a, b, share) {
+  quaternion.fromArray(a).slerp(TARGET.fromArray(b), share);
+}
+
+async function irisTexture(blob) {
+  const texture = new THREE.Texture(await createImageBitmap(blob));
+  texture.colorSpace = THREE.SRGBColorSpace;
+  texture.flipY = false;
+  texture.anisotropy = 4;
+  texture.needsUpdate = true;
+  return texture;
+}

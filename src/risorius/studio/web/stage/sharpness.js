@@ -1,0 +1,74 @@
+/**
+ * How fine pictures are drawn: as fine as the screen; coarser in motion while the machine is too slow for that;
+ * finer at rest where edges are not smoothed otherwise.
+ */
+
+const SLOW = 1000 / 24; // ms between pictures
+const FAST = 1000 / 50;
+const STEPS = [1, 0.8, 0.65, 0.5];
+const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
+const REST = 350; // ms without a picture after which the head is at rest
+
+export class Sharpness {
+  #step = 0;
+  #strikes = 0;
+  #last = 0;
+  #timer = 0;
+  #atRest = false;
+  #playing = false;
+  #still;
+  #changed;
+
+  /**
+   * @param {boolean} rough whether edges are not smoothed
+   * @param {() => void} changed called when the ratio is another; it draws
+   */
+  constructor(rough, changed) {
+    this.#still = rough ? 2 : 1;
+    this.#changed = changed;
+  }
+
+  /** Pixels drawn per CSS pixel. */
+  get ratio() {
+    const screen = Math.min(window.devicePixelRatio, 2);
+    return this.#atRest ? Math.max(this.#still, screen) : STEPS[this.#step] * screen;
+  }
+
+  /** Whether it plays: then it is never at rest, however slowly pictures come. */
+  set playing(playing) {
+    this.#playing = playing;
+    this.moves();
+  }
+
+  /** Something new is about to be drawn: it moves. */
+  moves() {
+    clearTimeout(this.#timer);
+    if (!this.#playing) this.#timer = setTimeout(() => this.#rest(true), REST);
+    this.#rest(false);
+  }
+
+  /** Take note that a picture was drawn now. */
+  drew() {
+    const now = performance.now();
+    const since = now - this.#last;
+    this.#last = now;
+    if (this.#atRest || (since > REST && !this.#playing)) this.#strikes = 0;
+    else this.#judge(since > SLOW ? 1 : since < FAST ? -0.1 : 0);
+  }
+
+  #rest(now) {
+    if (this.#atRest === now) return;
+    this.#atRest = now;
+    this.#changed();
+  }
+
+  #judge(strike) {
+    this.#strikes = Math.sign(this.#strikes) === Math.sign(strike) ? this.#strikes + strike : strike;
+    if (Math.abs(this.#strikes) < PATIENCE) return;
+    const step = Math.min(Math.max(this.#step + Math.sign(strike), 0), STEPS.length - 1);
+    this.#strikes = 0;
+    if (step === this.#step) return;
+    this.#step = step;
+    this.#changed();
+  }
+}

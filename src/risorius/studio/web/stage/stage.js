@@ -1,0 +1,115 @@
+/**
+ * The stage: draws one head, or two side by side, when there is something new to see.
+ *
+ * Pictures are made no finer than the machine draws in time: `Sharpness` lowers the resolution while frames
+ * take too long, and raises it again when the face is at rest.
+ */
+
+import * as THREE from "../vendor/three/three.module.min.js";
+import { View } from "./cameras.js";
+import { lightsOf, mirrored } from "./lights.js";
+import { Sharpness } from "./sharpness.js";
+import { developAsFilm } from "./tone.js";
+
+export class Stage {
+  #canvas;
+  #renderer;
+  #scene = new THREE.Scene();
+  #figures = [];
+  #sharpness;
+  #mirrored = null;
+  #asked = false;
+  #drawn = 0;
+  /** From where the heads are looked at. */
+  view = new View(() => this.invalidate());
+
+  /** @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
+    this.#canvas = canvas;
+    const rough = drawnBySoftware();
+    this.#renderer = new THREE.WebGLRenderer({ canvas, alpha: true, antialias: !rough });
+    developAsFilm(this.#renderer);
+    this.#sharpness = new Sharpness(rough, () => this.#resize());
+    this.view.listen(canvas);
+    new ResizeObserver(() => this.#resize()).observe(canvas);
+    this.#resize();
+  }
+
+  /**
+   * Light the stage, the first time; return what eyes mirror of it.
+   * @param {object} light as the server describes it
+   */
+  lit(light) {
+    if (this.#mirrored === null) {
+      this.#scene.add(...lightsOf(light));
+      this.#mirrored = mirrored(this.#renderer, light);
+    }
+    return this.#mirrored;
+  }
+
+  /** Pictures drawn so far. */
+  get drawn() {
+    return this.#drawn;
+  }
+
+  /** Show these figures, from left to right. @param {import("./figure.js").Figure[]} figures */
+  set figures(figures) {
+    for (const { group } of this.#figures) group.removeFromParent();
+    this.#figures = figures;
+    for (const { group } of figures) this.#scene.add(group);
+    this.#resize();
+  }
+
+  /** Whether the clock runs. @param {boolean} playing */
+  set playing(playing) {
+    this.#sharpness.playing = playing;
+  }
+
+  /** Draw a picture before long: something moved. */
+  invalidate() {
+    this.#sharpness.moves();
+    this.#ask();
+  }
+
+  #ask() {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => {
+      this.#asked = false;
+      this.#draw();
+    });
+  }
+
+  #resize() {
+    const { clientWidth: width, clientHeight: height } = this.#canvas;
+    if (width === 0 || height === 0) return;
+    this.#renderer.setPixelRatio(this.#sharpness.ratio);
+    this.#renderer.setSize(width, height, false);
+    this.view.fit(width / Math.max(this.#figures.length, 1), height);
+    this.#ask();
+  }
+
+  #draw() {
+    const renderer = this.#renderer;
+    const { clientWidth: width, clientHeight: height } = this.#canvas;
+    const each = width / Math.max(this.#figures.length, 1);
+    renderer.setScissorTest(true);
+    this.#figures.forEach((shown, place) => {
+      for (const figure of this.#figures) figure.group.visible = figure === shown;
+      renderer.setViewport(place * each, 0, each, height);
+      renderer.setScissor(place * each, 0, each, height);
+      renderer.render(this.#scene, this.view.camera);
+    });
+    this.#drawn += 1;
+    this.#sharpness.drew();
+  }
+}
+
+/** Whether this browser draws without a graphics card. */
+function drawnBySoftware() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const about = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = about ? context.getParameter(about.UNMASKED_RENDERER_WEBGL) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}

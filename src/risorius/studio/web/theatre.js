@@ -1,0 +1,99 @@
+/**
+ * Who is on stage: the take's head, beside it that of a comparison, or one that the dials hold. Each head has a
+ * player that follows the clock.
+ */
+
+import { Heads } from "./heads.js";
+import { Player } from "./player.js";
+import { KINDS, unpackFaces } from "./stage/faces.js";
+import { Stage } from "./stage/stage.js";
+
+export class Theatre {
+  #store;
+  #connection;
+  #notify;
+  #heads;
+  #figures = [null, null];
+  #players;
+
+  /** @param {HTMLCanvasElement} canvas @param {object} studio store, connection, clock, notify */
+  constructor(canvas, { store, connection, clock, notify }) {
+    this.#store = store;
+    this.#connection = connection;
+    this.#notify = notify;
+    this.stage = new Stage(canvas);
+    this.#heads = new Heads(this.stage);
+    this.#players = [0, 1].map((place) => new Player(connection, clock, (a, b, s) => this.#show(place, a, b, s)));
+    connection.on("binary", (buffer) => this.#receive(unpackFaces(buffer)));
+    clock.on("state", () => {
+      this.stage.playing = clock.playing;
+    });
+    store.watch(["catalogue", "take", "choices"], () => this.#cast(0, store.get("take")));
+    store.watch(["catalogue", "other"], () => this.#cast(1, store.get("other")));
+    store.watch(["dial"], () => store.get("dial") === null && this.#players[0].update());
+  }
+
+  /** Who stands at the place of the take, and at that of the comparison; null where nobody does. */
+  get figures() {
+    return this.#figures;
+  }
+
+  /** The players of the take and of the comparison. */
+  get players() {
+    return this.#players;
+  }
+
+  /** Put the head of a take at its place, and have it follow the take. */
+  async #cast(place, take) {
+    if (!this.#store.get("catalogue") || (place === 1 && !take)) {
+      this.#leave(place);
+      return;
+    }
+    this.#follow(place, take);
+    const choices = place === 0 ? this.#store.get("choices") : take.made.choices;
+    try {
+      const figure = await this.#heads.get(choices, place);
+      if (this.#figures[place] === figure) return;
+      this.#figures[place] = figure;
+      this.stage.figures = this.#figures.filter((found) => found !== null);
+      this.#players[place].update();
+    } catch (error) {
+      this.#notify(`The head cannot be shown: ${error.message}`);
+    }
+  }
+
+  #follow(place, take) {
+    const player = this.#players[place];
+    if (player.take === take) return;
+    const { first = 0, last = Infinity } = place === 0 ? (this.#store.get("faces") ?? {}) : {};
+    player.load(take, first, last);
+  }
+
+  #leave(place) {
+    this.#players[place].load(null);
+    if (this.#figures[place] === null) return;
+    this.#figures[place] = null;
+    this.stage.figures = this.#figures.filter((found) => found !== null);
+  }
+
+  #receive(sent) {
+    if (sent.kind === KINDS.dial) {
+      if (this.#store.get("dial") !== null) this.#draw(0, sent.faces[0], sent.faces[0], 0);
+      return;
+    }
+    for (const player of this.#players) player.receive(sent);
+  }
+
+  #show(place, a, b, share) {
+    if (place === 0 && this.#store.get("dial") !== null) return;
+    this.#draw(place, a, b, share);
+  }
+
+  /** Faces of another head than the one on stage are of another length: they are late, or early. */
+  #draw(place, a, b, share) {
+    const figure = this.#figures[place];
+    if (!figure || a.points.length !== figure.coordinates || b.points.length !== figure.coordinates) return;
+    figure.show(a, b, share);
+    this.stage.invalidate();
+  }
+}

@@ -1,0 +1,26 @@
+/** Light or dark: as the system has it, until the user chooses. */
+
+const KEY = "risorius-theme";
+const system = matchMedia("(prefers-color-scheme: dark)");
+
+/** Show the theme that holds now, and follow the system's changes. */
+export function followTheme() {
+  apply();
+  system.addEventListener("change", apply);
+}
+
+/** Change to the other theme, and keep to it. */
+export function switchTheme() {
+  localStorage.setItem(KEY, theme() === "dark" ? "light" : "dark");
+  apply();
+}
+
+/** @returns {"light" | "dark"} */
+export function theme() {
+  return localStorage.getItem(KEY) ?? (system.matches ? "dark" : "light");
+}
+
+function apply() {
+  document.documentElement.dataset.theme = theme();
+  document.dispatchEvent(new CustomEvent("theme"));
+}

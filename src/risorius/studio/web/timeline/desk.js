@@ -1,0 +1,157 @@
+import { moved, pulled, timesOf } from "./times.js";
+
+const PATIENCE = 350; // ms without a key after which what was done by keys is sent
+
+/**
+ * What can be done on the timeline, by pointer, keys or buttons alike.
+ */
+export class Desk {
+  snaps = true;
+  follows = true;
+  draws = false; // whether a pointer draws on graphs
+  chosen = null; // the block that was last selected here, and not elsewhere on the page
+  #nudged = null; // the block whose times were changed by keys and not sent yet
+  #timer = 0;
+
+  /** @param {object} parts scene, edits, details, clock, actions, store, scroller, repaint, arrange */
+  constructor(parts) {
+    Object.assign(this, parts);
+  }
+
+  /** Select a block (null: none), and explain it at a time within it. */
+  choose(block, time = null) {
+    if (block?.id !== this.#nudged?.id) this.settle();
+    this.scene.selectedKey = null;
+    if (block === null) {
+      this.actions.select({});
+      return;
+    }
+    const shown = this.edits.shown(block) ?? block;
+    const at = time ?? (shown.apex_start + shown.apex_end) / 2;
+    this.chosen = block.id;
+    this.actions.select({ movement: block.id, time: Math.min(at, this.scene.model.duration) });
+  }
+
+  /** Ask why a parameter, or both sides of one, has its value at a time. */
+  ask(time, parameter) {
+    this.settle();
+    const at = Math.max(0, Math.min(time, this.scene.model.duration));
+    this.actions.select({ time: at, parameter });
+  }
+
+  chooseKey(parameter, index) {
+    this.scene.selectedKey = { parameter, index };
+    const [time] = this.edits.keys(parameter)[index];
+    this.actions.select({ time, parameter });
+  }
+
+  /** The selected block, or null. */
+  get block() {
+    return this.scene.model?.blocks.get(this.scene.selected) ?? null;
+  }
+
+  /**
+   * Change the selected block by some frames; sent once the keys rest.
+   * @param {"move" | 0 | 1 | 2 | 3} what all of it, or one of its times
+   */
+  nudge(what, frames) {
+    const { block } = this;
+    if (!block?.editable) return;
+    const { duration, frame } = this.scene.model;
+    const times = timesOf(this.edits.shown(block) ?? block);
+    const delta = frames * frame;
+    const after = what === "move" ? moved(times, delta, duration) : pulled(times, what, times[what] + delta, duration);
+    this.#nudged = block;
+    this.edits.hold(block, after);
+    this.reveal(block);
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.settle(), PATIENCE);
+  }
+
+  /** Send what was changed by keys. @returns {Promise<any>} done when the answer is here */
+  async settle() {
+    clearTimeout(this.#timer);
+    const block = this.#nudged;
+    this.#nudged = null;
+    if (block) await this.edits.send(block);
+  }
+
+  /** Give the selected block one of its times by number, in seconds. */
+  setTime(what, time) {
+    const { block } = this;
+    const times = timesOf(this.edits.shown(block) ?? block);
+    this.edits.hold(block, pulled(times, what, time, this.scene.model.duration));
+    this.edits.send(block);
+  }
+
+  /** Delete the selected key, or else the selected block. */
+  remove() {
+    if (this.scene.selectedKey) {
+      this.removeKey(this.scene.selectedKey);
+      return;
+    }
+    const { block } = this;
+    if (!block?.editable) return;
+    clearTimeout(this.#timer);
+    this.#nudged = null;
+    this.edits.remove(block);
+  }
+
+  /** Both sides of a parameter where their keys are the same, else itself alone. */
+  partners(parameter) {
+    const { base } = this.scene.model.parameters.get(parameter);
+    const keys = JSON.stringify(this.edits.keys(parameter));
+    const { names } = this.scene.model.bases.get(base);
+    return names.filter((name) => name === parameter || JSON.stringify(this.edits.keys(name)) === keys);
+  }
+
+  removeKey({ parameter, index }) {
+    const keys = this.edits.keys(parameter).filter((_, k) => k !== index);
+    this.scene.selectedKey = null;
+    return this.edits.sendKeys(this.partners(parameter), keys);
+  }
+
+  async undo() {
+    await this.settle();
+    await this.actions.undo();
+  }
+
+  async redo() {
+    await this.settle();
+    await this.actions.redo();
+  }
+
+  /** Bring a block into sight, sideways and up or down. */
+  reveal(block) {
+    const shown = this.edits.shown(block) ?? block;
+    this.scene.view.reveal(shown.start, shown.end);
+    this.revealRow(this.scene.body.find((row) => row.lane?.channel === block.channel));
+    this.repaint();
+  }
+
+  /** Lay all movements of a lane on one row, or apart again. */
+  fold(channel) {
+    const { folded } = this.scene;
+    if (!folded.delete(channel)) folded.add(channel);
+    this.arrange();
+  }
+
+  revealRow(row) {
+    if (!row) return;
+    const { scroll, height, headHeight, unit } = this.scene;
+    const room = height - headHeight;
+    const top = Math.min(row.y, Math.max(scroll, row.y + Math.min(row.height, room) - room));
+    if (top !== scroll) this.scroller.scrollTop = top * unit;
+  }
+
+  zoom(factor, x = this.scene.view.x(this.clock.time)) {
+    const { view } = this.scene;
+    view.zoom(factor, x >= 0 && x <= view.width ? x : view.width / 2);
+    this.repaint();
+  }
+
+  fit() {
+    this.scene.view.fit();
+    this.repaint();
+  }
+}

@@ -1,0 +1,108 @@
+import { editOf, timesOf } from "./times.js";
+
+/**
+ * Changes that the user is making: shown at once, sent to the server, and forgotten when the answer is here.
+ */
+export class Edits {
+  #blocks = new Map(); // id -> the four times it is shown at, or null where it is deleted
+  #keys = new Map(); // parameter -> keys
+  #sent = new Map(); // what was sent last for an id or a parameter
+  #actions;
+  #changed;
+  #model = null;
+
+  /**
+   * @param {import("../actions.js").Actions} actions
+   * @param {() => void} changed called when something is shown otherwise
+   */
+  constructor(actions, changed) {
+    this.#actions = actions;
+    this.#changed = changed;
+  }
+
+  /** @param {import("./model.js").Model} model what the changes are made to */
+  setModel(model) {
+    this.#model = model;
+  }
+
+  /** Ids of the blocks that are shown otherwise than the take has them. */
+  get held() {
+    return this.#blocks.keys();
+  }
+
+  has(id) {
+    return this.#blocks.has(id);
+  }
+
+  /** A block as it is shown; null where it is deleted. */
+  shown(block) {
+    const times = this.#blocks.get(block.id);
+    if (times === undefined) return block;
+    if (times === null) return null;
+    const [start, apex_start, apex_end, end] = times;
+    return { ...block, start, apex_start, apex_end, end };
+  }
+
+  /** Keys of a parameter as they are shown. */
+  keys(name) {
+    return this.#keys.get(name) ?? this.#model?.drawn.get(name) ?? [];
+  }
+
+  /** Show a block at other times, without telling the server yet. */
+  hold(block, times) {
+    this.#blocks.set(block.id, times);
+    this.#changed();
+  }
+
+  holdKeys(names, keys) {
+    for (const name of names) this.#keys.set(name, keys);
+    this.#changed();
+  }
+
+  /** Show what the take has. */
+  drop(id) {
+    this.#blocks.delete(id);
+    this.#changed();
+  }
+
+  dropKeys(names) {
+    for (const name of names) this.#keys.delete(name);
+    this.#changed();
+  }
+
+  /** Send a block's held times. @returns {Promise<any>} the answer, null if refused or nothing changed */
+  async send(block) {
+    const times = this.#blocks.get(block.id);
+    const edit = times ? editOf(timesOf(block), times) : null;
+    if (edit === null) {
+      this.drop(block.id);
+      return null;
+    }
+    return this.#sending(block.id, edit.kind, { movement: block.id, ...edit.fields }, () => this.drop(block.id));
+  }
+
+  async remove(block) {
+    this.hold(block, null);
+    return this.#sending(block.id, "delete", { movement: block.id }, () => this.drop(block.id));
+  }
+
+  /** Make keys those of the parameters (one, or both sides of one); none takes the curves back. */
+  sendKeys(names, keys) {
+    this.holdKeys(names, keys);
+    const parameter = names.length > 1 ? this.#model.parameters.get(names[0]).base : names[0];
+    const [kind, fields] = keys.length ? ["keys", { parameter, keys }] : ["clear_keys", { parameter }];
+    return this.#sending(parameter, kind, fields, () => this.dropKeys(names));
+  }
+
+  /** Send an edit; `over` is called when its answer is here, unless another was sent for the same meanwhile. */
+  async #sending(what, kind, fields, over) {
+    const ticket = {};
+    this.#sent.set(what, ticket);
+    const answer = await this.#actions.edit(kind, fields);
+    if (this.#sent.get(what) === ticket) {
+      this.#sent.delete(what);
+      over();
+    }
+    return answer;
+  }
+}

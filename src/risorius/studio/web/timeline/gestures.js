@@ -1,0 +1,200 @@
+import { withKey, withLine, withMoved } from "./keys.js";
+import { scaleOf } from "./paint_graphs.js";
+import { moved, nearest, pulled, snappedBy, timesOf } from "./times.js";
+
+/**
+ * What a pointer does from down to up. Each gesture has `move(x, y, event)`, `end()` and `cancel()`.
+ *
+ * `desk` is the timeline's own: {scene, edits, clock, actions, snaps, repaint, choose}.
+ */
+
+const REACH = 7; // pixels within which an edit snaps
+const SLACK = 3; // pixels that a pointer may tremble without dragging
+const FINE = 0.012; // share of a graph's height that a line drawn freely may be simplified by
+
+/** Move the playhead; the sound pauses meanwhile. */
+export class Scrub {
+  #desk;
+  #played;
+
+  constructor(desk, x) {
+    this.#desk = desk;
+    this.#played = desk.clock.playing;
+    desk.clock.pause();
+    this.move(x);
+  }
+
+  move(x) {
+    this.#desk.clock.seek(this.#desk.scene.view.time(x));
+  }
+
+  end() {
+    if (this.#played) this.#desk.clock.play();
+  }
+
+  cancel() {
+    this.end();
+  }
+}
+
+/** Drag what is shown sideways (and nothing else). */
+export class Pan {
+  #desk;
+  #held;
+
+  constructor(desk, x) {
+    this.#desk = desk;
+    this.#held = desk.scene.view.time(x);
+  }
+
+  move(x) {
+    const { view } = this.#desk.scene;
+    view.scrollTo(this.#held - x / view.scale);
+    this.#desk.repaint();
+  }
+
+  end() {}
+
+  cancel() {}
+}
+
+/** Move a block, or pull one of its times: start, end of onset, start of offset, end. */
+export class DragBlock {
+  #desk;
+  #block;
+  #handle;
+  #from;
+  #x;
+  #dragging = false;
+
+  /** @param {number | null} handle null moves the whole block */
+  constructor(desk, x, block, handle) {
+    this.#desk = desk;
+    this.#block = block;
+    this.#handle = handle;
+    this.#from = timesOf(desk.edits.shown(block));
+    this.#x = x;
+  }
+
+  move(x, y, event) {
+    if (!this.#dragging && Math.abs(x - this.#x) < SLACK) return;
+    this.#dragging = true;
+    const { scene, edits } = this.#desk;
+    const reach = this.#desk.snaps !== event.altKey ? REACH / scene.view.scale : 0;
+    const times = this.#handle === null ? this.#moved(x, reach) : this.#pulled(x, reach);
+    edits.hold(this.#block, times);
+  }
+
+  #moved(x, reach) {
+    const { scene } = this.#desk;
+    const { duration, edges } = scene.model;
+    const times = moved(this.#from, (x - this.#x) / scene.view.scale, duration);
+    const way = reach ? snappedBy(edges, times, reach) : 0;
+    const there = moved(times, way, duration);
+    scene.guide = way ? [there[0], there[3]].find((time) => nearest(edges, time, 1e-6) !== null) ?? null : null;
+    return there;
+  }
+
+  #pulled(x, reach) {
+    const { scene } = this.#desk;
+    const { duration, edges } = scene.model;
+    const time = this.#from[this.#handle] + (x - this.#x) / scene.view.scale;
+    const edge = reach ? nearest(edges, time, reach) : null;
+    scene.guide = edge;
+    return pulled(this.#from, this.#handle, edge ?? time, duration);
+  }
+
+  end() {
+    this.#desk.scene.guide = null;
+    if (this.#dragging) this.#desk.edits.send(this.#block);
+    this.#desk.repaint();
+  }
+
+  cancel() {
+    this.#desk.scene.guide = null;
+    this.#desk.edits.drop(this.#block.id);
+  }
+}
+
+/** Drag a key of a graph. */
+export class DragKey {
+  #desk;
+  #row;
+  #parameter;
+  #index;
+  #keys;
+  #dragging = false;
+
+  constructor(desk, row, parameter, index) {
+    this.#desk = desk;
+    this.#row = row;
+    this.#parameter = parameter;
+    this.#index = index;
+    this.#keys = desk.edits.keys(parameter);
+  }
+
+  move(x, y) {
+    const { scene, edits } = this.#desk;
+    this.#dragging = true;
+    const value = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
+    const keys = withMoved(this.#keys, this.#index, scene.view.time(x), value, scene.model.duration);
+    edits.holdKeys(this.#names, keys);
+  }
+
+  /** Both sides where they have the same keys, so that they keep together. */
+  get #names() {
+    const same = (name) => JSON.stringify(this.#desk.edits.keys(name)) === this.#before;
+    return this.#row.names.filter((name) => name === this.#parameter || same(name));
+  }
+
+  get #before() {
+    return JSON.stringify(this.#desk.edits.keys(this.#parameter));
+  }
+
+  end() {
+    if (this.#dragging) this.#desk.edits.sendKeys(this.#names, this.#desk.edits.keys(this.#parameter));
+  }
+
+  cancel() {
+    this.#desk.edits.dropKeys(this.#names);
+  }
+}
+
+/** Draw a curve freely; without moving, set one key. */
+export class DrawKeys {
+  #desk;
+  #row;
+  #line = [];
+  #kept;
+
+  constructor(desk, row, x, y) {
+    this.#desk = desk;
+    this.#row = row;
+    this.#kept = desk.edits.keys(row.names[0]);
+    this.move(x, y);
+  }
+
+  move(x, y) {
+    const { scene, edits } = this.#desk;
+    const time = Math.max(0, Math.min(scene.view.time(x), scene.model.duration));
+    const value = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
+    this.#line = [...this.#line.filter(([other]) => Math.abs(other - time) > 0.5 / scene.view.scale), [time, value]];
+    edits.holdKeys(this.#row.names, this.#drawn);
+  }
+
+  get #drawn() {
+    const { model } = this.#desk.scene;
+    const around = model.around(this.#row.names[0]);
+    if (this.#line.length === 1) return withKey(this.#kept, ...this.#line[0], around);
+    const { least, most } = scaleOf(model, this.#row);
+    return withLine(this.#kept, this.#line, FINE * (most - least), around);
+  }
+
+  end() {
+    this.#desk.edits.sendKeys(this.#row.names, this.#drawn);
+  }
+
+  cancel() {
+    this.#desk.edits.dropKeys(this.#row.names);
+  }
+}

@@ -1,0 +1,76 @@
+/**
+ * Which muscles' graphs are shown, and which sides of them: those that move most until the user chooses.
+ */
+
+const SHOWN = 5;
+
+export class Graphs {
+  #chosen = null; // bases, once the user has chosen
+  #lively = [];
+  #sides = new Map();
+  #changed;
+  #model = null;
+
+  /** @param {() => void} changed */
+  constructor(changed) {
+    this.#changed = changed;
+  }
+
+  /** @param {import("./model.js").Model} model @param {boolean} fresh another performance, not an edit of one */
+  setModel(model, fresh) {
+    this.#model = model;
+    if (fresh || this.#lively.length === 0) this.#lively = model.liveliest.slice(0, SHOWN);
+  }
+
+  /** Names without sides, in the order in which they are shown. */
+  get bases() {
+    if (this.#model === null) return [];
+    return this.#chosen ?? this.#lively;
+  }
+
+  /** What the rows show: the names of the sides asked for, the left first. */
+  get rows() {
+    return this.bases.map((base) => {
+      const { names } = this.#model.bases.get(base);
+      const side = this.side(base);
+      return { base, names: side === "both" ? names : names.filter((name) => name.endsWith(`.${side}`)) };
+    });
+  }
+
+  side(base) {
+    return this.#sides.get(base) ?? "both";
+  }
+
+  setSide(base, side) {
+    this.#sides.set(base, side);
+    this.#changed();
+  }
+
+  has(base) {
+    return this.bases.includes(base);
+  }
+
+  toggle(base) {
+    const { bases } = this;
+    this.#chosen = bases.includes(base) ? bases.filter((other) => other !== base) : [...bases, base];
+    this.#changed();
+  }
+
+  /** Show those that move most again. */
+  reset() {
+    this.#chosen = null;
+    this.#changed();
+  }
+
+  /** What is kept with the project. */
+  get kept() {
+    return { chosen: this.#chosen, sides: Object.fromEntries(this.#sides) };
+  }
+
+  /** Show what `kept` was. @param {import("./model.js").Model} model */
+  restore({ chosen = null, sides = {} }, model) {
+    const known = (base) => model.bases.has(base);
+    this.#chosen = Array.isArray(chosen) ? chosen.filter(known) : null;
+    this.#sides = new Map(Object.entries(sides).filter(([base]) => known(base)));
+  }
+}

@@ -1,0 +1,64 @@
+import { h, spoken } from "./dom.js";
+import { withKey, withMoved } from "./keys.js";
+
+/**
+ * The keys drawn by hand on a parameter, as a table of numbers: what the mouse does on a graph, without one.
+ */
+
+const MOST = 60; // rows; more are edited on the graph
+
+export class KeyTable {
+  #desk;
+
+  /** @param {import("./desk.js").Desk} desk */
+  constructor(desk) {
+    this.#desk = desk;
+  }
+
+  /** @param {string} name with or without its side @param {number} time where a key is added */
+  element(name, time) {
+    const [parameter] = this.#desk.scene.model.named(name);
+    const keys = this.#desk.edits.keys(parameter);
+    const { unit, low, high } = this.#desk.scene.model.parameters.get(parameter);
+    const add = h("button", { id: "tl-key-add", onclick: () => this.#add(parameter, time) }, "Set a key here");
+    const clear = h("button", { id: "tl-key-clear", onclick: () => this.#send(parameter, []) }, "Take all back");
+    const head = h("tr", {}, ...["Time, s", `Value${unit ? `, ${unit}` : ""}`, ""].map((text) => h("th", { scope: "col" }, text)));
+    const rows = keys.slice(0, MOST).map((key, index) => this.#row(parameter, key, index, { low, high }));
+    return h("section", { class: "stack" },
+      h("h3", {}, "Drawn by hand"),
+      keys.length ? h("table", { class: "tl-keys" }, h("thead", {}, head), h("tbody", {}, ...rows)) : null,
+      keys.length > MOST ? h("p", { class: "hint" }, `and ${keys.length - MOST} more`) : null,
+      h("div", { class: "row" }, add, keys.length ? clear : null)); // prettier-ignore
+  }
+
+  #row(parameter, [time, value], index, { low, high }) {
+    const what = `key ${index + 1} of ${spoken(parameter)}`;
+    const [at, amount] = [time, value].map((number, k) => {
+      const bounds = k ? { min: low, max: high } : { min: 0 };
+      const label = `${k ? "Value" : "Time"} of ${what}`;
+      const input = h("input", { id: `tl-key-${index}-${k}`, type: "number", step: "0.01", "aria-label": label, ...bounds });
+      input.value = Number(number.toFixed(3));
+      return input;
+    });
+    const change = () => this.#move(parameter, index, Number(at.value), Number(amount.value));
+    for (const input of [at, amount]) input.addEventListener("change", change);
+    const remove = () => this.#desk.removeKey({ parameter, index });
+    const away = h("button", { "aria-label": `Delete ${what}`, title: "Delete", onclick: remove }, "×");
+    return h("tr", {}, ...[at, amount, away].map((part) => h("td", {}, part)));
+  }
+
+  #add(parameter, time) {
+    const { model } = this.#desk.scene;
+    const keys = this.#desk.edits.keys(parameter);
+    this.#send(parameter, withKey(keys, time, model.valueAt(parameter, time), model.around(parameter)));
+  }
+
+  #move(parameter, index, time, value) {
+    const { duration } = this.#desk.scene.model;
+    this.#send(parameter, withMoved(this.#desk.edits.keys(parameter), index, time, value, duration));
+  }
+
+  #send(parameter, keys) {
+    return this.#desk.edits.sendKeys(this.#desk.partners(parameter), keys);
+  }
+}

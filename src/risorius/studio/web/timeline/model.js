@@ -1,0 +1,135 @@
+import { Pyramid } from "./pyramid.js";
+import { Spans, stacked } from "./spans.js";
+
+const ALIKE = 1e-4; // what cannot be told apart in a graph
+
+/**
+ * A take as the timeline looks at it: a lane for each channel, an order of its blocks, curves to draw.
+ *
+ * Built anew for each take; what has not changed (curves, speech) is taken over from the model before.
+ */
+export class Model {
+  #pyramids;
+  #compared = new WeakMap();
+
+  /**
+   * @param {ReturnType<typeof import("../take.js").takeOf>} take
+   * @param {object} catalogue the server's tables
+   * @param {Model | null} before the model of the take before
+   */
+  constructor(take, catalogue, before = null) {
+    this.take = take;
+    this.catalogue = catalogue;
+    this.#pyramids = before ? before.#pyramids : new WeakMap();
+    this.parameters = new Map(catalogue.parameters.map((parameter) => [parameter.name, parameter]));
+    this.bases = basesOf(catalogue.parameters);
+    this.blocks = new Map(take.blocks.map((block) => [block.id, block]));
+    this.lanes = lanesOf(take.blocks, catalogue.channels);
+    this.drawn = new Map(take.drawn.map(({ parameter, keys }) => [parameter, keys]));
+    this.speech = before?.take.speech === take.speech ? before.speech : speechOf(take.speech);
+    this.edges = before?.speech === this.speech && before.edges ? before.edges : edgesOf(take);
+  }
+
+  get duration() {
+    return this.take.duration;
+  }
+
+  /** Seconds of a frame. */
+  get frame() {
+    return 1 / this.take.rate;
+  }
+
+  /** @param {string} name @returns {Pyramid | null} the parameter's final curve; null where it rests */
+  curve(name) {
+    const values = this.take.curves[name];
+    return values ? this.pyramid(values) : null;
+  }
+
+  /** @param {Float32Array} values kept as long as they are */
+  pyramid(values) {
+    if (!this.#pyramids.has(values)) this.#pyramids.set(values, new Pyramid(values));
+    return this.#pyramids.get(values);
+  }
+
+  /** Parameters that a name means: itself, or both sides where it has none. */
+  named(name) {
+    return this.bases.get(name)?.names ?? [name];
+  }
+
+  /** Whether two parameters' curves are not the same, as those of the two sides most often are. */
+  differ(one, other) {
+    const [a, b] = [this.take.curves[one], this.take.curves[other]];
+    if (!a || !b) return Boolean(a) !== Boolean(b);
+    if (!this.#compared.has(a)) this.#compared.set(a, new WeakMap());
+    const known = this.#compared.get(a);
+    if (!known.has(b)) known.set(b, a.some((value, k) => Math.abs(value - b[k]) > ALIKE));
+    return known.get(b);
+  }
+
+  /** The final value of a parameter at a time, between frames too. */
+  valueAt(name, time) {
+    const values = this.take.curves[name];
+    if (!values) return this.parameters.get(name).neutral;
+    const at = Math.max(0, Math.min(time * this.take.rate, values.length - 1));
+    const k = Math.min(Math.floor(at), values.length - 2);
+    return k < 0 ? values[0] : values[k] + (values[k + 1] - values[k]) * (at - k);
+  }
+
+  /** What a curve drawn on a parameter is tied to. */
+  around(name) {
+    return { duration: this.duration, valueAt: (time) => this.valueAt(name, time) };
+  }
+
+  /** Names of muscles, without their sides, in order of how far they move in the take. */
+  get liveliest() {
+    const moved = [...this.bases.values()].map(({ base, names }) => [base, this.#travel(names)]);
+    return moved.filter(([, travel]) => travel > 0.01).sort((a, b) => b[1] - a[1]).map(([base]) => base);
+  }
+
+  #travel(names) {
+    return Math.max(...names.map((name) => {
+      const { low, high, kind } = this.parameters.get(name);
+      const curve = this.curve(name);
+      if (!curve || kind !== "muscle") return 0;
+      const [least, most] = curve.range(0, curve.length);
+      return (most - least) / (high - low);
+    }));
+  }
+}
+
+function basesOf(parameters) {
+  const bases = new Map();
+  for (const { base, name } of parameters) {
+    if (!bases.has(base)) bases.set(base, { base, names: [] });
+    bases.get(base).names.push(name);
+  }
+  return bases;
+}
+
+function lanesOf(blocks, channels) {
+  const lanes = [];
+  for (const { name, priority } of channels) {
+    const own = blocks.filter(({ channel }) => channel === name);
+    if (own.length === 0) continue;
+    lanes.push({ channel: name, priority, spans: new Spans(own), ...stacked(own) });
+  }
+  return lanes;
+}
+
+function speechOf(speech) {
+  if (!speech) return null;
+  return {
+    words: new Spans(speech.words),
+    phones: new Spans(speech.phones),
+    pauses: new Spans(speech.pauses.filter(({ kind }) => kind)),
+    tones: new Spans(speech.tones.map((tone) => ({ ...tone, start: tone.time, end: tone.time }))),
+    waves: speech.waves,
+  };
+}
+
+/** Times that an edit snaps to: where phones begin and end, and the take's own ends. */
+function edgesOf({ speech, duration }) {
+  const phones = speech?.phones ?? [];
+  const times = new Set([0, duration, ...phones.flatMap(({ start, end }) => [start, end])]);
+  return Float64Array.from([...times].sort((a, b) => a - b));
+}

@@ -1,0 +1,87 @@
+import { h, spoken } from "./dom.js";
+
+/**
+ * The names of lanes and graphs, to the left of them; a graph can be explained, asked for one side, and put away.
+ */
+
+const SIDES = ["both", "left", "right"];
+const SIGNS = { both: "L R", left: "L", right: "R" };
+
+export class Names {
+  #box = h("div", { class: "tl-names" });
+  #corner = h("div", { class: "tl-corner" });
+  #list = h("div");
+  #desk;
+  #graphs;
+
+  /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk @param {import("./graphs.js").Graphs} graphs */
+  constructor(parent, desk, graphs) {
+    this.#desk = desk;
+    this.#graphs = graphs;
+    this.#box.append(this.#corner, this.#list);
+    parent.append(this.#box);
+  }
+
+  setHeight(height) {
+    this.#box.style.height = `${height}px`;
+  }
+
+  setTime(text) {
+    this.#corner.textContent = text;
+  }
+
+  /** Keep beside what is drawn. */
+  scroll() {
+    const { headHeight, scroll, unit } = this.#desk.scene;
+    this.#list.style.transform = `translateY(${(headHeight - scroll) * unit}px)`;
+  }
+
+  /** Lay out the rows' names anew. */
+  show() {
+    this.#corner.style.height = `${this.#desk.scene.headHeight * this.#desk.scene.unit}px`;
+    const held = document.activeElement?.dataset?.name;
+    this.#list.replaceChildren(...this.#desk.scene.body.map((row) => this.#name(row)));
+    if (held) this.#list.querySelector(`[data-name="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
+    this.scroll();
+  }
+
+  #name(row) {
+    const { unit } = this.#desk.scene;
+    const style = { top: `${row.y * unit}px`, height: `${row.height * unit}px` };
+    if (row.kind === "graph") return h("div", { class: "tl-name", style }, ...this.#graph(row));
+    style["--colour"] = `var(--tl-channel-${row.lane.channel})`;
+    return h("div", { class: "tl-name", style }, this.#lane(row));
+  }
+
+  /** A lane's name folds it: all movements on one row. */
+  #lane({ lane: { channel, priority, spans, count }, fold }) {
+    const title = `${spans.items.length} movements, priority ${priority}; click to ${fold ? "unfold" : "fold"} the lane`;
+    const name = `${channel}${fold && count > 1 ? ` (${count})` : ""}`;
+    const turn = () => this.#desk.fold(channel);
+    return h("button", { class: "tl-lane-name", title, "aria-expanded": String(!fold), "data-name": channel, onclick: turn },
+      name); // prettier-ignore
+  }
+
+  #graph({ base, names }) {
+    const parameter = this.#desk.scene.model.parameters.get(names[0]);
+    const number = parameter.number === null ? "" : `${String(parameter.number).padStart(2, "0")} `;
+    const explain = () => this.#desk.ask(this.#desk.clock.time, names.length > 1 ? base : names[0]);
+    const away = () => this.#graphs.toggle(base);
+    const title = `Why does ${spoken(base)} have its value at the playhead?`;
+    return [
+      h("button", { class: "tl-graph-name", "data-name": base, title, onclick: explain }, number + spoken(base)),
+      this.#side(base),
+      h("button", { "aria-label": `Put the graph of ${spoken(base)} away`, title: "Put away", onclick: away }, "×"),
+    ];
+  }
+
+  #side(base) {
+    if (this.#desk.scene.model.bases.get(base).names.length < 2) return null;
+    const side = this.#graphs.side(base);
+    const next = SIDES[(SIDES.indexOf(side) + 1) % SIDES.length];
+    const label = `${spoken(base)}: ${side === "both" ? "both sides" : `${side} side`}; show and draw ${next}`;
+    const turn = () => this.#graphs.setSide(base, next);
+    return h("button", { class: "tl-side", "aria-label": label, title: label, "data-name": `${base} side`, onclick: turn },
+      SIGNS[side]); // prettier-ignore
+  }
+}

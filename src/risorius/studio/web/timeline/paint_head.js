@@ -1,0 +1,156 @@
+/**
+ * The head of the timeline: ruler, the sound's outline, words, phones, accents and tones, pauses.
+ */
+
+const STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300];
+const LABEL_ROOM = 64; // pixels between labels of the ruler
+
+/** @param {import("./scene.js").Scene} scene */
+export function paintRuler({ context, view, palette, width, count }, row) {
+  const step = STEPS.find((s) => s * view.scale >= LABEL_ROOM) ?? STEPS.at(-1);
+  const minor = step / 5;
+  const bottom = row.y + row.height;
+  context.fillStyle = palette.rule;
+  for (let k = Math.max(0, Math.floor(view.start / minor)); k * minor <= Math.min(view.end, view.duration); k++) {
+    const x = Math.round(view.x(k * minor));
+    const tall = k % 5 === 0;
+    context.fillRect(x, bottom - (tall ? 8 : 4), 1, tall ? 8 : 4);
+    count.marks++;
+    if (tall && x < width) label(context, clockTime(k * minor, step), x + 3, row.y + 9, palette);
+  }
+}
+
+function label(context, text, x, y, palette) {
+  context.fillStyle = palette.faint;
+  context.font = `10px ${palette.font}`;
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  context.fillText(text, x, y);
+  context.fillStyle = palette.rule;
+}
+
+/** Seconds as 1:02.50, with as many places as a step needs. */
+export function clockTime(time, step = 0.001) {
+  const places = step >= 1 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3;
+  const minutes = Math.floor(time / 60);
+  const seconds = (time - 60 * minutes).toFixed(places);
+  return minutes ? `${minutes}:${seconds.padStart(places ? places + 3 : 2, "0")}` : seconds;
+}
+
+/** The sound's outline, from the coarsest zoom that is fine enough; pauses behind it, accents above. */
+export function paintWave(scene, row) {
+  const { context, view, model, palette } = scene;
+  paintPauses(scene, row);
+  const waves = model.speech.waves;
+  const wave = waves.find((w) => w.seconds_per_bucket * view.scale <= 1) ?? waves.at(-1);
+  if (wave) outline(scene, row, wave);
+  context.fillStyle = palette.grid;
+  context.fillRect(0, row.y + row.height / 2, scene.width, 1);
+  paintTones(scene, row);
+}
+
+function outline({ context, view, palette, width, count, model }, row, { peaks, seconds_per_bucket: size }) {
+  const middle = row.y + row.height / 2;
+  const scale = (row.height / 2 - 1) / 127;
+  const left = Math.max(0, view.x(0));
+  const right = Math.min(width, view.x(model.duration));
+  context.fillStyle = palette.wave;
+  for (let x = Math.floor(left); x < right; x++) {
+    const first = Math.max(0, Math.floor(view.time(x) / size));
+    const last = Math.min(peaks.length / 2, Math.max(first + 1, Math.ceil(view.time(x + 1) / size)));
+    let [low, high] = [0, 0];
+    for (let k = first; k < last; k++) {
+      low = Math.min(low, peaks[2 * k]);
+      high = Math.max(high, peaks[2 * k + 1]);
+    }
+    context.fillRect(x, middle - high * scale, 1, Math.max((high - low) * scale, 1));
+    count.columns++;
+  }
+}
+
+function paintPauses({ context, view, model, palette, count }, row) {
+  context.font = `italic 10px ${palette.font}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  for (const pause of model.speech.pauses.within(view.start, view.end)) {
+    const [x, end] = [view.x(pause.start), view.x(pause.end)];
+    context.fillStyle = palette.pause;
+    context.fillRect(x, row.y, Math.max(end - x, 1), row.height);
+    count.marks++;
+    const text = pause.kind.replaceAll("_", " ");
+    if (context.measureText(text).width + 6 > end - x) continue;
+    context.fillStyle = palette.faint;
+    context.fillText(text, (x + end) / 2, row.y + row.height - 7);
+  }
+}
+
+const TONE_GAP = 3;
+const SPARSE = 20; // pixels a second: closer, they would hide the sound
+
+/** Accents as marks over their vowels, a phrase's last tones as flags; nuclear ones filled. */
+function paintTones({ context, view, model, palette, count }, row) {
+  if (view.scale < SPARSE) return;
+  let free = -Infinity;
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  for (const tone of model.speech.tones.within(view.start, view.end)) {
+    const x = Math.round(view.x(tone.time));
+    const colour = tone.accent ? palette.accent : palette.tone;
+    context.fillStyle = colour;
+    context.fillRect(x, row.y + 1, 1, tone.accent ? 10 : row.height - 1);
+    count.marks++;
+    context.font = `${tone.nuclear ? "bold " : ""}10px ${palette.font}`;
+    const wide = context.measureText(tone.label).width;
+    const left = tone.accent ? x + TONE_GAP : x - TONE_GAP - wide;
+    if (left < free) continue;
+    context.fillText(tone.label, left, row.y + 7);
+    free = left + wide + TONE_GAP;
+  }
+}
+
+const NARROW = 7; // pixels in which no text fits
+const CUT = 14; // pixels in which the beginning of a word says something
+
+/** Words or phones: a box each with its text, as far as it fits. */
+export function paintTexts({ context, view, palette, model, count, time }, row) {
+  const words = row.kind === "words";
+  const items = words ? model.speech.words : model.speech.phones;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.font = `${words ? 12 : 10}px ${palette.font}`;
+  let painted = -Infinity;
+  for (const item of items.within(view.start, view.end)) {
+    const [x, end] = [view.x(item.start), view.x(item.end)];
+    if (end - painted < 1) continue; // within one pixel of what is there
+    painted = end;
+    count.texts++;
+    paintText({ context, palette, view }, row, item, [x, end], time >= item.start && time < item.end);
+  }
+}
+
+function paintText({ context, palette, view }, row, item, [x, end], now) {
+  const text = item.text ?? item.symbol;
+  if (!text) return;
+  context.fillStyle = now ? palette.mark : palette.word;
+  context.globalAlpha = now ? 0.35 : 1;
+  context.fillRect(x + 0.5, row.y + 1, Math.max(end - x - 1, 0.5), row.height - 2);
+  context.globalAlpha = 1;
+  const [left, right] = [Math.max(x, 0), Math.min(end, view.width)];
+  const room = right - left;
+  if (room < NARROW) return;
+  const y = row.y + row.height / 2 + 0.5;
+  context.fillStyle = palette.text;
+  if (context.measureText(text).width + 4 <= room) context.fillText(text, (left + right) / 2, y);
+  else if (item.text && room >= CUT) cutText(context, text, left + 2, y, room - 3);
+}
+
+/** A text's beginning, as much as there is room for. */
+function cutText(context, text, x, y, room) {
+  context.save();
+  context.beginPath();
+  context.rect(x, y - 10, room, 20);
+  context.clip();
+  context.textAlign = "left";
+  context.fillText(text, x, y);
+  context.restore();
+}

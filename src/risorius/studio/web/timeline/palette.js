@@ -1,0 +1,31 @@
+/**
+ * Colours as the page's style sheet has them now: canvas knows no variables.
+ */
+
+const NAMES = [
+  "ground", "head", "rule", "grid", "text", "faint", "wave", "word", "pause", "accent", "tone",
+  "mark", "playhead", "curve", "other", "inhibited", "limited", "key", "label",
+]; // prettier-ignore
+
+/** @param {Element} element within the timeline @param {string[]} channels */
+export function paletteOf(element, channels) {
+  const style = getComputedStyle(element);
+  const colour = (name) => style.getPropertyValue(`--tl-${name}`).trim();
+  return {
+    ...Object.fromEntries(NAMES.map((name) => [name, colour(name)])),
+    channels: Object.fromEntries(channels.map((name) => [name, colour(`channel-${name}`) || colour("mark")])),
+    font: style.fontFamily,
+  };
+}
+
+/** Call when light becomes dark or the other way round. @returns {() => void} ends it */
+export function onTheme(call) {
+  const watcher = new MutationObserver(call);
+  watcher.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme", "class", "style"] });
+  const media = matchMedia("(prefers-color-scheme: dark)");
+  media.addEventListener("change", call);
+  return () => {
+    watcher.disconnect();
+    media.removeEventListener("change", call);
+  };
+}

@@ -1,0 +1,65 @@
+import { keyNear } from "./keys.js";
+import { scaleOf } from "./paint_graphs.js";
+import { handlePlaces } from "./paint_lanes.js";
+import { blockBand, rowAt } from "./rows.js";
+import { timesOf } from "./times.js";
+
+/**
+ * What lies under a point of the timeline.
+ */
+
+const NEAR_HANDLE = 6;
+const NEAR_KEY = 8;
+const NEAR_BLOCK = 3; // pixels beside a narrow block that still mean it
+
+/**
+ * @param {import("./scene.js").Scene} scene @param {number} x @param {number} y pixels from the top left
+ * @returns {{kind: "head" | "handle" | "block" | "lane" | "key" | "graph" | "none", row?: any, block?: any,
+ *   handle?: number, parameter?: string, index?: number, time: number}}
+ */
+export function pick(scene, x, y) {
+  const time = scene.view.time(x);
+  if (y < scene.headHeight) return { kind: "head", row: rowAt(scene.head, y), time };
+  const depth = y - scene.headHeight + scene.scroll;
+  const row = rowAt(scene.body, depth);
+  if (row === null) return { kind: "none", time };
+  if (row.kind === "graph") return pickKey(scene, row, x, depth) ?? { kind: "graph", row, time };
+  return pickHandle(scene, row, x, depth) ?? pickBlock(scene, row, x, depth) ?? { kind: "lane", row, time };
+}
+
+function pickHandle(scene, row, x, y) {
+  const found = scene.model.blocks.get(scene.selected);
+  const block = found?.channel === row.lane.channel && found.editable ? scene.edits.shown(found) : null;
+  if (!block) return null;
+  const xs = timesOf(block).map((time) => scene.view.x(time));
+  const near = handlePlaces(xs, ...blockBand(row, found)).map(([hx, hy], handle) => {
+    return { handle, far: Math.max(Math.abs(hx - x), Math.abs(hy - y)) };
+  });
+  near.sort((a, b) => a.far - b.far);
+  if (near[0].far > NEAR_HANDLE) return null;
+  return { kind: "handle", row, block: found, handle: near[0].handle, time: scene.view.time(x) };
+}
+
+function pickBlock(scene, row, x, y) {
+  const [from, to] = [scene.view.time(x - NEAR_BLOCK), scene.view.time(x + NEAR_BLOCK)];
+  const time = scene.view.time(x);
+  let found = null;
+  for (const block of row.lane.spans.within(from, to)) {
+    const [top, bottom] = blockBand(row, block);
+    if (y < top - 1 || y > bottom + 1 || scene.edits.has(block.id)) continue;
+    const inside = time >= block.start && time <= block.end;
+    if (found === null || inside || block.id === scene.selected) found = block;
+    if (block.id === scene.selected && inside) break;
+  }
+  return found && { kind: "block", row, block: found, time };
+}
+
+function pickKey(scene, row, x, y) {
+  const scale = scaleOf(scene.model, row);
+  for (const parameter of row.names) {
+    const keys = scene.edits.keys(parameter);
+    const index = keyNear(keys, ([t, v]) => [scene.view.x(t), scale.y(v)], x, y, NEAR_KEY);
+    if (index >= 0) return { kind: "key", row, parameter, index, time: scene.view.time(x) };
+  }
+  return null;
+}

@@ -1,0 +1,64 @@
+/**
+ * What lies where from top to bottom, in pixels: the head (ruler, sound, words, phones) that stays in sight,
+ * then lanes and graphs, which scroll.
+ */
+
+export const RULER = 20;
+const SPEECH = [
+  ["wave", 34],
+  ["words", 16],
+  ["phones", 15],
+];
+export const BLOCK = 17; // height of one row of blocks
+const LANE_PAD = 2;
+export const GRAPH = 52;
+
+/** @param {import("./model.js").Model} model @returns {{kind: string, y: number, height: number}[]} */
+export function headRows(model) {
+  const rows = [{ kind: "ruler", y: 0, height: RULER }];
+  let y = RULER;
+  for (const [kind, height] of model.speech ? SPEECH : []) {
+    rows.push({ kind, y, height });
+    y += height;
+  }
+  return rows;
+}
+
+/**
+ * @param {import("./model.js").Model} model
+ * @param {{base: string, names: string[]}[]} graphs what is drawn beneath the lanes
+ * @param {Set<string>} folded channels whose lanes lay all movements on one row
+ */
+export function bodyRows(model, graphs, folded) {
+  const rows = [];
+  let y = 0;
+  for (const lane of model.lanes) {
+    const fold = folded.has(lane.channel);
+    const height = (fold ? 1 : lane.count) * BLOCK + 2 * LANE_PAD;
+    rows.push({ kind: "lane", y, height, lane, fold });
+    y += height;
+  }
+  for (const graph of graphs) {
+    rows.push({ kind: "graph", y, height: GRAPH, ...graph });
+    y += GRAPH;
+  }
+  return rows;
+}
+
+/** @param {{y: number, height: number}[]} rows */
+export function heightOf(rows) {
+  const last = rows.at(-1);
+  return last ? last.y + last.height : 0;
+}
+
+/** Top and bottom of a block, from the top of the body. */
+export function blockBand(row, block) {
+  const place = row.fold ? 0 : (row.lane.rows.get(block) ?? 0);
+  const top = row.y + LANE_PAD + place * BLOCK;
+  return [top + 1, top + BLOCK - 1];
+}
+
+/** @returns the row at a height, or null */
+export function rowAt(rows, y) {
+  return rows.find((row) => y >= row.y && y < row.y + row.height) ?? null;
+}

@@ -1,0 +1,144 @@
+import { clockTime, paintRuler, paintTexts, paintWave } from "./paint_head.js";
+import { paintGraph } from "./paint_graphs.js";
+import { paintLane } from "./paint_lanes.js";
+import { bodyRows, headRows, heightOf } from "./rows.js";
+
+const TEXT = 16; // size of the page's text for which the scene's pixels are the page's
+
+/**
+ * All that a picture of the timeline is made of, and the picture.
+ *
+ * Only what is in sight is drawn: `count` says how much that was the last time, whatever the take's length.
+ */
+export class Scene {
+  model = null;
+  head = [];
+  body = [];
+  graphs = [];
+  folded = new Set(); // channels
+  unit = 1; // the page's pixels in one of the scene's: all grows with the page's text
+  scroll = 0;
+  height = 0;
+  time = 0;
+  selected = null; // a block's id
+  hovered = null;
+  selectedKey = null; // {parameter, index}
+  focused = false; // whether the selected block has the keyboard
+  guide = null; // time of the edge that a drag has snapped to
+  marked = null; // {time, name} of the parameter that was asked about
+  count = nothing();
+
+  /** @param {HTMLCanvasElement} canvas @param {object} parts view, edits, details, shapes, palette */
+  constructor(canvas, parts) {
+    this.context = canvas.getContext("2d");
+    this.canvas = canvas;
+    Object.assign(this, parts);
+  }
+
+  get width() {
+    return this.view.width;
+  }
+
+  get headHeight() {
+    return heightOf(this.head);
+  }
+
+  get bodyHeight() {
+    return heightOf(this.body);
+  }
+
+  /** Lay out anew: another model, or other graphs. */
+  arrange() {
+    this.head = headRows(this.model);
+    this.body = bodyRows(this.model, this.graphs, this.folded);
+  }
+
+  /** Take up the canvas' size in the page's pixels. */
+  resize(width, height) {
+    this.unit = parseFloat(getComputedStyle(document.documentElement).fontSize) / TEXT;
+    const ratio = devicePixelRatio || 1;
+    this.height = height / this.unit;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.context.setTransform(ratio * this.unit, 0, 0, ratio * this.unit, 0, 0);
+    this.view.resize(width / this.unit, this.model?.duration ?? 1);
+  }
+
+  paint() {
+    this.count = nothing();
+    const { context, palette, width, height, headHeight } = this;
+    context.fillStyle = palette.ground;
+    context.fillRect(0, 0, width, height);
+    if (!this.model) return;
+    context.save();
+    context.beginPath();
+    context.rect(0, headHeight, width, Math.max(height - headHeight, 0));
+    context.clip();
+    context.translate(0, headHeight - this.scroll);
+    this.#paintWords();
+    for (const row of this.visible()) (row.kind === "lane" ? paintLane : paintGraph)(this, row);
+    this.#paintMarked();
+    context.restore();
+    this.#paintHead();
+    if (this.guide !== null) this.#line(this.guide, palette.mark, [2, 2]);
+  }
+
+  /** Rows of the body that are in sight. */
+  visible() {
+    const [top, bottom] = [this.scroll, this.scroll + this.height - this.headHeight];
+    return this.body.filter((row) => row.y < bottom && row.y + row.height > top);
+  }
+
+  #paintHead() {
+    const { context, palette, width, headHeight } = this;
+    context.fillStyle = palette.head;
+    context.fillRect(0, 0, width, headHeight);
+    for (const row of this.head) {
+      if (row.kind === "ruler") paintRuler(this, row);
+      else if (row.kind === "wave") paintWave(this, row);
+      else paintTexts(this, row);
+    }
+    context.fillStyle = palette.rule;
+    context.fillRect(0, headHeight - 1, width, 1);
+  }
+
+  /** Faint lines where words begin, as far as they stand apart. */
+  #paintWords() {
+    const { context, view, palette, model, count } = this;
+    context.fillStyle = palette.grid;
+    let last = -Infinity;
+    for (const word of model.speech?.words.within(view.start, view.end) ?? []) {
+      const x = Math.round(view.x(word.start));
+      if (x - last < 12) continue;
+      context.fillRect(x, 0, 1, this.bodyHeight);
+      last = x;
+      count.marks++;
+    }
+  }
+
+  /** Where an explanation was asked for. */
+  #paintMarked() {
+    const row = this.marked && this.body.find((r) => r.kind === "graph" && r.names.includes(this.marked.name));
+    if (!row) return;
+    this.context.fillStyle = this.palette.mark;
+    this.context.fillRect(this.view.x(this.marked.time) - 0.5, row.y, 1, row.height - 1);
+  }
+
+  #line(time, colour, dash) {
+    const { context, view, height } = this;
+    context.strokeStyle = colour;
+    context.lineWidth = 1;
+    context.setLineDash(dash);
+    context.beginPath();
+    context.moveTo(Math.round(view.x(time)) + 0.5, 0);
+    context.lineTo(Math.round(view.x(time)) + 0.5, height);
+    context.stroke();
+    context.setLineDash([]);
+  }
+}
+
+function nothing() {
+  return { blocks: 0, points: 0, columns: 0, texts: 0, marks: 0 };
+}
+
+export { clockTime };

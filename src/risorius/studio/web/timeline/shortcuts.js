@@ -1,0 +1,49 @@
+/**
+ * Keys of the timeline that need no block in focus; they reach only what the timeline itself does not use.
+ */
+
+const ZOOM = 1.4;
+
+/** What the page's list of keys says of the timeline. */
+export const TIMELINE_KEYS = [
+  { keys: "Ctrl wheel, + −", does: "Timeline: zoom" },
+  { keys: "N", does: "Timeline: add a movement at the playhead" },
+  { keys: "D", does: "Timeline: draw on the graphs, or not" },
+  { keys: "↑ ↓", does: "Movements: the one before, the next" },
+  { keys: "Page ↑ ↓", does: "Movements: the lane before, the next" },
+  { keys: "← →", does: "Movements: move by a frame" },
+  { keys: "Shift ← →", does: "Movements: stretch the end" },
+  { keys: "Alt ← →", does: "Movements: stretch the start" },
+  { keys: "Ctrl ← →", does: "Movements: longer or shorter onset" },
+  { keys: "Ctrl Shift ← →", does: "Movements: longer or shorter offset" },
+  { keys: "Delete", does: "Movements: delete" },
+  { keys: "Escape", does: "Movements: select none; a drag: give up" },
+];
+
+/** @param {HTMLElement} root @param {import("./desk.js").Desk} desk @param {() => void} add */
+export function shortcuts(root, desk, add) {
+  const keys = {
+    "+": () => desk.zoom(ZOOM),
+    "=": () => desk.zoom(ZOOM),
+    "-": () => desk.zoom(1 / ZOOM),
+    n: () => add(),
+    d: () => root.querySelector("#tl-draw").click(),
+    ArrowLeft: () => desk.clock.step(-1),
+    ArrowRight: () => desk.clock.step(1),
+    Escape: () => desk.choose(null),
+    Delete: () => desk.remove(),
+    Backspace: () => desk.remove(),
+  };
+  root.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || typing(event.target)) return;
+    const act = keys[event.key];
+    if (!act || !desk.scene.model) return;
+    event.preventDefault();
+    event.stopPropagation();
+    act();
+  });
+}
+
+function typing({ tagName, type }) {
+  return tagName === "TEXTAREA" || tagName === "SELECT" || (tagName === "INPUT" && type !== "checkbox");
+}

@@ -1,0 +1,100 @@
+/**
+ * Things with a start and an end, in order of their starts: which of them lie in sight, and how they stack.
+ */
+
+/** Finds those of many spans that touch a stretch of time, without looking at all of them. */
+export class Spans {
+  #reach;
+
+  /** @param {{start: number, end: number}[]} items any order; `items` holds them in order of their starts */
+  constructor(items) {
+    this.items = [...items].sort((a, b) => a.start - b.start);
+    let latest = -Infinity;
+    this.#reach = Float64Array.from(this.items, ({ end }) => (latest = Math.max(latest, end)));
+  }
+
+  /** Those that touch [from, to], in order of their starts. */
+  *within(from, to) {
+    for (let i = firstAbove(this.#reach, from); i < this.items.length; i++) {
+      const item = this.items[i];
+      if (item.start > to) return;
+      if (item.end >= from) yield item;
+    }
+  }
+
+  /** The last that has started by `time` and not yet ended, or null. */
+  at(time) {
+    let found = null;
+    for (const item of this.within(time, time)) if (time < item.end) found = item;
+    return found;
+  }
+}
+
+/** Index of the first of the rising numbers that is at least `value`. */
+export function firstAbove(numbers, value) {
+  let [low, high] = [0, numbers.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (numbers[middle] < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/**
+ * Stack spans so that none hides another: each group keeps together, on the lowest rows that are free.
+ *
+ * @param {{start: number, end: number, layer: string}[]} items
+ * @returns {{rows: Map<any, number>, count: number}} the row of each item, and how many rows there are
+ */
+export function stacked(items) {
+  const rows = new Map();
+  const taken = [];
+  for (const group of grouped(items)) {
+    const own = packed(group);
+    let base = 0;
+    while (group.some((item) => !free(taken[base + own.get(item)], item))) base++;
+    for (const item of group) {
+      const row = base + own.get(item);
+      (taken[row] ??= []).push(item);
+      rows.set(item, row);
+    }
+    for (const row of taken) row?.sort((a, b) => a.start - b.start);
+  }
+  return { rows, count: Math.max(taken.length, 1) };
+}
+
+function grouped(items) {
+  const groups = new Map();
+  for (const item of items) {
+    if (!groups.has(item.layer)) groups.set(item.layer, []);
+    groups.get(item.layer).push(item);
+  }
+  return [...groups.keys()].sort().map((layer) => groups.get(layer).sort((a, b) => a.start - b.start));
+}
+
+const CLOSE = 1e-6; // s: spans that only touch do not hide each other
+
+/** The row of each item of one group: the lowest whose last item has ended. */
+function packed(group) {
+  const ends = [];
+  const rows = new Map();
+  for (const item of group) {
+    let row = ends.findIndex((end) => end <= item.start + CLOSE);
+    if (row < 0) row = ends.length;
+    ends[row] = item.end;
+    rows.set(item, row);
+  }
+  return rows;
+}
+
+function free(row, item) {
+  if (row === undefined) return true;
+  let [low, high] = [0, row.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (row[middle].end <= item.start + CLOSE) low = middle + 1;
+    else high = middle;
+  }
+  return low === row.length || row[low].start >= item.end - CLOSE;
+}

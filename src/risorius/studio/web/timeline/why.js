@@ -1,0 +1,152 @@
+import { clockTime } from "./paint_head.js";
+import { h, spoken } from "./dom.js";
+import { KeyTable } from "./keytable.js";
+import { Targets } from "./targets.js";
+import { timesOf } from "./times.js";
+
+/**
+ * What is selected, in words: a movement and its cause, a parameter's value with its winner and losers.
+ */
+
+const TIMES = ["Start", "Apex from", "Apex to", "End"];
+
+export class Why {
+  #box = h("div", { class: "tl-why" });
+  #desk;
+  #asked = null;
+  #times = [];
+  #keys;
+  #targets;
+
+  /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk */
+  constructor(parent, desk) {
+    this.#desk = desk;
+    this.#keys = new KeyTable(desk);
+    this.#targets = new Targets(desk);
+    parent.replaceChildren(this.#box);
+  }
+
+  /** Explain the store's selection in the current take. */
+  async show({ time, parameter, movement }) {
+    const { model } = this.#desk.scene;
+    const asked = (this.#asked = {});
+    const block = model?.blocks.get(movement) ?? null;
+    if (!model || time === null || (!parameter && !block)) {
+      this.#box.replaceChildren(...advice(Boolean(model)));
+      return;
+    }
+    const at = Math.min(time, model.duration);
+    const answer = await this.#desk.actions.ask("explain", { take: model.take.take, time: at, parameter });
+    if (asked !== this.#asked || answer === null) return;
+    const reasons = together(answer.reasons.filter((reason) => parameter || concerns(reason, block)));
+    const focus = this.#box.contains(document.activeElement) ? document.activeElement.id : "";
+    this.#box.replaceChildren(...this.#parts(block, parameter, at, reasons));
+    if (focus) this.#box.querySelector(`#${CSS.escape(focus)}`)?.focus();
+  }
+
+  /** Show the times of the selected block as they are now. */
+  refresh() {
+    const { block } = this.#desk;
+    if (!block) return;
+    const times = timesOf(this.#desk.edits.shown(block) ?? block);
+    this.#times.forEach((input, k) => {
+      if (input !== document.activeElement) input.value = times[k].toFixed(3);
+    });
+  }
+
+  #parts(block, parameter, time, reasons) {
+    this.#times = [];
+    const when = h("p", { class: "hint" }, `At ${clockTime(time)} s`);
+    if (parameter) {
+      const told = reasons.map((one) => this.#reason(one));
+      const title = reasons.length ? [] : [h("h3", {}, spoken(parameter)), h("p", {}, "At rest: nothing moves it.")];
+      return [when, ...title, ...told, this.#keys.element(parameter, time)];
+    }
+    const idle = h("p", {}, "At this time it shows in nothing.");
+    const told = reasons.length ? reasons.map((one) => this.#reason(one)) : [idle];
+    return [...this.#head(block), when, ...told, ...(block.editable ? this.#shape(block) : [])];
+  }
+
+  /** What a movement is, and why it is there. */
+  #head(block) {
+    const title = h("h2", {}, block.label || "silence");
+    const lane = h("p", { class: "tl-part", style: colourOf(block.channel) }, `${block.channel}, priority ${block.priority}`);
+    const cause = h("p", {}, block.cause ? `Because of ${block.cause}` : "No cause is known.");
+    return [title, lane, cause];
+  }
+
+  /** Its times and targets as numbers to change. */
+  #shape(block) {
+    this.#times = TIMES.map((title, k) => this.#time(title, k));
+    this.refresh();
+    const labels = TIMES.map((title, k) => h("label", { for: this.#times[k].id }, `${title}, s`, this.#times[k]));
+    return [h("div", { class: "tl-times" }, ...labels), this.#targets.element(block)];
+  }
+
+  #time(title, k) {
+    const change = ({ target }) => target.value && this.#desk.setTime(k, Number(target.value));
+    return h("input", { id: `tl-time-${k}`, type: "number", min: "0", step: "0.01", onchange: change });
+  }
+
+  #reason({ names, value, unit, winner, losers, notes }) {
+    const amount = `${value.toFixed(unit ? 1 : 2)}${unit ? ` ${unit}` : ""}`;
+    const lines = [...(winner ? [this.#part(winner, false)] : []), ...losers.map((part) => this.#part(part, true))];
+    return h("section", {},
+      h("h3", {}, h("span", {}, names), h("span", { class: "tl-amount" }, amount)),
+      winner ? null : h("p", {}, "At rest."),
+      h("ul", {}, ...lines, ...notes.map((note) => h("li", { class: "tl-part" }, note))),
+    ); // prettier-ignore
+  }
+
+  #part({ channel, what, rule, place, asked, given, reason, movement }, lost) {
+    const { blocks } = this.#desk.scene.model;
+    const named = blocks.has(movement)
+      ? h("button", { class: "tl-what", title: "Go to this movement", onclick: () => this.#go(movement) }, what)
+      : h("span", { class: "tl-what" }, what);
+    const less = Math.abs(given - asked) > 5e-4;
+    const amount = less ? `gets ${given.toFixed(2)} of the ${asked.toFixed(2)} it asks for` : `gives ${asked.toFixed(2)}`;
+    const from = [rule, place].filter(Boolean).join(", ");
+    const why = reason ? `${lost ? "not shown: " : ""}${reason}` : "";
+    const struck = lost && !reason.startsWith("add");
+    return h("li", { class: struck ? "tl-part lost" : "tl-part", style: colourOf(channel) },
+      `${channel}: `, named, ` ${amount}`, from ? h("span", { class: "hint" }, ` (${from})`) : null,
+      why ? h("p", {}, struck ? why : reason) : null); // prettier-ignore
+  }
+
+  #go(movement) {
+    const block = this.#desk.scene.model.blocks.get(movement);
+    this.#desk.choose(block);
+    this.#desk.reveal(block);
+  }
+}
+
+function colourOf(channel) {
+  return { "--colour": `var(--tl-channel-${channel})` };
+}
+
+/** Whether a block has a part in what a parameter does. */
+function concerns({ winner, losers }, block) {
+  return [winner, ...losers].some((part) => part?.movement === block.id);
+}
+
+/** Reasons with those of the two sides made one where they are the same. */
+function together(reasons) {
+  const found = new Map();
+  for (const reason of reasons) {
+    const [base, side = ""] = reason.parameter.split(".");
+    const same = JSON.stringify([base, reason.value, reason.winner, reason.losers, reason.notes]);
+    if (found.has(same)) found.get(same).names = spoken(base);
+    else found.set(same, { ...reason, names: side ? `${spoken(base)}, ${side}` : spoken(base) });
+  }
+  return [...found.values()];
+}
+
+function advice(there) {
+  if (!there) return [h("p", { class: "hint" }, "Perform a line to see why its face moves.")];
+  const lines = [
+    "Click a movement or a graph to see why.",
+    "Drag a movement to move it, its corners to stretch it.",
+    "Double-click a lane to add a movement, a graph to set a key.",
+  ];
+  return [h("h2", {}, "Why?"), ...lines.map((line) => h("p", { class: "hint" }, line))];
+}

@@ -1,0 +1,72 @@
+/** Playing: play and pause, steps, place, speed, loop. */
+
+import { glyph } from "./parts/glyphs.js";
+import { button } from "./parts/fields.js";
+import { fill, make } from "./parts/dom.js";
+
+const SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5];
+
+/** @param {HTMLElement} element @param {import("./clock.js").Clock} clock */
+export function mountTransport(element, clock) {
+  const play = button(glyph("play"), { class: "primary icon", id: "play", onclick: () => clock.toggle() });
+  const icon = (name, label, key, act) =>
+    button(glyph(name), { class: "plain icon", "aria-label": label, title: `${label} (${key})`, onclick: act });
+  const place = make("input", { type: "range", class: "scrub", min: 0, step: "any", "aria-label": "Playhead" });
+  place.addEventListener("input", () => clock.seek(Number(place.value)));
+  place.addEventListener("keydown", (event) => {
+    if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End") event.preventDefault();
+  });
+  const time = make("output", { class: "time", id: "time" });
+  const loop = icon("loop", "Loop", "L", () => toggleLoop(clock));
+  const speed = make(
+    "select",
+    { "aria-label": "Speed", onchange: () => clock.setRate(Number(speed.value)) },
+    ...SPEEDS.map((rate) => make("option", { value: String(rate) }, `${rate} ×`)),
+  );
+  element.append(
+    icon("start", "To the start", "Home", () => clock.seek(0)),
+    icon("back", "One frame back", "←", () => clock.step(-1)),
+    play,
+    icon("next", "One frame on", "→", () => clock.step(1)),
+    time,
+    place,
+    loop,
+    speed,
+  );
+  clock.on("tick", showTime);
+  clock.on("state", showState);
+  showTime();
+  showState();
+
+  function showTime() {
+    place.max = clock.duration;
+    place.value = clock.time;
+    const frame = Math.round(clock.time * clock.fps);
+    place.setAttribute("aria-valuetext", `${clock.time.toFixed(2)} seconds`);
+    time.value = `${stamp(clock.time)} / ${stamp(clock.duration)}  ${String(frame).padStart(4)}`;
+    time.title = `frame ${frame} of ${Math.round(clock.duration * clock.fps)}`;
+  }
+
+  function showState() {
+    fill(play, glyph(clock.playing ? "pause" : "play"));
+    const label = clock.playing ? "Pause" : "Play";
+    play.setAttribute("aria-label", label);
+    play.title = `${label} (space)`;
+    play.disabled = clock.duration === 0;
+    loop.setAttribute("aria-pressed", String(clock.loop !== null));
+    speed.value = String(clock.rate);
+    showTime();
+  }
+}
+
+/** Repeat everything, or stop repeating. */
+export function toggleLoop(clock) {
+  clock.setLoop(clock.loop ? null : [0, clock.duration]);
+}
+
+/** @param {number} time seconds @returns {string} such as 0:03.250 */
+export function stamp(time) {
+  const minutes = Math.floor(time / 60);
+  const seconds = time - 60 * minutes;
+  return `${minutes}:${seconds.toFixed(2).padStart(5, "0")}`;
+}

@@ -1,0 +1,59 @@
+/** What lies over the stage: buttons for the cameras, keys on the picture, who is who, what is awaited. */
+
+import { VIEWS } from "./stage/cameras.js";
+import { button } from "./parts/fields.js";
+import { fill, make } from "./parts/dom.js";
+
+const STEP = 8; // degrees a key turns the head by
+const ZOOM = 1.1;
+const PATIENCE = 400; // ms for which a face may be missing before that is said
+
+/** @param {HTMLElement} element @param {HTMLElement} note @param {HTMLElement} names @param {object} studio */
+export function mountViews(element, note, names, studio) {
+  const { store, view } = studio;
+  Object.entries(VIEWS).forEach(([name, { label }], place) => {
+    element.append(button(label, { title: `${label} (${place + 1})`, onclick: () => view.choose(name) }));
+  });
+  document.getElementById("head").addEventListener("keydown", (event) => turn(event, view));
+  store.watch(["other", "dial"], () => {
+    const other = store.get("other");
+    const labels = other ? [store.get("dial") ? "dials" : "this take", other.label] : [];
+    fill(names, ...labels.map((label) => make("span", {}, make("b", {}, label))));
+  });
+  mountNote(note, studio);
+}
+
+function mountNote(note, { store, clock, theatre }) {
+  let missingSince = 0;
+  store.watch(["take", "dial", "busy", "catalogue"], show);
+  clock.on("tick", show);
+  setInterval(() => missingSince && show(), PATIENCE);
+
+  function show() {
+    const behind = store.get("dial") === null && theatre.players[0].behind;
+    missingSince = behind ? missingSince || performance.now() : 0;
+    const late = missingSince > 0 && performance.now() - missingSince > PATIENCE;
+    const text = late ? "The face is on its way …" : emptyNote(store);
+    if (note.textContent !== text) note.textContent = text;
+  }
+}
+
+function emptyNote(store) {
+  if (!store.get("catalogue") || store.get("take") || store.get("dial")) return "";
+  return store.get("busy") || "Write a line, then perform it.";
+}
+
+function turn(event, view) {
+  const act = {
+    ArrowLeft: () => view.orbit(-STEP, 0),
+    ArrowRight: () => view.orbit(STEP, 0),
+    ArrowUp: () => view.orbit(0, STEP),
+    ArrowDown: () => view.orbit(0, -STEP),
+    "+": () => view.zoom(1 / ZOOM),
+    "=": () => view.zoom(1 / ZOOM),
+    "-": () => view.zoom(ZOOM),
+  }[event.key];
+  if (!act || event.ctrlKey || event.metaKey) return;
+  event.preventDefault();
+  act();
+}

@@ -1,0 +1,52 @@
+"""A real server and a real browser, started once."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import uvicorn
+
+from risorius.studio.app import Studio
+from risorius.studio.server import bound, configured
+
+from .driving import CHROMIUM, DRIVER, Page, open_browser, waited
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    if CHROMIUM.exists() and DRIVER.exists():
+        return
+    reason = "chromium and chromium-driver are not here: scripts/test --browser installs them"
+    here = Path(__file__).parent
+    for item in items:
+        if here in item.path.parents:
+            item.add_marker(pytest.mark.skip(reason=reason))
+
+
+@pytest.fixture(scope="session")
+def studio_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    listening = bound(0)
+    server = uvicorn.Server(configured(Studio(tmp_path_factory.mktemp("studio"))))
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
+    thread.start()
+    waited(lambda: server.started, "the server", 60.0)
+    yield f"http://127.0.0.1:{listening.getsockname()[1]}/"
+    server.should_exit = True
+    thread.join(20.0)
+
+
+@pytest.fixture(scope="session")
+def browser_page(studio_url: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    driver = open_browser(tmp_path_factory.mktemp("profile"))
+    yield Page(driver, studio_url)
+    driver.quit()
+
+
+@pytest.fixture
+def page(browser_page: Page, request: pytest.FixtureRequest) -> Page:
+    """The page with a session of its own, nothing performed yet."""
+    name = "".join(c if c.isalnum() else "-" for c in request.node.name.lower())
+    browser_page.open(name.strip("-")[:40].rstrip("-"))
+    return browser_page

@@ -1,0 +1,35 @@
+"""Two settings side by side."""
+
+from __future__ import annotations
+
+from selenium.webdriver.common.by import By
+
+from .acts import MOVED, choose, open_panel, perform
+from .driving import Page
+
+
+def test_two_heads_stand_side_by_side_in_step(page: Page) -> None:
+    perform(page)
+    open_panel(page, "Compare")
+    choose(page, "compare", "lips", "lookahead")
+    page.driver.find_element(By.ID, "compare").click()
+    page.wait("studio.theatre.figures[1] !== null && !studio.theatre.players[1].behind", 120.0)
+    page.run("studio.clock.seek(1.5)")
+    page.wait("studio.theatre.players.every((player) => !player.behind)")
+    page.picture("compare")
+    page.run("window.kept = studio.theatre.figures[1].skin")
+    page.wait(f"{MOVED} > 0.3")
+    labels = page.get("[...document.querySelectorAll('#views-names b')].map((b) => b.textContent)")
+    assert labels == ["this take", "lips: lookahead"]
+    assert page.get("document.querySelectorAll('.differences tbody tr').length") > 0
+    assert page.get("studio.store.get('take').made.choices.lips") == "dominance"
+    page.driver.find_element(By.ID, "compare-end").click()
+    page.wait("studio.theatre.figures[1] === null")
+
+
+def test_the_same_settings_do_not_differ(page: Page) -> None:
+    perform(page)
+    open_panel(page, "Compare")
+    page.driver.find_element(By.ID, "compare").click()
+    page.wait("studio.store.get('other') !== null")
+    assert page.get("document.querySelector('#panel-compare').textContent.includes('Both are the same.')")

@@ -1,0 +1,81 @@
+"""A face held by dials: the skin follows, the face is kept under a name."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+from selenium.webdriver.common.by import By
+
+from .acts import MOVED, open_panel, perform, remember_face, slide
+from .driving import Page, waited
+
+
+@pytest.fixture
+def dials(page: Page) -> Page:
+    open_panel(page, "Dials")
+    slide(page, "19 masseter", 0.0)
+    page.wait("studio.theatre.figures[0] !== null && studio.store.get('dial') !== null")
+    slide(page, "19 masseter", 0.01)
+    page.wait("studio.theatre.figures[0].skin.some((value, k) => value !== 0)")
+    return page
+
+
+def at_rest(page: Page) -> None:
+    page.driver.find_element(By.ID, "dials-reset").click()
+    page.run("await new Promise((go) => setTimeout(go, 1500))")
+    remember_face(page)
+
+
+def test_every_muscle_head_and_eyes_have_a_dial(dials: Page) -> None:
+    count = "document.querySelectorAll('#panel-dials .dial').length"
+    parameters = dials.get("studio.store.get('catalogue').parameters")
+    bases = {p["base"] for p in parameters}
+    assert dials.get(count) == len(bases)
+    units = len(dials.get("studio.store.get('catalogue').action_units"))
+    dials.run("document.querySelector('#panel-dials [data-name=units]').click()")
+    assert dials.get(count) == units
+    dials.run("document.querySelector('#panel-dials [data-name=emotions]').click()")
+    assert dials.get(count) == len(dials.get("studio.store.get('catalogue').emotions"))
+
+
+def test_the_face_follows_a_dial(dials: Page) -> None:
+    at_rest(dials)
+    slide(dials, "01 zygomatic major", 1.0)
+    dials.wait(f"{MOVED} > 4")
+    dials.picture("dials")
+
+
+def test_one_side_moves_alone(dials: Page) -> None:
+    at_rest(dials)
+    dials.run("document.querySelector('#panel-dials [data-name=left]').click()")
+    slide(dials, "01 zygomatic major", 1.0)
+    dials.wait(f"{MOVED} > 4")
+    assert dials.get("studio.store.get('dial').values") == {"zygomatic_major.left": 1}
+    # The subject's left is at positive x.
+    right = MOVED.replace("most = Math.max", "if (kept[k] < -15) most = Math.max")
+    assert dials.get(right) < 1.5
+
+
+def test_a_face_is_kept_as_an_emotion(dials: Page, tmp_path: Path) -> None:
+    dials.driver.execute_cdp_cmd(
+        "Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(tmp_path)}
+    )
+    slide(dials, "01 zygomatic major", 0.4)
+    dials.driver.find_element(By.ID, "save-emotion").click()  # without a name: the name is asked for
+    assert dials.get("document.activeElement.id") == "pose-name"
+    dials.driver.find_element(By.ID, "pose-name").send_keys("wry")
+    dials.driver.find_element(By.ID, "save-emotion").click()
+    dials.wait("studio.store.get('ownEmotions').includes('wry')")
+    file = waited(lambda: next(tmp_path.glob("*.toml"), None), "the file", 20.0)
+    assert "wry" in tomllib.loads(file.read_text()) or "wry" in file.read_text()
+
+
+def test_playing_shows_the_line_again(page: Page) -> None:
+    perform(page)
+    open_panel(page, "Dials")
+    slide(page, "19 masseter", 1.0)
+    page.wait("studio.store.get('dial') !== null")
+    page.driver.find_element(By.ID, "dials-back").click()
+    assert page.get("studio.store.get('dial')") is None

@@ -1,0 +1,106 @@
+"""Lines and recordings performed through the page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+import risorius
+
+from .acts import LINE, MOVED, SETTLED, SHOWN, choose, perform, press, remember_face, type_line, values
+from .driving import Page
+
+
+def test_a_script_that_cannot_be_read_says_so_in_one_line_and_the_page_goes_on(page: Page) -> None:
+    choose(page, "perform", "format", "xml")
+    type_line(page, "<PHONEME time='0'")
+    page.driver.find_element(By.ID, "perform").click()
+    page.wait("!document.querySelector('#notice').hidden")
+    said = page.get("document.querySelector('#notice span').textContent")
+    assert "script" in said
+    assert "\n" not in said
+    choose(page, "perform", "format", "text")
+    perform(page)
+
+
+def test_a_line_is_heard_and_seen(page: Page) -> None:
+    perform(page)
+    page.picture("performed")
+    remember_face(page)
+    page.driver.find_element(By.ID, "play").click()
+    page.wait(f"studio.clock.time > 1.4 && {MOVED} > 2")
+    assert page.get("studio.clock.playing")
+    page.wait("!studio.clock.playing")
+    duration, time = page.get("[studio.clock.duration, studio.clock.time]")
+    assert time == duration
+    assert page.complaints() == []
+
+
+def test_the_sound_is_the_clock(page: Page) -> None:
+    perform(page)
+    page.run(
+        "window.heard = [];studio.clock.on('tick', ({ time, sounding }) => heard.push([time, sounding]));"
+    )
+    page.driver.find_element(By.ID, "play").click()
+    page.wait("!studio.clock.playing")
+    apart = [abs(time - sounding) for time, sounding in page.get("heard") if sounding is not None]
+    assert len(apart) > 3
+    assert sorted(apart)[len(apart) // 2] < 0.05
+    assert max(apart) < 0.15
+
+
+def test_an_emotion_on_selected_text_lies_on_its_words_and_moves_with_them(page: Page) -> None:
+    perform(page)
+    page.run(
+        "const box = document.getElementById('script'); const at = box.value.indexOf('very');"
+        "box.focus(); box.setSelectionRange(at, at + 9);"
+    )
+    page.wait("!document.getElementById('add-span').disabled")
+    page.driver.find_element(By.ID, "add-span").click()
+    page.wait("studio.store.get('take').made.emotions.length === 1")
+    page.wait(SETTLED)
+    words = {word["text"]: word for word in values(page, "take")[0]["speech"]["words"]}
+    shown = [b for b in values(page, "take")[0]["blocks"] if b["channel"] == "emotion"]
+    assert shown
+    assert abs(min(b["start"] for b in shown) - words["very"]["start"]) < 0.5
+    assert page.get("document.querySelector('.where').textContent") == "on “very much”"
+    page.driver.find_element(By.ID, "script").send_keys(Keys.CONTROL, Keys.HOME)
+    page.driver.find_element(By.ID, "script").send_keys("Well! ")
+    assert page.get("document.querySelector('.where').textContent") == "on “very much”"
+    assert page.get("document.querySelector('.marks mark').textContent") == "very much"
+    page.picture("emotion-on-selection")
+
+
+def test_a_setting_is_performed_at_once_and_undone(page: Page) -> None:
+    perform(page)
+    before = values(page, "take")[0]["take"]
+    choose(page, "perform", "profile", "lively")
+    page.wait(f"studio.store.get('take').take !== {before} && {SETTLED}")
+    assert values(page, "take")[0]["made"]["choices"]["profile"] == "lively"
+    page.driver.find_element(By.ID, "head").click()
+    press(page, Keys.CONTROL, "z")
+    page.wait("studio.store.get('take').made.choices.profile === 'neutral'")
+    list_shows = "document.querySelector('#panel-perform [data-choice=profile] select').value"
+    page.wait(f"{list_shows} === 'neutral'")
+
+
+def test_a_recording_with_its_transcript(page: Page, tmp_path: Path) -> None:
+    recording = tmp_path / "really.wav"
+    risorius.speak(LINE).write(recording)
+    type_line(page)
+    page.driver.find_element(By.ID, "recording").send_keys(str(recording))
+    page.wait(f"studio.store.get('take')?.made.source.recording && {SETTLED}", 120.0)
+    page.wait(SHOWN)
+    words = [word["text"].lower() for word in values(page, "take")[0]["speech"]["words"]]
+    assert [word.strip("?.") for word in words] == ["oh", "really", "i", "like", "it", "very", "much"]
+    assert page.get("document.querySelector('.recording .name').textContent") == "really.wav"
+
+
+def test_what_is_typed_while_a_line_is_performed_stays(page: Page) -> None:
+    perform(page)
+    page.driver.find_element(By.ID, "perform").click()
+    page.driver.find_element(By.ID, "script").send_keys(" And more.")
+    page.wait(SETTLED)
+    assert values(page, "source")[0]["script"].endswith(" And more.")

@@ -1,0 +1,87 @@
+"""Exports, and the project: nothing is lost."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from selenium.webdriver.common.by import By
+
+from .acts import SETTLED, SHOWN, choose, open_panel, perform, values
+from .driving import Page
+
+CURVES = "Object.fromEntries(Object.entries(studio.store.get('take').curves).map(([n, c]) => [n, [...c]]))"
+
+
+def test_an_export_shows_its_progress_and_gives_its_files(page: Page) -> None:
+    perform(page)
+    open_panel(page, "Project")
+    page.run("document.querySelectorAll('.outputs input:checked').forEach((box) => box.click())")
+    assert not page.driver.find_element(By.ID, "export").is_enabled()
+    for suffix in (".muscles.csv", ".TextGrid"):
+        page.run(f"document.querySelector('[data-suffix=\"{suffix}\"] input').click()")
+    page.run("window.told = []; studio.connection.on('progress', ({ job }) => job && told.push(job))")
+    page.driver.find_element(By.ID, "export").click()
+    page.wait("document.querySelectorAll('#jobs a').length === 2", 120.0)
+    assert page.get("told.length") > 0
+    page.picture("exported")
+    table = page.run("return (await fetch(document.querySelector('#jobs a').href)).text()")
+    rows = table.splitlines()
+    assert rows[0].startswith("time_s,zygomatic_major.left,")
+    assert len(rows) - 1 == values(page, "take")[0]["frames"]
+
+
+def test_an_export_that_is_stopped_leaves_nothing(page: Page) -> None:
+    perform(page)
+    open_panel(page, "Project")
+    page.run("document.querySelectorAll('.outputs input:checked').forEach((box) => box.click())")
+    page.run("document.querySelector('[data-suffix=\".mp4\"] input').click()")
+    page.driver.find_element(By.ID, "export").click()
+    page.wait("document.querySelector('#jobs progress')")
+    page.run("document.querySelector('#jobs button').click()")
+    page.wait("document.querySelector('#jobs .bad')", 120.0)
+    assert page.get("document.querySelectorAll('#jobs a').length") == 0
+
+
+def test_a_reload_shows_the_same(page: Page) -> None:
+    perform(page)
+    choose(page, "perform", "profile", "lively")
+    page.wait(f"studio.store.get('take').made.choices.profile === 'lively' && {SETTLED}")
+    open_panel(page, "Rules")
+    page.run(
+        "studio.view.choose('side'); studio.clock.seek(1); await new Promise((go) => setTimeout(go, 1200))"
+    )
+    before = page.get(CURVES)
+    page.open(page.get("location.hash.slice(1)"))
+    page.wait(f"studio.store.get('take') !== null && {SHOWN}")
+    assert page.get(CURVES) == before
+    assert page.get("studio.view.state.turn") == 90
+    assert page.get("studio.clock.time") == 1
+    assert page.get("studio.store.get('tab')") == "rules"
+    assert values(page, "source")[0]["script"] == "Oh really? I like it very much."
+
+
+def test_a_project_file_opens_again_exactly(page: Page, tmp_path: Path) -> None:
+    perform(page)
+    before = page.get(CURVES)
+    text = page.run(
+        "const made = await studio.connection.request('project'); return (await fetch(made.path)).text()"
+    )
+    assert json.loads(text)["risorius_project"] == 1
+    file = tmp_path / "mine.risorius.json"
+    file.write_text(text, encoding="utf-8")
+    page.open("another-session")
+    assert page.get("studio.store.get('take')") is None
+    open_panel(page, "Project")
+    page.driver.find_element(By.CSS_SELECTOR, "#panel-project input[type=file]").send_keys(str(file))
+    page.wait("studio.store.get('take') !== null")
+    assert page.get(CURVES) == before
+
+
+def test_a_file_that_is_no_project_is_refused_in_one_line(page: Page, tmp_path: Path) -> None:
+    file = tmp_path / "broken.json"
+    file.write_text('{"risorius_project": 99}', encoding="utf-8")
+    open_panel(page, "Project")
+    page.driver.find_element(By.CSS_SELECTOR, "#panel-project input[type=file]").send_keys(str(file))
+    page.wait("!document.querySelector('#notice').hidden")
+    assert "\n" not in page.get("document.querySelector('#notice span').textContent").strip()

@@ -1,0 +1,449 @@
+"""The timeline with the real server: blocks and curves changed by mouse and by keys, and explained."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.remote.webelement import WebElement
+
+from .driving import Page
+
+LINE = "Oh really? I like it very much."
+BROWS = "signals.brows"
+TIMELINE = "document.querySelector('#timeline').timeline"
+FRAME = 1 / 30
+JUMP = 0.3  # s by which a block is moved: further than any edge that it could snap to
+
+
+class Timeline:
+    """The timeline of a page on which a line is performed."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        page.run(f"window.timeline = {TIMELINE}")
+        page.driver.find_element("id", "script").send_keys(LINE)
+        page.driver.find_element("id", "perform").click()
+        page.wait("timeline.scene.model && !timeline.busy")
+        page.run("document.documentElement.style.setProperty('--timeline-height', '400px')")
+        self.settle()
+
+    def settle(self) -> None:
+        """Wait until what was changed is drawn."""
+        self.page.run("for (let k = 0; k < 3; k++) await new Promise(requestAnimationFrame)")
+
+    def restore(self) -> None:
+        """Take all changes back, and show the whole take."""
+        self.page.run("""
+          const { desk, scene } = timeline;
+          document.querySelectorAll("dialog[open]").forEach((dialog) => dialog.close());
+          document.querySelectorAll(":popover-open").forEach((popover) => popover.hidePopover());
+          if (desk.draws) document.querySelector("#tl-draw").click();
+          while (scene.model.take.can_undo) await desk.undo();
+          scene.folded.clear();
+          desk.choose(null);
+          desk.arrange();
+          desk.scroller.scrollTop = 0;
+          desk.fit();
+        """)
+        self.settle()
+
+    @property
+    def take(self) -> int:
+        return int(self.page.get("timeline.scene.model.take.take"))
+
+    def block(self, start: str = BROWS) -> dict[str, Any]:
+        """Return the first block whose id starts so, as the take has it."""
+        found: dict[str, Any] = self.page.run(
+            "return timeline.scene.model.take.blocks.find(({ id }) => id.startsWith(arguments[0]))", start
+        )
+        return found
+
+    def changed(self, take: int) -> None:
+        """Wait for the answer to an edit made on a take."""
+        self.page.wait(f"timeline.scene.model.take.take !== {take} && !timeline.busy")
+        self.settle()
+
+    def place(self, block: dict[str, Any], time: float, depth: float = 0.6) -> tuple[int, int]:
+        """Return where a time of a block is on the page; `depth` 0 is its top, 1 its bottom."""
+        x, y = self.page.run(
+            """
+            const [id, time, depth] = arguments;
+            const { scene } = timeline;
+            const { blockBand } = await import("/web/timeline/rows.js");
+            const block = scene.model.blocks.get(id);
+            const row = scene.body.find(({ lane }) => lane?.channel === block.channel);
+            const [top, bottom] = blockBand(row, block);
+            const box = scene.canvas.getBoundingClientRect();
+            const y = scene.headHeight - scene.scroll + top + depth * (bottom - top);
+            return [box.left + scene.view.x(time), box.top + y];
+            """,
+            block["id"],
+            time,
+            depth,
+        )
+        return round(x), round(y)
+
+    def graph(self, base: str, time: float, value: float) -> tuple[int, int]:
+        """Return where a value of a muscle is on the page, its graph brought into sight."""
+        self.page.run(
+            """
+            const row = timeline.scene.body.find((row) => row.base === arguments[0]);
+            timeline.desk.revealRow(row);
+            """,
+            base,
+        )
+        self.settle()
+        x, y = self.page.run(
+            """
+            const [base, time, value] = arguments;
+            const { scene } = timeline;
+            const { scaleOf } = await import("/web/timeline/paint_graphs.js");
+            const row = scene.body.find((row) => row.base === base);
+            const box = scene.canvas.getBoundingClientRect();
+            const y = scene.headHeight - scene.scroll + scaleOf(scene.model, row).y(value);
+            return [box.left + scene.view.x(time), box.top + y];
+            """,
+            base,
+            time,
+            value,
+        )
+        return round(x), round(y)
+
+    def pixels(self, seconds: float) -> int:
+        return round(seconds * self.page.get("timeline.scene.view.scale"))
+
+    def drag(self, start: tuple[int, int], by: int) -> None:
+        chain = self.page.actions()
+        pointer = chain.w3c_actions.pointer_action
+        pointer.move_to_location(*start)
+        pointer.pointer_down()
+        pointer.move_to_location(start[0] + by // 2, start[1])
+        pointer.move_to_location(start[0] + by, start[1])
+        pointer.pointer_up()
+        chain.perform()
+
+    def click(self, place: tuple[int, int]) -> None:
+        chain = self.page.actions()
+        pointer = chain.w3c_actions.pointer_action
+        pointer.move_to_location(*place)
+        pointer.pointer_down()
+        pointer.pointer_up()
+        chain.perform()
+        self.settle()
+
+    def double_click(self, place: tuple[int, int]) -> None:
+        """Double-click, however slowly a loaded machine lets clicks follow one another."""
+        self.page.run(
+            """
+            const [clientX, clientY] = arguments;
+            const event = new MouseEvent("dblclick", { clientX, clientY, bubbles: true });
+            timeline.scene.canvas.dispatchEvent(event);
+            """,
+            *place,
+        )
+
+    def select(self, block: dict[str, Any]) -> None:
+        """Click in the middle of a block."""
+        self.click(self.place(block, (block["apex_start"] + block["apex_end"]) / 2))
+
+    def press(self, *keys: str, held: str = "") -> None:
+        chain: ActionChains = self.page.actions()
+        for key in held:
+            chain.key_down(key)
+        chain.send_keys(*keys)
+        for key in held:
+            chain.key_up(key)
+        chain.perform()
+
+    def tool(self, name: str) -> WebElement:
+        """Return a button of the timeline's tools."""
+        found = self.page.driver.find_elements("css selector", ".tl-tools button")
+        return next(button for button in found if button.text == name)
+
+    def explained(self, what: str) -> str:
+        """Return the explanation once it contains something."""
+        text = "document.querySelector('#explanation').innerText"
+        self.page.wait(f"{text}.includes({what!r})")
+        return str(self.page.get(text))
+
+
+@pytest.fixture(scope="module")
+def performed(browser_page: Page) -> Timeline:
+    browser_page.open("timeline")
+    return Timeline(browser_page)
+
+
+@pytest.fixture
+def timeline(performed: Timeline) -> Iterator[Timeline]:
+    """The timeline as it was after performing: what a test changes is taken back."""
+    performed.page.complaints()
+    yield performed
+    assert performed.page.complaints() == []
+    performed.restore()
+
+
+def moved(block: dict[str, Any], delta: float) -> Any:
+    return pytest.approx(block["start"] + delta, abs=0.02)
+
+
+def test_a_take_is_drawn_and_listed(timeline: Timeline) -> None:
+    page = timeline.page
+    count = page.get("timeline.scene.count")
+    assert min(count["blocks"], count["columns"], count["texts"]) > 20
+    names = page.get("[...document.querySelectorAll('.tl-lane-name')].map((name) => name.textContent)")
+    assert {"lips", "signals", "punctuators"} <= set(names)
+    option = "document.querySelector('.tl-blocks [tabindex=\"0\"]')"
+    assert page.get(f"{option}.getAttribute('aria-setsize')") == str(
+        page.get("timeline.scene.model.take.blocks.length")
+    )
+    page.picture("timeline-light")
+    page.run("document.documentElement.dataset.theme = 'dark'")
+    timeline.settle()
+    page.picture("timeline-dark")
+
+
+def test_a_block_is_dragged_and_the_change_taken_back_and_made_again(timeline: Timeline) -> None:
+    before, take = timeline.block(), timeline.take
+    middle = (before["apex_start"] + before["apex_end"]) / 2
+    timeline.drag(timeline.place(before, middle), timeline.pixels(JUMP))
+    timeline.changed(take)
+    there = timeline.block()
+    assert there["start"] > before["start"] + JUMP / 2
+    assert there["end"] - there["start"] == pytest.approx(before["end"] - before["start"])
+    assert there["edited"]
+    take = timeline.take
+    timeline.press("z", held=Keys.CONTROL)
+    timeline.changed(take)
+    assert timeline.block()["start"] == before["start"]
+    take = timeline.take
+    timeline.press("z", held=Keys.CONTROL + Keys.SHIFT)
+    timeline.changed(take)
+    assert timeline.block()["start"] == there["start"]
+
+
+@pytest.mark.parametrize(
+    ("time", "depth", "same", "other"),
+    [("start", 1.0, "end", "start"), ("end", 1.0, "start", "end"), ("apex_end", 0.0, "start", "apex_end")],
+)
+def test_a_block_is_stretched_by_its_handles(
+    timeline: Timeline, time: str, depth: float, same: str, other: str
+) -> None:
+    block = timeline.block()
+    timeline.select(block)
+    take = timeline.take
+    by = 40 if time != "apex_end" else timeline.pixels((block["end"] - block["apex_end"]) / 2)
+    timeline.drag(timeline.place(block, block[time], depth), by)
+    timeline.changed(take)
+    after = timeline.block()
+    assert after[same] == pytest.approx(block[same])
+    assert after[other] > block[other] + 0.01
+
+
+def test_a_drag_is_given_up_by_escape(timeline: Timeline) -> None:
+    block, take = timeline.block(), timeline.take
+    chain = timeline.page.actions()
+    pointer = chain.w3c_actions.pointer_action
+    x, y = timeline.place(block, (block["apex_start"] + block["apex_end"]) / 2)
+    pointer.move_to_location(x, y)
+    pointer.pointer_down()
+    pointer.move_to_location(x + 80, y)
+    chain.perform()
+    assert timeline.page.get("[...timeline.scene.edits.held].length") == 1
+    timeline.press(Keys.ESCAPE)
+    assert timeline.page.get("[...timeline.scene.edits.held].length") == 0
+    release = timeline.page.actions()
+    release.w3c_actions.pointer_action.pointer_up()
+    release.perform()
+    timeline.settle()
+    assert timeline.take == take
+
+
+def test_a_block_is_moved_and_stretched_by_keys_alone(timeline: Timeline) -> None:
+    page, block = timeline.page, timeline.block()
+    timeline.tool("Movements").send_keys("")
+    timeline.press(Keys.ENTER)
+    for _ in range(page.get("timeline.scene.model.take.blocks.length")):
+        if page.get("document.activeElement.dataset.id") == block["id"]:
+            break
+        timeline.press(Keys.ARROW_DOWN)
+    assert page.get("document.activeElement.dataset.id") == block["id"]
+    take = timeline.take
+    timeline.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+    timeline.changed(take)
+    assert timeline.block()["start"] == pytest.approx(block["start"] + 3 * FRAME, abs=1e-6)
+    assert page.get("document.activeElement.dataset.id") == block["id"]
+    take = timeline.take
+    timeline.press(Keys.ARROW_LEFT, held=Keys.SHIFT)
+    timeline.changed(take)
+    assert timeline.block()["end"] == pytest.approx(block["end"] + 2 * FRAME, abs=1e-6)
+    take = timeline.take
+    timeline.press("z", held=Keys.CONTROL)
+    timeline.changed(take)
+    assert timeline.block()["end"] == pytest.approx(block["end"] + 3 * FRAME, abs=1e-6)
+
+
+def test_a_block_is_deleted_and_comes_back(timeline: Timeline) -> None:
+    block, take = timeline.block(), timeline.take
+    timeline.select(block)
+    timeline.press(Keys.DELETE)
+    timeline.changed(take)
+    assert timeline.block(block["id"]) is None
+    take = timeline.take
+    timeline.press("z", held=Keys.CONTROL)
+    timeline.changed(take)
+    assert timeline.block(block["id"]) == block
+
+
+def test_a_movement_is_added(timeline: Timeline) -> None:
+    page, take = timeline.page, timeline.take
+    timeline.tool("Add…").click()
+    page.wait("document.querySelector('.tl dialog').open")
+    page.run("""
+      const set = (name, value) => {
+        const field = document.querySelector(`#tl-add-${name}`);
+        field.value = value;
+        field.dispatchEvent(new Event("change"));
+      };
+      set("kind", "unit"); set("name", "AU1"); set("amount", 0.8); set("start", 1.5); set("length", 0.6);
+    """)
+    page.picture("timeline-add")
+    page.run("document.querySelector('.tl dialog .primary').click()")
+    timeline.changed(take)
+    added = timeline.block("hand.")
+    assert (added["start"], added["end"]) == pytest.approx((1.5, 2.1))
+    assert added["targets"] == {"frontalis_medialis.left": 0.8, "frontalis_medialis.right": 0.8}
+    page.wait("timeline.scene.selected?.startsWith('hand.')")
+    assert not page.get("document.querySelector('.tl dialog').open")
+    shown = page.run("return timeline.scene.model.valueAt('frontalis_medialis.left', 1.75)")
+    assert shown == pytest.approx(0.8, abs=0.02)
+
+
+def test_a_key_set_on_a_graph_lowers_a_muscle_and_is_explained(timeline: Timeline) -> None:
+    page, take = timeline.page, timeline.take
+    base, time = "frontalis_medialis", (timeline.block()["apex_start"] + timeline.block()["apex_end"]) / 2
+    value = f"timeline.scene.model.valueAt('{base}.left', {time})"
+    assert page.get(value) > 0.3
+    place = timeline.graph(base, time, 0.1)
+    timeline.click(place)
+    timeline.double_click(place)
+    timeline.changed(take)
+    assert page.get(value) == pytest.approx(0.1, abs=0.06)
+    assert page.get(value.replace("left", "right")) == page.get(value)
+    page.run(f"timeline.desk.ask({time}, '{base}.left')")
+    text = timeline.explained("by hand")
+    assert "replaced" in text
+    page.picture("timeline-key")
+    take = timeline.take
+    timeline.press("z", held=Keys.CONTROL)
+    timeline.changed(take)
+    assert page.get(value) > 0.3
+    assert page.get(f"timeline.scene.edits.keys('{base}.left').length") == 0
+
+
+def test_a_curve_is_drawn_freely(timeline: Timeline) -> None:
+    page, take = timeline.page, timeline.take
+    page.run("document.querySelector('#tl-draw').click()")
+    start, end = (timeline.graph("frontalis_medialis", *at) for at in ((1.5, 0.2), (2.0, 0.8)))
+    chain = page.actions()
+    pointer = chain.w3c_actions.pointer_action
+    pointer.move_to_location(*start)
+    pointer.pointer_down()
+    for k in range(1, 9):
+        x, y = (a + (b - a) * k / 8 for a, b in zip(start, end, strict=True))
+        pointer.move_to_location(round(x), round(y))
+    pointer.pointer_up()
+    chain.perform()
+    timeline.changed(take)
+    middle = page.get("timeline.scene.model.valueAt('frontalis_medialis.left', 1.75)")
+    assert middle == pytest.approx(0.5, abs=0.08)
+
+
+def test_a_click_on_a_graph_says_why(timeline: Timeline) -> None:
+    block = timeline.block()
+    time = (block["apex_start"] + block["apex_end"]) / 2
+    timeline.click(timeline.graph("frontalis_medialis", time, 0.3))
+    text = timeline.explained("signals")
+    assert BROWS in text
+    assert "really" in text
+
+
+def test_a_click_on_a_block_says_why_it_is_there(timeline: Timeline) -> None:
+    timeline.select(timeline.block())
+    assert BROWS in timeline.explained("frontalis medialis")
+    assert timeline.page.get("document.activeElement.getAttribute('role')") == "option"
+
+
+def test_a_lips_block_is_explained_and_not_moved(timeline: Timeline) -> None:
+    block, take = timeline.block("lips.3"), timeline.take
+    timeline.drag(timeline.place(block, (block["start"] + block["end"]) / 2), 60)
+    timeline.explained(block["rule"])
+    assert timeline.take == take
+
+
+def test_the_wheel_zooms_about_the_pointer(timeline: Timeline) -> None:
+    page = timeline.page
+    place = timeline.place(timeline.block(), timeline.block()["start"])
+    at = f"timeline.scene.view.time({place[0]} - timeline.scene.canvas.getBoundingClientRect().left)"
+    span, time = page.get("timeline.scene.view.span"), page.get(at)
+    page.run(
+        """
+        const [clientX, clientY] = arguments;
+        const wheel = { clientX, clientY, deltaY: -300, ctrlKey: true, bubbles: true, cancelable: true };
+        timeline.scene.canvas.dispatchEvent(new WheelEvent("wheel", wheel));
+        """,
+        *place,
+    )
+    assert page.get("timeline.scene.view.span") < 0.6 * span
+    assert page.get(at) == pytest.approx(time)
+
+
+def test_a_click_on_the_ruler_moves_the_playhead(timeline: Timeline) -> None:
+    page = timeline.page
+    box = page.get("timeline.scene.canvas.getBoundingClientRect().toJSON()")
+    x = round(box["left"] + page.get("timeline.scene.view.x(1.25)"))
+    timeline.click((x, round(box["top"] + 10)))
+    assert page.get("timeline.scene.time") == pytest.approx(1.25, abs=0.02)
+    left = page.get("document.querySelector('.tl-playhead').getBoundingClientRect().left")
+    assert left == pytest.approx(x, abs=2)
+
+
+def test_graphs_are_searched_and_chosen(timeline: Timeline) -> None:
+    page = timeline.page
+    timeline.tool("Graphs…").click()
+    search = page.driver.find_element("css selector", "#tl-picker input[type=search]")
+    search.send_keys("AU15")
+    boxes = page.driver.find_elements("css selector", "#tl-picker input[type=checkbox]")
+    assert len(boxes) == 1
+    boxes[0].click()
+    timeline.settle()
+    page.picture("timeline-graphs")
+    assert page.get("timeline.scene.body.at(-1).base") == "triangularis"
+
+
+def test_a_lane_folds_to_one_row(timeline: Timeline) -> None:
+    page = timeline.page
+    height = "timeline.scene.body.find(({ lane }) => lane?.channel === 'signals').height"
+    before = page.get(height)
+    page.run("document.querySelector('.tl-names [data-name=signals]').click()")
+    assert page.get(height) < before / 2
+    assert page.get("document.querySelector('.tl-names [data-name=signals]').ariaExpanded") == "false"
+
+
+def test_graphs_and_folded_lanes_are_there_again_after_a_reload(timeline: Timeline) -> None:
+    page = timeline.page
+    page.run("timeline.scene.folded.add('signals'); document.querySelector('.tl-side').click()")
+    shown = "[timeline.scene.graphs, [...timeline.scene.folded]]"
+    before = page.get(shown)
+    assert len(before[0][0]["names"]) == 1
+    page.wait("document.querySelector('#state').textContent === 'All changes saved'")
+    page.run("await new Promise((done) => setTimeout(done, 1500))")
+    page.open("timeline")
+    page.run(f"window.timeline = {TIMELINE}")
+    page.wait("timeline.scene.model")
+    page.wait(f"JSON.stringify({shown}) === {json.dumps(json.dumps(before, separators=(',', ':')))}")
+    page.run("document.documentElement.style.setProperty('--timeline-height', '400px')")

@@ -1,0 +1,116 @@
+"""A real server on a free port, and a client that speaks to it as the page does."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import struct
+import threading
+from contextlib import contextmanager
+
+import pytest
+import uvicorn
+from websockets.sync.client import connect
+
+from risorius.studio.app import Studio
+from risorius.studio.server import bound, configured
+
+LINE = "Oh really? I like it very much."
+
+
+class Client:
+    """A page: asks and waits for the answer; keeps the faces and events that come meanwhile."""
+
+    def __init__(self, socket):
+        self.socket = socket
+        self.numbers = itertools.count(1)
+        self.faces, self.events = [], []
+
+    def ask(self, do, **fields):
+        """Return the answer; fail where the request is refused."""
+        answer = self.tried(do, **fields)
+        assert "ok" in answer, answer
+        return answer["ok"]
+
+    def refused(self, do, **fields):
+        """Return why a request is refused."""
+        answer = self.tried(do, **fields)
+        assert "error" in answer, answer
+        assert "\n" not in answer["error"]
+        return answer["error"]
+
+    def tried(self, do, **fields):
+        self.number = number = next(self.numbers)
+        self.socket.send(json.dumps({"id": number, "do": do, **fields}))
+        return self.answer(number)
+
+    def answer(self, number):
+        while True:
+            found = self.heard()
+            if found is not None and found.get("re") == number and "event" not in found:
+                return found
+
+    def heard(self, timeout=120):
+        """Return the next message that is JSON; faces and events are kept."""
+        message = self.socket.recv(timeout)
+        if isinstance(message, bytes):
+            self.faces.append(message)
+            return None
+        found = json.loads(message)
+        if "event" in found:
+            self.events.append(found)
+        return found
+
+    def event(self, name):
+        """Return the next event of that name."""
+        while True:
+            for place, found in enumerate(self.events):
+                if found["event"] == name:
+                    return self.events.pop(place)
+            self.heard()
+
+    def perform(self, script=LINE, **fields):
+        return self.ask("perform", source={"script": script}, **fields)
+
+
+def header(message):
+    """Return kind, take, first frame, count, vertices and floats of pose."""
+    return struct.unpack("<6I", message[:24])
+
+
+class Server:
+    """A server that runs, and its address."""
+
+    def __init__(self, port, studio):
+        self.address, self.studio = f"127.0.0.1:{port}", studio
+        self.url = f"http://{self.address}"
+
+    @contextmanager
+    def page(self, session, **options):
+        with connect(f"ws://{self.address}/ws/{session}", max_size=None, **options) as socket:
+            yield Client(socket)
+
+
+@contextmanager
+def serving(folder):
+    """Run a server in a thread."""
+    listening = bound(0)
+    studio = Studio(folder)
+    server = uvicorn.Server(configured(studio))
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
+    thread.start()
+    while not server.started:
+        assert thread.is_alive()
+        thread.join(0.01)
+    try:
+        yield Server(listening.getsockname()[1], studio)
+    finally:
+        server.should_exit = True
+        thread.join(20)
+        listening.close()
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    with serving(tmp_path_factory.mktemp("studio")) as running:
+        yield running

@@ -1,0 +1,313 @@
+"""A real server: what a page does from the first line to the exported file, and what must do no harm."""
+
+from __future__ import annotations
+
+import json
+import threading
+import time
+import urllib.error
+import urllib.request
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+
+from risorius.studio import limits
+
+from .conftest import LINE, header, serving
+
+KEYS = [[0.2, 0], [0.8, 0.6], [1.4, 0]]
+
+
+def fetched(server, path, data=None):
+    """Return status and body; a body is posted."""
+    request = urllib.request.Request(server.url + path, data)
+    try:
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            return answer.status, answer.read()
+    except urllib.error.HTTPError as error:
+        return error.code, error.read()
+
+
+def test_the_server_says_when_it_is_warm(server):
+    with server.page("warm") as page:
+        page.ask("open")
+        if any(event["event"] == "ready" for event in page.events):
+            assert [page.event("ready")["what"] for _ in range(2)] == ["warming", "warm"]
+        assert server.studio.warm.is_set()
+
+
+def test_sessions_without_a_page_give_way_and_nothing_is_made_by_asking(tmp_path, monkeypatch):
+    monkeypatch.setattr(limits, "SESSIONS", 2)
+    with serving(tmp_path) as server:
+        assert fetched(server, "/api/session/none/project")[0] == 404
+        assert not (tmp_path / "none").exists()
+        with server.page("one") as one:
+            one.perform("Hm.")
+            one.event("saved")
+            for name in ("two", "three", "four"):
+                with server.page(name) as page:
+                    page.ask("open")
+            assert one.ask("open")["take"] is not None
+            assert len(server.studio.rooms) == 2
+            with server.page("five") as page:
+                page.ask("open")
+                with pytest.raises(InvalidStatus), server.page("six"):
+                    pass
+
+
+def test_a_line_is_performed_seen_and_heard(server):
+    with server.page("perform") as page:
+        assert page.ask("open")["take"] is None
+        take = page.perform(emotions=[{"emotion": "joy", "intensity": 0.7}])
+        assert [word["text"] for word in take["speech"]["words"]] == LINE.rstrip(".").replace("?", "").split()
+        status, sound = fetched(server, take["speech"]["sound"])
+        assert (status, sound[:4]) == (200, b"RIFF")
+        assert page.ask("faces", take=take["take"], first=3, last=9)["sent"] == 6
+        heads = [header(message) for message in page.faces]
+        assert [(kind, number) for kind, number, *_ in heads] == [(1, take["take"])] * len(heads)
+        assert heads[0][2] == 3
+        assert sum(count for _, _, _, count, _, _ in heads) == 6
+        assert all(
+            len(m) == 24 + h[3] * (4 * h[5] + 6 * h[4]) for m, h in zip(page.faces, heads, strict=True)
+        )
+        page.faces.clear()
+        page.ask("face_at", take=take["take"], time=1.0)
+        assert header(page.faces[0])[:4] == (3, take["take"], 30, 1)
+        assert page.ask("faces", take=take["take"], first=0, last=0)["sent"] == 0
+        assert page.ask("faces", take=take["take"], first=10**6, last=10**7)["sent"] == 0
+
+
+def test_a_window_shows_what_the_whole_would(server):
+    with server.page("window") as page:
+        take = page.perform("Hello there.")
+        held = {}
+        for first, last in ((0, take["frames"]), (20, 24)):
+            page.ask("faces", take=take["take"], first=first, last=last)
+            for message in page.faces:
+                _, _, start, count, vertices, pose = header(message)
+                points = np.frombuffer(message, "<i2", offset=24 + 4 * pose * count).reshape(
+                    count, vertices, 3
+                )
+                held |= {(first, start + k): points[k] for k in range(count)}
+            page.faces.clear()
+        for frame in range(20, 24):
+            assert np.abs(held[0, frame].astype(int) - held[20, frame]).max() <= 1
+
+
+def test_an_edit_is_told_explained_undone_and_there_after_a_reload(server):
+    with server.page("edit") as page:
+        take = page.perform()
+        block = next(b for b in take["blocks"] if b["channel"] == "signals")
+        change = page.ask("edit", kind="move", movement=block["id"], start=0.1)
+        (moved,) = change["blocks"]
+        assert (moved["id"], moved["start"], moved["edited"]) == (block["id"], 0.1, True)
+        assert change["curves"]
+        drawn = page.ask(
+            "edit", kind="keys", parameter="mentalis.left", keys=[[0.2, 0], [0.8, 0.6], [1.4, 0]]
+        )
+        why = page.ask("explain", take=drawn["take"], time=0.8, parameter="mentalis.left")
+        assert why["reasons"][0]["winner"]["rule"] == "by hand"
+        assert "spk" not in why["sentences"]
+        back = page.ask("undo")
+        assert back["take"] == change["take"]
+        assert back["can_redo"]
+        assert "nothing to redo" in (page.ask("redo") and page.refused("redo"))
+        assert "unknown block 'x'" in page.refused("edit", kind="delete", movement="x")
+        page.ask("view", view={"playhead": 1.5})
+    with server.page("edit") as page:
+        state = page.ask("open")
+        assert state["take"]["take"] == drawn["take"]
+        assert state["view"] == {"playhead": 1.5}
+        assert [d["parameter"] for d in state["take"]["drawn"]] == ["mentalis.left"]
+
+
+def test_a_session_goes_on_after_the_server_has_died(tmp_path):
+    with serving(tmp_path) as server, server.page("one") as page:
+        page.perform()
+        drawn = page.ask("edit", kind="keys", parameter="masseter", keys=[[0.2, 0], [0.8, 0.6]])
+        page.event("saved")
+        page.event("saved")
+        before = page.ask("open")["take"]
+    with serving(tmp_path) as server, server.page("one") as page:
+        after = page.ask("open")["take"]
+        assert after["take"] > drawn["take"]
+        assert after["curves"] == before["curves"]
+        assert page.ask("undo")["gone"] == []
+        assert fetched(server, after["speech"]["sound"])[0] == 200
+
+
+def test_dials_are_followed_until_the_skin_lies_still(server):
+    with server.page("dial") as page:
+        page.ask("dial", values={})
+        state = page.ask("dial", values={"AU12": 0.5}, emotions={"surprise": 0.4})
+        assert state["values"]["zygomatic_major.left"] == 0.5
+        assert state["values"]["masseter"] > 0.0
+        assert "unknown" in page.refused("dial", values={"AU99": 1.0})
+        assert "unknown emotion '/etc/x.toml'" in page.refused("dial", emotions={"/etc/x.toml": 1.0})
+        page.ask("dial", values={"AU12": 0.5}, live=False)
+        while not (page.faces and header(page.faces[-1])[1] == page.number):
+            page.heard()
+        assert {header(message)[0] for message in page.faces} == {2}
+        at_rest = page.faces[-1]
+        page.ask("dial", values={"AU12": 0.5})
+        while header(page.faces[-1])[1] != page.number:
+            page.heard()
+        # Turned to where it was: the skin does not move.
+        assert page.faces[-1][24:] == at_rest[24:]
+        saved = page.ask("name_pose", name="grin", kind="emotion", values={"AU12": 0.5})
+        assert saved["file"] == "grin.toml"
+        assert page.ask("dial", emotions={"grin": 1.0})["values"]["zygomatic_major.left"] == 0.5
+        assert page.ask("open")["emotions"] == ["grin"]
+
+
+def test_two_takes_stand_side_by_side(server):
+    with server.page("compare") as page:
+        take = page.perform(emotions=[{"emotion": "joy", "intensity": 1.0}])
+        other = page.ask("compare", choices={"conflict": "sum"})
+        assert other["frames"] == take["frames"]
+        assert other["curves"] != take["curves"]
+        for number in (take["take"], other["take"]):
+            assert page.ask("faces", take=number, first=0, last=2)["sent"] == 2
+        assert page.ask("open")["take"]["take"] == take["take"]
+        fired = page.ask("rules_fired", take=take["take"])["rules"]
+        assert {"emotion.display"} <= {rule["rule"] for rule in fired}
+        rule = next(r["rule"] for r in fired if r["rule"].startswith("signals."))
+        without = page.ask("choose", choices={"rules_off": [rule]})
+        assert rule not in {b["rule"] for b in without["blocks"]}
+
+
+def test_files_are_exported_with_progress_and_fetched(server):
+    with server.page("export") as page:
+        take = page.perform("Hi.")["take"]
+        suffixes = [".muscles.csv", ".wav", ".landmarks.csv"]
+        page.events.clear()
+        job = page.ask("export", take=take, suffixes=suffixes, name="../my line")["job"]
+        done = page.event("exported")
+        assert (done["job"], done["error"]) == (job, "")
+        assert [f["name"] for f in done["files"]] == [f"my line{suffix}" for suffix in suffixes]
+        for file in done["files"]:
+            status, data = fetched(server, file["path"].replace(" ", "%20"))
+            assert status == 200
+            assert len(data) > 100
+        steps = [e for e in page.events if e["event"] == "progress" and e["job"] == job]
+        assert any(0 < step["done"] <= step["total"] for step in steps)
+        for wrong in (
+            {"suffixes": [".exe"]},
+            {"suffixes": []},
+            {"suffixes": [".png"], "background": "/etc/passwd"},
+        ):
+            assert page.refused("export", take=take, **wrong)
+        job = page.ask("export", take=take, suffixes=[".vertices.npz"])["job"]
+        page.ask("cancel_export", job=job)
+        assert page.event("exported")["error"] == "the export was stopped"
+        assert "there is no export 99" in page.refused("cancel_export", job=99)
+
+
+def test_a_project_is_fetched_and_taken_up_elsewhere(server):
+    with server.page("project") as page:
+        take = page.perform("Hi there.")
+        status, data = fetched(server, page.ask("project")["path"])
+        assert status == 200
+    with server.page("elsewhere") as page:
+        page.ask("open")
+        assert fetched(server, "/api/session/elsewhere/project", data)[0] == 200
+        page.event("changed")
+        assert page.ask("open")["take"]["curves"] == take["curves"]
+        status, text = fetched(server, "/api/session/elsewhere/project", b"{}")
+        assert (status, text.count(b"\n")) == (400, 1)
+        assert page.ask("open")["take"]["curves"] == take["curves"]
+
+
+def test_a_recording_is_uploaded_and_performed(server):
+    with server.page("record") as page:
+        sound = fetched(server, page.perform("I like it.")["speech"]["sound"])[1]
+        status, answer = fetched(server, "/api/session/record/recording?name=a.wav", sound)
+        assert status == 200
+        name = json.loads(answer)["recording"]
+        take = page.ask("perform", source={"script": "I like it.", "recording": name})
+        assert [word["text"] for word in take["speech"]["words"]] == ["I", "like", "it"]
+        status, text = fetched(server, "/api/session/record/recording?name=a.wav", b"nothing")
+        assert (status, text.count(b"\n")) == (400, 1)
+
+
+def test_what_is_too_large_is_refused(server, monkeypatch):
+    monkeypatch.setattr(limits, "RECORDING", 1000)
+    monkeypatch.setattr(limits, "PROJECT", 1000)
+    for path in ("recording?name=a.wav", "project"):
+        assert fetched(server, f"/api/session/large/{path}", bytes(5000))[0] == 413
+    assert not list((server.studio.folder / "large").glob("upload-*"))
+    with server.page("large") as page:
+        assert "longer than" in page.refused("perform", source={"script": "x" * (limits.SCRIPT + 1)})
+        with pytest.raises(ConnectionClosed):
+            page.ask("perform", source={"script": "x" * (limits.MESSAGE + 1)})
+
+
+BAD = [
+    "",
+    "{",
+    "[]",
+    "null",
+    '{"id": 1}',
+    '{"id": 2, "do": "perform"}',
+    '{"id": 3, "do": "edit", "kind": "x"}',
+]
+
+
+def test_a_hundred_bad_messages_at_once_do_no_harm(server):
+    with server.page("good") as good, server.page("bad") as bad:
+        before = good.perform("Hm.")
+
+        def shout(number):
+            with server.page("bad") as page:
+                page.socket.send(BAD[number % len(BAD)] if number % 2 else b"\x00\xff")
+                return page.heard()["error"]
+
+        with ThreadPoolExecutor(20) as pool:
+            assert all(pool.map(shout, range(100)))
+        for text in BAD * 20:
+            bad.socket.send(text)
+        for _ in range(limits.PENDING):
+            assert "error" in bad.heard()
+        assert good.ask("open")["take"]["curves"] == before["curves"]
+        assert good.perform("Hm.")["curves"] == before["curves"]
+
+
+def window(number, take):
+    """Return a request for all faces of a take."""
+    return json.dumps({"id": number, "do": "faces", "take": take["take"], "first": 0, "last": 999})
+
+
+def test_a_slow_page_holds_up_only_itself(server):
+    with server.page("slow", max_queue=1) as slow, server.page("quick") as quick:
+        take = slow.perform(LINE * 4)
+        for _ in range(3):
+            slow.socket.send(
+                json.dumps({"id": 99, "do": "faces", "take": take["take"], "first": 0, "last": 999})
+            )
+        time.sleep(0.5)
+        number = quick.perform("Hm.")["take"]
+        assert quick.ask("faces", take=number, first=0, last=8)["sent"] == 8
+        running = threading.active_count()
+        assert running < 100
+    with server.page("slow") as slow:
+        assert slow.ask("open")["take"]["take"] == take["take"]
+
+
+def test_a_window_gives_way_to_the_next(server):
+    with server.page("scrub") as page:
+        take = page.perform(LINE * 4)
+        for number in (900, 901):
+            page.socket.send(window(number, take))
+        first = page.answer(900)["ok"]["sent"]
+        assert first < take["frames"]
+        page.ask("cancel", take=take["take"])
+        assert page.answer(901)["ok"]["sent"] < take["frames"]
+
+
+def test_other_pages_of_a_session_hear_of_a_change(server):
+    with server.page("both") as one, server.page("both") as other:
+        other.ask("open")
+        take = one.perform("Hm.")
+        assert other.event("changed")["take"] == take["take"]

@@ -1,0 +1,101 @@
+"""Faces on the wire: what is unpacked is what was solved, to half a step, in the order of the head's file."""
+
+from __future__ import annotations
+
+import json
+import struct
+
+import numpy as np
+import pytest
+
+from risorius.core.action_units import resolve_targets
+from risorius.core.parameters import INDEX, NEUTRAL
+from risorius.face.solve import FaceSolver
+from risorius.studio.mesh import head_glb
+from risorius.studio.solvers import stage_of
+from risorius.studio.stage import FRAMES, PARTS, POSE, STEP
+
+
+@pytest.fixture(scope="module")
+def stage():
+    return stage_of("standard")
+
+
+@pytest.fixture(scope="module")
+def faces(stage):
+    solver, found = FaceSolver(stage.head), []
+    for targets in ({"AU12": 1.0, "head_yaw": 20.0}, {"AU27": 1.0, "gaze_pitch": 10.0, "tongue_out": 0.5}):
+        values = np.array(NEUTRAL)
+        for name, value in resolve_targets(targets).items():
+            values[INDEX[name]] = value
+        found.append(solver.solve(values))
+    return found
+
+
+def unpacked(stage, message):
+    """Return header, poses (n, 13) and positions (n, vertices, 3) in mm, as a page reads them."""
+    header = struct.unpack("<6I", message[:24])
+    count, vertices, pose = header[3:]
+    poses = np.frombuffer(message, "<f4", count * pose, 24).reshape(count, pose)
+    steps = np.frombuffer(message, "<i2", offset=24 + poses.nbytes).reshape(count, vertices, 3)
+    told = stage.described()
+    return header, poses, np.array(told["origin"]) + told["step"] * steps.astype(np.float64)
+
+
+def test_what_is_unpacked_is_what_was_solved(stage, faces):
+    header, poses, positions = unpacked(stage, stage.packed(FRAMES, 7, 30, faces))
+    assert header == (FRAMES, 7, 30, 2, stage.vertices, POSE)
+    parts = {part["name"]: part for part in stage.described()["parts"]}
+    assert tuple(parts) == PARTS
+    for face, pose, points in zip(faces, poses, positions, strict=True):
+        for name in ("skin", "tongue", "teeth_lower"):
+            part = parts[name]
+            there = points[part["first"] : part["first"] + part["count"]]
+            assert np.abs(there - getattr(face, name)).max() <= 0.51 * STEP
+        assert pose[12] == pytest.approx(face.jaw_angle)
+        for place, turn in enumerate((face.head_rotation, *face.eye_rotation)):
+            assert np.allclose(_matrix(pose[4 * place : 4 * place + 4]), turn, atol=1e-6)
+
+
+def _matrix(q):
+    x, y, z, w = q.astype(np.float64)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def test_brows_and_lashes_go_along_with_the_skin(stage, faces):
+    _, _, positions = unpacked(stage, stage.packed(FRAMES, 1, 0, faces[:1]))
+    parts = {part["name"]: part for part in stage.described()["parts"]}
+    for name in ("brows", "lashes"):
+        part, piece = parts[name], stage.pieces[name]
+        there = positions[0][part["first"] : part["first"] + part["count"]]
+        own = faces[0].skin.astype(np.float64) - stage.pieces["skin"].points
+        moved = np.einsum("vk,vkc->vc", piece.weights, own[piece.roots])
+        assert np.abs(there - piece.points - moved).max() <= 0.51 * STEP
+
+
+def test_the_head_s_file_has_the_vertices_of_the_frames(stage):
+    data = head_glb(stage)
+    length = struct.unpack_from("<I", data, 12)[0]
+    document = json.loads(data[20 : 20 + length])
+    counts = {
+        mesh["name"]: document["accessors"][mesh["primitives"][0]["attributes"]["POSITION"]]["count"]
+        for mesh in document["meshes"]
+    }
+    for part in stage.described()["parts"]:
+        assert counts[part["name"]] == part["count"]
+    nodes = {node["name"]: node for node in document["nodes"]}
+    assert {"head", "eye_left", "eye_right", "hair", "teeth_upper"} <= nodes.keys()
+
+
+def test_all_heads_at_all_ages_fit_the_whole_numbers(stage):
+    for age in (0.0, 100.0):
+        other = stage_of("standard", age)
+        points = np.concatenate([other.pieces[name].points for name in PARTS])
+        # With room for the jaw, which goes down by less than 40 mm.
+        assert np.abs(points - other.origin).max() + 40.0 < 32767 * STEP
