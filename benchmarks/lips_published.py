@@ -35,7 +35,7 @@ STOPS = (("p", "pcl"), ("b", "bcl"))
 SAID = "Put it on the map."
 Row = tuple[str, str, str, float]
 VTL = "VocalTractLab JD3, MRI of a German speaker"
-GRETA = "Greta's lip model, from recordings of a French speaker"
+GRETA = "Greta's lip model, means over contexts"
 FACTS = "measured on speakers (facts: lips, {})"
 
 
