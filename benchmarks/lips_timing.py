@@ -30,6 +30,7 @@ from risorius.speech.recording import read_recording
 FPS = 50.0
 JITTER = 0.02
 SHORTEST = 0.005
+ASKED = 0.97
 
 
 def moved(labels: Sequence[Label], draw: np.random.Generator) -> list[Label]:
@@ -75,8 +76,11 @@ def main() -> None:
         for name, labels in zip(found, (moved(sentence.labels, draw), ours), strict=True):
             found[name].append(float(np.corrcoef(by_hand, gap(labels, seconds))[0, 1]))
     for name, values in found.items():
+        tenth, half = np.percentile(values, (10.0, 50.0))
+        reached = sum(value >= ASKED for value in values)
         print(
-            f"{name}: lip gap r mean {np.mean(values):.3f}, least {min(values):.3f}, {len(values)} sentences"
+            f"{name}: lip gap r mean {np.mean(values):.3f}, median {half:.3f}, 10th percentile {tenth:.3f}, "
+            f"least {min(values):.3f}; {ASKED} or more in {reached} of {len(values)} sentences"
         )
 
 
