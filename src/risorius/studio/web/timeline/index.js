@@ -128,6 +128,10 @@ class Timeline {
     this.#store.watch(["selection"], () => this.#select());
     this.#store.watch(["graphs"], () => this.#restore());
     this.#clock.on("tick", () => this.#tick());
+    this.#clock.on("state", () => {
+      this.#scene.loop = this.#clock.loop;
+      this.repaint();
+    });
   }
 
   /** Take up the store's take. */
