@@ -38,6 +38,11 @@ export function mountTimeline(element, studio) {
   return element.timeline;
 }
 
+/** Whether two takes are of the same line, so that what is in sight may stay. */
+function sameLine(one, other) {
+  return one.duration === other.duration && one.speech?.text === other.speech?.text;
+}
+
 class Timeline {
   #store;
   #clock;
@@ -140,7 +145,7 @@ class Timeline {
     const before = this.#scene.model;
     this.#root.classList.toggle("tl-idle", !take);
     if (!take || !catalogue) return;
-    const fresh = before === null || before.take.speech !== take.speech || before.duration !== take.duration;
+    const fresh = before === null || !sameLine(before.take, take);
     const model = new Model(take, catalogue, fresh ? null : before);
     this.#scene.model = model;
     if (before === null) this.#dress();
