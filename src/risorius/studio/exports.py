@@ -53,10 +53,11 @@ class Exports:
 
     def write(self, job: int, take: Take, asked: wire.Export, progress: Progress) -> tuple[str, ...]:
         """Write the files and return their names. Raises RisoriusError; then nothing is kept."""
-        stopped = self._jobs[job]
+        stopped, writing = self._jobs[job], threading.get_ident()
 
         def told(stage: str, done: int = 0, total: int = 0) -> None:
-            if stopped.is_set():
+            # Another thread may say that the start takes long: stopping it would not stop this one.
+            if stopped.is_set() and threading.get_ident() == writing:
                 raise StoppedError("the export was stopped")
             progress(stage, done, total)
 

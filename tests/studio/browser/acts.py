@@ -71,12 +71,12 @@ def remember_face(page: Page) -> None:
     page.run("window.kept = studio.theatre.figures[0].skin.slice()")
 
 
-MOVED = """
-(() => {
+MOVED = """(() => {
   const skin = studio.theatre.figures[0].skin;
   let most = 0;
   for (let k = 0; k < skin.length; k += 3) {
-    most = Math.max(most, Math.hypot(skin[k] - kept[k], skin[k + 1] - kept[k + 1], skin[k + 2] - kept[k + 2]));
+    const [x, y, z] = [0, 1, 2].map((axis) => skin[k + axis] - kept[k + axis]);
+    most = Math.max(most, Math.hypot(x, y, z));
   }
   return most;
 })()"""

@@ -77,5 +77,5 @@ def test_playing_shows_the_line_again(page: Page) -> None:
     open_panel(page, "Dials")
     slide(page, "19 masseter", 1.0)
     page.wait("studio.store.get('dial') !== null")
-    page.run("[...document.querySelectorAll('#panel-dials button')].find((b) => b.textContent === 'Back to line').click()")
+    page.driver.find_element(By.ID, "dials-back").click()
     assert page.get("studio.store.get('dial')") is None

@@ -9,13 +9,11 @@ from .acts import perform, press
 from .driving import SIZE, Page
 
 GROUND = "getComputedStyle(document.body).backgroundColor"
-NAMELESS = """
-[...document.querySelectorAll('button, input, select, textarea, canvas[tabindex], [role=separator]')]
+NAMELESS = """[...document.querySelectorAll('button, input, select, textarea, canvas, [role=separator]')]
   .filter((it) => it.checkVisibility() && !(it.labels?.length || it.getAttribute('aria-label')
     || it.getAttribute('aria-labelledby') || it.textContent.trim() || it.title))
   .map((it) => it.outerHTML.slice(0, 120))"""
-OUTSIDE = """
-[...document.querySelectorAll('#studio > *')].filter((it) => {
+OUTSIDE = """[...document.querySelectorAll('#studio > *')].filter((it) => {
   const { left, top, right, bottom } = it.getBoundingClientRect();
   return left < -1 || top < -1 || right > innerWidth + 1 || bottom > innerHeight + 1;
 }).map((it) => it.id || it.tagName)"""

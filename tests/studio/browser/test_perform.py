@@ -41,8 +41,7 @@ def test_a_line_is_heard_and_seen(page: Page) -> None:
 def test_the_sound_is_the_clock(page: Page) -> None:
     perform(page)
     page.run(
-        "window.heard = [];"
-        "studio.clock.on('tick', ({ time, sounding }) => heard.push([time, sounding]));"
+        "window.heard = [];studio.clock.on('tick', ({ time, sounding }) => heard.push([time, sounding]));"
     )
     page.driver.find_element(By.ID, "play").click()
     page.wait("!studio.clock.playing")

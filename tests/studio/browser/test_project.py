@@ -20,9 +20,10 @@ def test_an_export_shows_its_progress_and_gives_its_files(page: Page) -> None:
     assert not page.driver.find_element(By.ID, "export").is_enabled()
     for suffix in (".muscles.csv", ".TextGrid"):
         page.run(f"document.querySelector('[data-suffix=\"{suffix}\"] input').click()")
+    page.run("window.told = []; studio.connection.on('progress', ({ job }) => job && told.push(job))")
     page.driver.find_element(By.ID, "export").click()
-    page.wait("document.querySelector('#jobs progress')")
     page.wait("document.querySelectorAll('#jobs a').length === 2", 120.0)
+    assert page.get("told.length") > 0
     page.picture("exported")
     table = page.run("return (await fetch(document.querySelector('#jobs a').href)).text()")
     rows = table.splitlines()
@@ -47,7 +48,9 @@ def test_a_reload_shows_the_same(page: Page) -> None:
     choose(page, "perform", "profile", "lively")
     page.wait(f"studio.store.get('take').made.choices.profile === 'lively' && {SETTLED}")
     open_panel(page, "Rules")
-    page.run("studio.view.choose('side'); studio.clock.seek(1); await new Promise((go) => setTimeout(go, 1200))")
+    page.run(
+        "studio.view.choose('side'); studio.clock.seek(1); await new Promise((go) => setTimeout(go, 1200))"
+    )
     before = page.get(CURVES)
     page.open(page.get("location.hash.slice(1)"))
     page.wait(f"studio.store.get('take') !== null && {SHOWN}")

@@ -10,7 +10,7 @@ from selenium.webdriver.common.by import By
 from .acts import SETTLED, open_panel, perform
 from .driving import Page, waited
 
-RULE = "signals.brows.nuclear"
+RULE = "signals.brows.accent"
 BLOCKS = f"studio.store.get('take').blocks.filter(({{ rule }}) => rule === '{RULE}').length"
 ROW = f"document.querySelector('#rules [data-rule=\"{RULE}\"]')"
 
@@ -49,7 +49,8 @@ def test_a_number_of_the_profile_is_performed_and_exported(rules: Page, tmp_path
     rules.run(
         "document.querySelectorAll('#panel-rules details').forEach((it) => it.setAttribute('open', ''));"
         "const label = document.querySelector('#panel-rules [title=\"blinks.period\"]');"
-        "const box = document.getElementById(label.htmlFor); box.value = 2; box.dispatchEvent(new Event('change'));"
+        "const box = document.getElementById(label.htmlFor);"
+        "box.value = 2; box.dispatchEvent(new Event('change'));"
     )
     rules.wait(f"{SETTLED} && studio.store.get('take').made.choices.profile_text !== null")
     rules.picture("profile-numbers")

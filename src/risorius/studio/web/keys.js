@@ -53,7 +53,9 @@ function free(event) {
   const key = pressed(event);
   if (key === "Ctrl+Enter") return true;
   if (element.closest?.("dialog[open]")) return false;
-  if (element.matches?.("textarea, input:not([type=range], [type=checkbox], [type=radio], [type=file]), select")) {
+  if (
+    element.matches?.("textarea, input:not([type=range], [type=checkbox], [type=radio], [type=file]), select")
+  ) {
     return false;
   }
   if (element.matches?.("input[type=range]:not(.scrub)") && /Arrow|Home|End/.test(key)) return false;

@@ -10,8 +10,19 @@ const SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5];
 export function mountTransport(element, clock) {
   const play = button(glyph("play"), { class: "primary icon", id: "play", onclick: () => clock.toggle() });
   const icon = (name, label, key, act) =>
-    button(glyph(name), { class: "plain icon", "aria-label": label, title: `${label} (${key})`, onclick: act });
-  const place = make("input", { type: "range", class: "scrub", min: 0, step: "any", "aria-label": "Playhead" });
+    button(glyph(name), {
+      class: "plain icon",
+      "aria-label": label,
+      title: `${label} (${key})`,
+      onclick: act,
+    });
+  const place = make("input", {
+    type: "range",
+    class: "scrub",
+    min: 0,
+    step: "any",
+    "aria-label": "Playhead",
+  });
   place.addEventListener("input", () => clock.seek(Number(place.value)));
   place.addEventListener("keydown", (event) => {
     if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End") event.preventDefault();

@@ -15,6 +15,7 @@ export class Sharpness {
   #last = 0;
   #timer = 0;
   #atRest = false;
+  #playing = false;
   #still;
   #changed;
 
@@ -33,10 +34,16 @@ export class Sharpness {
     return this.#atRest ? Math.max(this.#still, screen) : STEPS[this.#step] * screen;
   }
 
+  /** Whether it plays: then it is never at rest, however slowly pictures come. */
+  set playing(playing) {
+    this.#playing = playing;
+    this.moves();
+  }
+
   /** Something new is about to be drawn: it moves. */
   moves() {
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => this.#rest(true), REST);
+    if (!this.#playing) this.#timer = setTimeout(() => this.#rest(true), REST);
     this.#rest(false);
   }
 
@@ -45,7 +52,7 @@ export class Sharpness {
     const now = performance.now();
     const since = now - this.#last;
     this.#last = now;
-    if (since > REST || this.#atRest) this.#strikes = 0;
+    if (this.#atRest || (since > REST && !this.#playing)) this.#strikes = 0;
     else this.#judge(since > SLOW ? 1 : since < FAST ? -0.1 : 0);
   }
 

@@ -60,6 +60,11 @@ export class Stage {
     this.#resize();
   }
 
+  /** Whether the clock runs. @param {boolean} playing */
+  set playing(playing) {
+    this.#sharpness.playing = playing;
+  }
+
   /** Draw a picture before long: something moved. */
   invalidate() {
     this.#sharpness.moves();
