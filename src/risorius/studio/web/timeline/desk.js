@@ -9,6 +9,7 @@ export class Desk {
   snaps = true;
   follows = true;
   draws = false; // whether a pointer draws on graphs
+  chosen = null; // the block that was last selected here, and not elsewhere on the page
   #nudged = null; // the block whose times were changed by keys and not sent yet
   #timer = 0;
 
@@ -27,10 +28,11 @@ export class Desk {
     }
     const shown = this.edits.shown(block) ?? block;
     const at = time ?? (shown.apex_start + shown.apex_end) / 2;
+    this.chosen = block.id;
     this.actions.select({ movement: block.id, time: Math.min(at, this.scene.model.duration) });
   }
 
-  /** Ask why a parameter has its value at a time. */
+  /** Ask why a parameter, or both sides of one, has its value at a time. */
   ask(time, parameter) {
     this.settle();
     const at = Math.max(0, Math.min(time, this.scene.model.duration));
@@ -136,9 +138,16 @@ export class Desk {
 
   revealRow(row) {
     if (!row) return;
-    const room = this.scene.height - this.scene.headHeight;
-    const top = Math.min(row.y, Math.max(this.scroller.scrollTop, row.y + Math.min(row.height, room) - room));
-    if (top !== this.scroller.scrollTop) this.scroller.scrollTop = top;
+    const { scroll, height, headHeight, unit } = this.scene;
+    const room = height - headHeight;
+    const top = Math.min(row.y, Math.max(scroll, row.y + Math.min(row.height, room) - room));
+    if (top !== scroll) this.scroller.scrollTop = top * unit;
+  }
+
+  /** Repeat the word that is said at a time. */
+  loopWord(time) {
+    const word = this.scene.model.speech?.words.at(time);
+    if (word) this.clock.setLoop([word.start, word.end]);
   }
 
   zoom(factor, x = this.scene.view.x(this.clock.time)) {

@@ -37,6 +37,31 @@ export class Scrub {
   }
 }
 
+/** Choose the stretch that is repeated. */
+export class DragLoop {
+  #desk;
+  #from;
+  #before;
+
+  constructor(desk, x) {
+    this.#desk = desk;
+    this.#from = desk.scene.view.time(x);
+    this.#before = desk.clock.loop;
+  }
+
+  move(x) {
+    const { view, model } = this.#desk.scene;
+    const ends = [this.#from, view.time(x)].map((time) => Math.max(0, Math.min(time, model.duration)));
+    this.#desk.clock.setLoop(ends.sort((a, b) => a - b));
+  }
+
+  end() {}
+
+  cancel() {
+    this.#desk.clock.setLoop(this.#before);
+  }
+}
+
 /** Drag what is shown sideways (and nothing else). */
 export class Pan {
   #desk;

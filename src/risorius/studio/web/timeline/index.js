@@ -38,6 +38,11 @@ export function mountTimeline(element, studio) {
   return element.timeline;
 }
 
+/** Whether two takes are of the same line, so that what is in sight may stay. */
+function sameLine(one, other) {
+  return one.duration === other.duration && one.speech?.text === other.speech?.text;
+}
+
 class Timeline {
   #store;
   #clock;
@@ -118,8 +123,8 @@ class Timeline {
   #listen() {
     const { scroller } = this.#parts;
     scroller.addEventListener("scroll", () => {
-      this.#scene.scroll = scroller.scrollTop;
-      this.#parts.names.scrollTo(scroller.scrollTop);
+      this.#scene.scroll = scroller.scrollTop / this.#scene.unit;
+      this.#parts.names.scroll();
       this.repaint();
     });
     new ResizeObserver(() => this.#resize()).observe(scroller);
@@ -128,6 +133,10 @@ class Timeline {
     this.#store.watch(["selection"], () => this.#select());
     this.#store.watch(["graphs"], () => this.#restore());
     this.#clock.on("tick", () => this.#tick());
+    this.#clock.on("state", () => {
+      this.#scene.loop = this.#clock.loop;
+      this.repaint();
+    });
   }
 
   /** Take up the store's take. */
@@ -136,7 +145,7 @@ class Timeline {
     const before = this.#scene.model;
     this.#root.classList.toggle("tl-idle", !take);
     if (!take || !catalogue) return;
-    const fresh = before === null || before.take.speech !== take.speech || before.duration !== take.duration;
+    const fresh = before === null || !sameLine(before.take, take);
     const model = new Model(take, catalogue, fresh ? null : before);
     this.#scene.model = model;
     if (before === null) this.#dress();
@@ -172,9 +181,8 @@ class Timeline {
     if (!scene.model) return;
     scene.graphs = this.#graphs.rows;
     scene.arrange();
-    this.#parts.depth.style.height = `${Math.max(scene.headHeight + scene.bodyHeight - this.#parts.scroller.clientHeight, 0)}px`;
-    this.#parts.names.show();
     this.#resize();
+    this.#parts.names.show();
   }
 
   #resize() {
@@ -182,10 +190,9 @@ class Timeline {
     const height = scroller.clientHeight;
     frame.style.height = `${height}px`;
     names.setHeight(height);
-    if (this.#scene.model) {
-      depth.style.height = `${Math.max(this.#scene.headHeight + this.#scene.bodyHeight - height, 0)}px`;
-    }
     if (frame.clientWidth > 0) this.#scene.resize(frame.clientWidth, height);
+    const whole = this.#scene.model ? (this.#scene.headHeight + this.#scene.bodyHeight) * this.#scene.unit : 0;
+    depth.style.height = `${Math.max(whole - height, 0)}px`;
     this.repaint();
   }
 
@@ -200,10 +207,14 @@ class Timeline {
     const selection = this.#store.get("selection") ?? { time: null, parameter: null, movement: null };
     const { time, parameter, movement } = selection;
     this.#scene.selected = this.#scene.model?.blocks.has(movement) ? movement : null;
-    this.#scene.marked = parameter ? { time, parameter } : null;
-    if (this.#scene.selectedKey && this.#scene.selectedKey.parameter !== parameter) this.#scene.selectedKey = null;
+    this.#scene.marked = parameter && this.#scene.model ? { time, name: this.#scene.model.named(parameter)[0] } : null;
+    if (this.#scene.selectedKey?.parameter !== parameter) this.#scene.selectedKey = null;
     this.#parts.list.setSelected(this.#scene.selected);
     this.#parts.why.show(selection);
+    if (this.#scene.selected !== null && movement !== this.#desk.chosen) {
+      this.#desk.chosen = movement;
+      this.#desk.reveal(this.#desk.block); // it was pointed at elsewhere on the page
+    }
     this.repaint();
   }
 
@@ -211,7 +222,8 @@ class Timeline {
     const { scene } = this.#desk;
     scene.time = this.#clock.time;
     if (!scene.model) return;
-    if (this.#clock.playing && this.#desk.follows && scene.view.follow(scene.time)) this.repaint();
+    const follow = () => (this.#clock.playing ? scene.view.follow(scene.time) : scene.view.reveal(scene.time));
+    if (this.#desk.follows && follow()) this.repaint();
     const word = scene.model.speech?.words.at(scene.time) ?? null;
     const phone = scene.model.speech?.phones.at(scene.time) ?? null;
     if (word !== this.#said?.word || phone !== this.#said?.phone) this.repaint();
@@ -221,7 +233,7 @@ class Timeline {
 
   #showTime() {
     const { scene } = this.#desk;
-    this.#parts.playhead.style.transform = `translateX(${scene.view.x(scene.time)}px)`;
+    this.#parts.playhead.style.transform = `translateX(${scene.view.x(scene.time) * scene.unit}px)`;
     this.#parts.names.setTime(`${clockTime(scene.time)} s`);
   }
 

@@ -15,8 +15,9 @@ export class KeyTable {
     this.#desk = desk;
   }
 
-  /** @param {string} parameter @param {number} time where a key is added */
-  element(parameter, time) {
+  /** @param {string} name with or without its side @param {number} time where a key is added */
+  element(name, time) {
+    const [parameter] = this.#desk.scene.model.named(name);
     const keys = this.#desk.edits.keys(parameter);
     const { unit, low, high } = this.#desk.scene.model.parameters.get(parameter);
     const add = h("button", { id: "tl-key-add", onclick: () => this.#add(parameter, time) }, "Set a key here");

@@ -51,6 +51,11 @@ export class Model {
     return this.#pyramids.get(values);
   }
 
+  /** Parameters that a name means: itself, or both sides where it has none. */
+  named(name) {
+    return this.bases.get(name)?.names ?? [name];
+  }
+
   /** Whether two parameters' curves are not the same, as those of the two sides most often are. */
   differ(one, other) {
     const [a, b] = [this.take.curves[one], this.take.curves[other]];

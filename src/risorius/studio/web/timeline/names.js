@@ -30,21 +30,24 @@ export class Names {
     this.#corner.textContent = text;
   }
 
-  scrollTo(scroll) {
-    this.#list.style.transform = `translateY(${this.#desk.scene.headHeight - scroll}px)`;
+  /** Keep beside what is drawn. */
+  scroll() {
+    const { headHeight, scroll, unit } = this.#desk.scene;
+    this.#list.style.transform = `translateY(${(headHeight - scroll) * unit}px)`;
   }
 
   /** Lay out the rows' names anew. */
   show() {
-    this.#corner.style.height = `${this.#desk.scene.headHeight}px`;
+    this.#corner.style.height = `${this.#desk.scene.headHeight * this.#desk.scene.unit}px`;
     const held = document.activeElement?.dataset?.name;
     this.#list.replaceChildren(...this.#desk.scene.body.map((row) => this.#name(row)));
     if (held) this.#list.querySelector(`[data-name="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
-    this.scrollTo(this.#desk.scene.scroll);
+    this.scroll();
   }
 
   #name(row) {
-    const style = { top: `${row.y}px`, height: `${row.height}px` };
+    const { unit } = this.#desk.scene;
+    const style = { top: `${row.y * unit}px`, height: `${row.height * unit}px` };
     if (row.kind === "graph") return h("div", { class: "tl-name", style }, ...this.#graph(row));
     style["--colour"] = `var(--tl-channel-${row.lane.channel})`;
     return h("div", { class: "tl-name", style }, this.#lane(row));
@@ -62,7 +65,7 @@ export class Names {
   #graph({ base, names }) {
     const parameter = this.#desk.scene.model.parameters.get(names[0]);
     const number = parameter.number === null ? "" : `${String(parameter.number).padStart(2, "0")} `;
-    const explain = () => this.#desk.ask(this.#desk.clock.time, names[0]);
+    const explain = () => this.#desk.ask(this.#desk.clock.time, names.length > 1 ? base : names[0]);
     const away = () => this.#graphs.toggle(base);
     const title = `Why does ${spoken(base)} have its value at the playhead?`;
     return [

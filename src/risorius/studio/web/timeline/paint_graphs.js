@@ -39,6 +39,7 @@ export function paintGraph(scene, row) {
   context.fillStyle = palette.grid;
   context.fillRect(0, row.y + row.height - 1, scene.width, 1);
   context.fillRect(0, Math.round(scale.y(scale.neutral)), scene.width, 1);
+  paintScale(scene, row, scale);
   const shown = row.names.find((name) => details.of(name)) ?? row.names[0];
   const detail = details.of(shown);
   if (detail) paintChannels(scene, row, scale, detail);
@@ -46,6 +47,18 @@ export function paintGraph(scene, row) {
   for (const name of others) if (model.differ(main, name)) paintCurve(scene, scale, name, palette.other, 1);
   paintCurve(scene, scale, main, palette.curve, 1.75);
   for (const name of row.names) paintKeys(scene, row, scale, name);
+}
+
+/** What the top and the bottom of the graph stand for. */
+function paintScale({ context, palette, width, model }, row, { least, most }) {
+  const { unit } = model.parameters.get(row.names[0]);
+  const places = most - least > 4 ? 0 : most - least > 1 ? 1 : 0;
+  context.fillStyle = palette.faint;
+  context.font = `9px ${palette.font}`;
+  context.textAlign = "right";
+  context.textBaseline = "alphabetic";
+  context.fillText(`${most.toFixed(places)}${unit ? ` ${unit}` : ""}`, width - 3, row.y + 11);
+  context.fillText(least.toFixed(places), width - 3, row.y + row.height - 4);
 }
 
 function paintCurve(scene, scale, name, colour, width) {
@@ -66,12 +79,14 @@ function stroke({ context }, colour, width) {
   context.stroke();
 }
 
-/** Channels' curves: what each asks as a line, what it gets filled; hatched where it was held back. */
+/** Channels' curves: what each asks as a line, what it gets filled; shaded where one was held back. */
 function paintChannels(scene, row, scale, { channels }) {
+  for (const how of ["limited", "inhibited"]) {
+    const spans = channels.flatMap((channel) => channel[how]).sort((a, b) => a[0] - b[0]);
+    shade(scene, row, spans, scene.palette[how]);
+  }
   for (const channel of channels) {
     const colour = scene.palette.channels[channel.channel];
-    shade(scene, row, channel.limited, scene.palette.limited);
-    shade(scene, row, channel.inhibited, scene.palette.inhibited);
     fillGiven(scene, scale, channel, colour);
     scene.context.beginPath();
     trace(scene, scale, scene.model.pyramid(channel.asked), scale.neutral);

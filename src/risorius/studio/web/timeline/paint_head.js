@@ -6,7 +6,11 @@ const STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 30
 const LABEL_ROOM = 64; // pixels between labels of the ruler
 
 /** @param {import("./scene.js").Scene} scene */
-export function paintRuler({ context, view, palette, width, count }, row) {
+export function paintRuler({ context, view, palette, width, count, loop }, row) {
+  if (loop) {
+    context.fillStyle = palette.loop;
+    context.fillRect(view.x(loop[0]), row.y, Math.max(view.x(loop[1]) - view.x(loop[0]), 1), row.height);
+  }
   const step = STEPS.find((s) => s * view.scale >= LABEL_ROOM) ?? STEPS.at(-1);
   const minor = step / 5;
   const bottom = row.y + row.height;
@@ -109,6 +113,7 @@ function paintTones({ context, view, model, palette, count }, row) {
 }
 
 const NARROW = 7; // pixels in which no text fits
+const CUT = 14; // pixels in which the beginning of a word says something
 
 /** Words or phones: a box each with its text, as far as it fits. */
 export function paintTexts({ context, view, palette, model, count, time }, row) {
@@ -135,7 +140,21 @@ function paintText({ context, palette, view }, row, item, [x, end], now) {
   context.fillRect(x + 0.5, row.y + 1, Math.max(end - x - 1, 0.5), row.height - 2);
   context.globalAlpha = 1;
   const [left, right] = [Math.max(x, 0), Math.min(end, view.width)];
-  if (right - left < NARROW || context.measureText(text).width + 4 > right - left) return;
+  const room = right - left;
+  if (room < NARROW) return;
+  const y = row.y + row.height / 2 + 0.5;
   context.fillStyle = palette.text;
-  context.fillText(text, (left + right) / 2, row.y + row.height / 2 + 0.5);
+  if (context.measureText(text).width + 4 <= room) context.fillText(text, (left + right) / 2, y);
+  else if (item.text && room >= CUT) cutText(context, text, left + 2, y, room - 3);
+}
+
+/** A text's beginning, as much as there is room for. */
+function cutText(context, text, x, y, room) {
+  context.save();
+  context.beginPath();
+  context.rect(x, y - 10, room, 20);
+  context.clip();
+  context.textAlign = "left";
+  context.fillText(text, x, y);
+  context.restore();
 }

@@ -1,4 +1,6 @@
-import { DragBlock, DragKey, DrawKeys, Pan, Scrub } from "./gestures.js";
+import { spoken } from "./dom.js";
+import { DragBlock, DragKey, DragLoop, DrawKeys, Pan, Scrub } from "./gestures.js";
+import { clockTime } from "./paint_head.js";
 import { pick } from "./pick.js";
 
 /**
@@ -21,7 +23,7 @@ export function listen(canvas, desk, { add, walk }) {
 
   const place = (event) => {
     const box = canvas.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
+    return [(event.clientX - box.left) / desk.scene.unit, (event.clientY - box.top) / desk.scene.unit];
   };
   canvas.addEventListener("pointerdown", (event) => {
     if (!desk.scene.model || event.button > 1) return;
@@ -64,7 +66,7 @@ export function listen(canvas, desk, { add, walk }) {
 
 function begun(desk, found, x, y, event) {
   const { kind, block, handle, row, parameter, index } = found;
-  if (kind === "head") return new Scrub(desk, x);
+  if (kind === "head") return event.shiftKey ? new DragLoop(desk, x) : new Scrub(desk, x);
   if (kind === "handle") return new DragBlock(desk, x, block, handle);
   if (kind === "block") {
     desk.choose(block, found.time);
@@ -81,25 +83,39 @@ function begun(desk, found, x, y, event) {
 function clicked(desk, { kind, row, time }) {
   if (kind === "graph" && !desk.draws) {
     if (!desk.clock.playing) desk.clock.seek(time); // the face shows what is explained
-    desk.ask(time, row.names[0]);
+    desk.ask(time, row.names.length > 1 ? row.base : row.names[0]);
   }
   if (kind === "lane" || kind === "none") desk.choose(null);
 }
 
 function doubled(desk, found, [x, y], add) {
+  if (found.kind === "head") desk.loopWord(found.time);
   if (found.kind === "lane" && found.row.lane.channel !== "lips") add(found.time, found.row.lane.channel);
   if (found.kind === "graph" && !desk.draws) new DrawKeys(desk, found.row, x, y).end();
 }
 
-function hover(canvas, desk, { kind, block, handle }) {
+function hover(canvas, desk, { kind, block, handle, row, time }) {
   const { scene } = desk;
   const hovered = block?.id ?? null;
   if (hovered !== scene.hovered) {
     scene.hovered = hovered;
     desk.repaint();
   }
-  canvas.title = block ? `${block.label || "silence"} (${block.channel})\n${block.cause}` : "";
+  canvas.title = block ? `${block.label || "silence"} (${block.channel})\n${block.cause}` : valueOf(desk, kind, row, time);
   canvas.style.cursor = cursorOf(kind, handle, block, desk);
+}
+
+/** The value under the pointer, and which channels are held back there. */
+function valueOf({ scene: { model, details } }, kind, row, time) {
+  if (kind !== "graph" || time < 0 || time > model.duration) return "";
+  const [name] = row.names;
+  const { unit } = model.parameters.get(name);
+  const value = `${spoken(name)}: ${model.valueAt(name, time).toFixed(2)}${unit ? ` ${unit}` : ""} at ${clockTime(time)} s`;
+  const held = ["inhibited", "limited"].flatMap((how) => {
+    const there = (details.of(name)?.channels ?? []).filter((one) => one[how].some(([from, to]) => from <= time && time <= to));
+    return there.map(({ channel }) => `\n${channel} is ${how}`);
+  });
+  return value + held.join("");
 }
 
 function cursorOf(kind, handle, block, desk) {

@@ -3,6 +3,8 @@ import { paintGraph } from "./paint_graphs.js";
 import { paintLane } from "./paint_lanes.js";
 import { bodyRows, headRows, heightOf } from "./rows.js";
 
+const TEXT = 16; // size of the page's text for which the scene's pixels are the page's
+
 /**
  * All that a picture of the timeline is made of, and the picture.
  *
@@ -14,6 +16,7 @@ export class Scene {
   body = [];
   graphs = [];
   folded = new Set(); // channels
+  unit = 1; // the page's pixels in one of the scene's: all grows with the page's text
   scroll = 0;
   height = 0;
   time = 0;
@@ -21,8 +24,9 @@ export class Scene {
   hovered = null;
   selectedKey = null; // {parameter, index}
   focused = false; // whether the selected block has the keyboard
+  loop = null; // [from, to] that is repeated
   guide = null; // time of the edge that a drag has snapped to
-  marked = null; // {time, parameter} that was asked about
+  marked = null; // {time, name} of the parameter that was asked about
   count = nothing();
 
   /** @param {HTMLCanvasElement} canvas @param {object} parts view, edits, details, shapes, palette */
@@ -52,12 +56,13 @@ export class Scene {
 
   /** Take up the canvas' size in the page's pixels. */
   resize(width, height) {
+    this.unit = parseFloat(getComputedStyle(document.documentElement).fontSize) / TEXT;
     const ratio = devicePixelRatio || 1;
-    this.height = height;
+    this.height = height / this.unit;
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
-    this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.view.resize(width, this.model?.duration ?? 1);
+    this.context.setTransform(ratio * this.unit, 0, 0, ratio * this.unit, 0, 0);
+    this.view.resize(width / this.unit, this.model?.duration ?? 1);
   }
 
   paint() {
@@ -114,7 +119,7 @@ export class Scene {
 
   /** Where an explanation was asked for. */
   #paintMarked() {
-    const row = this.marked && this.body.find((r) => r.kind === "graph" && r.names.includes(this.marked.parameter));
+    const row = this.marked && this.body.find((r) => r.kind === "graph" && r.names.includes(this.marked.name));
     if (!row) return;
     this.context.fillStyle = this.palette.mark;
     this.context.fillRect(this.view.x(this.marked.time) - 0.5, row.y, 1, row.height - 1);

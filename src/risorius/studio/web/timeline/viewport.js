@@ -4,6 +4,7 @@
 
 const CLOSEST = 1200; // pixels a second at most: a frame of 30 fps is then 40 pixels wide
 const MARGIN = 0.02; // s shown before the beginning
+const ROOM = 40; // pixels left beside what is brought into sight
 const READABLE = 14; // s shown of a longer take at first
 const FOLLOWED = 0.82; // share of the width after which a playhead that is followed turns the page
 const TURNED = 0.12; // where it stands after that
@@ -69,9 +70,9 @@ export class Viewport {
   /** Bring a span of time into sight if it is not. @returns {boolean} whether anything moved */
   reveal(from, to = from) {
     const before = this.start;
-    const room = Math.min(40 / this.scale, this.span / 4);
-    if (from < this.start + room) this.scrollTo(from - room);
-    else if (to > this.end - room) this.scrollTo(Math.min(from - room, to + room - this.span));
+    const room = Math.min(ROOM / this.scale, this.span / 4);
+    if (from < this.start) this.scrollTo(from - room);
+    else if (to > this.end) this.scrollTo(Math.min(from - room, to + room - this.span));
     return this.start !== before;
   }
 
