@@ -1,5 +1,6 @@
 import { spoken } from "./dom.js";
-import { DragBlock, DragKey, DragLoop, DrawKeys, Pan, Scrub } from "./gestures.js";
+import { DragKey, DrawKeys } from "./drawing.js";
+import { DragBlock, DragLoop, Pan, Scrub } from "./gestures.js";
 import { clockTime } from "./paint_head.js";
 import { pick } from "./pick.js";
 
