@@ -104,9 +104,8 @@ def measure_dial(page: Page) -> None:
 def measure_line(page: Page, script: str, times: int = TIMES) -> None:
     begun = time.perf_counter()
     take = page.ask("perform", source={"script": script})
-    print(
-        f"{take['duration']:.1f} s: first play, voice and all:    {1e3 * (time.perf_counter() - begun):.0f} ms"
-    )
+    spent = 1e3 * (time.perf_counter() - begun)
+    print(f"{take['duration']:.1f} s: first play, voice and all:    {spent:.0f} ms")
     sent = timed(lambda k: page.ask("choose", choices={"seed": k + 1}), times)
     print(f"planned, blended and sent, voice kept: {sent}")
     take = page.ask("open")["take"]

@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from .blend import Plan
+from .blend import Plan, changed_span
 from .channels import Brief, Display, compose
 from .core.action_units import resolve_targets
 from .core.movement import Cause, ManualCurve
 from .core.parameters import INDEX, NEUTRAL
+from .core.performance import Performance
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
 from .out import check_targets as check_outputs
@@ -142,8 +143,18 @@ def perform(
 ) -> Take:
     """Combine a score's movements into curves; `like` is a take whose work on the same lips is taken over."""
     settings = settings or Settings()
-    made = Plan(score, lip_rig(score, settings.head), None if like is None else like.planned)
-    return Take(made.performance(settings.fps), settings, utterance, planned=made)
+    before = None if like is None else like.planned
+    made = Plan(score, lip_rig(score, settings.head), before)
+    return Take(_performed(made, settings, like), settings, utterance, planned=made)
+
+
+def _performed(made: Plan, settings: Settings, like: Take | None) -> Performance:
+    """Return the performance of a plan; of one that is like it only what is other is worked anew."""
+    if like is not None and like.planned is not None and like.performance.fps == settings.fps:
+        span = changed_span(like.planned, made)
+        if span is not None:
+            return made.performance_like(like.performance, span)
+    return made.performance(settings.fps)
 
 
 def mix(

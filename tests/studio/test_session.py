@@ -73,6 +73,13 @@ def test_what_cannot_be_performed_is_named_and_changes_nothing(session, asked, m
     assert session.current is None
 
 
+def test_a_take_has_an_end(session):
+    score = json.dumps({"risorius": 1, "duration": 80_000, "movements": []})
+    with pytest.raises(RisoriusError, match="would have 2400001 frames; expected up to 216000"):
+        perform(session, score, format="score")
+    assert session.history.present is None
+
+
 def test_before_the_first_take_there_is_nothing_to_change(session):
     for act, asked in (
         (session.edit, Delete("a")),

@@ -39,18 +39,18 @@ def unpacked(stage, message):
     poses = np.frombuffer(message, "<f4", count * pose, 24).reshape(count, pose)
     steps = np.frombuffer(message, "<i2", offset=24 + poses.nbytes).reshape(count, vertices, 3)
     told = stage.described()
-    return header, poses, np.array(told["origin"]) + told["step"] * steps.astype(np.float64)
+    return header, poses, np.array(told.origin) + told.step * steps.astype(np.float64)
 
 
 def test_what_is_unpacked_is_what_was_solved(stage, faces):
     header, poses, positions = unpacked(stage, stage.packed(FRAMES, 7, 30, faces))
     assert header == (FRAMES, 7, 30, 2, stage.vertices, POSE)
-    parts = {part["name"]: part for part in stage.described()["parts"]}
+    parts = {part.name: part for part in stage.described().parts}
     assert tuple(parts) == PARTS
     for face, pose, points in zip(faces, poses, positions, strict=True):
         for name in ("skin", "tongue", "teeth_lower"):
             part = parts[name]
-            there = points[part["first"] : part["first"] + part["count"]]
+            there = points[part.first : part.first + part.count]
             assert np.abs(there - getattr(face, name)).max() <= 0.51 * STEP
         assert pose[12] == pytest.approx(face.jaw_angle)
         for place, turn in enumerate((face.head_rotation, *face.eye_rotation)):
@@ -70,10 +70,10 @@ def _matrix(q):
 
 def test_brows_and_lashes_go_along_with_the_skin(stage, faces):
     _, _, positions = unpacked(stage, stage.packed(FRAMES, 1, 0, faces[:1]))
-    parts = {part["name"]: part for part in stage.described()["parts"]}
+    parts = {part.name: part for part in stage.described().parts}
     for name in ("brows", "lashes"):
         part, piece = parts[name], stage.pieces[name]
-        there = positions[0][part["first"] : part["first"] + part["count"]]
+        there = positions[0][part.first : part.first + part.count]
         own = faces[0].skin.astype(np.float64) - stage.pieces["skin"].points
         moved = np.einsum("vk,vkc->vc", piece.weights, own[piece.roots])
         assert np.abs(there - piece.points - moved).max() <= 0.51 * STEP
@@ -87,8 +87,8 @@ def test_the_head_s_file_has_the_vertices_of_the_frames(stage):
         mesh["name"]: document["accessors"][mesh["primitives"][0]["attributes"]["POSITION"]]["count"]
         for mesh in document["meshes"]
     }
-    for part in stage.described()["parts"]:
-        assert counts[part["name"]] == part["count"]
+    for part in stage.described().parts:
+        assert counts[part.name] == part.count
     nodes = {node["name"]: node for node in document["nodes"]}
     assert {"head", "eye_left", "eye_right", "hair", "teeth_upper"} <= nodes.keys()
 

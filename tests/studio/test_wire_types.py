@@ -1,5 +1,7 @@
 """The types of the page are those of the server."""
 
+from pathlib import Path
+
 from risorius.studio import wire
 from risorius.studio.wire_types import FILE, source
 
@@ -15,3 +17,11 @@ def test_every_message_is_in_it():
     assert '@property {"move"} kind' in text
     assert "@property {Array<EmotionSpan>} [emotions]" in text
     assert "@property {[number, number]" not in text or "Array<[number, number]>" in text
+
+
+def test_every_verb_edit_and_event_is_in_the_manual():
+    manual = (Path(__file__).parents[2] / "docs" / "studio-server.md").read_text(encoding="utf-8")
+    for name in (*wire.VERBS, *wire.EDITS, *wire.EVENTS, "edit"):
+        assert f"`{name}`" in manual, name
+    for answer in wire.ANSWERS:
+        assert f"`{answer.__name__}`" in manual, answer.__name__

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .changes import changed_span
 from .explain import Explanation, Part, explain
 from .hindered import kept_down
 from .plan import Plan, at, combine
@@ -10,5 +11,5 @@ from .traces import Trace, traces
 
 __all__ = [
     "Explanation", "Part", "Plan", "Tally", "Trace",
-    "at", "combine", "explain", "kept_down", "summarize", "traces",
+    "at", "changed_span", "combine", "explain", "kept_down", "summarize", "traces",
 ]  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -12,7 +12,7 @@ import numpy as np
 from ..core.movement import CHANNEL_PRIORITY, CHANNELS, LipSegment, ManualCurve, Movement
 from ..core.score import Score
 from .concatenate import Layer, concatenate
-from .intervals import Array, Indices, Spans, union
+from .intervals import Array, Indices, Piece, Spans, union
 from .levels import Course, Levels, levels_of
 from .lips import LipCurve, Lips
 from .manual import Replaced, key_curves, replaced_spans
@@ -34,6 +34,9 @@ class Curve(Protocol):
 
     def origin(self, time: float) -> Origin:
         """Return what stands behind the curve at a time."""
+
+    def pieces(self) -> Iterator[Piece]:
+        """Yield what the curve is made of: from when to when it is in force, then all that tells it apart."""
 
     def breakpoints(self) -> Array:
         """Return when the curve's parts begin and end, unsorted, shape (n,)."""

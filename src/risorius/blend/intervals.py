@@ -14,6 +14,8 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 Spans = npt.NDArray[np.float64]
+Piece = tuple[float, float, tuple[float | str | bytes, ...]]
+"""From when to when something is in force, seconds, and all that tells it apart."""
 Indices = npt.NDArray[np.intp]
 
 INSTANT = 1e-9

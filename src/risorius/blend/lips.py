@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 import numpy as np
@@ -17,7 +17,7 @@ from ..errors import InputError
 from .coarticulation import LIP_MODELS, without_gaps
 from .concatenate import SIGNED
 from .contact import CONTACTS, GoalCurve, contact_goals
-from .intervals import Array, Indices, Spans, merged
+from .intervals import Array, Indices, Piece, Spans, merged
 from .mouth import Mouth
 from .shapes import Shapes, performed
 from .tuning import Tuning
@@ -93,6 +93,10 @@ class LipCurve:
         weights = model.weights(model.group(self._parameter), np.array([time]))
         worth = weights.weight * (1e-9 + self._lips.alone[self._parameter][weights.segment])
         return self._lips.mouth.segments[int(weights.segment[np.argmax(worth)])]
+
+    def pieces(self) -> Iterator[Piece]:
+        """Yield nothing: the segments are compared as a whole."""
+        return iter(())
 
     def breakpoints(self) -> Array:
         """Return all starts and ends of segments."""

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..core.movement import ManualCurve
 from .concatenate import NEUTRALS
-from .intervals import Array, Indices, Spans, above_line, covers, difference, merged
+from .intervals import Array, Indices, Piece, Spans, above_line, covers, difference, merged
 
 if TYPE_CHECKING:
     from .channels import Curve, Origin
@@ -39,6 +39,10 @@ class KeyCurve:
     def origin(self, time: float) -> ManualCurve:
         """Return the curve as it was drawn."""
         return self._drawn
+
+    def pieces(self) -> Iterator[Piece]:
+        """Yield the whole as one piece (see StrokeCurve.pieces)."""
+        yield float(self.times[0]), float(self.times[-1]), (self.times.tobytes(), self.values.tobytes())
 
     def breakpoints(self) -> Array:
         """Return the key times, shape (n,)."""
@@ -79,6 +83,11 @@ class Replaced:
     def origin(self, time: float) -> Origin:
         """Return what stands behind the curve at a time."""
         return self.curve.origin(time)
+
+    def pieces(self) -> Iterator[Piece]:
+        """Yield the curve's pieces, and when it is replaced."""
+        yield from self.curve.pieces()
+        yield from ((start, end, ("replaced",)) for start, end in self._spans.tolist())
 
     def breakpoints(self) -> Array:
         """Return when the curve's parts begin and end, and when it is replaced, shape (n,)."""

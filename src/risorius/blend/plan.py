@@ -79,6 +79,14 @@ class Plan:
         """Return the performance at frames k/fps, k = 0 … round(duration·fps)."""
         return Performance(self.score, fps, self.at(frame_times(self.score.duration, fps)))
 
+    def performance_like(self, other: Performance, span: tuple[float, float]) -> Performance:
+        """Return the performance at the frames of another that is the same outside `span`, seconds."""
+        times, values = other.times, other.values.copy()
+        here = slice(*np.searchsorted(times, span).tolist())
+        if here.start < here.stop:
+            values[here] = self.at(times[here])
+        return Performance(self.score, other.fps, values)
+
     def adds(self, name: str) -> bool:
         """Return whether channels add up in a parameter; else the highest wins."""
         return self.policy.join is Join.SUM or name in SIGNED or (name == JAW and self.lips is not None)

@@ -8,7 +8,7 @@ then evaluated all at once (`StrokeCurve`).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from operator import attrgetter
 
@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from ..core.functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
 from ..core.movement import Movement
-from .intervals import Array, Indices, Spans, merged, ranges
+from .intervals import Array, Indices, Piece, Spans, merged, ranges
 from .roots import find_roots
 
 
@@ -167,6 +167,14 @@ class StrokeCurve:
     def origin(self, time: float) -> Movement:
         """Return the movement behind the curve at a time."""
         return self._movements[max(int(np.searchsorted(self.start, time, side="right")) - 1, 0)]
+
+    def pieces(self) -> Iterator[Piece]:
+        """Yield each stroke: from when to when it is in force, and all that it is made of."""
+        numbers = (self.begin, self.rise, self.cap, self.level, self.onset, self.hold, self.offset, self.end)
+        until = np.minimum(self.last, self.stop)
+        rows = np.column_stack((self.start, until, *numbers, self.excess, self.fade)).tolist()
+        for row, shape, fade in zip(rows, self.function, self.fade_function, strict=True):
+            yield row[0], row[1], (*row[2:], self.functions[shape], self.functions[fade])
 
     def breakpoints(self) -> Array:
         """Return when strokes begin and end, unsorted, shape (m,)."""

@@ -29,6 +29,7 @@ from .catalogue import catalogue_json
 from .connection import Connection
 from .guard import Guard
 from .mesh import head_glb
+from .messages import encoded
 from .room import Room
 from .shade import shade
 from .solvers import Solvers, stage_of
@@ -224,7 +225,7 @@ def _shaded(head: str, age: float | None, hair: str | None, complexion: float | 
 
 
 def _described(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
-    return json.dumps(stage_of(head, age, hair, complexion).described()).encode()
+    return json.dumps(encoded(stage_of(head, age, hair, complexion).described())).encode()
 
 
 async def _refused(request: Request, error: Exception) -> Response:

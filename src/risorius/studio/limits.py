@@ -2,30 +2,25 @@
 
 from __future__ import annotations
 
-# Characters of a script; bytes of an upload, of a message, of a request that is no upload.
+from .tables import LimitsTable
+
+# Characters of a script, and frames of a take: an hour at 60 a second.
 SCRIPT = 200_000
+FRAMES = 216_000
+# Bytes of a recording, a project file, a message.
 RECORDING = 100_000_000
 PROJECT = 200_000_000
 MESSAGE = 4_000_000
-# Requests of one page at once; sessions open at once; takes that a session keeps beside the one that is
-# edited; changes that can be undone.
+# Requests of one page at once, and events that wait for it; sessions open at once; takes that a session
+# keeps; changes that can be undone; files that one export may write.
 PENDING = 64
 EVENTS = 256
 SESSIONS = 32
 TAKES = 6
 UNDO = 200
-# Seconds that a script may last, and files that one export may write.
-LONGEST = 3600.0
 EXPORTED = 40
 
 
-def described() -> dict[str, float]:
+def described() -> LimitsTable:
     """Return the limits that a page should know."""
-    return {
-        "script": SCRIPT,
-        "recording": RECORDING,
-        "project": PROJECT,
-        "message": MESSAGE,
-        "pending": PENDING,
-        "undo": UNDO,
-    }
+    return LimitsTable(SCRIPT, RECORDING, PROJECT, MESSAGE, PENDING, UNDO)

@@ -18,6 +18,7 @@ from ..settings import Settings
 from ..speech.heard import listen
 from ..speech.recording import read_recording
 from ..take import Progress
+from . import limits
 from .choices import settings_of
 from .scores import adopted, parsed, score_file
 from .shelf import Shelf
@@ -25,7 +26,6 @@ from .version import Version
 from .warned import collected
 from .wire import EmotionSpan, Made, Source
 
-LONGEST_SCRIPT = 200_000
 _MOST_KEPT = 8
 Heard = tuple[Script, Utterance | None]
 
@@ -40,8 +40,8 @@ class Performer:
 
     def perform(self, made: Made, progress: Progress) -> Version:
         """Plan what a page asks. Raises RisoriusError with one line on what is wrong."""
-        if len(made.source.script) > LONGEST_SCRIPT and made.source.format != "score":
-            raise InputError(f"the script is longer than {LONGEST_SCRIPT} characters")
+        if len(made.source.script) > limits.SCRIPT and made.source.format != "score":
+            raise InputError(f"the script is longer than {limits.SCRIPT} characters")
         spans = tuple(replace(span, emotion=self._shelf.emotion(span.emotion)) for span in made.emotions)
         settings = settings_of(made.choices, self._shelf.folder)
         settings = looking_like(profile_of(settings.profile), settings)

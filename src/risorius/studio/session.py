@@ -10,6 +10,7 @@ from time import perf_counter
 import numpy as np
 
 from ..core.edits import is_edited
+from ..core.performance import frame_count
 from ..errors import InputError
 from ..pipeline import perform
 from ..take import Progress, Take
@@ -150,6 +151,9 @@ class Session:
             if live.version is version:
                 self.takes.move_to_end(live.number)
                 return live
+        frames = frame_count(version.score.duration, version.settings.fps)
+        if frames > limits.FRAMES:
+            raise InputError(f"the take would have {frames} frames; expected up to {limits.FRAMES}")
         begun = perf_counter()
         like = None if self.current is None else self.current.take
         take = perform(version.score, version.settings, version.utterance, like=like)

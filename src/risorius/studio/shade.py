@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ..face.head import Head
 from ..render.inputs import OCCLUSION
 from ..render.lights import STUDIO
 from ..render.scene import HeadScene
+from .tables import Lamp, Light
 
 
-def light() -> dict[str, Any]:
+def light() -> Light:
     """Return the lamps (direction and linear colour each), and the room's light from above and below."""
-    lamps = [{"direction": lamp.direction(), "colour": lamp.colour} for lamp in STUDIO.lamps]
-    return {"lamps": lamps, "sky": STUDIO.sky, "ground": STUDIO.ground}
+    lamps = tuple(Lamp(lamp.direction(), lamp.colour) for lamp in STUDIO.lamps)
+    return Light(lamps, STUDIO.sky, STUDIO.ground)
 
 
 def shade(head: Head) -> bytes:

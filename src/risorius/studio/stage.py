@@ -10,8 +10,7 @@ head turns. The vertices are those of `parts` in order, as the meshes of the hea
 from __future__ import annotations
 
 import struct
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +21,7 @@ from ..out.glb_scene import riding
 from ..out.gltf import quaternions
 from ..render.figure import Piece, figure_of
 from .shade import light
+from .tables import StagePart, StageTable
 
 FRAMES, DIALLED, MOMENT = 1, 2, 3
 HEADER = struct.Struct("<6I")
@@ -29,16 +29,6 @@ POSE = 13
 STEP = 0.01
 _OWN = ("skin", "tongue", "teeth_lower")
 PARTS = (*_OWN, "brows", "lashes")
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """A mesh whose vertices are sent: its name, the first of its vertices and how many; its mesh's origin."""
-
-    name: str
-    first: int
-    count: int
-    about: tuple[float, float, float]
 
 
 class Stage:
@@ -53,29 +43,27 @@ class Stage:
         self._rest = self.pieces["skin"].points
         self.parts = tuple(self._parts())
 
-    def _parts(self) -> Any:
+    def _parts(self) -> Iterator[StagePart]:
         first = 0
         for name in PARTS:
             count = len(self.pieces[name].points)
             about = np.zeros(3) if name == "skin" else self.head.head_pivot
-            yield Part(name, first, count, (float(about[0]), float(about[1]), float(about[2])))
+            yield StagePart(name, first, count, _place(about))
             first += count
 
-    def described(self) -> dict[str, Any]:
+    def described(self) -> StageTable:
         """Return what a page needs to unpack faces."""
-        return {
-            "vertices": self.vertices,
-            "pose": POSE,
-            "step": STEP,
-            "origin": self.origin.tolist(),
-            "pivot": self.head.head_pivot.tolist(),
-            "eyes": self.head.eye_centre.tolist(),
-            "light": light(),
-            "parts": [
-                {"name": p.name, "first": p.first, "count": p.count, "about": list(p.about)}
-                for p in self.parts
-            ],
-        }
+        left, right = self.head.eye_centre
+        return StageTable(
+            vertices=self.vertices,
+            pose=POSE,
+            step=STEP,
+            origin=_place(self.origin),
+            pivot=_place(self.head.head_pivot),
+            eyes=(_place(left), _place(right)),
+            light=light(),
+            parts=self.parts,
+        )
 
     def packed(self, kind: int, take: int, first: int, faces: list[FaceFrame]) -> bytes:
         """Return the message with these faces."""
@@ -95,3 +83,8 @@ class Stage:
 def _pose(face: FaceFrame) -> npt.NDArray[np.float32]:
     turns = quaternions([face.head_rotation, *face.eye_rotation]).ravel()
     return np.concatenate([turns, np.array([face.jaw_angle], np.float32)])
+
+
+def _place(point: npt.NDArray[np.float64]) -> tuple[float, float, float]:
+    x, y, z = point.tolist()
+    return x, y, z

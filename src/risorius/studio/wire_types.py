@@ -1,6 +1,6 @@
-"""`web/wire.js`: the dataclasses of `wire` as JSDoc types, so that an editor checks the page against them.
+"""`web/wire.js`: the dataclasses of `wire` and `tables` as JSDoc types, for editors to check the page by.
 
-Run `python -m risorius.studio.wire_types` after changing `wire.py`.
+Run `python -m risorius.studio.wire_types` after changing one of them.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from . import wire
+from .tables import TABLES
 
 FILE = Path(str(resources.files(__package__) / "web" / "wire.js"))
 _KNOWN = frozenset(wire.EDITS.values())
@@ -32,15 +33,13 @@ def source() -> str:
     return "\n".join([*parts, "export {};", ""])
 
 
-_HEAD = (
-    "// Generated from src/risorius/studio/wire.py by `python -m risorius.studio.wire_types`: do not edit.\n"
-)
+_HEAD = "// Generated from wire.py and tables.py by `python -m risorius.studio.wire_types`: do not edit.\n"
 
 
 def _classes() -> list[type]:
     found = [thing for thing in vars(wire).values() if isinstance(thing, type)]
     ours = [cls for cls in found if cls in _KNOWN or cls.__module__ == wire.__name__]
-    return [cls for cls in ours if dataclasses.is_dataclass(cls)]
+    return [*(cls for cls in ours if dataclasses.is_dataclass(cls)), *TABLES]
 
 
 def _typedef(cls: type) -> str:
@@ -61,7 +60,7 @@ def _verb(cls: type) -> Iterator[str]:
 
 def _properties(cls: type) -> Iterator[str]:
     hints = typing.get_type_hints(cls, include_extras=True)
-    sent = cls in (*wire.ANSWERS, *wire.EVENTS.values())
+    sent = cls in (*wire.ANSWERS, *wire.EVENTS.values(), *TABLES)
     for f in dataclasses.fields(cls):
         # What the server sends is always complete.
         given = sent or (f.default is dataclasses.MISSING and f.default_factory is dataclasses.MISSING)

@@ -10,7 +10,7 @@ from selenium.webdriver.common.by import By
 from .acts import SETTLED, open_panel, perform
 from .driving import Page, waited
 
-RULE = "signals.brows.nuclear"
+RULE = "signals.brows.accent"
 BLOCKS = f"studio.store.get('take').blocks.filter(({{ rule }}) => rule === '{RULE}').length"
 ROW = f"document.querySelector('#rules [data-rule=\"{RULE}\"]')"
 

@@ -287,6 +287,38 @@ def test_a_block_is_moved_and_stretched_by_keys_alone(timeline: Timeline) -> Non
     assert timeline.block()["end"] == pytest.approx(block["end"] + 3 * FRAME, abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("held", "start", "apex_start", "apex_end", "end"),
+    [
+        (Keys.ALT, 1, 1, 0, 0),
+        (Keys.CONTROL, 0, 1, 0, 0),
+        (Keys.CONTROL + Keys.SHIFT, 0, 0, 1, 0),
+        (Keys.SHIFT, 0, 0, 1, 1),
+    ],
+)
+def test_keys_with_modifiers_pull_one_of_the_times(
+    timeline: Timeline, held: str, start: int, apex_start: int, apex_end: int, end: int
+) -> None:
+    block = timeline.block()
+    timeline.select(block)
+    take = timeline.take
+    timeline.press(Keys.ARROW_RIGHT, held=held)
+    timeline.changed(take)
+    after = timeline.block()
+    for name, frames in {"start": start, "apex_start": apex_start, "apex_end": apex_end, "end": end}.items():
+        assert after[name] == pytest.approx(block[name] + frames * FRAME, abs=1e-6), name
+
+
+def test_a_word_is_looped(timeline: Timeline) -> None:
+    page = timeline.page
+    word = page.get("timeline.scene.model.take.speech.words[1]")
+    box = page.get("timeline.scene.canvas.getBoundingClientRect().toJSON()")
+    middle = page.run("return timeline.scene.view.x(arguments[0])", (word["start"] + word["end"]) / 2)
+    timeline.double_click((round(box["left"] + middle), round(box["top"] + 60)))
+    assert page.get("timeline.scene.loop") == pytest.approx([word["start"], word["end"]])
+    page.run("timeline.desk.clock.setLoop(null)")
+
+
 def test_a_block_is_deleted_and_comes_back(timeline: Timeline) -> None:
     block, take = timeline.block(), timeline.take
     timeline.select(block)
@@ -447,3 +479,24 @@ def test_graphs_and_folded_lanes_are_there_again_after_a_reload(timeline: Timeli
     page.wait("timeline.scene.model")
     page.wait(f"JSON.stringify({shown}) === {json.dumps(json.dumps(before, separators=(',', ':')))}")
     page.run("document.documentElement.style.setProperty('--timeline-height', '400px')")
+
+
+NAMED = {"button", "checkbox", "combobox", "listbox", "option", "scrollbar", "searchbox", "spinbutton"}
+NAMED |= {"textbox"}
+
+
+def test_everything_that_can_be_used_has_a_name_for_screen_readers(timeline: Timeline) -> None:
+    page = timeline.page
+    block = timeline.block()
+    timeline.select(block)
+    timeline.explained("How far it goes")
+    timeline.tool("Graphs…").click()
+    tree = page.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
+    used = [node for node in tree if node.get("role", {}).get("value") in NAMED and not node["ignored"]]
+    assert len(used) > 60
+    nameless = [node for node in used if not node.get("name", {}).get("value", "").strip()]
+    places = [
+        page.driver.execute_cdp_cmd("DOM.describeNode", {"backendNodeId": node["backendDOMNodeId"]})["node"]
+        for node in nameless
+    ]
+    assert [(place["localName"], place.get("attributes")) for place in places] == []

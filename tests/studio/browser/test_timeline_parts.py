@@ -82,6 +82,19 @@ def test_a_long_take_seen_whole_is_drawn_by_the_pixel(page: Page, seconds: int) 
     assert count["blocks"] <= 8 * width
 
 
+def test_a_take_in_which_nothing_is_said_is_drawn(page: Page) -> None:
+    view = "store.set({ take: { ...take, take: 2, speech: null } }); await new Promise(requestAnimationFrame)"
+    count = drawn(page, 5, view)
+    assert count["blocks"] == 10
+    assert (count["columns"], count["texts"]) == (0, 10)
+
+
+def test_a_take_without_any_movement_is_drawn(page: Page) -> None:
+    rest = "{ ...take, take: 2, speech: null, blocks: [], curves: {}, duration: 0.2, frames: 7 }"
+    count = drawn(page, 5, f"store.set({{ take: {rest} }}); await new Promise(requestAnimationFrame)")
+    assert (count["blocks"], count["points"]) == (0, 0)
+
+
 EDGES = "new Float64Array([0, 0.5, 1.0, 1.5, 2.0])"
 
 

@@ -8,6 +8,7 @@ and times between them at most `STEP` apart, so that it does not depend on the f
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -16,13 +17,15 @@ from ...core.parameters import RIVALS
 from ..channels import Channel
 from ..conflict import POLICIES, Field, Hindrance, Join, Settle
 from ..intervals import Array
-from ..knots import STEEPEST, Knots, block_knots, block_number, eased
+from ..knots import STEEPEST, Knots, eased
 from .strength import Strengths
 
 WIDTH = 0.4
 """From a rival's threshold to the activity at which it takes all."""
 STEP = 0.005
 """Seconds between knots at most."""
+CELL = 10.0
+"""Seconds of what is worked at least. Results do not depend on it."""
 
 
 @POLICIES.register("graded")
@@ -42,10 +45,10 @@ class Graded:
         # Each level settled may carry a change one minimum duration further.
         levels = {level for c in field.channels for level in c.levels.distinct}
         self._margin = field.tuning.longest * (len(levels) + 1)
-        self._block = lru_cache(maxsize=2)(self._make_block)
+        self._cells = lru_cache(maxsize=3)(self._make_cells)
 
-    def _make_block(self, number: int) -> Strengths:
-        knots = block_knots(self._knots, number, self._margin)
+    def _make_cells(self, first: int, last: int) -> Strengths:
+        knots = self._knots.between(first * CELL - self._margin, last * CELL + self._margin)
         threshold, tuning = self._field.tuning.threshold, self._field.tuning
 
         def strength(rival: str, activity: Array) -> Array:
@@ -59,17 +62,20 @@ class Graded:
 
     def at(self, times: Array) -> Settle:
         """Return the function that settles activities at some of the sorted times."""
-        return self._settle
+        found = self._around(times[0], times[-1])
 
-    def _settle(self, channel: Channel, parameter: str, times: Array, values: Array) -> Array:
-        if not len(times):
-            return values
-        block = self._block(block_number(times[0]))
-        return values * np.interp(times, block.times, block.gain(channel, parameter))
+        def settle(channel: Channel, parameter: str, times: Array, values: Array) -> Array:
+            return values * np.interp(times, found.times, found.gain(channel, parameter))
+
+        return settle
+
+    def _around(self, first: float, last: float) -> Strengths:
+        """Return what is settled in the cells of some times: few are quickly worked."""
+        return self._cells(math.floor(first / CELL), math.floor(last / CELL) + 1)
 
     def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
         """Return the rival that takes most of an activity, or None."""
-        block = self._block(block_number(time))
+        found = self._around(time, time)
         tuning = self._field.tuning
         onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
-        return block.strongest(channel, parameter, time, STEEPEST * onset, STEEPEST * offset)
+        return found.strongest(channel, parameter, time, STEEPEST * onset, STEEPEST * offset)

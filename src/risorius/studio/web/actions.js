@@ -105,7 +105,9 @@ export class Actions {
   /** What is other in how the take was made, but for what the user has changed meanwhile. */
   #adopted(before, now, asked) {
     const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
-    const names = PARTS.filter((name) => !same(before?.[name], now[name]) && this.#store.get(name) === asked[name]);
+    const names = PARTS.filter(
+      (name) => !same(before?.[name], now[name]) && this.#store.get(name) === asked[name],
+    );
     return Object.fromEntries(names.map((name) => [name, now[name]]));
   }
 

@@ -30,7 +30,10 @@ export function mountHeader(tools, state, { store, actions }) {
   });
   store.watch(["link", "saved", "busy", "take", "catalogue"], () => showState(state, store));
   const list = (known) =>
-    fill(keys, ...known.flatMap((key) => [make("dt", {}, make("kbd", {}, key.keys)), make("dd", {}, key.does)]));
+    fill(
+      keys,
+      ...known.flatMap((key) => [make("dt", {}, make("kbd", {}, key.keys)), make("dd", {}, key.does)]),
+    );
   return { open, list };
 }
 
@@ -49,7 +52,9 @@ function showState(element, store) {
 
 function stateOf(store) {
   if (store.get("link") === "down") {
-    return store.get("catalogue") ? ["bad", "The server does not answer; trying again …"] : ["", "Starting …"];
+    return store.get("catalogue")
+      ? ["bad", "The server does not answer; trying again …"]
+      : ["", "Starting …"];
   }
   if (store.get("busy")) return ["", store.get("busy")];
   const saved = store.get("saved");

@@ -55,7 +55,9 @@ export class Heads {
 }
 
 function query({ head, age, hair, complexion }) {
-  const given = Object.entries({ head, age, hair, complexion }).filter(([, value]) => value !== null && value !== undefined);
+  const given = Object.entries({ head, age, hair, complexion }).filter(
+    ([, value]) => value !== null && value !== undefined,
+  );
   return new URLSearchParams(given.map(([name, value]) => [name, String(value)])).toString();
 }
 

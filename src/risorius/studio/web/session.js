@@ -11,7 +11,8 @@ const WAIT = 600; // ms after which what the page shows is kept with the project
 export function sessionName() {
   const asked = location.hash.slice(1);
   const known = localStorage.getItem(KEY) ?? "";
-  const name = [asked, known].find((found) => NAME.test(found)) ?? `session-${crypto.randomUUID().slice(0, 8)}`;
+  const name =
+    [asked, known].find((found) => NAME.test(found)) ?? `session-${crypto.randomUUID().slice(0, 8)}`;
   localStorage.setItem(KEY, name);
   history.replaceState(null, "", `#${name}`);
   return name;

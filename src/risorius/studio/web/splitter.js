@@ -15,7 +15,9 @@ export function mountSplitter(bar) {
     bar.setPointerCapture(event.pointerId);
     const move = (moved) => set(from - moved.clientY);
     bar.addEventListener("pointermove", move);
-    bar.addEventListener("lostpointercapture", () => bar.removeEventListener("pointermove", move), { once: true });
+    bar.addEventListener("lostpointercapture", () => bar.removeEventListener("pointermove", move), {
+      once: true,
+    });
   });
   bar.addEventListener("keydown", (event) => {
     const by = { ArrowUp: STEP, ArrowDown: -STEP }[event.key];

@@ -41,7 +41,19 @@ export function changedTake(take, change) {
   const curves = { ...take.curves, ...decoded(change.curves) };
   for (const [name, text] of Object.entries(change.curves)) if (text === "") delete curves[name];
   const { drawn, made, can_undo, can_redo, undoes, redoes, warnings } = change;
-  return { ...take, take: change.take, blocks, curves, drawn, made, can_undo, can_redo, undoes, redoes, warnings };
+  return {
+    ...take,
+    take: change.take,
+    blocks,
+    curves,
+    drawn,
+    made,
+    can_undo,
+    can_redo,
+    undoes,
+    redoes,
+    warnings,
+  };
 }
 
 function decoded(curves) {

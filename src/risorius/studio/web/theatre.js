@@ -23,7 +23,9 @@ export class Theatre {
     this.#notify = notify;
     this.stage = new Stage(canvas);
     this.#heads = new Heads(this.stage);
-    this.#players = [0, 1].map((place) => new Player(connection, clock, (a, b, s) => this.#show(place, a, b, s)));
+    this.#players = [0, 1].map(
+      (place) => new Player(connection, clock, (a, b, s) => this.#show(place, a, b, s)),
+    );
     connection.on("binary", (buffer) => this.#receive(unpackFaces(buffer)));
     clock.on("state", () => {
       this.stage.playing = clock.playing;

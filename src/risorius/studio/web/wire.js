@@ -1,4 +1,4 @@
-// Generated from src/risorius/studio/wire.py by `python -m risorius.studio.wire_types`: do not edit.
+// Generated from wire.py and tables.py by `python -m risorius.studio.wire_types`: do not edit.
 
 /**
  * Add a block. Targets are parameters, action units or aliases.
@@ -541,6 +541,201 @@
  * @typedef {Object} Ready
  * @property {"ready"} event
  * @property {"warming"|"warm"} what
+ */
+/**
+ * A column of every curve, as `core.parameters.Parameter`; `rivals` are those that it conflicts with.
+ * @typedef {Object} ParameterRow
+ * @property {string} name
+ * @property {string} base
+ * @property {string} side
+ * @property {string} kind
+ * @property {string} group
+ * @property {string} unit
+ * @property {number} low
+ * @property {number} high
+ * @property {number} neutral
+ * @property {number|null} number
+ * @property {number} threshold
+ * @property {number} min_onset
+ * @property {number} min_offset
+ * @property {boolean} signed
+ * @property {Array<string>} rivals
+ */
+/**
+ * An action unit, with the parameters' values at full intensity.
+ * @typedef {Object} UnitRow
+ * @property {string} name
+ * @property {number} number
+ * @property {string} title
+ * @property {boolean} approximate
+ * @property {Object<string, number>} targets
+ */
+/**
+ * An emotion: its action units, and the parameters' values at full intensity. Seconds.
+ * @typedef {Object} EmotionRow
+ * @property {string} name
+ * @property {Array<string>} aliases
+ * @property {string} description
+ * @property {Object<string, number>} units
+ * @property {Object<string, number>} targets
+ * @property {number} onset
+ * @property {number} offset
+ */
+/**
+ * A number of a profile by its dotted key; null where its range has no end.
+ * @typedef {Object} NumberRow
+ * @property {string} key
+ * @property {number} value
+ * @property {number|null} low
+ * @property {number|null} high
+ */
+/**
+ * A speaker, its numbers by key, and its file.
+ * @typedef {Object} ProfileRow
+ * @property {string} name
+ * @property {string} description
+ * @property {string} source
+ * @property {Object<string, NumberRow>} numbers
+ * @property {string} text
+ */
+/**
+ * What a speaker may want to convey.
+ * @typedef {Object} AttitudeRow
+ * @property {string} name
+ * @property {string} description
+ * @property {string} source
+ */
+/**
+ * A voice; those named `+name` change the timbre of any other.
+ * @typedef {Object} VoiceRow
+ * @property {string} name
+ * @property {string} language
+ * @property {string} title
+ */
+/**
+ * A head, who it is, how old and with which hair.
+ * @typedef {Object} HeadRow
+ * @property {string} name
+ * @property {string} title
+ * @property {number} age
+ * @property {string} hair
+ */
+/**
+ * A channel and its default priority.
+ * @typedef {Object} ChannelRow
+ * @property {string} name
+ * @property {number} priority
+ */
+/**
+ * Something that is chosen by name.
+ * @typedef {Object} OptionRow
+ * @property {string} name
+ * @property {string} description
+ */
+/**
+ * An onset function, with its values at even steps from 0 to 1.
+ * @typedef {Object} OnsetRow
+ * @property {string} name
+ * @property {string} description
+ * @property {Array<number>} samples
+ */
+/**
+ * A rule of the package.
+ * @typedef {Object} RuleRow
+ * @property {string} id
+ * @property {string} channel
+ * @property {string} level
+ * @property {number} probability
+ * @property {string} comment
+ * @property {Array<string>} conditions
+ */
+/**
+ * A format of files, by suffix.
+ * @typedef {Object} OutputRow
+ * @property {string} suffix
+ * @property {string} description
+ * @property {Array<string>} needs
+ */
+/**
+ * How pictures may look.
+ * @typedef {Object} LooksTable
+ * @property {Array<string>} styles
+ * @property {Array<string>} cameras
+ * @property {Array<string>} lights
+ * @property {Array<string>} qualities
+ * @property {Array<string>} hair
+ * @property {Object<string, number>} complexions
+ * @property {Array<string>} overlays
+ */
+/**
+ * Characters of a script; bytes of a recording, a project, a message; requests at once; undos.
+ * @typedef {Object} LimitsTable
+ * @property {number} script
+ * @property {number} recording
+ * @property {number} project
+ * @property {number} message
+ * @property {number} pending
+ * @property {number} undo
+ */
+/**
+ * `GET /api/catalogue`: all that can be named. `choices` and `size` are the defaults.
+ * @typedef {Object} Catalogue
+ * @property {string} version
+ * @property {Array<ParameterRow>} parameters
+ * @property {Object<string, string>} aliases
+ * @property {Array<UnitRow>} action_units
+ * @property {Array<EmotionRow>} emotions
+ * @property {Array<ProfileRow>} profiles
+ * @property {Array<AttitudeRow>} attitudes
+ * @property {Array<VoiceRow>} voices
+ * @property {Array<string>} languages
+ * @property {Array<HeadRow>} heads
+ * @property {Array<ChannelRow>} channels
+ * @property {Array<OptionRow>} policies
+ * @property {Array<OptionRow>} lip_models
+ * @property {Array<OnsetRow>} onset_functions
+ * @property {Array<string>} manners
+ * @property {Array<string>} dynamics
+ * @property {Array<string>} formats
+ * @property {Array<RuleRow>} rules
+ * @property {Array<OutputRow>} outputs
+ * @property {LooksTable} looks
+ * @property {Choices} choices
+ * @property {string} size
+ * @property {LimitsTable} limits
+ */
+/**
+ * A mesh of which vertices are sent: the first of them, how many, and its mesh's origin in mm.
+ * @typedef {Object} StagePart
+ * @property {string} name
+ * @property {number} first
+ * @property {number} count
+ * @property {[number, number, number]} about
+ */
+/**
+ * A lamp: from where it shines, and its linear colour.
+ * @typedef {Object} Lamp
+ * @property {[number, number, number]} direction
+ * @property {[number, number, number]} colour
+ */
+/**
+ * The light that a head is drawn in; the room's from above and below, linear.
+ * @typedef {Object} Light
+ * @property {Array<Lamp>} lamps
+ * @property {[number, number, number]} sky
+ * @property {[number, number, number]} ground
+ */
+/**
+ * `GET /api/stage`: how faces are unpacked: `origin + step * value` mm; `pose` floats a face; mm.
+ * @typedef {Object} StageTable
+ * @property {number} vertices
+ * @property {number} pose
+ * @property {number} step
+ * @property {[number, number, number]} origin
+ * @property {[number, number, number]} pivot
+ * @property {[[number, number, number], [number, number, number]]} eyes
+ * @property {Light} light
+ * @property {Array<StagePart>} parts
  */
 /** @typedef {"open" | "perform" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */

@@ -10,47 +10,89 @@ const WAIT = 250; // ms after the last movement of a slider
  * catalogue. Kinds: "choice" (options, empty), "check", "number", "slider", "several" (options).
  */
 const GROUPS = [
-  ["Voice", true, [
-    ["language", "Language", "choice", (c) => ({ options: c.languages, empty: "of the voice" })],
-    ["voice", "Voice", "choice", (c) => ({ options: speaking(c), empty: "default" })],
-    ["rate", "Words per minute", "number", { low: 80, high: 440, step: 5, placeholder: "voice's own" }],
-    ["voice_emotion", "Emotion is heard", "check"],
-  ]],
-  ["Manner", true, [
-    ["profile", "Profile", "choice", (c) => ({ options: described(c.profiles) })],
-    ["attitudes", "Attitudes", "several", (c) => ({ options: described(c.attitudes) })],
-    ["lively", "Rules, blinks, gaze", "check"],
-    ["manner", "Speaks", "choice", (c) => ({ options: c.manners })],
-    ["articulation", "Articulation", "slider", { low: 0, high: 2, step: 0.05 }],
-  ]],
-  ["Head", false, [
-    ["head", "Head", "choice", (c) => ({ options: c.heads.map((h) => ({ name: h.name, description: h.title })) })],
-    ["age", "Age", "number", { low: 0, high: 100, step: 1, placeholder: "own" }],
-    ["hair", "Hair", "choice", (c) => ({ options: c.looks.hair, empty: "own" })],
-    ["complexion", "Complexion", "choice", (c) => ({ options: complexions(c), empty: "own", numeric: true })],
-    ["dynamics", "Skin", "choice", (c) => ({ options: c.dynamics })],
-  ]],
-  ["Models", false, [
-    ["lips", "Lips", "choice", (c) => ({ options: c.lip_models })],
-    ["conflict", "Conflicts", "choice", (c) => ({ options: c.policies })],
-    ["contact", "Lips always close", "check"],
-    ["onset_function", "Onsets", "choice", (c) => ({ options: c.onset_functions, empty: "by channel" })],
-    ["without", "Leave out", "several", (c) => ({ options: c.channels.map(({ name }) => name) })],
-    ["activation_threshold", "Threshold", "number", { low: 0, high: 1, step: 0.01, placeholder: "by muscle" }],
-    ["min_onset", "Least onset, s", "number", { low: 0, high: 10, step: 0.01, placeholder: "by muscle" }],
-    ["min_offset", "Least offset, s", "number", { low: 0, high: 10, step: 0.01, placeholder: "by muscle" }],
-  ]],
-  ["Time and chance", false, [
-    ["seed", "Seed", "number", { low: 0, high: 2 ** 31, step: 1, fixed: true }],
-    ["fps", "Frames per second", "rate"],
-    ["lead", "Silence before, s", "number", { low: 0, high: 60, step: 0.1, fixed: true }],
-    ["tail", "Silence after, s", "number", { low: 0, high: 60, step: 0.1, fixed: true }],
-  ]],
+  [
+    "Voice",
+    true,
+    [
+      ["language", "Language", "choice", (c) => ({ options: c.languages, empty: "of the voice" })],
+      ["voice", "Voice", "choice", (c) => ({ options: speaking(c), empty: "default" })],
+      ["rate", "Words per minute", "number", { low: 80, high: 440, step: 5, placeholder: "voice's own" }],
+      ["voice_emotion", "Emotion is heard", "check"],
+    ],
+  ],
+  [
+    "Manner",
+    true,
+    [
+      ["profile", "Profile", "choice", (c) => ({ options: described(c.profiles) })],
+      ["attitudes", "Attitudes", "several", (c) => ({ options: described(c.attitudes) })],
+      ["lively", "Rules, blinks, gaze", "check"],
+      ["manner", "Speaks", "choice", (c) => ({ options: c.manners })],
+      ["articulation", "Articulation", "slider", { low: 0, high: 2, step: 0.05 }],
+    ],
+  ],
+  [
+    "Head",
+    false,
+    [
+      [
+        "head",
+        "Head",
+        "choice",
+        (c) => ({ options: c.heads.map((h) => ({ name: h.name, description: h.title })) }),
+      ],
+      ["age", "Age", "number", { low: 0, high: 100, step: 1, placeholder: "own" }],
+      ["hair", "Hair", "choice", (c) => ({ options: c.looks.hair, empty: "own" })],
+      [
+        "complexion",
+        "Complexion",
+        "choice",
+        (c) => ({ options: complexions(c), empty: "own", numeric: true }),
+      ],
+      ["dynamics", "Skin", "choice", (c) => ({ options: c.dynamics })],
+    ],
+  ],
+  [
+    "Models",
+    false,
+    [
+      ["lips", "Lips", "choice", (c) => ({ options: c.lip_models })],
+      ["conflict", "Conflicts", "choice", (c) => ({ options: c.policies })],
+      ["contact", "Lips always close", "check"],
+      ["onset_function", "Onsets", "choice", (c) => ({ options: c.onset_functions, empty: "by channel" })],
+      ["without", "Leave out", "several", (c) => ({ options: c.channels.map(({ name }) => name) })],
+      [
+        "activation_threshold",
+        "Threshold",
+        "number",
+        { low: 0, high: 1, step: 0.01, placeholder: "by muscle" },
+      ],
+      ["min_onset", "Least onset, s", "number", { low: 0, high: 10, step: 0.01, placeholder: "by muscle" }],
+      ["min_offset", "Least offset, s", "number", { low: 0, high: 10, step: 0.01, placeholder: "by muscle" }],
+    ],
+  ],
+  [
+    "Time and chance",
+    false,
+    [
+      ["seed", "Seed", "number", { low: 0, high: 2 ** 31, step: 1, fixed: true }],
+      ["fps", "Frames per second", "rate"],
+      ["lead", "Silence before, s", "number", { low: 0, high: 60, step: 0.1, fixed: true }],
+      ["tail", "Silence after, s", "number", { low: 0, high: 60, step: 0.1, fixed: true }],
+    ],
+  ],
 ];
 
 const RATES = ["24", "25", "24000/1001", "30", "30000/1001", "50", "60"];
 
-const MAKERS = { choice: makeChoice, check: makeCheck, number: makeNumber, slider: makeSlider, several: makeSeveral, rate: makeRate };
+const MAKERS = {
+  choice: makeChoice,
+  check: makeCheck,
+  number: makeNumber,
+  slider: makeSlider,
+  several: makeSeveral,
+  rate: makeRate,
+};
 
 /**
  * Put all settings into a form; a change is performed at once.
@@ -89,7 +131,9 @@ export function choiceRows(form, catalogue, choices, set, only = null) {
     });
     if (fields.length === 0) continue;
     if (only) continue;
-    form.append(make("details", { open }, make("summary", {}, title), make("div", { class: "stack" }, ...fields)));
+    form.append(
+      make("details", { open }, make("summary", {}, title), make("div", { class: "stack" }, ...fields)),
+    );
   }
   if (only) form.append(...only.map((key) => controls.get(key).element));
   const show = (now) => {
@@ -119,7 +163,10 @@ function makeSlider(label, about, value, set) {
 }
 
 function makeRate(label, about, value, set) {
-  return choice(RATES.map((name) => ({ name, title: name })), { value, change: set });
+  return choice(
+    RATES.map((name) => ({ name, title: name })),
+    { value, change: set },
+  );
 }
 
 /** Some of several, as buttons that stay pressed. */
@@ -147,7 +194,7 @@ function makeSeveral(label, { options }, value, set) {
 }
 
 function newSeed(act) {
-  return button("Another chance", { title: "The same with other random blinks and glances", onclick: act });
+  return button("Another seed", { title: "The same with other random blinks and glances", onclick: act });
 }
 
 function described(items) {
@@ -155,7 +202,10 @@ function described(items) {
 }
 
 function complexions(catalogue) {
-  return Object.entries(catalogue.looks.complexions).map(([title, value]) => ({ name: String(value), title }));
+  return Object.entries(catalogue.looks.complexions).map(([title, value]) => ({
+    name: String(value),
+    title,
+  }));
 }
 
 /** Voices that speak; those named +… only change the timbre of another. */
@@ -165,7 +215,9 @@ function speaking(catalogue) {
 
 /** Show the voices of the language that is chosen, and the one that is chosen in any case. */
 function showVoices(list, catalogue, { voice, language }) {
-  const own = speaking(catalogue).filter((v) => language === null || v.language.startsWith(language.split("-")[0]));
+  const own = speaking(catalogue).filter(
+    (v) => language === null || v.language.startsWith(language.split("-")[0]),
+  );
   for (const option of list.options) {
     const name = option.value;
     option.hidden = name !== "" && name !== voice && !own.some((v) => v.name === name);

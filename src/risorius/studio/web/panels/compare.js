@@ -6,8 +6,19 @@ import { fill, make, settled, spoken } from "../parts/dom.js";
 import { takeOf } from "../take.js";
 
 const OFFERED = [
-  "conflict", "lips", "contact", "without", "onset_function", "profile", "attitudes", "lively", "manner",
-  "articulation", "dynamics", "head", "age",
+  "conflict",
+  "lips",
+  "contact",
+  "without",
+  "onset_function",
+  "profile",
+  "attitudes",
+  "lively",
+  "manner",
+  "articulation",
+  "dynamics",
+  "head",
+  "age",
 ];
 const MOST_LISTED = 8;
 const WAIT = 250;
@@ -17,7 +28,11 @@ export function mountCompare(element, studio) {
   const { store, actions } = studio;
   let other = {}; // what the second take has other than the first
   const form = make("div", { class: "stack" });
-  const note = make("p", { class: "hint" }, "The take stands at the left. At the right, the same line with these settings:");
+  const note = make(
+    "p",
+    { class: "hint" },
+    "The take stands at the left. At the right, the same line with these settings:",
+  );
   const show = button("Show side by side", { class: "primary", id: "compare", onclick: compare });
   const end = button("One head again", { id: "compare-end", onclick: () => store.set({ other: null }) });
   const table = make("div", { class: "stack tight" });
@@ -62,7 +77,9 @@ export function mountCompare(element, studio) {
 
 /** What the second take has other than the first, in words. */
 function labelOf(other) {
-  const parts = Object.entries(other).map(([key, value]) => `${spoken(key)}: ${[value ?? "own"].flat().join(", ") || "none"}`);
+  const parts = Object.entries(other).map(
+    ([key, value]) => `${spoken(key)}: ${[value ?? "own"].flat().join(", ") || "none"}`,
+  );
   return parts.join(" · ") || "the same";
 }
 
@@ -79,9 +96,19 @@ function differences(take, other, catalogue) {
     .slice(0, MOST_LISTED);
   if (rows.length === 0) return [make("p", { class: "hint" }, "Both are the same.")];
   const cells = rows.map(({ name, apart, time, unit }) =>
-    make("tr", {}, make("th", { scope: "row" }, spoken(name)), make("td", {}, `${apart.toFixed(unit ? 1 : 2)}${unit && ` ${unit}`}`), make("td", {}, `${time.toFixed(2)} s`)),
+    make(
+      "tr",
+      {},
+      make("th", { scope: "row" }, spoken(name)),
+      make("td", {}, `${apart.toFixed(unit ? 1 : 2)}${unit && ` ${unit}`}`),
+      make("td", {}, `${time.toFixed(2)} s`),
+    ),
   );
-  const head = make("tr", {}, ...["Differs most in", "by", "at"].map((text) => make("th", { scope: "col" }, text)));
+  const head = make(
+    "tr",
+    {},
+    ...["Differs most in", "by", "at"].map((text) => make("th", { scope: "col" }, text)),
+  );
   return [make("table", { class: "differences" }, make("thead", {}, head), make("tbody", {}, ...cells))];
 }
 

@@ -3,7 +3,7 @@
 import { spoken } from "../parts/dom.js";
 
 /** A face at rest, as `Dial` of the wire has it. */
-export function emptyDial() {
+export function emptyFace() {
   return { values: {}, emotions: {} };
 }
 
@@ -14,9 +14,10 @@ export function emptyDial() {
  * @typedef {{label: string, hint: string, range: object, get: (face: object) => number,
  *            set: (face: object, value: number) => object}} Dial
  */
-export function unitsOf(catalogue, kind, side) {
+export function groupsOf(catalogue, kind, side) {
   if (kind === "emotions") return [{ title: "", dials: catalogue.emotions.map(emotionDial) }];
-  if (kind === "units") return [{ title: "", dials: catalogue.action_units.map((unit) => unitDial(unit, side)) }];
+  if (kind === "units")
+    return [{ title: "", dials: catalogue.action_units.map((unit) => unitDial(unit, side)) }];
   const groups = new Map();
   for (const parameter of catalogue.parameters) {
     const { group, side: own } = parameter;
@@ -31,7 +32,12 @@ function muscleDial({ name, base, side: own, low, high, neutral, number, unit },
   const names = !own ? [name] : side === "both" ? [`${base}.left`, `${base}.right`] : [name];
   const label = number === null ? spoken(base) : `${String(number).padStart(2, "0")} ${spoken(base)}`;
   const step = high - low > 2 ? 0.5 : 0.01;
-  return { label: unit ? `${label}, ${unit}` : label, hint: "", range: { low, high, neutral, step }, ...over("values", names, neutral) };
+  return {
+    label: unit ? `${label}, ${unit}` : label,
+    hint: "",
+    range: { low, high, neutral, step },
+    ...over("values", names, neutral),
+  };
 }
 
 /** A unit by its side: one that has no sides is the same on both. */
@@ -39,7 +45,12 @@ function unitDial({ name, title, targets, approximate }, side) {
   const sided = Object.keys(targets).some((target) => target.endsWith(".left"));
   const key = side === "both" || !sided ? name : `${name}.${side}`;
   const hint = `${title}${approximate ? " (approximately)" : ""}`;
-  return { label: `${name} ${title}`, hint, range: { low: 0, high: 1, neutral: 0, step: 0.01 }, ...over("values", [key], 0) };
+  return {
+    label: `${name} ${title}`,
+    hint,
+    range: { low: 0, high: 1, neutral: 0, step: 0.01 },
+    ...over("values", [key], 0),
+  };
 }
 
 function emotionDial({ name, description }) {

@@ -23,7 +23,13 @@ export function mountEmotions({ store, actions }, script) {
   store.watch(["emotions"], () => shown !== store.get("emotions") && show());
   store.watch(["source"], showPlaces);
   const buttons = make("div", { class: "row" }, all, part);
-  return make("fieldset", { class: "plain stack tight" }, make("legend", { class: "label" }, "Emotion"), rows, buttons);
+  return make(
+    "fieldset",
+    { class: "plain stack tight" },
+    make("legend", { class: "label" }, "Emotion"),
+    rows,
+    buttons,
+  );
 
   function add(place) {
     const names = store.get("catalogue").emotions.map(({ name }) => name);
@@ -54,7 +60,10 @@ export function mountEmotions({ store, actions }, script) {
 
   function row(span, place) {
     const own = store.get("ownEmotions").map((name) => ({ name }));
-    const names = [...store.get("catalogue").emotions.map(({ name, description }) => ({ name, description })), ...own];
+    const names = [
+      ...store.get("catalogue").emotions.map(({ name, description }) => ({ name, description })),
+      ...own,
+    ];
     const name = choice(names, { value: span.emotion, change: (emotion) => change(place, { emotion }) });
     name.setAttribute("aria-label", "Emotion");
     const input = (intensity) => change(place, { intensity });
@@ -67,7 +76,14 @@ export function mountEmotions({ store, actions }, script) {
         show();
       },
     });
-    const element = make("div", { class: "emotion" }, name, amount, remove, make("p", { class: "where hint" }));
+    const element = make(
+      "div",
+      { class: "emotion" },
+      name,
+      amount,
+      remove,
+      make("p", { class: "where hint" }),
+    );
     showHue(element, span);
     return element;
   }

@@ -4,20 +4,27 @@ import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { downloadText } from "../parts/download.js";
 
-/** @param {object} studio @param {() => {dial: object}} face what is dialled now */
+/** @param {object} studio @param {() => object} face what is dialled now */
 export function mountKeeping(studio, face) {
-  const name = make("input", { type: "text", id: "pose-name", maxlength: 60, "aria-label": "Name of the face", placeholder: "Name of the face" });
+  const name = make("input", {
+    type: "text",
+    id: "pose-name",
+    maxlength: 60,
+    "aria-label": "Name of the face",
+    placeholder: "Name of the face",
+  });
   const keep = async (kind) => {
     if (name.value.trim() === "") {
       name.focus();
       return;
     }
-    const { values } = (await studio.actions.ask("dial", { ...face().dial, live: false })) ?? {};
+    const { values } = (await studio.actions.ask("dial", { ...face(), live: false })) ?? {};
     const file = values && (await studio.actions.ask("name_pose", { name: name.value.trim(), kind, values }));
     if (!file) return;
     downloadText(file.text, file.file);
     const { store } = studio;
-    if (kind === "emotion") store.set({ ownEmotions: [...new Set([...store.get("ownEmotions"), file.name])] });
+    if (kind === "emotion")
+      store.set({ ownEmotions: [...new Set([...store.get("ownEmotions"), file.name])] });
     else store.set({ poses: { ...store.get("poses"), [file.name]: values } });
   };
   const pose = button("Save pose", { id: "save-pose", onclick: () => keep("pose") });

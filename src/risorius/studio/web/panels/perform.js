@@ -13,7 +13,12 @@ export function mountPerform(element, studio) {
   const script = mountScript(studio);
   const form = make("div", { class: "stack" });
   const perform = button("Perform", { class: "primary", id: "perform", onclick: () => actions.perform() });
-  const foot = make("div", { class: "panel-foot" }, perform, make("span", { class: "hint" }, make("kbd", {}, "Ctrl"), " ", make("kbd", {}, "Enter")));
+  const foot = make(
+    "div",
+    { class: "panel-foot" },
+    perform,
+    make("span", { class: "hint" }, make("kbd", {}, "Ctrl"), " ", make("kbd", {}, "Enter")),
+  );
   element.append(script.element, mountRecording(studio), mountEmotions(studio, script), form, foot);
   const ready = store.watch(["catalogue"], () => {
     if (!store.get("catalogue")) return;
@@ -28,7 +33,9 @@ export function mountPerform(element, studio) {
 }
 
 function formatField({ store }) {
-  const options = store.get("catalogue").formats.map((name) => ({ name, title: name === "text" ? "plain text" : name }));
+  const options = store
+    .get("catalogue")
+    .formats.map((name) => ({ name, title: name === "text" ? "plain text" : name }));
   const change = (format) => store.set({ source: { ...store.get("source"), format } });
   const list = choice(options, { value: store.get("source").format, change });
   store.watch(["source"], () => list.show(store.get("source").format));

@@ -13,7 +13,13 @@ export function mountProfile(element, { store, actions }) {
   const rows = make("div", { class: "stack" });
   const name = make("input", { type: "text", id: "profile-name", maxlength: 60, value: "mine" });
   const write = button("Export profile", { id: "export-profile", onclick: exportIt });
-  const reset = button("Reset", { onclick: () => { numbers = {}; apply(); show(); } });
+  const reset = button("Reset", {
+    onclick: () => {
+      numbers = {};
+      apply();
+      show();
+    },
+  });
   const summary = make("summary", {}, "Numbers of the profile");
   const buttons = make("div", { class: "row" }, write, reset);
   element.append(make("details", {}, summary, rows, field("Name", name), buttons));
@@ -49,7 +55,17 @@ export function mountProfile(element, { store, actions }) {
       if (!groups.has(group)) groups.set(group, []);
       groups.get(group).push(rowOf(row));
     }
-    fill(rows, ...[...groups].map(([title, fields]) => make("details", {}, make("summary", {}, spoken(title)), make("div", { class: "stack tight" }, ...fields))));
+    fill(
+      rows,
+      ...[...groups].map(([title, fields]) =>
+        make(
+          "details",
+          {},
+          make("summary", {}, spoken(title)),
+          make("div", { class: "stack tight" }, ...fields),
+        ),
+      ),
+    );
     summary.textContent = `Numbers of the profile “${base}”`;
   }
 

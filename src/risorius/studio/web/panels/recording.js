@@ -9,7 +9,11 @@ const SOUNDS = "audio/*,.wav,.flac,.ogg,.mp3";
 export function mountRecording(studio) {
   const { store } = studio;
   const file = make("input", {
-    type: "file", id: "recording", accept: SOUNDS, class: "unseen", tabindex: "-1",
+    type: "file",
+    id: "recording",
+    accept: SOUNDS,
+    class: "unseen",
+    tabindex: "-1",
     "aria-label": "Recording",
     onchange: () => file.files[0] && upload(studio, file.files[0]),
   });
@@ -24,7 +28,9 @@ export function mountRecording(studio) {
       fill(element, choose, make("span", { class: "hint" }, "or drop one here"));
       return;
     }
-    const remove = button("Remove", { onclick: () => store.set({ source: { ...store.get("source"), recording: null } }) });
+    const remove = button("Remove", {
+      onclick: () => store.set({ source: { ...store.get("source"), recording: null } }),
+    });
     fill(element, make("span", { class: "name", title: recording }, plainName(recording)), remove);
   }
 }

@@ -6,83 +6,116 @@ import { mountProfile } from "./profile.js";
 
 /** @param {HTMLElement} element @param {object} studio */
 export function mountRules(element, studio) {
-  const { store, actions } = studio;
-  const list = make("div", { class: "stack", id: "rules" });
-  const search = make("input", { type: "search", placeholder: "Find …", "aria-label": "Find a rule", oninput: filter });
-  const fired = make("input", { type: "checkbox", checked: true, onchange: filter });
-  const only = make("label", { class: "check" }, fired, "Only those that fired, or are off");
-  const profile = make("div", {});
-  element.append(search, only, list, profile);
-  let asked = 0;
-  let found = new Map();
-  let profiled = false;
-  store.watch(["catalogue", "take", "tab"], async () => {
-    if (store.get("tab") !== "rules" || !store.get("catalogue")) return;
-    if (!profiled) mountProfile(profile, studio);
-    profiled = true;
-    const take = store.get("take");
-    if (take && take.take !== asked) {
-      asked = take.take;
-      const answer = await actions.ask("rules_fired", { take: take.take });
-      if (asked !== take.take) return;
-      found = new Map((answer?.rules ?? []).map((rule) => [rule.rule, rule]));
-    }
-    show();
-  });
+  new Rules(element, studio);
+}
 
-  function show() {
-    const groups = new Map();
-    for (const rule of known()) {
-      const group = rule.id.split(".")[0];
-      if (!groups.has(group)) groups.set(group, []);
-      groups.get(group).push(rowOf(rule));
+class Rules {
+  #studio;
+  #store;
+  #list = make("div", { class: "stack", id: "rules" });
+  #search;
+  #onlyFired;
+  #asked = 0;
+  #found = new Map();
+
+  constructor(element, studio) {
+    this.#studio = studio;
+    this.#store = studio.store;
+    const filter = () => this.#filter();
+    this.#search = make("input", {
+      type: "search",
+      placeholder: "Find …",
+      "aria-label": "Find a rule",
+      oninput: filter,
+    });
+    this.#onlyFired = make("input", { type: "checkbox", checked: true, onchange: filter });
+    const only = make("label", { class: "check" }, this.#onlyFired, "Only those that fired, or are off");
+    const profile = make("div", {});
+    element.append(this.#search, only, this.#list, profile);
+    this.#store.watch(["catalogue", "take", "tab"], () => this.#update(profile));
+  }
+
+  /** Nothing is asked of the server while the panel is not seen. */
+  async #update(profile) {
+    const take = this.#store.get("take");
+    if (this.#store.get("tab") !== "rules" || !this.#store.get("catalogue")) return;
+    if (profile.childElementCount === 0) mountProfile(profile, this.#studio);
+    if (take && take.take !== this.#asked) {
+      this.#asked = take.take;
+      const answer = await this.#studio.actions.ask("rules_fired", { take: take.take });
+      if (this.#asked !== take.take) return;
+      this.#found = new Map((answer?.rules ?? []).map((rule) => [rule.rule, rule]));
     }
-    fill(list, ...[...groups].map(([title, rows]) => make("section", { class: "stack tight" }, make("h3", {}, spoken(title)), ...rows)));
-    filter();
+    this.#show();
+  }
+
+  #show() {
+    const groups = Map.groupBy(this.#known(), ({ id }) => id.split(".")[0]);
+    const sections = [...groups].map(([title, rules]) =>
+      make(
+        "section",
+        { class: "stack tight" },
+        make("h3", {}, spoken(title)),
+        ...rules.map((rule) => this.#row(rule)),
+      ),
+    );
+    fill(this.#list, ...sections);
+    this.#filter();
   }
 
   /** The rules of the catalogue, and what else made movements, in order of their ids. */
-  function known() {
-    const rules = new Map(store.get("catalogue").rules.map((rule) => [rule.id, rule]));
-    for (const [id, { comment }] of found) if (!rules.has(id)) rules.set(id, { id, comment });
+  #known() {
+    const rules = new Map(this.#store.get("catalogue").rules.map((rule) => [rule.id, rule]));
+    for (const [id, { comment }] of this.#found) if (!rules.has(id)) rules.set(id, { id, comment });
     return [...rules.values()].sort((a, b) => (a.id < b.id ? -1 : 1));
   }
 
-  function rowOf({ id, comment }) {
-    const off = store.get("choices").rules_off;
-    const times = found.get(id)?.times ?? [];
-    const blocks = found.get(id)?.blocks ?? [];
-    const box = make("input", { type: "checkbox", role: "switch", checked: !off.includes(id), onchange: () => turn(id, box.checked) });
-    const label = make("label", { class: "check" }, box, make("span", { class: "name" }, id.split(".").slice(1).join(" ") || id));
-    const places = times.map((time, k) =>
-      button(time.toFixed(2), { class: "chip", "aria-label": `Go to ${time.toFixed(2)} seconds`, onclick: () => go(time, blocks[k]) }),
-    );
-    const find = `${id} ${comment}`.toLowerCase();
-    return make(
-      "div",
-      { class: "rule", "data-find": find, "data-idle": times.length === 0 && !off.includes(id), "data-rule": id },
-      label,
-      make("p", { class: "hint" }, comment),
+  #row({ id, comment }) {
+    const on = !this.#store.get("choices").rules_off.includes(id);
+    const { times = [], blocks = [] } = this.#found.get(id) ?? {};
+    const box = make("input", {
+      type: "checkbox",
+      role: "switch",
+      checked: on,
+      onchange: () => this.#turn(id, box.checked),
+    });
+    const name = make("span", { class: "name" }, id.split(".").slice(1).join(" ") || id);
+    const places = times.map((time, k) => this.#place(time, blocks[k]));
+    const about = {
+      "data-rule": id,
+      "data-find": `${id} ${comment}`.toLowerCase(),
+      "data-idle": on && times.length === 0,
+    };
+    const [label, chips] = [
+      make("label", { class: "check" }, box, name),
       make("div", { class: "row tight" }, ...places),
-    );
+    ];
+    return make("div", { class: "rule", ...about }, label, chips, make("p", { class: "hint" }, comment));
   }
 
-  function turn(id, on) {
-    const off = store.get("choices").rules_off.filter((other) => other !== id);
-    actions.choose({ choices: { rules_off: on ? off : [...off, id] } });
+  /** A button that leads to where a rule fired. */
+  #place(time, movement) {
+    const { clock, actions } = this.#studio;
+    const go = () => {
+      clock.pause();
+      clock.seek(time);
+      actions.select({ time, movement });
+    };
+    const text = time.toFixed(2);
+    return button(text, { class: "chip", "aria-label": `Go to ${text} seconds`, onclick: go });
   }
 
-  function go(time, movement) {
-    studio.clock.pause();
-    studio.clock.seek(time);
-    actions.select({ time, movement });
+  #turn(id, on) {
+    const off = this.#store.get("choices").rules_off.filter((other) => other !== id);
+    this.#studio.actions.choose({ choices: { rules_off: on ? off : [...off, id] } });
   }
 
-  function filter() {
-    const wanted = search.value.trim().toLowerCase();
-    for (const row of list.querySelectorAll(".rule")) {
-      row.hidden = !row.dataset.find.includes(wanted) || (fired.checked && row.dataset.idle !== undefined);
+  #filter() {
+    const wanted = this.#search.value.trim().toLowerCase();
+    for (const row of this.#list.querySelectorAll(".rule")) {
+      const idle = this.#onlyFired.checked && row.dataset.idle !== undefined;
+      row.hidden = idle || !row.dataset.find.includes(wanted);
     }
-    for (const group of list.children) group.hidden = !group.querySelector(".rule:not([hidden])");
+    for (const group of this.#list.children) group.hidden = !group.querySelector(".rule:not([hidden])");
   }
 }

@@ -48,7 +48,9 @@ export function mountScript({ store }) {
   function showMarks() {
     const spans = store.get("emotions").filter((span) => span.first !== null);
     const units = (place) => unitAt(text.value, place);
-    const cuts = [...new Set([0, text.value.length, ...spans.flatMap((s) => [units(s.first), units(s.last)])])];
+    const cuts = [
+      ...new Set([0, text.value.length, ...spans.flatMap((s) => [units(s.first), units(s.last)])]),
+    ];
     cuts.sort((a, b) => a - b);
     const pieces = cuts.slice(1).map((end, k) => {
       const over = spans.findLast((s) => units(s.first) <= cuts[k] && units(s.last) >= end);

@@ -43,7 +43,11 @@ export function check(label, { value, change, hint = "" }) {
 /** A number that is typed. Empty is null where `optional` is true. */
 export function number({ value, low, high, step = "any", optional = false, placeholder = "", change }) {
   const box = make("input", {
-    type: "number", min: low, max: high, step, placeholder,
+    type: "number",
+    min: low,
+    max: high,
+    step,
+    placeholder,
     onchange: () => {
       if (box.value === "" && optional) change(null);
       else if (box.value !== "" && box.checkValidity()) change(Number(box.value));

@@ -28,6 +28,8 @@ export function movedSpans(spans, before, after) {
     return place >= changedTo ? place + by : isLast ? same : changedTo + by;
   };
   return spans
-    .map((span) => (span.first === null ? span : { ...span, first: moved(span.first, false), last: moved(span.last, true) }))
+    .map((span) =>
+      span.first === null ? span : { ...span, first: moved(span.first, false), last: moved(span.last, true) },
+    )
     .filter((span) => span.first === null || span.last > span.first);
 }

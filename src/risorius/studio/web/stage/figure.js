@@ -9,6 +9,7 @@ import * as THREE from "../vendor/three/three.module.min.js";
 import { readGlb } from "./glb.js";
 import { materialOf } from "./materials.js";
 import { computeNormals } from "./normals.js";
+import { spreadStrands } from "./strands.js";
 
 const MM = 1000;
 const HAIRS = ["brows", "lashes", "hair"];
@@ -34,6 +35,7 @@ export class Figure {
   #head = new THREE.Bone();
   #body = new THREE.Bone();
   #eyes = [];
+  #strands = { strand: 0, count: 0 };
 
   constructor(glb, packing, pictures) {
     this.#packing = packing;
@@ -45,6 +47,7 @@ export class Figure {
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
+    this.#spreadHair();
     this.shade = null;
   }
 
@@ -69,6 +72,14 @@ export class Figure {
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
   get skin() {
     return this.#meshes.skin.geometry.attributes.position.array;
+  }
+
+  /** The share of its hair that is drawn, evenly spread. @param {number} share 0 to 1 */
+  set hair(share) {
+    const { hair } = this.#meshes;
+    if (!hair) return;
+    const { strand, count } = this.#strands;
+    hair.geometry.setDrawRange(0, strand * Math.ceil(share * count));
   }
 
   /** How many numbers a face of this head has. */
@@ -132,6 +143,14 @@ export class Figure {
     if (HAIRS.includes(name)) return;
     computeNormals(points, index.array, attributes.normal.array);
     attributes.normal.needsUpdate = true;
+  }
+
+  #spreadHair() {
+    const geometry = this.#meshes.hair?.geometry;
+    if (!geometry) return;
+    const { index, strand } = spreadStrands(geometry.index.array);
+    geometry.setIndex(new THREE.BufferAttribute(index, 1));
+    this.#strands = { strand, count: index.length / strand };
   }
 
   /** Tell the mouth's materials where its front and back are. */

@@ -41,7 +41,14 @@ function readMesh(json, buffer, start, primitive) {
 }
 
 function readAccessor(json, buffer, start, index) {
-  const { bufferView, byteOffset = 0, componentType, count, type, normalized = false } = json.accessors[index];
+  const {
+    bufferView,
+    byteOffset = 0,
+    componentType,
+    count,
+    type,
+    normalized = false,
+  } = json.accessors[index];
   const view = json.bufferViews[bufferView];
   const width = WIDTHS[type];
   const from = start + (view.byteOffset ?? 0) + byteOffset;

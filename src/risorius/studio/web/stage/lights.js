@@ -13,11 +13,14 @@ const PANE = 0.62; // m: half its side
  */
 export function lightsOf({ lamps, sky, ground }) {
   const room = new THREE.HemisphereLight(new THREE.Color(...sky), new THREE.Color(...ground), Math.PI);
-  return [room, ...lamps.map(({ direction, colour }) => {
-    const lamp = new THREE.DirectionalLight(new THREE.Color(...colour), Math.PI);
-    lamp.position.set(...direction);
-    return lamp;
-  })];
+  return [
+    room,
+    ...lamps.map(({ direction, colour }) => {
+      const lamp = new THREE.DirectionalLight(new THREE.Color(...colour), Math.PI);
+      lamp.position.set(...direction);
+      return lamp;
+    }),
+  ];
 }
 
 /** @param {THREE.WebGLRenderer} renderer @param {object} light @returns {THREE.Texture} a room with windows */

@@ -55,7 +55,10 @@ const REACHED = THREE.ShaderChunk.lights_fragment_begin.replace(
 
 const SKIN = {
   vertex: [
-    ["#include <common>", "#include <common>\nattribute float free;\nattribute vec4 reach;\nvarying float roomFree;\nvarying vec4 lampReach;"],
+    [
+      "#include <common>",
+      "#include <common>\nattribute float free;\nattribute vec4 reach;\nvarying float roomFree;\nvarying vec4 lampReach;",
+    ],
     ["#include <begin_vertex>", "#include <begin_vertex>\nroomFree = free;\nlampReach = reach;"],
   ],
   fragment: [

@@ -6,6 +6,7 @@
 const SLOW = 1000 / 24; // ms between pictures
 const FAST = 1000 / 50;
 const STEPS = [1, 0.8, 0.65, 0.5];
+const DETAIL = 0.4; // share of the hair that is drawn while it is too slow for all
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
 const REST = 350; // ms without a picture after which the head is at rest
 
@@ -32,6 +33,11 @@ export class Sharpness {
   get ratio() {
     const screen = Math.min(window.devicePixelRatio, 2);
     return this.#atRest ? Math.max(this.#still, screen) : STEPS[this.#step] * screen;
+  }
+
+  /** The share of fine detail that is drawn. */
+  get detail() {
+    return this.#atRest || this.#step === 0 ? 1 : DETAIL;
   }
 
   /** Whether it plays: then it is never at rest, however slowly pictures come. */

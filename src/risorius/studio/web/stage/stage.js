@@ -96,6 +96,7 @@ export class Stage {
     renderer.setScissorTest(true);
     this.#figures.forEach((shown, place) => {
       for (const figure of this.#figures) figure.group.visible = figure === shown;
+      shown.hair = this.#sharpness.detail;
       renderer.setViewport(place * each, 0, each, height);
       renderer.setScissor(place * each, 0, each, height);
       renderer.render(this.#scene, this.view.camera);

@@ -1,4 +1,5 @@
 import { h, spoken } from "./dom.js";
+import { timesOf } from "./times.js";
 
 /**
  * The blocks as a list for the keyboard and for screen readers: one option has the focus, those near it are there.
@@ -10,6 +11,7 @@ const AROUND = 12; // options on either side of the one in focus
 
 export class BlockList {
   #list = h("div", { role: "listbox", class: "unseen tl-blocks", "aria-label": "Movements", tabindex: "-1" });
+  #said = h("p", { class: "unseen", role: "status" });
   #desk;
   #order = [];
   #current = 0;
@@ -20,7 +22,7 @@ export class BlockList {
     this.#list.addEventListener("keydown", (event) => this.#key(event));
     this.#list.addEventListener("focusin", () => this.#focused(true));
     this.#list.addEventListener("focusout", () => this.#focused(false));
-    parent.append(this.#list);
+    parent.append(this.#list, this.#said);
   }
 
   /** Take up another model. */
@@ -140,10 +142,18 @@ export class BlockList {
     if (ctrlKey || metaKey) this.#desk.nudge(shiftKey ? 2 : 1, frames);
     else if (altKey) this.#desk.nudge(0, frames);
     else this.#desk.nudge(shiftKey ? 3 : "move", frames);
+    const block = this.#order[this.#current];
     const option = this.#list.querySelector('[tabindex="0"]');
-    if (option) option.textContent = described(this.#order[this.#current], this.#desk);
+    if (option) option.textContent = described(block, this.#desk);
+    if (block) this.#said.textContent = block.editable ? timesTold(block, this.#desk) : "cannot be changed";
     return true;
   }
+}
+
+/** When a block acts, in a few words. */
+function timesTold(block, desk) {
+  const [start, rise, fall, end] = timesOf(desk.edits.shown(block) ?? block).map((time) => time.toFixed(2));
+  return `${start} to ${end}, apex ${rise} to ${fall}`;
 }
 
 /** A block in a sentence. */

@@ -144,6 +144,12 @@ export class Desk {
     if (top !== scroll) this.scroller.scrollTop = top * unit;
   }
 
+  /** Repeat the word that is said at a time. */
+  loopWord(time) {
+    const word = this.scene.model.speech?.words.at(time);
+    if (word) this.clock.setLoop([word.start, word.end]);
+  }
+
   zoom(factor, x = this.scene.view.x(this.clock.time)) {
     const { view } = this.scene;
     view.zoom(factor, x >= 0 && x <= view.width ? x : view.width / 2);

@@ -1,5 +1,3 @@
-import { withKey, withLine, withMoved } from "./keys.js";
-import { scaleOf } from "./paint_graphs.js";
 import { moved, nearest, pulled, snappedBy, timesOf } from "./times.js";
 
 /**
@@ -10,7 +8,6 @@ import { moved, nearest, pulled, snappedBy, timesOf } from "./times.js";
 
 const REACH = 7; // pixels within which an edit snaps
 const SLACK = 3; // pixels that a pointer may tremble without dragging
-const FINE = 0.012; // share of a graph's height that a line drawn freely may be simplified by
 
 /** Move the playhead; the sound pauses meanwhile. */
 export class Scrub {
@@ -34,6 +31,31 @@ export class Scrub {
 
   cancel() {
     this.end();
+  }
+}
+
+/** Choose the stretch that is repeated. */
+export class DragLoop {
+  #desk;
+  #from;
+  #before;
+
+  constructor(desk, x) {
+    this.#desk = desk;
+    this.#from = desk.scene.view.time(x);
+    this.#before = desk.clock.loop;
+  }
+
+  move(x) {
+    const { view, model } = this.#desk.scene;
+    const ends = [this.#from, view.time(x)].map((time) => Math.max(0, Math.min(time, model.duration)));
+    this.#desk.clock.setLoop(ends.sort((a, b) => a - b));
+  }
+
+  end() {}
+
+  cancel() {
+    this.#desk.clock.setLoop(this.#before);
   }
 }
 
@@ -113,88 +135,5 @@ export class DragBlock {
   cancel() {
     this.#desk.scene.guide = null;
     this.#desk.edits.drop(this.#block.id);
-  }
-}
-
-/** Drag a key of a graph. */
-export class DragKey {
-  #desk;
-  #row;
-  #parameter;
-  #index;
-  #keys;
-  #dragging = false;
-
-  constructor(desk, row, parameter, index) {
-    this.#desk = desk;
-    this.#row = row;
-    this.#parameter = parameter;
-    this.#index = index;
-    this.#keys = desk.edits.keys(parameter);
-  }
-
-  move(x, y) {
-    const { scene, edits } = this.#desk;
-    this.#dragging = true;
-    const value = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
-    const keys = withMoved(this.#keys, this.#index, scene.view.time(x), value, scene.model.duration);
-    edits.holdKeys(this.#names, keys);
-  }
-
-  /** Both sides where they have the same keys, so that they keep together. */
-  get #names() {
-    const same = (name) => JSON.stringify(this.#desk.edits.keys(name)) === this.#before;
-    return this.#row.names.filter((name) => name === this.#parameter || same(name));
-  }
-
-  get #before() {
-    return JSON.stringify(this.#desk.edits.keys(this.#parameter));
-  }
-
-  end() {
-    if (this.#dragging) this.#desk.edits.sendKeys(this.#names, this.#desk.edits.keys(this.#parameter));
-  }
-
-  cancel() {
-    this.#desk.edits.dropKeys(this.#names);
-  }
-}
-
-/** Draw a curve freely; without moving, set one key. */
-export class DrawKeys {
-  #desk;
-  #row;
-  #line = [];
-  #kept;
-
-  constructor(desk, row, x, y) {
-    this.#desk = desk;
-    this.#row = row;
-    this.#kept = desk.edits.keys(row.names[0]);
-    this.move(x, y);
-  }
-
-  move(x, y) {
-    const { scene, edits } = this.#desk;
-    const time = Math.max(0, Math.min(scene.view.time(x), scene.model.duration));
-    const value = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
-    this.#line = [...this.#line.filter(([other]) => Math.abs(other - time) > 0.5 / scene.view.scale), [time, value]];
-    edits.holdKeys(this.#row.names, this.#drawn);
-  }
-
-  get #drawn() {
-    const { model } = this.#desk.scene;
-    const around = model.around(this.#row.names[0]);
-    if (this.#line.length === 1) return withKey(this.#kept, ...this.#line[0], around);
-    const { least, most } = scaleOf(model, this.#row);
-    return withLine(this.#kept, this.#line, FINE * (most - least), around);
-  }
-
-  end() {
-    this.#desk.edits.sendKeys(this.#row.names, this.#drawn);
-  }
-
-  cancel() {
-    this.#desk.edits.dropKeys(this.#row.names);
   }
 }

@@ -1,23 +1,14 @@
-import { Adder } from "./adder.js";
-import { BlockList } from "./blocklist.js";
 import { Desk } from "./desk.js";
 import { Details } from "./details.js";
-import { h } from "./dom.js";
 import { Edits } from "./edits.js";
+import { fitted, frameOf } from "./frame.js";
 import { Graphs } from "./graphs.js";
 import { Model } from "./model.js";
-import { Names } from "./names.js";
-import { Overview } from "./overview.js";
 import { clockTime } from "./paint_head.js";
 import { onTheme, paletteOf } from "./palette.js";
-import { Picker } from "./picker.js";
-import { listen } from "./pointer.js";
 import { Scene } from "./scene.js";
 import { Shapes } from "./shape.js";
-import { shortcuts } from "./shortcuts.js";
-import { Tools } from "./tools.js";
 import { Viewport } from "./viewport.js";
-import { Why } from "./why.js";
 
 export { TIMELINE_KEYS } from "./shortcuts.js";
 
@@ -38,6 +29,11 @@ export function mountTimeline(element, studio) {
   return element.timeline;
 }
 
+/** Whether two takes are of the same line, so that what is in sight may stay. */
+function sameLine(one, other) {
+  return one.duration === other.duration && one.speech?.text === other.speech?.text;
+}
+
 class Timeline {
   #store;
   #clock;
@@ -47,7 +43,6 @@ class Timeline {
   #details;
   #edits;
   #parts;
-  #root;
   #frame = 0;
   #said = null;
   #kept = null;
@@ -58,8 +53,15 @@ class Timeline {
     const repaint = () => this.repaint();
     this.#edits = new Edits(actions, repaint);
     this.#details = new Details(actions, repaint);
-    this.#graphs = new Graphs(() => this.#rearrange());
-    this.#build(element, actions, explanation);
+    const arrange = () => this.#rearrange();
+    this.#graphs = new Graphs(arrange);
+    this.#parts = frameOf();
+    const [edits, details, { canvas, scroller }] = [this.#edits, this.#details, this.#parts];
+    this.#scene = new Scene(canvas, { view: new Viewport(), edits, details });
+    const made = { scene: this.#scene, edits, details, clock, actions, store, scroller, repaint, arrange };
+    this.#desk = new Desk(made);
+    Object.assign(this.#parts, fitted(this.#parts, this.#desk, this.#graphs, explanation));
+    element.replaceChildren(this.#parts.root);
     this.#listen();
   }
 
@@ -81,40 +83,6 @@ class Timeline {
     });
   }
 
-  #build(element, actions, explanation) {
-    const canvas = h("canvas", { id: "tl-canvas", tabindex: "-1", role: "img" });
-    const playhead = h("div", { class: "tl-playhead" });
-    const frame = h("div", { class: "tl-window" }, canvas, playhead);
-    const depth = h("div", { class: "tl-depth" });
-    const scroller = h("div", { class: "tl-scroller" });
-    const status = h("div", { class: "tl-status" });
-    const empty = h("p", { class: "tl-empty" }, "The timeline of what you perform stands here.");
-    this.#root = h("div", { class: "tl" });
-    this.#scene = new Scene(canvas, { view: new Viewport(), edits: this.#edits, details: this.#details });
-    const [scene, edits, details, clock, store] = [this.#scene, this.#edits, this.#details, this.#clock, this.#store];
-    const repaint = () => this.repaint();
-    this.#desk = new Desk({ scene, edits, details, clock, actions, store, scroller, repaint, arrange: () => this.#rearrange() });
-    const adder = new Adder(this.#root, this.#desk);
-    const picker = new Picker(this.#root, this.#desk, this.#graphs);
-    const add = (time = this.#clock.time, channel = null) => scene.model && adder.open(time, channel);
-    const list = new BlockList(this.#root, this.#desk);
-    const tools = new Tools(this.#root, this.#desk, {
-      add: () => add(),
-      blocks: () => list.focus(),
-      graphs: picker.button(),
-    });
-    const names = new Names(scroller, this.#desk, this.#graphs);
-    scroller.append(frame, depth);
-    this.#root.append(scroller, status);
-    const overview = new Overview(this.#root, this.#desk);
-    this.#root.append(empty);
-    element.replaceChildren(this.#root);
-    const why = new Why(explanation, this.#desk);
-    this.#parts = { canvas, playhead, frame, depth, scroller, status, empty, list, tools, names, overview, why };
-    listen(canvas, this.#desk, { add, walk: () => list.focus() });
-    shortcuts(this.#root, this.#desk, add);
-  }
-
   #listen() {
     const { scroller } = this.#parts;
     scroller.addEventListener("scroll", () => {
@@ -128,15 +96,19 @@ class Timeline {
     this.#store.watch(["selection"], () => this.#select());
     this.#store.watch(["graphs"], () => this.#restore());
     this.#clock.on("tick", () => this.#tick());
+    this.#clock.on("state", () => {
+      this.#scene.loop = this.#clock.loop;
+      this.repaint();
+    });
   }
 
   /** Take up the store's take. */
   #takeUp() {
     const [take, catalogue] = [this.#store.get("take"), this.#store.get("catalogue")];
     const before = this.#scene.model;
-    this.#root.classList.toggle("tl-idle", !take);
+    this.#parts.root.classList.toggle("tl-idle", !take);
     if (!take || !catalogue) return;
-    const fresh = before === null || before.take.speech !== take.speech || before.duration !== take.duration;
+    const fresh = before === null || !sameLine(before.take, take);
     const model = new Model(take, catalogue, fresh ? null : before);
     this.#scene.model = model;
     if (before === null) this.#dress();
@@ -190,7 +162,7 @@ class Timeline {
   #dress() {
     const catalogue = this.#store.get("catalogue");
     if (!catalogue) return;
-    this.#scene.palette = paletteOf(this.#root, catalogue.channels.map(({ name }) => name));
+    this.#scene.palette = paletteOf(this.#parts.root, catalogue.channels.map(({ name }) => name));
     this.repaint();
   }
 
@@ -199,7 +171,9 @@ class Timeline {
     const { time, parameter, movement } = selection;
     this.#scene.selected = this.#scene.model?.blocks.has(movement) ? movement : null;
     this.#scene.marked = parameter && this.#scene.model ? { time, name: this.#scene.model.named(parameter)[0] } : null;
-    if (this.#scene.selectedKey?.parameter !== parameter) this.#scene.selectedKey = null;
+    const key = this.#scene.selectedKey;
+    const there = key?.parameter === parameter && key.index < this.#edits.keys(parameter).length;
+    if (!there) this.#scene.selectedKey = null;
     this.#parts.list.setSelected(this.#scene.selected);
     this.#parts.why.show(selection);
     if (this.#scene.selected !== null && movement !== this.#desk.chosen) {

@@ -6,7 +6,11 @@ const STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 30
 const LABEL_ROOM = 64; // pixels between labels of the ruler
 
 /** @param {import("./scene.js").Scene} scene */
-export function paintRuler({ context, view, palette, width, count }, row) {
+export function paintRuler({ context, view, palette, width, count, loop }, row) {
+  if (loop) {
+    context.fillStyle = palette.loop;
+    context.fillRect(view.x(loop[0]), row.y, Math.max(view.x(loop[1]) - view.x(loop[0]), 1), row.height);
+  }
   const step = STEPS.find((s) => s * view.scale >= LABEL_ROOM) ?? STEPS.at(-1);
   const minor = step / 5;
   const bottom = row.y + row.height;

@@ -10,23 +10,29 @@ const WITH_LAYER = 90;
 export const HANDLE = 3.5; // half the size of what a block is stretched by
 const LEAST_HEIGHT = 0.45; // share of its row that the weakest movement fills
 
+/**
+ * What was drawn last in each row of blocks, by its top: strokes, and where labels end, so that none is drawn
+ * over another.
+ * @typedef {{strokes?: Map<number, number>, labels: Map<number, number>}} Drawn
+ */
+
 /** @param {import("./scene.js").Scene} scene */
 export function paintLane(scene, row) {
   const { context, view, palette, edits, selected } = scene;
   context.fillStyle = palette.grid;
   context.fillRect(0, row.y + row.height - 1, scene.width, 1);
-  const strokes = new Map();
+  const drawn = { strokes: new Map(), labels: new Map() };
   for (const block of row.lane.spans.within(view.start, view.end)) {
     if (block.id === selected || edits.has(block.id)) continue;
-    paintBlock(scene, row, block, strokes);
+    paintBlock(scene, row, block, drawn);
   }
   for (const id of new Set([...edits.held, selected])) {
     const block = scene.model.blocks.get(id);
-    if (block?.channel === row.lane.channel) paintBlock(scene, row, block, null);
+    if (block?.channel === row.lane.channel) paintBlock(scene, row, block, { labels: new Map() });
   }
 }
 
-function paintBlock(scene, row, block, strokes) {
+function paintBlock(scene, row, block, { strokes, labels }) {
   const { context, view, palette, count, selected, hovered, focused } = scene;
   const shown = scene.edits.shown(block);
   if (shown === null) return;
@@ -45,7 +51,7 @@ function paintBlock(scene, row, block, strokes) {
   const chosen = block.id === selected;
   fillBlock(scene, shown, xs, [top, bottom], colour, chosen || block.id === hovered);
   if (shown.edited) paintEdited(context, xs, top, colour);
-  paintLabel(scene, shown, xs, [top, bottom]);
+  paintLabel(scene, shown, xs, [top, bottom], labels);
   if (chosen) paintChosen(scene, shown, xs, [top, bottom], focused);
 }
 
@@ -84,12 +90,14 @@ function paintEdited(context, xs, top, colour) {
   context.fill();
 }
 
-function paintLabel({ context, view, palette, count }, block, xs, [top, bottom]) {
+function paintLabel({ context, view, palette, count }, block, xs, [top, bottom], labels) {
   const [left, right] = [Math.max(xs[0], 0) + 4, Math.min(xs[3], view.width) - 3];
   const phone = !block.editable;
   const text = block.layer && right - left > WITH_LAYER ? `${layerOf(block)} ${block.label}` : block.label;
   if (!block.label || right - left < (phone ? 6 : LABELLED)) return;
+  if (left < labels.get(top)) return;
   context.font = `${phone ? 10 : 11}px ${palette.font}`;
+  labels.set(top, left + Math.min(context.measureText(text).width, right - left));
   context.fillStyle = palette.label;
   context.textBaseline = "middle";
   context.textAlign = phone ? "center" : "left";

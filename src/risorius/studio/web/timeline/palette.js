@@ -4,7 +4,7 @@
 
 const NAMES = [
   "ground", "head", "rule", "grid", "text", "faint", "wave", "word", "pause", "accent", "tone",
-  "mark", "playhead", "curve", "other", "inhibited", "limited", "key", "label",
+  "mark", "loop", "curve", "other", "inhibited", "limited", "key", "label",
 ]; // prettier-ignore
 
 /** @param {Element} element within the timeline @param {string[]} channels */

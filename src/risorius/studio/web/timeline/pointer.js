@@ -1,5 +1,6 @@
 import { spoken } from "./dom.js";
-import { DragBlock, DragKey, DrawKeys, Pan, Scrub } from "./gestures.js";
+import { DragKey, DrawKeys } from "./drawing.js";
+import { DragBlock, DragLoop, Pan, Scrub } from "./gestures.js";
 import { clockTime } from "./paint_head.js";
 import { pick } from "./pick.js";
 
@@ -66,7 +67,7 @@ export function listen(canvas, desk, { add, walk }) {
 
 function begun(desk, found, x, y, event) {
   const { kind, block, handle, row, parameter, index } = found;
-  if (kind === "head") return new Scrub(desk, x);
+  if (kind === "head") return event.shiftKey ? new DragLoop(desk, x) : new Scrub(desk, x);
   if (kind === "handle") return new DragBlock(desk, x, block, handle);
   if (kind === "block") {
     desk.choose(block, found.time);
@@ -89,6 +90,7 @@ function clicked(desk, { kind, row, time }) {
 }
 
 function doubled(desk, found, [x, y], add) {
+  if (found.kind === "head") desk.loopWord(found.time);
   if (found.kind === "lane" && found.row.lane.channel !== "lips") add(found.time, found.row.lane.channel);
   if (found.kind === "graph" && !desk.draws) new DrawKeys(desk, found.row, x, y).end();
 }

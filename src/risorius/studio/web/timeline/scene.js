@@ -24,6 +24,7 @@ export class Scene {
   hovered = null;
   selectedKey = null; // {parameter, index}
   focused = false; // whether the selected block has the keyboard
+  loop = null; // [from, to] that is repeated
   guide = null; // time of the edge that a drag has snapped to
   marked = null; // {time, name} of the parameter that was asked about
   count = nothing();

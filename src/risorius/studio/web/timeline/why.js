@@ -106,11 +106,12 @@ export class Why {
     const less = Math.abs(given - asked) > 5e-4;
     const amount = less ? `gets ${given.toFixed(2)} of the ${asked.toFixed(2)} it asks for` : `gives ${asked.toFixed(2)}`;
     const from = [rule, place].filter(Boolean).join(", ");
-    const why = reason ? `${lost ? "not shown: " : ""}${reason}` : "";
+    const told = readable(reason, this.#desk.scene.model.parameters);
+    const why = told ? `${lost ? "not shown: " : ""}${told}` : "";
     const struck = lost && !reason.startsWith("add");
     return h("li", { class: struck ? "tl-part lost" : "tl-part", style: colourOf(channel) },
       `${channel}: `, named, ` ${amount}`, from ? h("span", { class: "hint" }, ` (${from})`) : null,
-      why ? h("p", {}, struck ? why : reason) : null); // prettier-ignore
+      why ? h("p", {}, struck ? why : told) : null); // prettier-ignore
   }
 
   #go(movement) {
@@ -122,6 +123,11 @@ export class Why {
 
 function colourOf(channel) {
   return { "--colour": `var(--tl-channel-${channel})` };
+}
+
+/** A sentence with the names of parameters as people read them. */
+function readable(sentence, parameters) {
+  return sentence.replace(/[a-z]+(?:_[a-z]+)*(?:\.(?:left|right))?/g, (name) => (parameters.has(name) ? spoken(name) : name));
 }
 
 /** Whether a block has a part in what a parameter does. */

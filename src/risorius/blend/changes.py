@@ -1,0 +1,61 @@
+"""Where the curves of two plans can differ: what was changed, how far it is felt, and nothing beyond."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from .channels import Channel
+from .intervals import Piece
+from .knots import STEEPEST
+from .plan import Plan
+
+Span = tuple[float, float]
+
+
+def changed_span(before: Plan, after: Plan) -> Span | None:
+    """Return the times in seconds outside which both plans have the same curves, to the last bit.
+
+    Nothing changed is (0, 0). None where that cannot be told: speech, settings or the clip's length are
+    other, or a channel's priority.
+    """
+    a, b = before.score, after.score
+    if after.lips is not before.lips or a.settings != b.settings or a.duration != b.duration:
+        return None
+    channels = [{c.name: c for c in plan.channels} for plan in (before, after)]
+    spans: list[Span] = []
+    for name in channels[0].keys() | channels[1].keys():
+        one, two = (found.get(name) for found in channels)
+        if one is not None and two is not None and not _ranked_alike(one, two):
+            return None
+        spans += _spans(one, two)
+    if not spans:
+        return 0.0, 0.0
+    reach = _reach(before, after)
+    return min(start for start, _ in spans) - reach, max(end for _, end in spans) + reach
+
+
+def _ranked_alike(one: Channel, two: Channel) -> bool:
+    return np.array_equal(one.levels.times, two.levels.times) and np.array_equal(
+        one.levels.values, two.levels.values
+    )
+
+
+def _spans(one: Channel | None, two: Channel | None) -> Iterator[Span]:
+    """Yield when the pieces of a channel's curves last that only one of the two has."""
+    for name in {name for channel in (one, two) if channel is not None for name in channel.curves}:
+        pieces = [_pieces(channel, name) for channel in (one, two)]
+        for piece in pieces[0] ^ pieces[1]:
+            yield piece[0], piece[1]
+
+
+def _pieces(channel: Channel | None, name: str) -> frozenset[Piece]:
+    curves = () if channel is None else channel.curves.get(name, ())
+    return frozenset(piece for curve in curves for piece in curve.pieces())
+
+
+def _reach(before: Plan, after: Plan) -> float:
+    """How many seconds a change of one channel is felt in others, from level to level."""
+    levels = {level for plan in (before, after) for c in plan.channels for level in c.levels.distinct}
+    return STEEPEST * after.tuning.longest * (len(levels) + 2)

@@ -1,0 +1,250 @@
+"""What the page fetches at first: every table of the library, and how faces are unpacked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from .wire import Choices
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterRow:
+    """A column of every curve, as `core.parameters.Parameter`; `rivals` are those that it conflicts with."""
+
+    name: str
+    base: str
+    side: str
+    kind: str
+    group: str
+    unit: str
+    low: float
+    high: float
+    neutral: float
+    number: int | None
+    threshold: float
+    min_onset: float
+    min_offset: float
+    signed: bool
+    rivals: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class UnitRow:
+    """An action unit, with the parameters' values at full intensity."""
+
+    name: str
+    number: int
+    title: str
+    approximate: bool
+    targets: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class EmotionRow:
+    """An emotion: its action units, and the parameters' values at full intensity. Seconds."""
+
+    name: str
+    aliases: tuple[str, ...]
+    description: str
+    units: Mapping[str, float]
+    targets: Mapping[str, float]
+    onset: float
+    offset: float
+
+
+@dataclass(frozen=True, slots=True)
+class NumberRow:
+    """A number of a profile by its dotted key; null where its range has no end."""
+
+    key: str
+    value: float
+    low: float | None
+    high: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class ProfileRow:
+    """A speaker, its numbers by key, and its file."""
+
+    name: str
+    description: str
+    source: str
+    numbers: Mapping[str, NumberRow]
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class AttitudeRow:
+    """What a speaker may want to convey."""
+
+    name: str
+    description: str
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
+class VoiceRow:
+    """A voice; those named `+name` change the timbre of any other."""
+
+    name: str
+    language: str
+    title: str
+
+
+@dataclass(frozen=True, slots=True)
+class HeadRow:
+    """A head, who it is, how old and with which hair."""
+
+    name: str
+    title: str
+    age: float
+    hair: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelRow:
+    """A channel and its default priority."""
+
+    name: str
+    priority: float
+
+
+@dataclass(frozen=True, slots=True)
+class OptionRow:
+    """Something that is chosen by name."""
+
+    name: str
+    description: str
+
+
+@dataclass(frozen=True, slots=True)
+class OnsetRow:
+    """An onset function, with its values at even steps from 0 to 1."""
+
+    name: str
+    description: str
+    samples: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RuleRow:
+    """A rule of the package."""
+
+    id: str
+    channel: str
+    level: str
+    probability: float
+    comment: str
+    conditions: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class OutputRow:
+    """A format of files, by suffix."""
+
+    suffix: str
+    description: str
+    needs: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class LooksTable:
+    """How pictures may look."""
+
+    styles: tuple[str, ...]
+    cameras: tuple[str, ...]
+    lights: tuple[str, ...]
+    qualities: tuple[str, ...]
+    hair: tuple[str, ...]
+    complexions: Mapping[str, float]
+    overlays: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class LimitsTable:
+    """Characters of a script; bytes of a recording, a project, a message; requests at once; undos."""
+
+    script: int
+    recording: int
+    project: int
+    message: int
+    pending: int
+    undo: int
+
+
+@dataclass(frozen=True, slots=True)
+class Catalogue:
+    """`GET /api/catalogue`: all that can be named. `choices` and `size` are the defaults."""
+
+    version: str
+    parameters: tuple[ParameterRow, ...]
+    aliases: Mapping[str, str]
+    action_units: tuple[UnitRow, ...]
+    emotions: tuple[EmotionRow, ...]
+    profiles: tuple[ProfileRow, ...]
+    attitudes: tuple[AttitudeRow, ...]
+    voices: tuple[VoiceRow, ...]
+    languages: tuple[str, ...]
+    heads: tuple[HeadRow, ...]
+    channels: tuple[ChannelRow, ...]
+    policies: tuple[OptionRow, ...]
+    lip_models: tuple[OptionRow, ...]
+    onset_functions: tuple[OnsetRow, ...]
+    manners: tuple[str, ...]
+    dynamics: tuple[str, ...]
+    formats: tuple[str, ...]
+    rules: tuple[RuleRow, ...]
+    outputs: tuple[OutputRow, ...]
+    looks: LooksTable
+    choices: Choices
+    size: str
+    limits: LimitsTable
+
+
+@dataclass(frozen=True, slots=True)
+class StagePart:
+    """A mesh of which vertices are sent: the first of them, how many, and its mesh's origin in mm."""
+
+    name: str
+    first: int
+    count: int
+    about: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Lamp:
+    """A lamp: from where it shines, and its linear colour."""
+
+    direction: tuple[float, float, float]
+    colour: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Light:
+    """The light that a head is drawn in; the room's from above and below, linear."""
+
+    lamps: tuple[Lamp, ...]
+    sky: tuple[float, float, float]
+    ground: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class StageTable:
+    """`GET /api/stage`: how faces are unpacked: `origin + step * value` mm; `pose` floats a face; mm."""
+
+    vertices: int
+    pose: int
+    step: float
+    origin: tuple[float, float, float]
+    pivot: tuple[float, float, float]
+    eyes: tuple[tuple[float, float, float], tuple[float, float, float]]
+    light: Light
+    parts: tuple[StagePart, ...]
+
+
+TABLES: tuple[type, ...] = (
+    ParameterRow, UnitRow, EmotionRow, NumberRow, ProfileRow, AttitudeRow, VoiceRow, HeadRow, ChannelRow,
+    OptionRow, OnsetRow, RuleRow, OutputRow, LooksTable, LimitsTable, Catalogue, StagePart, Lamp, Light,
+    StageTable,
+)  # fmt: skip

@@ -1,0 +1,136 @@
+/** Exports: which files, how they look, and those under way. */
+
+import { button, check, choice, field } from "../parts/fields.js";
+import { fill, make } from "../parts/dom.js";
+
+const USUAL = [".mp4", ".glb", ".performance.json"];
+
+/** @param {HTMLElement} element @param {object} studio with its catalogue loaded */
+export function mountExports(element, studio) {
+  new Exports(element, studio);
+}
+
+class Exports {
+  #studio;
+  #chosen = new Set(USUAL);
+  #look;
+  #title = make("input", { type: "text", id: "export-name", value: "performance", maxlength: 60 });
+  #jobs = make("div", { class: "stack", id: "jobs", "aria-live": "polite" });
+  #go = button("Export", { class: "primary", id: "export", onclick: () => this.#start() });
+
+  constructor(element, studio) {
+    this.#studio = studio;
+    const { outputs, looks, size } = studio.store.get("catalogue");
+    const [style] = looks.styles;
+    this.#look = { size, style, camera: looks.cameras[0], light: looks.lights[0], quality: "normal" };
+    const boxes = make("div", { class: "outputs" }, ...outputs.map((output) => this.#box(output)));
+    const foot = make("div", { class: "panel-foot" }, this.#go);
+    element.append(
+      make("h3", {}, "Export"),
+      field("Name", this.#title),
+      boxes,
+      this.#picture(looks),
+      this.#jobs,
+      foot,
+    );
+    studio.store.watch(["take", "link"], () => this.#name());
+  }
+
+  #box({ suffix, description }) {
+    const change = (on) => {
+      if (on) this.#chosen.add(suffix);
+      else this.#chosen.delete(suffix);
+      this.#name();
+    };
+    const box = check(suffix, { value: this.#chosen.has(suffix), change });
+    box.dataset.suffix = suffix;
+    box.append(make("span", { class: "hint" }, description));
+    return box;
+  }
+
+  /** What videos and pictures look like. */
+  #picture({ styles, cameras, lights, qualities }) {
+    const size = make("input", { type: "text", value: this.#look.size, placeholder: "720x720" });
+    size.addEventListener("change", () => {
+      this.#look.size = size.value;
+    });
+    const pick = (label, key, options) => {
+      const change = (name) => {
+        this.#look[key] = name;
+      };
+      return field(label, choice(options, { value: this.#look[key], change }));
+    };
+    const rows = [
+      pick("Style", "style", styles),
+      pick("Camera", "camera", cameras),
+      pick("Light", "light", lights),
+    ];
+    const stack = make(
+      "div",
+      { class: "stack" },
+      field("Size", size),
+      ...rows,
+      pick("Quality", "quality", qualities),
+    );
+    return make("details", {}, make("summary", {}, "Picture"), stack);
+  }
+
+  #name() {
+    const count = this.#chosen.size;
+    const { store } = this.#studio;
+    this.#go.textContent = count === 1 ? `Export ${[...this.#chosen][0]}` : `Export ${count} files`;
+    this.#go.disabled = store.get("take") === null || count === 0 || store.get("link") !== "up";
+  }
+
+  async #start() {
+    const { store, actions } = this.#studio;
+    const suffixes = store
+      .get("catalogue")
+      .outputs.map(({ suffix }) => suffix)
+      .filter((it) => this.#chosen.has(it));
+    const name = this.#title.value.trim() || "performance";
+    const answer = await actions.ask("export", {
+      take: store.get("take").take,
+      suffixes,
+      name,
+      ...this.#look,
+    });
+    if (answer) this.#jobs.prepend(jobOf(this.#studio, answer.job, suffixes));
+  }
+}
+
+/** An export under way: its progress, then its files. */
+function jobOf({ connection, actions }, job, suffixes) {
+  const bar = make("progress", { max: 1, "aria-label": "Progress" });
+  const stage = make("span", { class: "hint" }, "Starting …");
+  const stop = button("Stop", { onclick: () => actions.ask("cancel_export", { job }) });
+  const element = make(
+    "div",
+    { class: "job" },
+    make("p", {}, suffixes.join(" ")),
+    bar,
+    make("div", { class: "row" }, stage, stop),
+  );
+  const ends = [
+    connection.on("progress", (told) => told.job === job && showProgress(bar, stage, told)),
+    connection.on("exported", (told) => {
+      if (told.job !== job) return;
+      ends.forEach((end) => end());
+      fill(
+        element,
+        ...(told.error ? [make("p", { class: "hint bad" }, told.error)] : told.files.map(fileLink)),
+      );
+    }),
+  ];
+  return element;
+}
+
+function showProgress(bar, label, { stage, done, total }) {
+  label.textContent = total ? `${stage} ${done} of ${total}` : stage;
+  if (total) bar.value = done / total;
+  else bar.removeAttribute("value");
+}
+
+function fileLink({ path, name }) {
+  return make("a", { class: "button", href: path, download: name }, name);
+}

@@ -1,0 +1,91 @@
+import { withKey, withLine, withMoved } from "./keys.js";
+import { scaleOf } from "./paint_graphs.js";
+
+/**
+ * What a pointer does on graphs: keys are dragged and drawn. Gestures as in `gestures.js`.
+ */
+
+const FINE = 0.012; // share of a graph's height that a line drawn freely may be simplified by
+
+/** Drag a key of a graph. */
+export class DragKey {
+  #desk;
+  #row;
+  #parameter;
+  #index;
+  #keys;
+  #dragging = false;
+
+  constructor(desk, row, parameter, index) {
+    this.#desk = desk;
+    this.#row = row;
+    this.#parameter = parameter;
+    this.#index = index;
+    this.#keys = desk.edits.keys(parameter);
+  }
+
+  move(x, y) {
+    const { scene, edits } = this.#desk;
+    this.#dragging = true;
+    const value = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
+    const keys = withMoved(this.#keys, this.#index, scene.view.time(x), value, scene.model.duration);
+    edits.holdKeys(this.#names, keys);
+  }
+
+  /** Both sides where they have the same keys, so that they keep together. */
+  get #names() {
+    const same = (name) => JSON.stringify(this.#desk.edits.keys(name)) === this.#before;
+    return this.#row.names.filter((name) => name === this.#parameter || same(name));
+  }
+
+  get #before() {
+    return JSON.stringify(this.#desk.edits.keys(this.#parameter));
+  }
+
+  end() {
+    if (this.#dragging) this.#desk.edits.sendKeys(this.#names, this.#desk.edits.keys(this.#parameter));
+  }
+
+  cancel() {
+    this.#desk.edits.dropKeys(this.#names);
+  }
+}
+
+/** Draw a curve freely; without moving, set one key. */
+export class DrawKeys {
+  #desk;
+  #row;
+  #line = [];
+  #kept;
+
+  constructor(desk, row, x, y) {
+    this.#desk = desk;
+    this.#row = row;
+    this.#kept = desk.edits.keys(row.names[0]);
+    this.move(x, y);
+  }
+
+  move(x, y) {
+    const { scene, edits } = this.#desk;
+    const time = Math.max(0, Math.min(scene.view.time(x), scene.model.duration));
+    const value = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
+    this.#line = [...this.#line.filter(([other]) => Math.abs(other - time) > 0.5 / scene.view.scale), [time, value]];
+    edits.holdKeys(this.#row.names, this.#drawn);
+  }
+
+  get #drawn() {
+    const { model } = this.#desk.scene;
+    const around = model.around(this.#row.names[0]);
+    if (this.#line.length === 1) return withKey(this.#kept, ...this.#line[0], around);
+    const { least, most } = scaleOf(model, this.#row);
+    return withLine(this.#kept, this.#line, FINE * (most - least), around);
+  }
+
+  end() {
+    this.#desk.edits.sendKeys(this.#row.names, this.#drawn);
+  }
+
+  cancel() {
+    this.#desk.edits.dropKeys(this.#row.names);
+  }
+}

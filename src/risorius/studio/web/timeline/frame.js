@@ -1,0 +1,51 @@
+import { Adder } from "./adder.js";
+import { BlockList } from "./blocklist.js";
+import { h } from "./dom.js";
+import { Names } from "./names.js";
+import { Overview } from "./overview.js";
+import { Picker } from "./picker.js";
+import { listen } from "./pointer.js";
+import { shortcuts } from "./shortcuts.js";
+import { Tools } from "./tools.js";
+import { Why } from "./why.js";
+
+/** The elements that the timeline is made of, not yet put together. */
+export function frameOf() {
+  const canvas = h("canvas", { id: "tl-canvas", tabindex: "-1", role: "img" });
+  const playhead = h("div", { class: "tl-playhead" });
+  return {
+    root: h("div", { class: "tl" }),
+    scroller: h("div", { class: "tl-scroller" }),
+    canvas,
+    playhead,
+    frame: h("div", { class: "tl-window" }, canvas, playhead),
+    depth: h("div", { class: "tl-depth" }),
+    status: h("div", { class: "tl-status" }),
+  };
+}
+
+/**
+ * Put the elements together, with all that shows and asks something around the canvas.
+ *
+ * @param {ReturnType<typeof frameOf>} frame
+ * @param {import("./desk.js").Desk} desk
+ * @param {import("./graphs.js").Graphs} graphs
+ * @param {HTMLElement} explanation
+ */
+export function fitted({ root, scroller, canvas, frame, depth, status }, desk, graphs, explanation) {
+  const adder = new Adder(root, desk);
+  const picker = new Picker(root, desk, graphs);
+  const list = new BlockList(root, desk);
+  const add = (time = desk.clock.time, channel = null) => desk.scene.model && adder.open(time, channel);
+  const walk = () => list.focus();
+  const tools = new Tools(root, desk, { add: () => add(), blocks: walk, graphs: picker.button() });
+  const names = new Names(scroller, desk, graphs);
+  scroller.append(frame, depth);
+  root.append(scroller, status);
+  const overview = new Overview(root, desk);
+  root.append(h("p", { class: "tl-empty" }, "The timeline of what you perform stands here."));
+  const why = new Why(explanation, desk);
+  listen(canvas, desk, { add, walk });
+  shortcuts(root, desk, add);
+  return { list, tools, names, overview, why };
+}
