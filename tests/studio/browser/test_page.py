@@ -9,7 +9,7 @@ from .acts import perform, press
 from .driving import SIZE, Page
 
 GROUND = "getComputedStyle(document.body).backgroundColor"
-NAMELESS = """[...document.querySelectorAll('button, input, select, textarea, canvas, [role=separator]')]
+NAMELESS = """[...document.querySelectorAll('button, input, select, textarea, [tabindex="0"]')]
   .filter((it) => it.checkVisibility() && !(it.labels?.length || it.getAttribute('aria-label')
     || it.getAttribute('aria-labelledby') || it.textContent.trim() || it.title))
   .map((it) => it.outerHTML.slice(0, 120))"""

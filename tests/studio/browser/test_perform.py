@@ -51,6 +51,18 @@ def test_the_sound_is_the_clock(page: Page) -> None:
     assert max(apart) < 0.15
 
 
+def test_play_performs_what_is_written_first(page: Page) -> None:
+    type_line(page)
+    page.driver.find_element(By.ID, "play").click()
+    page.wait("studio.store.get('take') !== null && studio.clock.time > 0.2")
+    page.driver.find_element(By.ID, "play").click()
+    first = values(page, "take")[0]["take"]
+    page.driver.find_element(By.ID, "script").send_keys(" Again.")
+    page.driver.find_element(By.ID, "play").click()
+    page.wait(f"studio.store.get('take').take !== {first} && studio.clock.playing")
+    assert values(page, "take")[0]["made"]["source"]["script"] == f"{LINE} Again."
+
+
 def test_an_emotion_on_selected_text_lies_on_its_words_and_moves_with_them(page: Page) -> None:
     perform(page)
     page.run(

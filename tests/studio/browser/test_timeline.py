@@ -479,3 +479,24 @@ def test_graphs_and_folded_lanes_are_there_again_after_a_reload(timeline: Timeli
     page.wait("timeline.scene.model")
     page.wait(f"JSON.stringify({shown}) === {json.dumps(json.dumps(before, separators=(',', ':')))}")
     page.run("document.documentElement.style.setProperty('--timeline-height', '400px')")
+
+
+NAMED = {"button", "checkbox", "combobox", "listbox", "option", "scrollbar", "searchbox", "spinbutton"}
+NAMED |= {"textbox"}
+
+
+def test_everything_that_can_be_used_has_a_name_for_screen_readers(timeline: Timeline) -> None:
+    page = timeline.page
+    block = timeline.block()
+    timeline.select(block)
+    timeline.explained("How far it goes")
+    timeline.tool("Graphs…").click()
+    tree = page.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
+    used = [node for node in tree if node.get("role", {}).get("value") in NAMED and not node["ignored"]]
+    assert len(used) > 60
+    nameless = [node for node in used if not node.get("name", {}).get("value", "").strip()]
+    places = [
+        page.driver.execute_cdp_cmd("DOM.describeNode", {"backendNodeId": node["backendDOMNodeId"]})["node"]
+        for node in nameless
+    ]
+    assert [(place["localName"], place.get("attributes")) for place in places] == []

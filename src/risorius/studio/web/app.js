@@ -49,7 +49,7 @@ const studio = { store, clock, connection, actions, notify, theatre, view: theat
 
 const help = mountHeader(element("tools"), element("state"), studio);
 help.list([...listenToKeys(studio, help.open), ...TIMELINE_KEYS]);
-mountTransport(element("transport"), clock);
+mountTransport(element("transport"), studio);
 mountViews(element("views"), element("empty"), element("views-names"), studio);
 mountSplitter(element("splitter"));
 mountPanels(element("panel"), studio);

@@ -6,7 +6,7 @@
  */
 
 const JUMP = 0.08; // s by which the sound may differ from the time shown before that jumps to it
-const PULL = 0.1; // share of a smaller difference that is made up for on every frame
+const PULL = 0.15; // s within which a smaller difference is made up for, but for a third
 
 export class Clock {
   #audio = new Audio();
@@ -123,11 +123,6 @@ export class Clock {
     this.#tell("state");
   }
 
-  toggle() {
-    if (this.#playing) this.pause();
-    else this.play();
-  }
-
   /** @param {number} rate 0.1 to 2 */
   setRate(rate) {
     this.#rate = rate;
@@ -156,9 +151,9 @@ export class Clock {
   #run() {
     if (!this.#playing) return;
     const now = performance.now();
-    const guess = this.#time + ((now - this.#seen) / 1000) * this.#rate;
+    const elapsed = (now - this.#seen) / 1000;
     this.#seen = now;
-    this.#time = this.#heard(guess);
+    this.#time = this.#heard(this.#time + elapsed * this.#rate, elapsed);
     const [from, to] = this.#bounds();
     if (this.#time >= to) this.#reachedEnd(from, to);
     this.#tell("tick");
@@ -166,11 +161,11 @@ export class Clock {
   }
 
   /** Time by the sound where it plays; between its coarse reports, the time guessed from the last one. */
-  #heard(guess) {
+  #heard(guess, elapsed) {
     const audio = this.#audio;
     if (this.#silent || audio.paused || audio.ended || audio.readyState < 3) return guess;
     const ahead = audio.currentTime - guess;
-    return Math.abs(ahead) > JUMP ? audio.currentTime : guess + PULL * ahead;
+    return Math.abs(ahead) > JUMP ? audio.currentTime : guess + ahead * (1 - Math.exp(-elapsed / PULL));
   }
 
   #reachedEnd(from, to) {

@@ -1,5 +1,6 @@
 /** Keys that hold everywhere on the page, except where text is typed; `help` lists them. */
 
+import { playOrPause } from "./playing.js";
 import { toggleLoop } from "./transport.js";
 import { VIEWS } from "./stage/cameras.js";
 
@@ -8,9 +9,10 @@ import { VIEWS } from "./stage/cameras.js";
  * @param {() => void} help shows the list of keys
  * @returns {{keys: string, does: string}[]} the list
  */
-export function listenToKeys({ clock, actions, view }, help) {
+export function listenToKeys(studio, help) {
+  const { clock, actions, view } = studio;
   const shortcuts = [
-    [" ", "Space", "Play or pause", () => clock.toggle()],
+    [" ", "Space", "Play or pause", () => playOrPause(studio)],
     ["ArrowLeft", "←", "One frame back", () => clock.step(-1)],
     ["ArrowRight", "→", "One frame on", () => clock.step(1)],
     ["Shift+ArrowLeft", "Shift ←", "One second back", () => clock.seek(clock.time - 1)],

@@ -1,14 +1,20 @@
 /** Playing: play and pause, steps, place, speed, loop. */
 
 import { glyph } from "./parts/glyphs.js";
+import { canPlay, playOrPause } from "./playing.js";
 import { button } from "./parts/fields.js";
 import { fill, make } from "./parts/dom.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5];
 
-/** @param {HTMLElement} element @param {import("./clock.js").Clock} clock */
-export function mountTransport(element, clock) {
-  const play = button(glyph("play"), { class: "primary icon", id: "play", onclick: () => clock.toggle() });
+/** @param {HTMLElement} element @param {object} studio */
+export function mountTransport(element, studio) {
+  const { clock, store } = studio;
+  const play = button(glyph("play"), {
+    class: "primary icon",
+    id: "play",
+    onclick: () => playOrPause(studio),
+  });
   const icon = (name, label, key, act) =>
     button(glyph(name), {
       class: "plain icon",
@@ -24,9 +30,6 @@ export function mountTransport(element, clock) {
     "aria-label": "Playhead",
   });
   place.addEventListener("input", () => clock.seek(Number(place.value)));
-  place.addEventListener("keydown", (event) => {
-    if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End") event.preventDefault();
-  });
   const time = make("output", { class: "time", id: "time" });
   const loop = icon("loop", "Loop", "L", () => toggleLoop(clock));
   const speed = make(
@@ -46,6 +49,9 @@ export function mountTransport(element, clock) {
   );
   clock.on("tick", showTime);
   clock.on("state", showState);
+  store.watch(["take", "source"], () => {
+    play.disabled = !canPlay(store);
+  });
   showTime();
   showState();
 
@@ -54,7 +60,7 @@ export function mountTransport(element, clock) {
     place.value = clock.time;
     const frame = Math.round(clock.time * clock.fps);
     place.setAttribute("aria-valuetext", `${clock.time.toFixed(2)} seconds`);
-    time.value = `${stamp(clock.time)} / ${stamp(clock.duration)}  ${String(frame).padStart(4)}`;
+    time.value = `${stamp(clock.time)} / ${stamp(clock.duration)} · ${frame}`;
     time.title = `frame ${frame} of ${Math.round(clock.duration * clock.fps)}`;
   }
 
@@ -63,7 +69,6 @@ export function mountTransport(element, clock) {
     const label = clock.playing ? "Pause" : "Play";
     play.setAttribute("aria-label", label);
     play.title = `${label} (space)`;
-    play.disabled = clock.duration === 0;
     loop.setAttribute("aria-pressed", String(clock.loop !== null));
     speed.value = String(clock.rate);
     showTime();

@@ -194,7 +194,7 @@ function makeSeveral(label, { options }, value, set) {
 }
 
 function newSeed(act) {
-  return button("Another chance", { title: "The same with other random blinks and glances", onclick: act });
+  return button("Another seed", { title: "The same with other random blinks and glances", onclick: act });
 }
 
 function described(items) {
