@@ -47,7 +47,6 @@ class Lips:
         self.mouth = Mouth(segments, self.model, shapes, goals, tuning)
         spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
         self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
-        # Replaced as a whole: another thread may ask for other times meanwhile.
         self._sampled: tuple[tuple[Array, Mapping[str, Array]], ...] = ()
 
     def at(self, parameter: str, times: Array) -> Array:
@@ -56,7 +55,8 @@ class Lips:
             if known is times:
                 return values[parameter]
         values = self.mouth.spoken_at(times)
-        self._sampled = (*self._sampled[-_GRIDS + 1 :], (times, values))
+        # A new tuple: another thread may look at the old one meanwhile.
+        self._sampled = (*self._sampled[1 - _GRIDS :], (times, values))
         return values[parameter]
 
     @cached_property

@@ -66,13 +66,13 @@ class Replaced:
 
     def sample(self, times: Array) -> tuple[Indices, Array]:
         """Return where the curve is neither at rest nor replaced and its values there."""
-        return self._free(times, *self.curve.sample(times))
+        return self._freed(times, *self.curve.sample(times))
 
     def lines(self, times: Array) -> tuple[Indices, Array]:
-        """Return what `sample` returns, by lines between knots where the curve has such."""
-        return self._free(times, *self.curve.lines(times))
+        """Return the same by lines between knots where that is much quicker."""
+        return self._freed(times, *self.curve.lines(times))
 
-    def _free(self, times: Array, index: Indices, values: Array) -> tuple[Indices, Array]:
+    def _freed(self, times: Array, index: Indices, values: Array) -> tuple[Indices, Array]:
         free = ~covers(self._spans, times[index])
         return index[free], values[free]
 
