@@ -16,7 +16,7 @@ export async function playOrPause({ store, clock, actions }) {
 
 /** Whether playing would do anything. */
 export function canPlay(store) {
-  return store.get("take") !== null || written(store);
+  return store.get("take") !== null || (written(store) && store.get("link") === "up");
 }
 
 function written(store) {

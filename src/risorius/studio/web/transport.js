@@ -49,7 +49,7 @@ export function mountTransport(element, studio) {
   );
   clock.on("tick", showTime);
   clock.on("state", showState);
-  store.watch(["take", "source"], () => {
+  store.watch(["take", "source", "link"], () => {
     play.disabled = !canPlay(store);
   });
   showTime();

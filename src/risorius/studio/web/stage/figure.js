@@ -15,7 +15,6 @@ const MM = 1000;
 const HAIRS = ["brows", "lashes", "hair"];
 const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
-const SKIN_NAMES = { ...NAMES, JOINTS_0: "skinIndex", WEIGHTS_0: "skinWeight" };
 
 /**
  * @param {ArrayBuffer} file the head as binary glTF
@@ -32,8 +31,8 @@ export class Figure {
   group = new THREE.Group();
   #packing;
   #meshes = {};
-  #head = new THREE.Bone();
-  #body = new THREE.Bone();
+  #head = new THREE.Group();
+  #neck;
   #eyes = [];
   #strands = { strand: 0, count: 0 };
 
@@ -41,8 +40,8 @@ export class Figure {
     this.#packing = packing;
     this.pivot = new THREE.Vector3(...packing.pivot);
     this.#head.position.copy(this.pivot);
-    this.#body.add(this.#head);
-    this.group.add(this.#body);
+    this.group.add(this.#head);
+    this.#neck = neckShare(glb.meshes.skin);
     this.group.scale.setScalar(1 / MM);
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
@@ -93,8 +92,8 @@ export class Figure {
    * @param {number} share 0 shows `a`, 1 shows `b`
    */
   show(a, b, share) {
-    for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
     turn(this.#head.quaternion, a.head, b.head, share);
+    for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
     this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
   }
 
@@ -109,9 +108,9 @@ export class Figure {
 
   #add(name, data, translation, pictures) {
     const moves = this.#packing.parts.some((part) => part.name === name);
-    const geometry = geometryOf(data, name === "skin" ? SKIN_NAMES : NAMES, moves);
+    const geometry = geometryOf(data, moves);
     const material = materialOf(data.material.name, pictures);
-    const mesh = name === "skin" ? this.#skinned(geometry, material) : new THREE.Mesh(geometry, material);
+    const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
     this.#meshes[name] = mesh;
     (name === "skin" ? this.group : this.#head).add(mesh);
@@ -119,13 +118,6 @@ export class Figure {
       mesh.position.set(...translation).multiplyScalar(MM);
       this.#eyes.push(mesh);
     }
-  }
-
-  #skinned(geometry, material) {
-    const mesh = new THREE.SkinnedMesh(geometry, material);
-    const inverse = [new THREE.Matrix4(), new THREE.Matrix4().makeTranslation(this.pivot.clone().negate())];
-    mesh.bind(new THREE.Skeleton([this.#body, this.#head], inverse), new THREE.Matrix4());
-    return mesh;
   }
 
   #place({ name, first, count, about }, a, b, share) {
@@ -141,8 +133,27 @@ export class Figure {
     }
     attributes.position.needsUpdate = true;
     if (HAIRS.includes(name)) return;
+    if (name === "skin") this.#bendNeck(points);
     computeNormals(points, index.array, attributes.normal.array);
     attributes.normal.needsUpdate = true;
+  }
+
+  /** Turn the skin with the head by each vertex's share: here and not in the shader, which is slow by software. */
+  #bendNeck(points) {
+    const [m0, m1, m2, , m4, m5, m6, , m8, m9, m10] = this.#turned();
+    const { x: px, y: py, z: pz } = this.pivot;
+    for (let k = 0, vertex = 0; k < points.length; k += 3, vertex++) {
+      const share = this.#neck[vertex];
+      if (share === 0) continue;
+      const [x, y, z] = [points[k] - px, points[k + 1] - py, points[k + 2] - pz];
+      points[k] += share * (m0 * x + m4 * y + m8 * z - x);
+      points[k + 1] += share * (m1 * x + m5 * y + m9 * z - y);
+      points[k + 2] += share * (m2 * x + m6 * y + m10 * z - z);
+    }
+  }
+
+  #turned() {
+    return TURNED.makeRotationFromQuaternion(this.#head.quaternion).elements;
   }
 
   #spreadHair() {
@@ -162,9 +173,15 @@ export class Figure {
   }
 }
 
-function geometryOf(data, names, moves) {
+/** The share by which each vertex turns with the head: its weight for the second joint, the head's. */
+function neckShare({ attributes }) {
+  const { array } = attributes.WEIGHTS_0;
+  return Float32Array.from({ length: array.length / 4 }, (_, vertex) => array[4 * vertex + 1] / 255);
+}
+
+function geometryOf(data, moves) {
   const geometry = new THREE.BufferGeometry();
-  for (const [theirs, ours] of Object.entries(names)) {
+  for (const [theirs, ours] of Object.entries(NAMES)) {
     const found = data.attributes[theirs];
     if (!found) continue;
     const array = found.array.slice();
@@ -177,6 +194,7 @@ function geometryOf(data, names, moves) {
 }
 
 const TARGET = new THREE.Quaternion();
+const TURNED = new THREE.Matrix4();
 
 function turn(quaternion, a, b, share) {
   quaternion.fromArray(a).slerp(TARGET.fromArray(b), share);
