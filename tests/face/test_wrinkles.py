@@ -25,6 +25,8 @@ PULLS = {
     "crows_feet": {"AU6": 1.0},
     "under_eye": SMILE,
     "nasolabial": SMILE,
+    "wing": SMILE,
+    "sneer": {"AU9": 1.0},
     "marionette": {"AU15": 1.0},
     "chin": {"AU17": 1.0},
 }
