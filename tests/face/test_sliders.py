@@ -32,7 +32,7 @@ def test_what_is_no_slider_is_an_error_that_says_why(text, message):
 
 def test_an_amount_is_read_with_its_name():
     assert parse_slider("chin_length:-0.5") == ("chin_length", -0.5)
-    check_sliders({name: 1.0 for name in slider_names()})
+    check_sliders(dict.fromkeys(slider_names(), 1.0))
 
 
 def test_no_amount_is_the_head_itself(head):
