@@ -1,4 +1,4 @@
-"""Draw the sliders at -1 and 1 on the standard head into `docs/pictures/sliders.png`."""
+"""Draw the standard head in a few shapes that sliders give it into `docs/pictures/sliders.png`."""
 
 from __future__ import annotations
 
@@ -9,34 +9,34 @@ from PIL import Image, ImageDraw
 
 from risorius.core.parameters import NEUTRAL
 from risorius.face.head import load_head
-from risorius.face.sliders import slider_names
 from risorius.face.solve import FaceSolver
 from risorius.render.renderer import Renderer
 
 TARGET = Path(__file__).parent / "pictures" / "sliders.png"
-SIZE, COLUMNS, CAPTION = 180, 5, 14
+SIZE, CAPTION = 320, 16
+SHAPES: tuple[dict[str, float], ...] = (
+    {},
+    {"fullness": 1.0, "nose_width": 1.0},
+    {"face_length": 1.0, "cheekbones": 1.0, "nose_hump": 1.0},
+    {"face_width": 1.0, "jaw_width": 1.0, "ear_wing": 1.0},
+)
 
 
-def cell(name: str) -> Image.Image:
-    """Return a slider at -1 and at 1, side by side under its name."""
-    pair = Image.new("RGB", (2 * SIZE, SIZE + CAPTION), "white")
-    for k, amount in enumerate((-1.0, 1.0)):
-        head = load_head(shape={name: amount})
-        renderer = Renderer(head, (SIZE, SIZE), "draft")
-        picture = Image.fromarray(np.asarray(renderer.render(FaceSolver(head).solve(NEUTRAL))))
-        pair.paste(picture, (k * SIZE, CAPTION))
-    ImageDraw.Draw(pair).text((4, 1), name, fill="black")
-    return pair
+def cell(shape: dict[str, float]) -> Image.Image:
+    """Return the head in one shape, under the sliders that make it."""
+    head = load_head(shape=shape)
+    face = Image.new("RGB", (SIZE, SIZE + CAPTION), "white")
+    picture = Renderer(head, (SIZE, SIZE)).render(FaceSolver(head).solve(NEUTRAL))
+    face.paste(Image.fromarray(np.asarray(picture)), (0, CAPTION))
+    named = ", ".join(f"{name} {amount:g}" for name, amount in shape.items()) or "as it is"
+    ImageDraw.Draw(face).text((4, 2), named, fill="black")
+    return face
 
 
 def main() -> None:
     """Write the sheet."""
-    names = slider_names()
-    rows = -(-len(names) // COLUMNS)
-    sheet = Image.new("RGB", (COLUMNS * 2 * SIZE, rows * (SIZE + CAPTION)), "white")
-    for k, name in enumerate(names):
-        sheet.paste(cell(name), (k % COLUMNS * 2 * SIZE, k // COLUMNS * (SIZE + CAPTION)))
-    sheet.quantize(200).save(TARGET, optimize=True)
+    cells = [np.asarray(cell(shape)) for shape in SHAPES]
+    Image.fromarray(np.hstack(cells)).quantize(200).save(TARGET, optimize=True)
 
 
 if __name__ == "__main__":
