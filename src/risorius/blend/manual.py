@@ -26,6 +26,8 @@ class KeyCurve:
         index = np.arange(low, high)
         return index, np.interp(times[index], self.times, self.values)
 
+    lines = sample
+
     def above(self, threshold: float) -> Spans:
         """Return when the curve is higher than `threshold`, shape (n, 2)."""
         return above_line(self.times, self.values, threshold)
