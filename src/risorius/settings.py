@@ -33,8 +33,7 @@ class Settings:
     rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with inertia),
     "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100, the head's
     own where None; `shape`: the head's sliders, -1 to 1 by name; `wrinkles`: factors 0 to 2 by region of the
-    face, for a speaker who shows some wrinkles more or less than others of that age. `look`: how all this is
-    drawn.
+    face, for a speaker who shows some more or less than others of that age. `look`: how all this is drawn.
     """
 
     fps: Fraction = Fraction(30)

@@ -49,7 +49,7 @@ def test_factors_default_to_one():
     assert set(factors.values()) == {1.0}
 
 
-def test_every_region_has_a_source_and_the_issue_s_nine_are_there():
+def test_every_region_has_a_source_and_those_asked_for_are_there():
     assert region_names() == (
         "forehead",
         "glabella",
@@ -58,6 +58,8 @@ def test_every_region_has_a_source_and_the_issue_s_nine_are_there():
         "crows_feet",
         "under_eye",
         "nasolabial",
+        "wing",
+        "sneer",
         "marionette",
         "chin",
     )

@@ -25,6 +25,8 @@ PULLS = {
     "crows_feet": {"AU6": 1.0},
     "under_eye": SMILE,
     "nasolabial": SMILE,
+    "wing": SMILE,
+    "sneer": {"AU9": 1.0},
     "marionette": {"AU15": 1.0},
     "chin": {"AU17": 1.0},
 }
@@ -56,6 +58,7 @@ def test_a_region_that_does_not_exist_is_named(head):
         Wrinkles(head, 40.0, {"brow": 1.0})
 
 
+@settings(deadline=None)  # the first call compiles
 @given(stretch=st.floats(0.6, 0.9), give=st.floats(0.0, 0.07), width=st.floats(3.0, 15.0))
 def test_a_fold_keeps_the_skin_s_length(stretch, give, width):
     height, chord = fold_height(width, stretch, give), width * stretch
@@ -117,8 +120,8 @@ def test_a_surprise_leaves_the_chin_and_cheeks_alone(old):
 
 def test_stretched_skin_folds_no_more_and_opens_its_creases(old):
     still, stretched = tallest(old, {}), tallest(old, {"masseter": 1.0})
-    # The lower end of the nasolabial fold is pushed by the corner of the mouth.
-    rest_of_face = [k for name, k in INDEX.items() if name != "nasolabial"]
+    # The lower end of the nasolabial fold is pushed by the corner of the mouth; the cheek narrows beside it.
+    rest_of_face = [k for name, k in INDEX.items() if name not in ("nasolabial", "sneer")]
     assert (stretched <= still + 0.02)[rest_of_face].all()
     assert stretched[INDEX["marionette"]] < 0.8 * still[INDEX["marionette"]]
 
