@@ -114,7 +114,7 @@ def bounds_of():
 
 
 def test_a_lip_under_the_teeth_is_nearly_as_near_as_52_shapes_can_be(fit, face, bounds_of) -> None:
-    """/v/ draws the lower lip back under the teeth, which no shape does: no weights come nearer than 1.9 mm."""
+    """/v/ draws the lower lip back under the teeth, which no shape does: 1.9 mm at the least."""
     frame = face(lip_tuck=1.0, masseter=0.15, zygomatic_major=0.7)
     weights = fit.weights(frame)
     rms, worst = fit.residual(frame, weights)
