@@ -80,13 +80,13 @@ class ArkitFit:
         self.rest: Array = head.skin.matrix @ head.rest
         dense = self.shapes.skin.toarray()
         size = np.linalg.norm(dense.reshape(len(SHAPES), -1, 3), axis=2).max(axis=0)
-        self._counted = np.flatnonzero(_seen(head, self.rest) & (size > MOVED))
-        columns = (3 * self._counted[:, None] + np.arange(3)).ravel()
+        self.counted = np.flatnonzero(_seen(head, self.rest) & (size > MOVED))
+        columns = (3 * self.counted[:, None] + np.arange(3)).ravel()
         self._basis = np.ascontiguousarray(dense[:, columns])
         self._fitted = self._basis.copy()
         self._fitted[_CLOSE] += self._fitted[_JAW]
         lips = head.skin.matrix @ head.masks["lips"]
-        self._heavy = self._fitted * np.repeat(1.0 + LIPS * lips[self._counted], 3)
+        self._heavy = self._fitted * np.repeat(1.0 + LIPS * lips[self.counted], 3)
         self._normal = _regular(self._heavy @ self._fitted.T)
 
     def weights(self, frame: FaceFrame) -> Array:
@@ -128,7 +128,7 @@ class ArkitFit:
 
     def displacement(self, skin: npt.NDArray[np.floating]) -> Array:
         """Return the displacement (3 k,) in mm of what is seen of a level-1 skin (N1, 3)."""
-        return np.asarray((skin[self._counted] - self.rest[self._counted]).ravel(), dtype=np.float64)
+        return np.asarray((skin[self.counted] - self.rest[self.counted]).ravel(), dtype=np.float64)
 
     def _solve(self, displacement: Array, given: Array) -> Array:
         given = given * self._given
@@ -145,7 +145,7 @@ class ArkitFit:
     def _near(self, wanted: Array, right: Array, kept: Array, weights: Array) -> Array:
         """Return the weights after some rounds in which vertices that are far off count more (after Lawson,
         Contributions to the Theory of Linear Least Maximum Approximations, 1961)."""
-        extra = np.zeros(len(self._counted))
+        extra = np.zeros(len(self.counted))
         for _ in range(ROUNDS):
             away = np.linalg.norm((wanted - weights @ self._fitted).reshape(-1, 3), axis=1)
             extra += PULL * np.maximum(away - FAR, 0.0) ** 2
