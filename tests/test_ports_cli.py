@@ -19,6 +19,7 @@ FAST = ["--fps", "10"]
         (["play", "x.txt", "-o", "y.muscles.csv"], "unknown kind of capture '.txt'"),
         (["stream", "Hi.", "--protocol", "livlink"], "unknown protocol 'livlink'; did you mean 'livelink'?"),
         (["stream", "Hi.", "--to", "host:x"], "'host:x' is no address"),
+        (["stream", "Hi.", "--to", "a", "--listen", "b"], "--to and --listen exclude each other"),
         (["stream", "Hi.", "--names", "vrm"], "unknown set of names 'vrm'"),
         (["rig", "none.glb"], "none.glb: cannot be read"),
         (["rig", "none.glb", "--perform", "Hi."], "--perform and -o go together"),

@@ -421,7 +421,17 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
 @commands.command()
 @click.argument("source", metavar="INPUT")
 @click.option("--protocol", default="livelink", metavar="NAME", help="livelink, vmc or ifacialmocap.")
-@click.option("--to", default="127.0.0.1", metavar="HOST[:PORT]", help="Who receives it.")
+@click.option("--to", metavar="HOST[:PORT]", help="Who receives it.  [default: 127.0.0.1]")
+@click.option(
+    "--listen", metavar="HOST[:PORT]", help="Send to who greets here, as receivers of iFacialMocap do."
+)
+@click.option(
+    "--patience",
+    type=click.FloatRange(0.0, min_open=True),
+    default=60.0,
+    metavar="S",
+    help="How long to wait for a greeting.  [default: 60]",
+)
 @click.option("--subject", metavar="NAME", help="The name that the receiver shows.  [default: risorius]")
 @click.option("--names", metavar="SET", help="Expressions over VMC: vrm0, vrm1, arkit or ARKit.")
 @click.option("--without-sound", is_flag=True, help="Do not play the voice here; the machine's clock counts.")
@@ -431,7 +441,9 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
 def stream(
     source: str,
     protocol: str,
-    to: str,
+    to: str | None,
+    listen: str | None,
+    patience: float,
     subject: str | None,
     names: str | None,
     without_sound: bool,
@@ -446,12 +458,24 @@ def stream(
 
     given = {"subject": subject, "names": names}
     options = Options(**{name: value for name, value in given.items() if value is not None})
-    parse_address(to, PROTOCOLS.get(protocol).port)
+    if to is not None and listen is not None:
+        raise InputError("--to and --listen exclude each other; expected one of them")
+    to = to or "127.0.0.1"
+    parse_address(listen or to, PROTOCOLS.get(protocol).port)
     with Console() as console:
         take = perform(
             source, emotion=_displays(emotions), settings=_settings(**chosen), progress=console.progress
         )
-        sent = send(take, protocol, to, options=options, sound=not without_sound, progress=console.progress)
+        sent = send(
+            take,
+            protocol,
+            to,
+            listen=listen,
+            patience=patience,
+            options=options,
+            sound=not without_sound,
+            progress=console.progress,
+        )
         console.say(f"Sent {sent.frames} frames, dropped {sent.dropped}")
 
 

@@ -19,6 +19,7 @@ from .core.parameters import INDEX, NEUTRAL
 from .core.performance import Performance
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
+from .errors import InputError
 from .out import check_targets as check_outputs
 from .out.performance_json import read_performance_file
 from .out.score_json import read_score_file
@@ -206,22 +207,34 @@ def stream(
     protocol: str,
     to: str = "127.0.0.1",
     *,
+    listen: str | None = None,
+    patience: float = 60.0,
     options: Options | None = None,
     sound: bool = False,
     progress: Progress = quiet,
 ) -> Sent:
     """Send a take to another program in real time; return how many frames were sent and dropped.
 
-    `protocol` is livelink, vmc or ifacialmocap, `to` HOST or HOST:PORT. With `sound` the voice is played here
-    and is the clock. Raises InputError for a wrong protocol or address, OutputError where nothing listens.
+    `protocol` is livelink, vmc or ifacialmocap, `to` HOST or HOST:PORT. With `listen`, HOST or HOST:PORT of
+    this machine, it is sent to who greets there within `patience` seconds, as receivers of iFacialMocap do.
+    With `sound` the voice is played here and is the clock. Raises InputError for a wrong protocol or address,
+    OutputError where nothing listens or nobody greets.
     """
-    from .stream import PROTOCOLS, Options, parse_address, send
+    from .stream import PROTOCOLS, Options, parse_address, send, wait_for_greeting
     from .stream.clock import MachineClock, SoundClock
 
     chosen = PROTOCOLS.get(protocol)
-    address = parse_address(to, chosen.port)
+    options = options or Options()
+    address = parse_address(listen or to, chosen.port)
+    if listen is not None and not chosen.greetings:
+        raise InputError(f"receivers of {protocol} send no greeting; expected an address to send to")
     progress("Fitting weights …")
-    packets = chosen.make(take.arkit, take.performance.fps, options or Options())
+    track = take.arkit
+    if listen is not None:
+        progress(f"Waiting for a greeting at {address} …")
+        address, dialect = wait_for_greeting(address, chosen.greetings, chosen.port, patience)
+        options = replace(options, dialect=dialect)
+    packets = chosen.make(track, take.performance.fps, options)
     audio = take.sound or (take.utterance.audio if take.utterance else None)
     clock = SoundClock(audio) if sound and audio is not None else MachineClock()
     progress(f"Sending to {address} …")

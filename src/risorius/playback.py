@@ -14,7 +14,8 @@ from .core.movement import Cause, ManualCurve
 from .core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from .core.score import BlendSettings, Score
 from .errors import InputError, Place, unknown
-from .face.arkit_fit import ArkitFit, gaze_of
+from .face.arkit_fit import ArkitFit
+from .face.arkit_given import gaze_of
 from .face.feature_points import ANGLE, LIDS, POINTS, FeaturePoints
 from .face.head import load_head
 from .face.response import Responses

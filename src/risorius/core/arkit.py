@@ -43,15 +43,21 @@ SHAPES: tuple[str, ...] = tuple(_name(name) for name in PACKET_SHAPES)
 """Apple's names, in ARKit's order: the columns of every array of weights (…, 52)."""
 INDEX: dict[str, int] = {name: index for index, name in enumerate(SHAPES)}
 
-OPPOSED: tuple[tuple[str, str], ...] = (
+EXCLUSIVE: tuple[tuple[str, str], ...] = (
     ("jawLeft", "jawRight"),
     ("mouthLeft", "mouthRight"),
+    ("eyeBlinkLeft", "eyeWideLeft"),
+    ("eyeBlinkRight", "eyeWideRight"),
+)
+"""Shapes of which only one can be at a time: one way of a movement and the other."""
+
+OPPOSED: tuple[tuple[str, str], ...] = (
+    *EXCLUSIVE,
     ("browInnerUp", "browDownLeft"),
     ("browInnerUp", "browDownRight"),
     *(
         (f"{one}{side}", f"{other}{side}")
         for one, other in (
-            ("eyeBlink", "eyeWide"),
             ("mouthSmile", "mouthFrown"),
             ("browOuterUp", "browDown"),
             ("eyeLookIn", "eyeLookOut"),

@@ -2,7 +2,9 @@
 
 The eyes' shapes stand for the eyes' rotation and `tongueOut` for the tongue, so these are not fitted: weight
 1 is the farthest that the table of parameters allows. `mouthClose` closes what `jawOpen` opens, so it is
-never more than it: the two are fitted as an opening, and an opening with the lips together.
+never more than it: the two are fitted as an opening, and an opening with the lips together. Of shapes that
+exclude each other the difference stays, and the others are fitted anew. Then vertices that are far off count
+more and more, so that a little is lost over the whole face for what would be seen at one place.
 """
 
 from __future__ import annotations
@@ -14,9 +16,9 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import nnls
 
-from ..core.arkit import INDEX, OPPOSED, SHAPES
+from ..core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
 from ..core.parameters import INDEX as PARAMETER
-from ..core.parameters import PARAMETERS
+from .arkit_given import GIVEN, given_weights
 from .eyes import pitch_and_yaw
 from .frame import FaceFrame
 from .head import Head
@@ -28,13 +30,13 @@ Array = npt.NDArray[np.float64]
 # Shares of the mean square of a shape: what keeps nearly parallel shapes, and opposed ones, from fighting.
 RIDGE, AGAINST = 3e-5, 5e-5
 LIPS = 2.0  # how much more the lips count: they are few vertices, and what is looked at
+FAR = 1.5  # mm from which a vertex counts more in the next round
+ROUNDS, PULL = 8, 40.0  # how often, and how much more for each mm² beyond
 HIDDEN = 3.0  # mm before the eyeball's front plane up to which the socket's lining is not seen
 MOVED = 0.3  # mm by which some shape must move a vertex for it to count in the residual
 
-_JAW, _CLOSE, _TONGUE = INDEX["jawOpen"], INDEX["mouthClose"], INDEX["tongueOut"]
-_GIVEN = np.array([name.startswith("eyeLook") or name == "tongueOut" for name in SHAPES])
-_PITCH, _YAW = (PARAMETERS[PARAMETER[name]].high for name in ("gaze_pitch", "gaze_yaw"))
-_SIDES = (("Left", 1.0), ("Right", -1.0))
+_JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
+_EXCLUSIVE = np.array([[INDEX[name] for name in pair] for pair in EXCLUSIVE])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -78,20 +80,18 @@ class ArkitFit:
         self.rest: Array = head.skin.matrix @ head.rest
         dense = self.shapes.skin.toarray()
         size = np.linalg.norm(dense.reshape(len(SHAPES), -1, 3), axis=2).max(axis=0)
-        self._counted = np.flatnonzero(_seen(head, self.rest) & (size > MOVED))
-        columns = (3 * self._counted[:, None] + np.arange(3)).ravel()
+        self.counted = np.flatnonzero(_seen(head, self.rest) & (size > MOVED))
+        columns = (3 * self.counted[:, None] + np.arange(3)).ravel()
         self._basis = np.ascontiguousarray(dense[:, columns])
-        fitted = self._basis.copy()
-        fitted[_CLOSE] += fitted[_JAW]
+        self._fitted = self._basis.copy()
+        self._fitted[_CLOSE] += self._fitted[_JAW]
         lips = head.skin.matrix @ head.masks["lips"]
-        heavy = fitted * np.repeat(1.0 + LIPS * lips[self._counted], 3)
-        self._fitted = heavy[self._free]
-        self._shared = self._fitted @ self._basis.T
-        self._factor = np.linalg.cholesky(_regular(heavy @ fitted.T)[np.ix_(self._free, self._free)])
+        self._heavy = self._fitted * np.repeat(1.0 + LIPS * lips[self.counted], 3)
+        self._normal = _regular(self._heavy @ self._fitted.T)
 
     def weights(self, frame: FaceFrame) -> Array:
         """Return the weights (52,) of a frame, 0..1."""
-        return self._solve(self.displacement(frame.skin), _given(frame))
+        return self._solve(self.displacement(frame.skin), given_weights(frame))
 
     def of_skin(self, skin: npt.NDArray[np.floating], given: Array | None = None) -> Array:
         """Return the weights (52,) of a level-1 skin (N1, 3) mm; `given` (52,) are those not fitted."""
@@ -128,51 +128,64 @@ class ArkitFit:
 
     def displacement(self, skin: npt.NDArray[np.floating]) -> Array:
         """Return the displacement (3 k,) in mm of what is seen of a level-1 skin (N1, 3)."""
-        return np.asarray((skin[self._counted] - self.rest[self._counted]).ravel(), dtype=np.float64)
+        return np.asarray((skin[self.counted] - self.rest[self.counted]).ravel(), dtype=np.float64)
 
     def _solve(self, displacement: Array, given: Array) -> Array:
         given = given * self._given
-        right = self._fitted @ displacement - self._shared @ given
-        weights = given.copy()
-        weights[self._free] = nnls(self._factor.T, np.linalg.solve(self._factor, right))[0]
+        wanted = displacement - given @ self._basis
+        right = self._heavy @ wanted
+        both = self._least(self._normal, right, np.full(len(SHAPES), np.nan))
+        kept = _one_of_each(both)
+        weights = self._near(wanted, right, kept, self._least(self._normal, right, kept)) + given
         weights[_JAW] += weights[_CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[_CLOSE] = min(weights[_CLOSE], weights[_JAW])
         return weights
+
+    def _near(self, wanted: Array, right: Array, kept: Array, weights: Array) -> Array:
+        """Return the weights after some rounds in which vertices that are far off count more (after Lawson,
+        Contributions to the Theory of Linear Least Maximum Approximations, 1961)."""
+        extra = np.zeros(len(self.counted))
+        for _ in range(ROUNDS):
+            away = np.linalg.norm((wanted - weights @ self._fitted).reshape(-1, 3), axis=1)
+            extra += PULL * np.maximum(away - FAR, 0.0) ** 2
+            far = np.flatnonzero(extra)
+            if not far.size:
+                return weights
+            columns = (3 * far[:, None] + np.arange(3)).ravel()
+            there = self._fitted[:, columns]
+            pulled = there * np.repeat(extra[far], 3)
+            weights = self._least(self._normal + pulled @ there.T, right + pulled @ wanted[columns], kept)
+        return weights
+
+    def _least(self, normal: Array, right: Array, kept: Array) -> Array:
+        """Return the non-negative least squares (52,) of normal equations; those `kept` are not NaN."""
+        fixed = ~np.isnan(kept)
+        free = self._free & ~fixed
+        weights = np.where(fixed, kept, 0.0)
+        factor = np.linalg.cholesky(normal[np.ix_(free, free)])
+        rest = right[free] - normal[np.ix_(free, fixed)] @ weights[fixed]
+        weights[free] = nnls(factor.T, np.linalg.solve(factor, rest))[0]
+        return weights
+
+
+def _one_of_each(weights: Array) -> Array:
+    """Return (52,) what is left of shapes that exclude each other, one of them 0, and NaN for all others.
+
+    The difference of the two, because it passes through 0 without a jump.
+    """
+    kept = np.full(len(SHAPES), np.nan)
+    one, other = _EXCLUSIVE.T
+    left = weights[one] - weights[other]
+    kept[one], kept[other] = np.maximum(left, 0.0), np.maximum(-left, 0.0)
+    return kept
 
 
 def _roles(available: Collection[str]) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
     """Return which shapes (52,) are fitted and which are given, of those that are available."""
     there = np.array([name in available for name in SHAPES])
     there[_CLOSE] &= there[_JAW]  # what closes an opening is nothing without it
-    return there & ~_GIVEN, there & _GIVEN
-
-
-def _given(frame: FaceFrame) -> Array:
-    """Return the weights (52,) that are not fitted: where the eyes look, and the tongue."""
-    result = np.zeros(len(SHAPES))
-    for (side, outwards), rotation in zip(_SIDES, frame.eye_rotation, strict=True):
-        pitch, yaw = pitch_and_yaw(rotation)
-        for name, share in (
-            ("Up", pitch / _PITCH),
-            ("Down", -pitch / _PITCH),
-            ("Out", outwards * yaw / _YAW),
-            ("In", -outwards * yaw / _YAW),
-        ):
-            result[INDEX[f"eyeLook{name}{side}"]] = np.clip(share, 0.0, 1.0)
-    result[_TONGUE] = frame.parameters[PARAMETER["tongue_out"]]
-    return result
-
-
-def gaze_of(weights: Array) -> tuple[Array, Array]:
-    """Return pitch and yaw (n,) of the gaze in degrees from weights (n, 52): the mean of both eyes."""
-
-    def of(name: str) -> Array:
-        return np.asarray(weights[:, INDEX[f"eyeLook{name}"]])
-
-    pitch = 0.5 * _PITCH * sum(of(f"Up{side}") - of(f"Down{side}") for side, _ in _SIDES)
-    yaw = 0.5 * _YAW * sum(sign * (of(f"Out{side}") - of(f"In{side}")) for side, sign in _SIDES)
-    return np.asarray(pitch), np.asarray(yaw)
+    return there & ~GIVEN, there & GIVEN
 
 
 def _seen(head: Head, rest: Array) -> npt.NDArray[np.bool_]:

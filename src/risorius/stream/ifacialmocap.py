@@ -1,7 +1,10 @@
 """iFacialMocap: text datagrams of `name-value` pairs, 0 to 100, then head and eyes in degrees.
 
 Names end in `_L` and `_R` but for jaw and mouth as a whole (the app's documentation). Lost: fractions of a
-hundredth, what 52 shapes cannot show. The app waits for a receiver to greet it; this sends at once.
+hundredth, what 52 shapes cannot show.
+
+A receiver sends its greeting to the app's port 49983 and is answered at its own port 49983 (the app's page
+for developers). Some ask for version 2 by that, which writes `name&value` in place of `name-value`.
 """
 
 from __future__ import annotations
@@ -13,6 +16,10 @@ import numpy as np
 from ..core.arkit import SHAPES
 from ..face.arkit_fit import ArkitTrack
 from .protocols import Options, Packets
+
+_GREETING = b"iFacialMocap_sahuasouryya9218sauhuiayeta91555dy3719"
+GREETINGS = {_GREETING: "v1", _GREETING + b"|sendDataVersion=v2": "v2"}
+"""What receivers send before anything is sent to them."""
 
 _WHOLE = ("jawLeft", "jawRight", "mouthLeft", "mouthRight")
 
@@ -28,10 +35,11 @@ def name_of(shape: str) -> str:
 def ifacialmocap_packets(track: ArkitTrack, fps: Fraction, options: Options) -> Packets:
     """Return one datagram per frame."""
     names = [name_of(shape) for shape in SHAPES]
+    joint = "&" if options.dialect == "v2" else "-"
 
     def packets(frame: int) -> list[bytes]:
         values = np.round(100.0 * track.weights[frame]).astype(int)
-        pairs = "|".join(f"{name}-{value}" for name, value in zip(names, values, strict=True))
+        pairs = "|".join(f"{name}{joint}{value}" for name, value in zip(names, values, strict=True))
         head = ",".join(_angles(track.head[frame])) + ",0,0,0"
         left, right = (",".join(_angles(eye)) for eye in track.eyes[frame])
         return [f"{pairs}|=head#{head}|rightEye#{right}|leftEye#{left}|".encode()]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 from ..errors import InputError, unknown
@@ -11,16 +11,20 @@ from ..face.arkit_fit import ArkitTrack
 from ..registry import Registry
 
 NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
+Greetings = Mapping[bytes, str]
+"""What a receiver may say to be sent something, and the dialect that it asks for by that."""
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
     """`subject`: who is shown, by which a receiver tells several apart. `names` of expressions over VMC: the
     presets of VRM 0 or VRM 1, or the 52 shapes (Perfect Sync) with a small or a capital first letter.
+    `dialect`: what the receiver's greeting asked for, where the protocol has one.
     """
 
     subject: str = "risorius"
     names: str = "vrm0"
+    dialect: str = ""
 
     def __post_init__(self) -> None:
         if self.names not in NAMES:
@@ -35,18 +39,26 @@ Packets = Callable[[int], Sequence[bytes]]
 
 @dataclass(frozen=True, slots=True)
 class Protocol:
-    """A protocol: its usual port, and `make(track, fps, options)`, which returns its packets."""
+    """A protocol: its usual port, and `make(track, fps, options)`, which returns its packets.
+
+    `greetings`: what a receiver says first, where the protocol has that.
+    """
 
     port: int
     description: str
     make: Callable[[ArkitTrack, Fraction, Options], Packets]
+    greetings: Greetings = field(default_factory=dict)
 
 
 PROTOCOLS: Registry[Protocol] = Registry("protocol")
 
 
 def register(
-    name: str, port: int, description: str, make: Callable[[ArkitTrack, Fraction, Options], Packets]
+    name: str,
+    port: int,
+    description: str,
+    make: Callable[[ArkitTrack, Fraction, Options], Packets],
+    greetings: Greetings | None = None,
 ) -> None:
     """Add a protocol."""
-    PROTOCOLS.register(name)(Protocol(port, description, make))
+    PROTOCOLS.register(name)(Protocol(port, description, make, greetings or {}))

@@ -1,0 +1,106 @@
+"""Receivers that greet first, at the ports that the app's page for developers names."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+import time
+
+import numpy as np
+import pytest
+
+from risorius.core.arkit import INDEX
+from risorius.errors import InputError, OutputError
+from risorius.pipeline import stream
+from risorius.stream import PROTOCOLS, Address, wait_for_greeting
+from risorius.stream.ifacialmocap import GREETINGS
+from risorius.stream.send import Sent
+from risorius.take import Take
+
+GREETING = b"iFacialMocap_sahuasouryya9218sauhuiayeta91555dy3719"
+PHONE, PC = "127.0.0.2", "127.0.0.1"
+
+
+def udp(host: str, port: int = 0) -> socket.socket:
+    line = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    line.bind((host, port))
+    line.settimeout(20.0)
+    return line
+
+
+def free_port(host: str) -> int:
+    with udp(host) as line:
+        return int(line.getsockname()[1])
+
+
+def greet(port: int, *said: bytes, seconds: float = 2.0) -> None:
+    """Say it again and again, as receivers do until they are answered."""
+
+    def run() -> None:
+        with udp(PC) as line:
+            for _ in range(int(50 * seconds)):
+                for words in said:
+                    line.sendto(words, (PHONE, port))
+                time.sleep(0.02)
+
+    threading.Thread(target=run, daemon=True).start()
+
+
+def test_nobody_greets() -> None:
+    at = Address(PHONE, free_port(PHONE))
+    with pytest.raises(OutputError, match=rf"no receiver has sent its greeting to {at} within 0.1 s"):
+        wait_for_greeting(at, GREETINGS, 49983, 0.1)
+
+
+def test_a_port_that_is_taken_and_an_address_of_another_machine() -> None:
+    with udp(PHONE) as taken, pytest.raises(InputError, match=r"cannot listen at '127.0.0.2:\d+': Address"):
+        wait_for_greeting(Address(PHONE, taken.getsockname()[1]), GREETINGS, 49983, 0.1)
+    with pytest.raises(InputError, match=r"cannot listen at '192.0.2.1:9'"):
+        wait_for_greeting(Address("192.0.2.1", 9), GREETINGS, 49983, 0.1)
+
+
+def test_a_protocol_without_a_greeting(clip: Take) -> None:
+    with pytest.raises(InputError, match="receivers of livelink send no greeting"):
+        stream(clip, "livelink", listen="127.0.0.2")
+
+
+@pytest.mark.parametrize(
+    ("said", "dialect"),
+    [
+        (GREETING, "v1"),
+        (GREETING + b"|sendDataVersion=v2", "v2"),
+        (GREETING + b"\0", "v1"),
+    ],
+)
+def test_who_greets_is_answered_at_the_usual_port(said: bytes, dialect: str) -> None:
+    at = Address(PHONE, free_port(PHONE))
+    greet(at.port, b"hello", b"", said[:20], said)
+    assert wait_for_greeting(at, GREETINGS, 49983, 10.0) == (Address(PC, 49983), dialect)
+
+
+@pytest.mark.parametrize(("said", "joint"), [(GREETING, "-"), (GREETING + b"|sendDataVersion=v2", "&")])
+def test_a_receiver_greets_and_is_sent_the_performance(clip: Take, said: bytes, joint: str) -> None:
+    """Both ends at port 49983, as the app and its receivers are, on two addresses of this machine."""
+    port = PROTOCOLS.get("ifacialmocap").port
+    assert port == 49983
+    clip.arkit  # noqa: B018  (fitted before anyone waits)
+    got: list[tuple[float, bytes]] = []
+    sent: list[Sent] = []
+    with udp(PC, port) as receiver:
+        receiver.settimeout(0.5)
+        greet(port, said, seconds=0.5)
+        thread = threading.Thread(target=lambda: sent.append(stream(clip, "ifacialmocap", listen=PHONE)))
+        thread.start()
+        while thread.is_alive():
+            with contextlib.suppress(TimeoutError):
+                data = receiver.recv(4096)
+                got.append((time.perf_counter(), data))
+    assert len(got) == sent[0].frames >= 3
+    opened = [dict(part.split(joint) for part in data.decode().split("|=")[0].split("|")) for _, data in got]
+    assert all(len(pairs) == 52 for pairs in opened)
+    jaw = [int(pairs["jawOpen"]) for pairs in opened]
+    wanted = np.round(100.0 * clip.arkit.weights[:, INDEX["jawOpen"]])
+    assert max(jaw) > 10
+    assert set(jaw) <= set(wanted)
+    assert got[-1][0] - got[0][0] == pytest.approx(clip.times[-1], abs=0.3)
