@@ -226,7 +226,7 @@ def _alike(a: Live, b: Live) -> bool:
     return all(getattr(one.settings, name) == getattr(two.settings, name) for name in _LOOKS)
 
 
-_LOOKS = ("fps", "head", "age", "look", "dynamics", "wrinkles")
+_LOOKS = ("fps", "head", "age", "shape", "look", "dynamics", "wrinkles")
 
 
 def _frames_changed(a: Take, b: Take) -> tuple[int, int]:

@@ -19,8 +19,8 @@ _MOST_IDLE = 4
 
 
 def _key(settings: Settings) -> tuple[object, ...]:
-    wrinkles = tuple(sorted(settings.wrinkles.items()))
-    return settings.head, settings.age, settings.dynamics == "biphasic", wrinkles
+    wrinkles, shape = (tuple(sorted(held.items())) for held in (settings.wrinkles, settings.shape))
+    return settings.head, settings.age, shape, settings.dynamics == "biphasic", wrinkles
 
 
 class Solvers:
