@@ -26,12 +26,14 @@ def hairs(sheet):
     return sheet.root(triangles, weights, curves, np.full((2, 3), 0.4), np.ones((2, 3)), np.zeros(2), 0.5)
 
 
-def drawn(points, normals, hairs, eye=EYE, least=0.0):
+def drawn(points, normals, hairs, eye=EYE, least=0.0, shown=None):
     positions = np.zeros((len(points) + hairs.vertices, 3), np.float32)
     directions = np.zeros_like(positions)
     positions[: len(points)], directions[: len(points)] = points, normals
+    shown = np.ones(len(hairs.roots), np.uint8) if shown is None else np.array(shown, np.uint8)
+    limits = (np.float32(hairs.behind), np.float32(least))
     shape = (hairs.roots, hairs.weights, hairs.curves, hairs.widths)
-    ribbons(positions, directions, *shape, eye, len(points), np.float32(hairs.behind), np.float32(least))
+    ribbons(positions, directions, *shape, shown, eye, len(points), *limits)
     strands = positions[len(points) :].reshape(len(hairs.widths), -1, 2, 3)
     return strands, directions[len(points) :].reshape(strands.shape)
 
@@ -54,6 +56,13 @@ def test_at_rest_a_hair_lies_where_it_was_drawn(sheet, hairs):
     expected = middle[:, :1] + np.array([[0, 0, 0], [1, 2, 1], [2, 5, 1.5]])
     assert middle == pytest.approx(expected, abs=1e-5)
     assert middle[0, 0] == pytest.approx([3, 4, 0], abs=1e-5)
+
+
+def test_a_hair_that_is_not_shown_has_no_width_or_length(sheet, hairs):
+    strands, directions = drawn(sheet.points, sheet.normals, hairs, shown=(0, 1))
+    assert np.ptp(strands[0].reshape(-1, 3), axis=0) == pytest.approx(0)
+    assert not directions[0].any()
+    assert np.ptp(strands[1, :, 0, 1]) > 4
 
 
 def test_hairs_ride_rigidly_on_a_moved_surface(sheet, hairs):

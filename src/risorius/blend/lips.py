@@ -25,6 +25,10 @@ from .tuning import Tuning
 _MOUTH = frozenset(p.name for p in PARAMETERS if p.kind in (Kind.MUSCLE, Kind.TONGUE, Kind.CONTACT))
 
 
+_GRIDS = 3
+"""Sets of times whose curves are kept: policies sample at theirs between the parameters of a caller's."""
+
+
 class Lips:
     """All that a score's lip segments do.
 
@@ -43,15 +47,17 @@ class Lips:
         self.mouth = Mouth(segments, self.model, shapes, goals, tuning)
         spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
         self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
-        self._last: tuple[Array, Mapping[str, Array]] | None = None
+        self._sampled: tuple[tuple[Array, Mapping[str, Array]], ...] = ()
 
     def at(self, parameter: str, times: Array) -> Array:
         """Return the segments' curve of a parameter at sorted times, shape (n,)."""
-        last = self._last
-        if last is None or last[0] is not times:
-            # Set at once: another thread may ask for other times meanwhile.
-            self._last = last = (times, self.mouth.spoken_at(times))
-        return last[1][parameter]
+        for known, values in self._sampled:
+            if known is times:
+                return values[parameter]
+        values = self.mouth.spoken_at(times)
+        # A new tuple: another thread may look at the old one meanwhile.
+        self._sampled = (*self._sampled[1 - _GRIDS :], (times, values))
+        return values[parameter]
 
     @cached_property
     def alone(self) -> Mapping[str, Array]:
@@ -68,6 +74,12 @@ class LipCurve:
     def sample(self, times: Array) -> tuple[Indices, Array]:
         """Return where the curve is not at rest and its values there (see StrokeCurve.sample)."""
         values = self._lips.at(self._parameter, times)
+        index = np.flatnonzero(values)
+        return index, values[index]
+
+    def lines(self, times: Array) -> tuple[Indices, Array]:
+        """Return what `sample` returns, to what lines over 5 ms leave out."""
+        values = self._lips.mouth.own_at(self._parameter, times)
         index = np.flatnonzero(values)
         return index, values[index]
 

@@ -82,6 +82,10 @@ class Mouth:
         """Return the segments' own curves by parameter at sorted times, shape (n,) each."""
         return self.shapes.values(Averages(self.model, times))
 
+    def own_at(self, name: str, times: Array) -> Array:
+        """Return the segments' own curve of a parameter at sorted times, shape (n,), by lines."""
+        return self.interpolated(lambda block: block.own(name), times)
+
     def speaking_at(self, times: Array) -> Array:
         """Return how much the mouth speaks at sorted times, 0..1, shape (n,)."""
         return self.interpolated(Block.speaking, times)

@@ -123,6 +123,8 @@ class StrokeCurve:
         owner, index = ranges(low, high)
         return index, self.evaluate(chosen[owner], times[index])
 
+    lines = sample
+
     def evaluate(self, strokes: Indices, times: Array) -> Array:
         """Return the values of the given strokes, each at its own time (not before its start), shape (n,)."""
         x = times - self.start[strokes]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 from .jit import device, f4
-from .vec import Vec, add, dot, saturate, unit
+from .vec import Vec, add, dot, saturate
 
 _PI = f4(3.14159265)
 
@@ -17,19 +19,21 @@ def schlick(cosine: float, facing: float) -> float:
 
 
 @device
-def ggx(nh: float, alpha: float) -> float:
-    """Return the density of microfacets of width `alpha` that face the half vector (Walter et al. 2007)."""
-    a2 = alpha * alpha
-    d = nh * nh * (a2 - f4(1)) + f4(1)
-    return a2 / (_PI * d * d)
+def mirrored(facing_light: float, facing_half: float, apart: float, alpha: float, head_on: float) -> float:
+    """Return what `gloss` does, from what several widths `alpha` share.
+
+    `facing_light` is dot(normal, light), `facing_half` dot(normal, view + light), `apart` the square of the
+    length of view + light. The fractions of GGX, of Kelemen's term and of the half vector make one here.
+    """
+    if facing_light <= f4(0):
+        return f4(0)
+    a2, apart, facing_half = alpha * alpha, max(apart, f4(0.04)), max(facing_half, f4(0))
+    d = facing_half * facing_half * (a2 - f4(1)) + apart
+    return facing_light * a2 * apart * schlick(f4(0.5) * math.sqrt(apart), head_on) / (_PI * d * d)
 
 
 @device
 def gloss(normal: Vec, view: Vec, light: Vec, alpha: float, facing: float) -> float:
     """Return the mirrored light times the cosine at the surface: GGX with Kelemen's visibility term."""
-    nl = dot(normal, light)
-    if nl <= f4(0):
-        return f4(0)
-    half = unit(add(view, light))
-    nh, lh = saturate(dot(normal, half)), max(dot(light, half), f4(0.1))
-    return nl * ggx(nh, alpha) * schlick(lh, facing) / (f4(4) * lh * lh)
+    half = add(view, light)
+    return mirrored(dot(normal, light), dot(normal, half), dot(half, half), alpha, facing)

@@ -86,7 +86,7 @@ class Tables(NamedTuple):
     """What never changes.
 
     Light under the skin, grain, the iris (rings, angles, 3), the cloth's albedo (3,), and the two steps from
-    scene light to bytes.
+    scene light to bytes, one after the other and `direct`.
     """
 
     diffuse: FloatArray
@@ -95,6 +95,7 @@ class Tables(NamedTuple):
     cloth: FloatArray
     film: FloatArray
     bytes: ByteArray
+    direct: ByteArray
 
 
 class Paint(NamedTuple):
@@ -113,7 +114,10 @@ class Paint(NamedTuple):
 
 
 class Sight(NamedTuple):
-    """The visibility buffer, samples per pixel and side, the camera's place (3,), mm a pixel, background."""
+    """The visibility buffer, samples per pixel and side, the camera's place (3,), mm a pixel, background.
+
+    `empty` (height, width, 3) uint8 is the picture of the background alone.
+    """
 
     ids: IntArray
     depth: FloatArray
@@ -121,6 +125,7 @@ class Sight(NamedTuple):
     eye: FloatArray
     pixel: float
     background: FloatArray
+    empty: ByteArray
 
 
 class Batch(NamedTuple):

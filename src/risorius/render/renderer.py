@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import numpy.typing as npt
 
@@ -16,6 +18,7 @@ from .cutout import covered, cut_out
 from .diagram import shade_diagram
 from .eyeball import iris_image
 from .framing import frame_head
+from .hair_views import HairViews
 from .inputs import Light, Mesh, Paint, Pose, Sight, Tables, empty_batch
 from .jit import f4
 from .lights import STUDIO, LightRig
@@ -27,7 +30,7 @@ from .shade import shade
 from .shadow import ShadowMap
 from .sketch import Sketch
 from .subsurface import diffuse_table
-from .tone import film_table, tone_table
+from .tone import film_table, to_bytes, tone_table
 
 Array = npt.NDArray[np.float64]
 SMALLEST, LARGEST = 16, 4096
@@ -87,8 +90,13 @@ class Renderer:
         self._batch = empty_batch(width * self._samples)
         centre, radius = scene.anatomy.sphere()
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
+        self._least = 0.9 * self.camera.millimetres_per_sample(height)
+        views = HairViews(scene, math.dist(self.camera.eye, self.camera.target), self._least)
+        self._hair_views = views if views.reliable else None
         iris = iris_image(*scene.looks.iris)
-        self._tables = Tables(diffuse_table(), noise_tile(), iris, scene.cloth, film_table(), tone_table())
+        self._empty = to_bytes(self._background)
+        tones = (film_table(), tone_table(), to_bytes(film_table()))
+        self._tables = Tables(diffuse_table(), noise_tile(), iris, scene.cloth, *tones)
 
     @property
     def shape(self) -> tuple[int, int, int]:
@@ -122,8 +130,10 @@ class Renderer:
     def _draw(self, frame: FaceFrame, out: ByteArray) -> None:
         scene = self.scene
         scene.check(frame)
-        sample = self.camera.millimetres_per_sample(self.size[1] * self._samples)
-        pose = scene.pose(frame, self._eye, 0.9 * sample)
+        shown = None
+        if self._hair_views is not None:
+            shown = self._hair_views.seen(self._eye, frame.head_rotation)
+        pose = scene.pose(frame, self._eye, self._least, shown)
         project(scene.positions, self._matrix, self._xy, self._key)
         self._buffer.draw(self._xy, self._key, scene.triangles, scene.two_sided)
         self._shadow.update(
@@ -159,7 +169,9 @@ class Renderer:
         )
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
         pixel = f4(self.camera.millimetres_per_sample(self.size[1]))
-        sight = Sight(self._buffer.ids, self._buffer.depth, samples, self._eye, pixel, self._background)
+        sight = Sight(
+            self._buffer.ids, self._buffer.depth, samples, self._eye, pixel, self._background, self._empty
+        )
         if self._sketch is None:
             shade(sight, mesh, light, pose, self._tables, self._batch, out)
         else:

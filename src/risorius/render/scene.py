@@ -35,8 +35,9 @@ class HeadScene:
     """All that is drawn of a head.
 
     Static: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, …), `rest` (n, 3), and
-    `solid`, how many of the triangles (the first ones) cast shadows. After `pose`: `positions` (n, 3) and
-    `normals` (n, 3) float32 in the world.
+    `solid`, how many of the triangles (the first ones) cast shadows; of the `hairs` that follow them the
+    first `facial_hairs` are brows and lashes. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32
+    in the world.
     """
 
     def __init__(self, head: Head, lamps: FloatArray, looks: Looks | None = None) -> None:
@@ -80,6 +81,9 @@ class HeadScene:
             surfaces.append(number + np.repeat(np.arange(len(group.widths)), per_hair))
             attributes.append(_hair_attributes(group))
             first, number = first + group.vertices, number + len(group.widths)
+        self.hairs = number - HAIR
+        self.facial_hairs = sum(len(group.widths) for group in self._hairs[:2])
+        self._all: ByteArray = np.ones(self.hairs, np.uint8)
         self.triangles: IntArray = np.concatenate(triangles).astype(np.int32)
         self.surfaces: IntArray = np.concatenate(surfaces).astype(np.int32)
         self.two_sided: ByteArray = (self.surfaces >= HAIR).astype(np.uint8)
@@ -120,16 +124,27 @@ class HeadScene:
             if points.shape != (size, 3):
                 raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
-    def pose(self, frame: FaceFrame, eye: FloatArray, sample: float) -> Pose:
+    def pose(self, frame: FaceFrame, eye: FloatArray, sample: float, shown: ByteArray | None = None) -> Pose:
         """Move all vertices to a frame.
 
-        `eye` (3,) float32 is where the camera stands; `sample` mm is the least width that it can show.
+        `eye` (3,) float32 is where the camera stands; `sample` mm is the least width that it can show;
+        `shown` (hairs,) tells which hairs are drawn, all where None.
         """
         rotation = frame.head_rotation.astype(np.float32)
         pivot = self.head.head_pivot.astype(np.float32)
         self._place(frame)
-        mesh = slice(0, self.mesh_vertices)
-        turn(self._local, self._weight, rotation, pivot, self.positions[mesh])
+        turn(self._local, self._weight, rotation, pivot, self.positions[: self.mesh_vertices])
+        self._dress(eye, sample, self._all if shown is None else shown)
+        return self._read_pose(frame, rotation, pivot)
+
+    def rest_at(self, eye: FloatArray, sample: float) -> None:
+        """Move all vertices to rest, seen from `eye` (see `pose`)."""
+        self.positions[: self.mesh_vertices] = self.rest[: self.mesh_vertices]
+        self._dress(eye, sample, self._all)
+
+    def _dress(self, eye: FloatArray, sample: float, shown: ByteArray) -> None:
+        """Let normals and hairs follow the mesh."""
+        mesh, first = slice(0, self.mesh_vertices), 0
         self._normals.update(self.positions[mesh], self.normals[mesh])
         for group, start in zip(self._hairs, self._hair_starts, strict=True):
             ribbons(
@@ -139,12 +154,13 @@ class HeadScene:
                 group.weights,
                 group.curves,
                 group.widths,
+                shown[first : first + len(group.roots)],
                 eye,
                 start,
                 f4(group.behind),
                 f4(sample),
             )
-        return self._read_pose(frame, rotation, pivot)
+            first += len(group.roots)
 
     def _place(self, frame: FaceFrame) -> None:
         """Copy what moves within the head: skin, lower teeth, tongue."""

@@ -15,7 +15,7 @@ from .materials.hair import shade_hairs
 from .materials.mouth import shade_mouth
 from .materials.skin import shade_skin
 from .raster import SUBPIXEL, ByteArray, FloatArray, IntArray
-from .tone import exposed, to_byte
+from .tone import developed, exposed, to_byte
 from .vec import Vec, saturate
 
 _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one surface count as connected
@@ -152,8 +152,22 @@ def _weights(x: float, y: float, t: int, triangles: IntArray, xy: IntArray, key:
 @device
 def resolve(turn: int, y: int, n: int, sight: Sight, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Weigh the patches of each pixel of row y by their samples, and what is left by the background."""
-    share, k = f4(1) / f4(sight.samples * sight.samples), 0
     for x in range(out.shape[1]):
+        out[y, x, 0], out[y, x, 1], out[y, x, 2] = (
+            sight.empty[y, x, 0],
+            sight.empty[y, x, 1],
+            sight.empty[y, x, 2],
+        )
+    whole, k = sight.samples * sight.samples, 0
+    share = f4(1) / f4(whole)
+    while k < n:
+        x = index(batch.column[turn, k])
+        if batch.samples[turn, k] == whole:
+            out[y, x, 0] = developed(tables.direct, batch.colour[turn, k, 0])
+            out[y, x, 1] = developed(tables.direct, batch.colour[turn, k, 1])
+            out[y, x, 2] = developed(tables.direct, batch.colour[turn, k, 2])
+            k += 1
+            continue
         r, g, b, left = f4(0), f4(0), f4(0), f4(1)
         while k < n and batch.column[turn, k] == x:
             part = f4(batch.samples[turn, k]) * share

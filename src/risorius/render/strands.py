@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .jit import exact, exact_kernel, f4, prange
-from .raster import FloatArray, IntArray
+from .raster import ByteArray, FloatArray, IntArray
 from .vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
 
 _BLOCK = 128
@@ -105,6 +105,7 @@ def ribbons(
     weights: FloatArray,
     curves: FloatArray,
     widths: FloatArray,
+    shown: ByteArray,
     eye: FloatArray,
     first: int,
     behind: float,
@@ -113,8 +114,9 @@ def ribbons(
     """Write the ribbons' vertices into `positions` and their directions into `normals`, from row `first` on.
 
     Roots are looked up in the same arrays; `eye` (3,) is where the camera stands. Hairs whose roots face away
-    from it, with a cosine below `behind`, are left out. None is drawn narrower than `least` mm, or it would
-    break up between the samples; of hairs that are, as many are left out as make up for it.
+    from it, with a cosine below `behind`, and those not `shown` (S,) are left out. None is drawn narrower
+    than `least` mm, or it would break up between the samples; of hairs that are, as many are left out as make
+    up for it.
     """
     strands, points = widths.shape
     camera = (eye[0], eye[1], eye[2])
@@ -126,7 +128,7 @@ def ribbons(
             frame = _frame(positions, normals, corners, place)
             spread = f4(s) * _GOLDEN
             crowded = (spread - math.floor(spread)) * least > widths[s, 0]
-            if crowded or dot(frame[2], unit(sub(camera, origin))) < behind:
+            if crowded or not shown[s] or dot(frame[2], unit(sub(camera, origin))) < behind:
                 _collapse(positions, normals, first + 2 * s * points, 2 * points, origin)
                 continue
             here = _point(curves, s, 0, origin, frame)

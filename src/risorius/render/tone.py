@@ -45,12 +45,30 @@ def tone_table() -> ByteArray:
     return np.asarray(srgb_encode(light) * 255 + 0.5).astype(np.uint8)
 
 
+def to_bytes(light: FloatArray) -> ByteArray:
+    """Return the sRGB bytes of display light 0..1 as `to_byte` gives them."""
+    place = np.sqrt(np.clip(light, np.float32(0), np.float32(1))) * np.float32(TONES - 1) + np.float32(0.5)
+    return tone_table()[place.astype(np.uint32)]
+
+
 @device
 def exposed(table: FloatArray, light: float) -> float:
     """Look up the display light of scene light in `film_table`."""
-    x = math.sqrt(bounded(light, f4(WHITE))) * f4((TONES - 1) / math.sqrt(WHITE))
-    display: float = table[index(x + f4(0.5))]
+    display: float = table[_place(light)]
     return display
+
+
+@device
+def _place(light: float) -> int:
+    x = math.sqrt(bounded(light, f4(WHITE))) * f4((TONES - 1) / math.sqrt(WHITE))
+    return index(x + f4(0.5))
+
+
+@device
+def developed(table: ByteArray, light: float) -> int:
+    """Look up the byte for one channel of scene light in `to_bytes(film_table())`."""
+    byte: int = table[_place(light)]
+    return byte
 
 
 @device

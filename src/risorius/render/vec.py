@@ -72,6 +72,12 @@ def unit(a: Vec) -> Vec:
 
 
 @device
+def tilted(a: Vec, slope: Vec) -> Vec:
+    """Return the unit vector a + slope, for a unit vector a and a small slope across it."""
+    return scale(add(a, slope), f4(1) - f4(0.5) * dot(slope, slope))
+
+
+@device
 def rotate(matrix: FloatArray, a: Vec) -> Vec:
     """Return matrix · a, for a matrix (3, 3)."""
     return (

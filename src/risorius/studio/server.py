@@ -7,6 +7,7 @@ import socket
 import threading
 import webbrowser
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import uvicorn
@@ -29,11 +30,15 @@ def default_folder() -> Path:
 
 
 def bound(port: int) -> socket.socket:
-    """Return a socket bound to this machine, at `port` (0: any that is free); raise OutputError."""
+    """Return a socket that listens to this machine, at `port` (0: any that is free); raise OutputError.
+
+    Who comes before the server is ready waits.
+    """
     made = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         made.bind((HOST, port))
+        made.listen()
     except OSError as error:
         made.close()
         raise OutputError(f"port {port} cannot be used: {error.strerror}; expected another --port") from None
@@ -57,7 +62,9 @@ def serve(
     say(f"The studio is at {url} (Ctrl+C ends it)")
     if browser:
         threading.Timer(0.5, webbrowser.open, [url]).start()
-    server.run(sockets=[listening])
+    # Interrupted is how a server ends.
+    with suppress(KeyboardInterrupt):
+        server.run(sockets=[listening])
 
 
 def configured(studio: Studio) -> uvicorn.Config:

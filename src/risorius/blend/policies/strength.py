@@ -54,9 +54,7 @@ class Strengths:
         """How strong a channel at a level is against the rivals of its parameter."""
         key = (channel.name, level, parameter)
         if key not in self._strengths:
-            activity = np.zeros(len(self.times))
-            index, values = channel.sample(parameter, self.times)
-            activity[index] = values
+            activity = channel.lines(parameter, self.times)
             activity *= self._gain_at(channel, level, parameter)
             limits = self._field.limits
             if limits is not None and limits.bind(channel, parameter):

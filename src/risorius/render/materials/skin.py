@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from ..brdf import gloss, schlick
+from ..brdf import mirrored, schlick
 from ..inputs import ALBEDO, CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Pose, Sight, Tables
 from ..jit import device, f4, inlined
 from ..noise import grain
 from ..raster import FloatArray
 from ..subsurface import scattered
-from ..vec import Vec, add, along, dot, rotate, scale, smooth, times, unit, weigh
+from ..vec import Vec, add, along, dot, rotate, scale, smooth, tilted, times, unit, weigh
 from .folds import bent, creased
 from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light, warm_edge
 from .mouth import past_lips
@@ -78,12 +78,14 @@ def _skin(
     rest = weigh(mesh.rest, corners, weights, 0)
     # Close above the collar its edge takes the light away.
     free *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), cloth)
-    fine, soft, bumpy = _relief(tables.grain, pose.rotation, rest, normal, pixel, f4(1) - inner)
+    fine, pores = _relief(tables.grain, pose.rotation, rest, normal, pixel, f4(1) - inner)
+    soft, bumpy = tilted(normal, scale(pores, f4(0.5))), tilted(normal, pores)
     albedo = scale(albedo, f4(1) + f4(0.025) * fine)
     strength *= f4(1) + f4(0.2) * min(fine, f4(1))
     if mesh.crease_regions[t]:
         folds, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, dot(normal, view), pixel)
-        soft, bumpy = bent(soft, folds, _FLESH), bent(bumpy, folds, f4(1))
+        if deep > f4(0) or dot(folds, folds) > f4(0):
+            soft, bumpy = bent(soft, folds, _FLESH), bent(bumpy, folds, f4(1))
         free *= f4(1) - f4(0.7) * deep
         strength *= f4(1) - f4(0.6) * deep
         albedo = times(albedo, (f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep))
@@ -105,12 +107,14 @@ def _skin(
         below = scattered(tables.diffuse, dot(soft, direction), curvature)
         total = add(total, times(times(albedo, colour), times(below, warm_edge(share))))
         wide = roughness + light.lamps[k, 6]
-        mirrored = gloss(bumpy, view, direction, wide, _FACING)
+        half = add(view, direction)
+        at_light, at_half, apart = dot(bumpy, direction), dot(bumpy, half), dot(half, half)
+        glint = mirrored(at_light, at_half, apart, wide, _FACING)
         if k >= _FRONT:
-            mirrored *= f4(0.4)  # a lamp behind the head grazes it, where a mirror would outshine all
+            glint *= f4(0.4)  # a lamp behind the head grazes it, where a mirror would outshine all
         elif k == 0:
-            mirrored = f4(0.7) * mirrored + f4(0.3) * gloss(bumpy, view, direction, wide * f4(2.2), _FACING)
-        shine = along(shine, colour, mirrored * share * strength)
+            glint = f4(0.7) * glint + f4(0.3) * mirrored(at_light, at_half, apart, wide * f4(2.2), _FACING)
+        shine = along(shine, colour, glint * share * strength)
     # A rough surface mirrors less along its outline than a smooth one.
     edge = min(schlick(dot(soft, view), _FACING), f4(0.16)) * opened * strength
     shine = along(shine, room_light(light.room, soft, f4(1)), edge * f4(0.8))
@@ -120,11 +124,10 @@ def _skin(
 @device
 def _relief(
     tile: FloatArray, rotation: FloatArray, rest: Vec, normal: Vec, pixel: float, amount: float
-) -> tuple[float, Vec, Vec]:
-    """Return the pores' height and the normal with a little and with all of their slopes."""
+) -> tuple[float, Vec]:
+    """Return the pores' height, and how they turn the normal."""
     height, gx, gy, gz = grain(tile, rest, _PORES)
     # Pores smaller than two pixels would flicker as the head moves.
     depth = f4(0.0075) * amount * (f4(1) - smooth(f4(0.22), f4(0.7), pixel))
     slope = rotate(rotation, (gx, gy, gz))
-    slope = along(slope, normal, -dot(slope, normal))
-    return height, unit(along(normal, slope, -depth * f4(0.5))), unit(along(normal, slope, -depth))
+    return height, scale(along(slope, normal, -dot(slope, normal)), -depth)

@@ -1,0 +1,89 @@
+"""Which hairs can be seen from where: most of a head of hair lies under its top, and need not be drawn.
+
+From the points of a grid of directions about the head it is found, when first needed, which hairs win a
+sample; drawn are those that are seen from any corner of the cell in which the camera stands.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from .camera import Camera, project
+from .inputs import HAIR
+from .raster import ByteArray, FloatArray, IntArray, Visibility
+from .scene import HeadScene
+
+Array = npt.NDArray[np.float64]
+
+STEP = 12.0
+"""Degrees between directions."""
+_AROUND, _HIGHEST = round(360.0 / STEP), 84
+_LARGEST = 1440
+"""Samples a side that are drawn at most."""
+_FINER = 0.5
+"""Of the width of such a sample: pictures with finer ones would show hairs that are missed here."""
+
+
+class HairViews:
+    """The hairs of a scene that can be seen from a distance of `distance` mm, at `sample` mm a sample."""
+
+    def __init__(self, scene: HeadScene, distance: float, sample: float) -> None:
+        self._scene, self._distance, self._sample = scene, distance, sample
+        centre, self._radius = scene.anatomy.sphere()
+        self._side = min(math.ceil(2.0 * self._radius / sample), _LARGEST)
+        self._centre = (0.0, float(centre[1]), float(centre[2]))
+        self._nodes: dict[tuple[int, int], npt.NDArray[np.bool_]] = {}
+        self._buffer: Visibility | None = None
+        self._xy: IntArray = np.zeros((len(scene.positions), 2), np.int32)
+        self._key: FloatArray = np.zeros(len(scene.positions), np.float32)
+
+    @property
+    def reliable(self) -> bool:
+        """Whether the picture's samples are not much finer than those that are drawn here."""
+        return self._sample * self._side >= _FINER * 2.0 * self._radius
+
+    def seen(self, eye: npt.NDArray[np.floating], rotation: Array) -> ByteArray:
+        """Return 1 for each hair (H,) that may be seen from `eye` (3,), the head being rotated (3, 3).
+
+        The scene may stand otherwise afterwards.
+        """
+        x, y, z = (np.subtract(eye, self._centre) @ rotation).tolist()
+        across = math.degrees(math.atan2(x, z)) / STEP
+        high = math.degrees(math.atan2(y, math.hypot(x, z)))
+        up = max(-_HIGHEST, min(high, _HIGHEST - 1e-6)) / STEP
+        i, j = math.floor(across), math.floor(up)
+        corners = [self._node(m % _AROUND, n) for m in (i, i + 1) for n in (j, j + 1)]
+        return np.asarray(np.logical_or.reduce(corners), np.uint8)
+
+    def _node(self, across: int, up: int) -> npt.NDArray[np.bool_]:
+        if (across, up) not in self._nodes:
+            self._nodes[across, up] = self._look(math.radians(across * STEP), math.radians(up * STEP))
+        return self._nodes[across, up]
+
+    def _look(self, across: float, up: float) -> npt.NDArray[np.bool_]:
+        """Draw the head at rest from a direction; return which hairs win a sample."""
+        scene, level = self._scene, math.cos(up) * self._distance
+        way = (math.sin(across) * level, math.sin(up) * self._distance, math.cos(across) * level)
+        x, y, z = self._centre
+        angle = 2.0 * math.degrees(math.asin(min(self._radius / self._distance, 0.86)))
+        camera = Camera((x + way[0], y + way[1], z + way[2]), self._centre, angle)
+        scene.rest_at(np.asarray(camera.eye, np.float32), self._sample)
+        project(scene.positions, camera.matrix(self._side, self._side), self._xy, self._key)
+        if self._buffer is None:
+            self._buffer = Visibility(self._side, self._side, len(scene.triangles))
+        self._buffer.draw(self._xy, self._key, scene.triangles, scene.two_sided)
+        return self._winners()
+
+    def _winners(self) -> npt.NDArray[np.bool_]:
+        assert self._buffer is not None
+        scene = self._scene
+        drawn = np.zeros(len(scene.triangles), bool)
+        drawn[self._buffer.ids[self._buffer.ids >= 0]] = True
+        hairs = scene.surfaces[scene.solid :]
+        found = np.bincount(hairs[drawn[scene.solid :]] - HAIR, minlength=scene.hairs) > 0
+        # Brows and lashes move with the face, so that rest does not tell what of them is seen.
+        found[: scene.facial_hairs] = True
+        return found

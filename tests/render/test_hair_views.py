@@ -1,0 +1,52 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from risorius.face.rotations import head_rotation
+from risorius.render import Renderer
+from risorius.render.inputs import HAIR
+
+
+@pytest.fixture(scope="module")
+def drawn(head):
+    return Renderer(head, (160, 160))
+
+
+def seen(renderer, frame):
+    """The hairs that win a sample of a picture."""
+    renderer.render(frame)
+    ids = renderer._buffer.ids
+    found = renderer.scene.surfaces[ids[ids >= 0]]
+    return np.unique(found[found >= HAIR])
+
+
+@pytest.mark.parametrize("angles", [(0, 0, 0), (9, -31, 4), (-20, 70, 0), (5, 178, 0)])
+def test_leaving_out_hidden_hairs_hardly_changes_what_is_seen(drawn, face, angles):
+    frame = replace(face(), head_rotation=head_rotation(*angles))
+    views, drawn._hair_views = drawn._hair_views, None
+    try:
+        everything, whole = seen(drawn, frame), drawn._buffer.ids.copy()
+    finally:
+        drawn._hair_views = views
+    kept = seen(drawn, frame)
+    assert len(np.setdiff1d(everything, kept)) < 0.08 * len(everything)
+    assert (drawn._buffer.ids != whole).mean() < 0.004
+
+
+def test_at_least_a_third_of_the_hairs_is_left_out(drawn, face):
+    shown = drawn._hair_views.seen(drawn.camera.eye, face().head_rotation)
+    assert shown[drawn.scene.facial_hairs :].mean() < 0.67
+    assert shown[: drawn.scene.facial_hairs].all()
+
+
+def test_what_is_left_out_does_not_depend_on_the_pictures_before(drawn, head, face):
+    frame = replace(face(), head_rotation=head_rotation(3, 25, 0))
+    drawn.render(face())
+    assert (drawn.render(frame) == Renderer(head, (160, 160)).render(frame)).all()
+
+
+def test_a_close_up_shows_every_hair(head):
+    close = Renderer(head, (160, 160)).camera
+    near = replace(close, field_of_view=1.0)
+    assert Renderer(head, (720, 720), camera=near)._hair_views is None
