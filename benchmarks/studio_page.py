@@ -3,8 +3,8 @@
 A real server and a real browser on this machine. Prints pictures per second while a line plays whose faces
 are there, milliseconds from pressing play on a new line to its sound, and from moving a dial to the picture
 of the face (median of twenty, the slowest in brackets); and what else the machine was doing. Needs Chromium
-and its driver (`scripts/test --browser` installs them). Run from the repository: PYTHONPATH=src:tests/studio
-python benchmarks/studio_page.py
+and its driver (`scripts/test --browser` installs them). Run from the repository:
+    PYTHONPATH=src:tests/studio python benchmarks/studio_page.py
 """
 
 from __future__ import annotations

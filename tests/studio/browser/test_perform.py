@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from io import BytesIO
 from pathlib import Path
 
+import numpy as np
+from PIL import Image
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
@@ -96,6 +99,23 @@ def test_a_setting_is_performed_at_once_and_undone(page: Page) -> None:
     page.wait("studio.store.get('take').made.choices.profile === 'neutral'")
     list_shows = "document.querySelector('#panel-perform [data-choice=profile] select').value"
     page.wait(f"{list_shows} === 'neutral'")
+
+
+def test_another_head_performs_and_is_lit_from_the_front(page: Page) -> None:
+    perform(page)
+    page.run("window.first = studio.theatre.figures[0]")
+    choose(page, "perform", "head", "olaf")
+    page.wait(f"studio.theatre.figures[0] !== first && {SETTLED} && {SHOWN}", 120.0)
+    page.run("await new Promise((go) => setTimeout(go, 1500))")
+    page.picture("another-head")
+    picture = Image.open(BytesIO(page.driver.get_screenshot_as_png())).convert("L")
+    left, top, width, height = page.get(
+        "(({ left, top, width, height }) => [left, top, width, height])"
+        "(document.getElementById('head').getBoundingClientRect())"
+    )
+    x, y = round(left + width / 2), round(top + height / 2)
+    cheeks = np.asarray(picture.crop((x - 40, y, x + 40, y + 30)))
+    assert cheeks.mean() > 120
 
 
 def test_a_recording_with_its_transcript(page: Page, tmp_path: Path) -> None:

@@ -26,6 +26,8 @@ export function materialOf(name, pictures) {
 
 /** Put other text in place of parts of three.js's shaders: {vertex: [[from, to], …], fragment: […]}. */
 function patch(material, { vertex = [], fragment = [] }, uniforms = {}) {
+  // three.js tells shaders apart by the text of onBeforeCompile, which is the same for all of these.
+  material.customProgramCacheKey = () => JSON.stringify([vertex, fragment]);
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
     for (const [from, to] of vertex) shader.vertexShader = shader.vertexShader.replace(from, to);

@@ -8,7 +8,7 @@ const FAST = 1000 / 50;
 const STEPS = [1, 0.8, 0.65, 0.5];
 const DETAIL = 0.4; // share of the hair that is drawn while it is too slow for all
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
-const REST = 350; // ms without a picture after which the head is at rest
+const REST = 600; // ms without a picture after which the head is at rest
 
 export class Sharpness {
   #step = 0;
@@ -25,7 +25,7 @@ export class Sharpness {
    * @param {() => void} changed called when the ratio is another; it draws
    */
   constructor(rough, changed) {
-    this.#still = rough ? 2 : 1;
+    this.#still = rough ? 1.5 : 1;
     this.#changed = changed;
   }
 

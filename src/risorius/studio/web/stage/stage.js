@@ -6,6 +6,7 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+import { backdropOf } from "./backdrop.js";
 import { View } from "./cameras.js";
 import { lightsOf, mirrored } from "./lights.js";
 import { Sharpness } from "./sharpness.js";
@@ -27,9 +28,11 @@ export class Stage {
   constructor(canvas) {
     this.#canvas = canvas;
     const rough = drawnBySoftware();
-    this.#renderer = new THREE.WebGLRenderer({ canvas, alpha: true, antialias: !rough });
+    this.#renderer = new THREE.WebGLRenderer({ canvas, alpha: false, antialias: !rough });
     developAsFilm(this.#renderer);
     this.#sharpness = new Sharpness(rough, () => this.#resize());
+    this.dress();
+    document.addEventListener("theme", () => this.dress());
     this.view.listen(canvas);
     new ResizeObserver(() => this.#resize()).observe(canvas);
     this.#resize();
@@ -45,6 +48,13 @@ export class Stage {
       this.#mirrored = mirrored(this.#renderer, light);
     }
     return this.#mirrored;
+  }
+
+  /** Take up the page's colours. */
+  dress() {
+    this.#scene.background?.dispose();
+    this.#scene.background = backdropOf(this.#canvas);
+    this.#ask();
   }
 
   /** Pictures drawn so far. */
