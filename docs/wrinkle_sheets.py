@@ -17,8 +17,8 @@ from risorius.render.renderer import Renderer
 
 EMOTIONS = ("surprise", "anger", "disgust", "happiness", "sadness", "fear")
 AGES = (25, 45, 70)
-SIDE = 560
-FACE = (164, 112, 396, 452)  # left, top, right, bottom of what is kept of a picture, in pixels
+SIDE = 544
+FACE = (160, 109, 384, 439)  # left, top, right, bottom of what is kept of a picture, in pixels
 CAPTION = 18
 TARGET = Path(__file__).parent / "pictures" / "emotions-ages.png"
 
@@ -45,4 +45,4 @@ def draw() -> Image.Image:
 
 if __name__ == "__main__":
     TARGET.parent.mkdir(exist_ok=True)
-    draw().quantize(256).save(TARGET, optimize=True)
+    draw().quantize(200).save(TARGET, optimize=True)
