@@ -39,6 +39,8 @@ def changed(path: Path, folder: Path, change) -> Path:
         (lambda t: [*t[:2], t[2][: len(t[2]) // 2]], r":3: has \d+ values; expected 63"),
         (lambda t: [t[0], t[1].replace(",0.0", ",nan", 1)], r":2: .* is 'nan"),
         (lambda t: [t[0], t[1].replace("00:00:00:00.000", "now")], ":2: 'now' is no time code"),
+        (lambda t: [*t[:2], t[2].replace(",61,", ",60,", 1)], ":3: BlendshapeCount is '60'; expected 61"),
+        (lambda t: [*t[:2], t[2].replace(",61,", ",,", 1)], ":3: BlendshapeCount is ''; expected 61"),
         (lambda t: [t[0], t[2], t[1]], ":3: its time does not come after the row before"),
     ],
 )

@@ -29,6 +29,7 @@ def written(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("timestamp, AU01_r\n0, x", ":2: AU01_r is 'x'; expected a number"),
         ("timestamp, AU01_r\n0.1, 1\n0.1, 1", ":3: its time does not come after"),
         ("timestamp, success, AU01_r\n0, 0, 1", "no row has success 1"),
+        ("timestamp, AU01_r, AU12_x\n0, 1, 1", "unknown column 'AU12_x'; did you mean 'AU12_"),
         ("timestamp, AU01_r\n0, inf", "expected a number"),
     ],
 )

@@ -76,7 +76,7 @@ def test_the_four_forms_say_the_same(tmp_path: Path, material: Material) -> None
     cues = [(cue["start"], cue["end"], cue["value"]) for cue in document["mouthCues"]]
     assert document["metadata"] == {"soundFile": "v.wav", "duration": 1.4}
     assert cues[0] == (0.0, 0.3, "X")
-    assert [shape for *_, shape in cues] == ["X", "A", "D", "A", "X", "E", "F", "X"]
+    assert [shape for *_, shape in cues] == ["X", "A", "D", "A", "E", "F", "X"]  # closed through the pause
     assert all(a[1] == b[0] for a, b in pairwise(cues))
     write_rhubarb_tsv(material, path, options)
     lines = [line.split("\t") for line in path.read_text().splitlines()]

@@ -73,7 +73,8 @@ def read_arkit_csv(path: Path) -> ArkitTake:
     """Read a take of Live Link Face, or one written here; columns are found by name, in any order.
 
     Weights are brought within 0 to 1; rotations that are not there are 0. Raises InputError for a column that
-    is missing or unknown, a cell that is no number, a time code that is none or goes back.
+    is missing or unknown, a row that counts other values than it has, a cell that is no number, a time code
+    that is none or goes back.
     """
     table = read_table(path)
     known = {name.lower(): name for name in COLUMNS}
@@ -83,12 +84,24 @@ def read_arkit_csv(path: Path) -> ArkitTake:
     columns = tuple(known[name.lower()] for name in table.columns)
     table = Table(path, columns, table.rows, table.lines)
     require(table, ("Timecode", *CSV_SHAPES), "a Live Link Face take")
+    _check_counts(table)
     weights = np.empty((len(table.rows), len(INDEX)))
     weights[:, _ORDER] = np.clip(table.numbers(CSV_SHAPES), 0.0, 1.0)
     turned = [name for name in ROTATIONS if name in columns]
     rotations = np.zeros((len(table.rows), len(ROTATIONS)))
     rotations[:, [ROTATIONS.index(name) for name in turned]] = table.numbers(turned)
     return ArkitTake(_times(table), weights, rotations)
+
+
+def _check_counts(table: Table) -> None:
+    """Raise InputError where a row says that it holds another number of values than there are columns."""
+    if "BlendshapeCount" not in table.columns:
+        return
+    here = len([name for name in table.columns if name not in ("Timecode", "BlendshapeCount")])
+    for text, line in zip(table.texts("BlendshapeCount"), table.lines, strict=True):
+        if text not in (str(here), str(COUNT)):
+            message = f"BlendshapeCount is '{text[:20]}'; expected {here}, as there are columns"
+            raise InputError(message, Place(str(table.path), line))
 
 
 def _times(table: Table) -> Array:

@@ -19,7 +19,7 @@ import numpy.typing as npt
 
 from ..core.action_unit_fit import ActionUnitFit
 from ..core.action_units import action_unit
-from ..errors import InputError, Place
+from ..errors import InputError, Place, unknown
 from ..face.frame import FaceFrame
 from ..face.rotations import about_axis, rotation_angles
 from .capture import Table, check_times, read_table, require
@@ -109,6 +109,9 @@ def read_au_csv(path: Path) -> ActionUnitTake:
     table = read_table(path)
     names = [name for name in table.columns if re.fullmatch(r"AU\d+_r", name)]
     require(table, ("timestamp", *([] if names else ["AU01_r"])), "OpenFace")
+    for name in table.columns:
+        if name.startswith("AU") and not re.fullmatch(r"AU\d+_[rc]", name):
+            raise InputError(unknown("column", name, COLUMNS), Place(str(path), 1))
     units = {int(name[2:-2]): name for name in names}
     for number in units:
         action_unit(f"AU{number}")

@@ -12,18 +12,19 @@ from xml.sax.saxutils import escape
 
 from ..core.utterance import Utterance
 from .layout import write_json
+from .rhubarb_timing import IDLE, paused, tweened
 from .source import Material, WriteOptions
 from .table import write_lines
 from .visemes import Cue, Viseme, cues, said
 
-IDLE = "X"
-
 
 def mouth_cues(utterance: Utterance) -> list[Cue]:
-    """Return the cues, times rounded to 0.01 s; one that then has no duration is left out."""
-    rounded = [
-        Cue(round(cue.start, 2), round(cue.end, 2), cue.shape) for cue in cues(utterance, _shapes, IDLE)
-    ]
+    """Return the cues with their pauses and shapes in between, times rounded to 0.01 s.
+
+    One that then has no duration is left out.
+    """
+    found = tweened(paused(cues(utterance, _shapes, IDLE)))
+    rounded = [Cue(round(cue.start, 2), round(cue.end, 2), cue.shape) for cue in found]
     return [cue for cue in rounded if cue.start < cue.end]
 
 
