@@ -169,7 +169,7 @@ def test_a_change_tells_what_is_other_and_nothing_else(session):
     assert (change.before, change.whole, change.blocks, change.gone) == (before.take, None, (), ())
     # What stands in the way of a muscle's rivals may be other, too, but nothing far from it.
     assert "mentalis.left" in change.curves
-    assert all(name.partition(".")[0] in {"mentalis", *_RIVALS} for name in change.curves)
+    assert all(name.partition(".")[0] in {"mentalis", "lip_seal", *_RIVALS} for name in change.curves)
     values = [session.takes[n].take.performance.values for n in (before.take, change.take)]
     other = np.flatnonzero((values[0] != values[1]).any(axis=1))
     assert change.from_frame == other[0]

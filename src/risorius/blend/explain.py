@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..core.lip_rig import LipRig
 from ..core.movement import Cause, LipSegment, Movement
 from ..core.parameters import INDEX
 from ..core.score import Score
@@ -20,11 +21,14 @@ from .conflict import Hindrance
 from .contact import CONTACTS, SEAL, TUCK
 from .directions import shares_of
 from .limits import LIPS
+from .lips import Lips
 from .manual import hidden
 from .mouth import JAW
 from .plan import Moment, Plan
 
 _LEAST = 1e-9
+# Seconds about a closure in which it is what brings the lips together.
+_NEARBY = 0.2
 _FIRST = np.zeros(1, dtype=np.intp)
 
 
@@ -138,12 +142,31 @@ def _replaced(channel: Channel, curve: Curve, time: float) -> Iterator[Part]:
 def _goal(plan: Plan, time: float, name: str) -> list[Part]:
     if name not in CONTACTS or plan.lips is None:
         return []
+    rig = plan.lips.mouth.shapes.rig
+    if name == SEAL and rig is not None:
+        return _seal(plan, plan.lips, rig, time)
     found = []
     for goal in plan.lips.goals[name].goals:
         if goal.start - goal.ramp_in < time < goal.end + goal.ramp_out:
             part = _part(LIPS, plan.lips.mouth.segments[goal.segment])
             found.append(replace(part, asked=goal.value, given=float(goal.at(time))))
     return found
+
+
+def _seal(plan: Plan, lips: Lips, rig: LipRig, time: float) -> list[Part]:
+    """What the seal takes of the gap beyond what the segments ask for.
+
+    That is the closure nearby, or else the segment that others would part further than it wants.
+    """
+    own, seal = (float(values[0]) for values in Moment(plan, np.array([time])).sealed(lips, rig))
+    if seal <= own + _LEAST:
+        return []
+    segments = lips.mouth.segments
+    near = {g.segment: max(g.start - time, time - g.end, 0.0) for g in lips.goals[SEAL].goals}
+    number = min(near, key=lambda n: near[n], default=0)
+    if near.get(number, np.inf) > _NEARBY:
+        number = next((n for n, s in enumerate(segments) if s.start <= time < s.end), len(segments) - 1)
+    return [replace(_part(LIPS, segments[number]), asked=seal, given=seal)]
 
 
 def _reason(plan: Plan, channel: Channel, name: str, time: float, levels: Sequence[float]) -> str:

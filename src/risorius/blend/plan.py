@@ -203,11 +203,15 @@ class Moment:
         rig = lips.mouth.shapes.rig
         if rig is None:
             return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - lips.goals[SEAL].at(self.times)))
-        own = lips.at(SEAL, self.times) if SEAL in lips.parameters else np.zeros(len(self.times))
-        seal = lips.mouth.approach.sealed(own, self.times, self._parted(lips.mouth, rig))
+        own, seal = self.sealed(lips, rig)
         # What other channels seal besides.
         kept = np.divide(1.0 - value, 1.0 - own, out=np.ones(len(own)), where=own < value)
         return (1.0 - (1.0 - seal) * kept) * (1.0 - tuck) ** 1.5
+
+    def sealed(self, lips: Lips, rig: LipRig) -> tuple[Array, Array]:
+        """Return the seal that the segments ask for, and with what brings the gap to it, shape (n,) both."""
+        own = lips.at(SEAL, self.times) if SEAL in lips.parameters else np.zeros(len(self.times))
+        return own, lips.mouth.approach.sealed(own, self.times, self._parted(lips.mouth, rig))
 
     def _parted(self, mouth: Mouth, rig: LipRig) -> Parted | None:
         """Return how lips and others part the mouth; None where the others do not."""
