@@ -115,14 +115,14 @@ def test_onset_functions_meet_every_target(figures: ModuleType) -> None:
         assert values == pytest.approx([0.5, 1.0, 0.3]), name
 
 
-def test_every_policy_says_the_smiling_sentence_with_the_same_lips(figures: ModuleType) -> None:
+def test_every_policy_says_the_smiling_sentence_with_the_same_closures(figures: ModuleType) -> None:
     takes = {name: figures.smiling(name) for name in figures.POLICIES}
     smiles = {name: take.performance[figures.ZYGOMATIC].sum() for name, take in takes.items()}
     assert sorted(smiles, key=lambda name: smiles[name]) == ["inhibit", "graded", "attenuate", "sum"]
-    seal = takes["inhibit"].performance["lip_seal"]
-    assert seal.max() == pytest.approx(1.0)
+    closed = takes["inhibit"].performance["lip_seal"] > 1.0 - 1e-9
+    assert closed.any()
     for take in takes.values():
-        assert take.performance["lip_seal"] == pytest.approx(seal)
+        assert take.performance["lip_seal"][closed] == pytest.approx(1.0)
 
 
 def test_the_demonstration_is_the_papers(figures: ModuleType) -> None:

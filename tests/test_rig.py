@@ -92,7 +92,7 @@ def test_the_report_says_what_is_shown_and_what_not(tmp_path: Path) -> None:
     assert verdicts["orbicularis_oculi_palpebralis.right"].verdict == "not"
     assert verdicts["masseter"].verdict == "well"
     assert verdicts["zygomatic_major.left"].left_over < 0.4
-    assert all(row.best <= row.left_over + 0.02 for row in rows)
+    assert all(row.best <= row.left_over + 0.03 for row in rows)
 
 
 def test_the_character_performs(tmp_path: Path, clip: Take) -> None:

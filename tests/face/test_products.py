@@ -17,9 +17,9 @@ def test_rows_times_points_is_the_matrix_product():
 
 def test_carry_adds_the_motion_of_every_handle_to_its_region_alone():
     skin, region = RNG.normal(size=(12, 3)), np.array([1, 4, 7], np.int32)
-    motion, moves = RNG.normal(size=(3, 5)), RNG.normal(size=(5, 3))
+    motion, moves = RNG.normal(size=(5, 3)), RNG.normal(size=(5, 3))
     expected = skin.copy()
-    expected[region] += motion @ moves
+    expected[region] += motion.T @ moves
     carry(region, motion, moves, skin)
     np.testing.assert_allclose(skin, expected, atol=1e-14)
 

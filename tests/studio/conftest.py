@@ -8,6 +8,8 @@ import struct
 import threading
 from contextlib import contextmanager
 
+# Loaded here: pytest rewrites it, for which the server's thread is too deep (Python 3.11).
+import anyio._backends._asyncio  # noqa: F401
 import pytest
 import uvicorn
 from websockets.sync.client import connect
