@@ -206,19 +206,30 @@ def _solve(powers: Sequence[Array], wanted: Array) -> Array:
     Newton's method within a bracket, for a muscle beside a stronger one hardly moves anything at first.
     Exactly 0 where nothing is wanted.
     """
-    _, first, second, third = powers
-    low, high = np.zeros(np.shape(wanted)), np.ones(np.shape(wanted))
-    x = np.clip(wanted / (first + second + third), 0.0, 1.0)
+    found = np.zeros(np.shape(wanted))
+    asked = np.flatnonzero(wanted)
+    if len(asked):
+        first, second, third = (np.broadcast_to(p, wanted.shape)[asked] for p in powers[1:])
+        found[asked] = _newton(first, second, third, wanted[asked])
+    return found
+
+
+def _newton(first: Array, second: Array, third: Array, wanted: Array) -> Array:
+    """Return the solution of `_solve` for what is wanted and not 0, shape (n,)."""
+    low, high = np.zeros(len(wanted)), np.ones(len(wanted))
+    whole = first + second + third
+    rising = np.sign(whole)
+    x = np.minimum(np.maximum(wanted / whole, 0.0), 1.0)
     for _ in range(_STEPS):
         value = x * (first + x * (second + x * third))
-        beyond = (value - wanted) * np.sign(first + second + third) > 0.0
+        beyond = (value - wanted) * rising > 0.0
         low, high = np.where(beyond, low, x), np.where(beyond, x, high)
         slope = first + x * (2.0 * second + 3.0 * x * third)
         with np.errstate(divide="ignore", invalid="ignore"):
             newton = x + (wanted - value) / slope
         inside = (newton >= low) & (newton <= high)
         x = np.where(inside, newton, 0.5 * (low + high))
-    return np.asarray(np.where(wanted == 0.0, 0.0, x))
+    return x
 
 
 def _constants(values: Mapping[str, float]) -> Averages:
