@@ -13,9 +13,10 @@ import numpy as np
 
 from ..core.action_units import resolve_targets
 from ..core.movement import Cause, Movement
-from ..core.parameters import INDEX, PARAMETERS, Kind
+from ..core.parameters import INDEX, PARAMETERS
 from ..core.utterance import PauseKind
 from ..rules.conduct import size_of
+from ..rules.match import HEAD
 from ..rules.rule import TurnState
 from .registry import CHANNEL_BUILDERS, Brief
 from .ruled import movements_of_rules, with_eyes
@@ -23,7 +24,6 @@ from .ruled import movements_of_rules, with_eyes
 NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.pitch", "head.posture.speaker"
 # Seconds in which one movement of a chain gives way to the next.
 _OVERLAP = 0.02
-_HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 
 
 @CHANNEL_BUILDERS.register("head")
@@ -48,7 +48,7 @@ def posture(brief: Brief) -> dict[str, float]:
 
 
 def _posture(brief: Brief) -> Iterator[Movement]:
-    targets = {name: value for name, value in posture(brief).items() if name in _HEAD}
+    targets = {name: value for name, value in posture(brief).items() if name in HEAD}
     if targets:
         yield Movement(
             "head", 0.0, brief.duration, 0.0, 0.0, with_eyes(targets),
@@ -77,9 +77,9 @@ def _melody(brief: Brief) -> Iterator[Movement]:
 def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
     """Yield a chain of smooth movements to random targets; in pauses they go only a part of the way."""
     habits = brief.profile.head
-    deviations = dict(zip(_HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
+    deviations = dict(zip(HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
     calm = _Calm(brief)
-    targets = dict.fromkeys(_HEAD, 0.0)
+    targets = dict.fromkeys(HEAD, 0.0)
     for start, end, share in _steps(habits.dwell, calm.edges, brief.duration, rng):
         left, size = calm.at(start), size_of(NOISE, brief.conduct_at(start))
         for name, sd in deviations.items():

@@ -18,7 +18,7 @@ from .unit import Unit
 from .units import Units
 
 LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
-HEAD = frozenset(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
+HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 EYES = ("gaze_pitch", "gaze_yaw")
 SIDED = ("head_yaw", "head_roll", "gaze_yaw")
 
@@ -136,7 +136,7 @@ def _event(rule: Rule, unit: Unit, units: Units, span: Span, size: float, *, mir
     if not rule.effect.grouped:
         size *= synchrony().size_at(unit.rate)
     targets = _targets(rule, size, mirrored)
-    if rule.timing.at is Anchor.ACCENT and not HEAD.isdisjoint(targets):
+    if rule.timing.at is Anchor.ACCENT and not targets.keys().isdisjoint(HEAD):
         span = settled(span, units.endings)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
