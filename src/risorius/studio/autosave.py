@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import shutil
 from dataclasses import replace
@@ -17,7 +16,7 @@ from ..out.score_json import ScoreFile, score_to_json
 from .project import Opened, check_version, header, made_from, version_of, view_of
 from .scores import parsed, score_file
 from .session import Session
-from .shelf import Shelf, write_text
+from .shelf import Shelf, digest, write_text
 from .version import Version
 
 FILE = "project.json"
@@ -48,12 +47,12 @@ class Autosave:
         sound = None
         if version.utterance is not None:
             source = version.utterance.audio.path
-            sound = self._folder / f"voice-{_digest(source.read_bytes())}.wav"
+            sound = self._folder / f"voice-{digest(source.read_bytes())}.wav"
             if not sound.exists():
                 with replacing(sound) as beside:
                     shutil.copyfile(source, beside)
         document = score_to_json(version.base, version.utterance, sound, self._folder)
-        name = f"score-{_digest(json.dumps(document).encode())}.json"
+        name = f"score-{digest(json.dumps(document).encode())}.json"
         with replacing(self._folder / name) as beside:
             write_json(beside, document)
         return {"score": name, "sound": None if sound is None else sound.name}
@@ -102,7 +101,3 @@ def _with_own_sound(held: ScoreFile) -> ScoreFile:
         for block in audio.blocks():
             writer.append(block)
         return ScoreFile(held.score, replace(held.utterance, audio=writer.finish()))
-
-
-def _digest(data: bytes) -> str:
-    return hashlib.sha256(data).hexdigest()[:16]

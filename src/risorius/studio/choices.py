@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from pathlib import Path
 
@@ -14,7 +13,7 @@ from ..face.head import shipped_heads
 from ..rules.profiles import profile, profile_from, profile_texts
 from ..settings import Settings
 from ..speech.engine import is_voice_file
-from .shelf import write_text
+from .shelf import kept_table
 from .wire import Choices
 
 LARGEST_PROFILE = 100_000
@@ -73,18 +72,10 @@ def _profile(choices: Choices, folder: Path) -> str:
     if len(choices.profile_text) > LARGEST_PROFILE:
         raise InputError(f"the profile is longer than {LARGEST_PROFILE} characters")
     profile_from(choices.profile_text, "profile", profile_texts())
-    return str(_written(choices.profile_text, "profile", folder))
+    return str(kept_table(choices.profile_text, "profile", folder))
 
 
 def _rules(off: tuple[str, ...], folder: Path) -> Path | None:
     if not off:
         return None
-    return _written(f"delete = {json.dumps(sorted(set(off)))}\n", "rules", folder)
-
-
-def _written(text: str, kind: str, folder: Path) -> Path:
-    """Write TOML under a name that says what is in it, unless it is there."""
-    path = folder / f"{kind}-{hashlib.sha256(text.encode()).hexdigest()[:16]}.toml"
-    if not path.exists():
-        write_text(path, text)
-    return path
+    return kept_table(f"delete = {json.dumps(sorted(set(off)))}\n", "rules", folder)

@@ -58,8 +58,8 @@ class Shelf:
         if len(self.recordings()) >= _MOST:
             raise InputError(f"there are {_MOST} recordings already; expected a new session")
         plain = re.sub(r"[^\w-]+", "-", stem, flags=re.ASCII).strip("-")[:40] or "recording"
-        digest = hashlib.sha256(uploaded.read_bytes()).hexdigest()[:8]
-        kept = f"{plain.removesuffix(f'-{digest}')}-{digest}{suffix}"
+        mark = digest(uploaded.read_bytes())[:8]
+        kept = f"{plain.removesuffix(f'-{mark}')}-{mark}{suffix}"
         uploaded.replace(folder / kept)
         return kept
 
@@ -97,9 +97,7 @@ class Shelf:
             raise InputError(f"'{name}' is an emotion of Risorius; expected another name")
         text = emotion_text(name, values)
         # Files are found by what is in them: the library keeps what it has read by its path.
-        file = f"emotion-{hashlib.sha256(text.encode()).hexdigest()[:16]}.toml"
-        write_text(self.folder / file, text)
-        self._emotions[name] = file
+        self._emotions[name] = kept_table(text, "emotion", self.folder).name
         write_text(self.folder / "emotions.json", json.dumps(self._emotions))
         return text
 
@@ -121,6 +119,19 @@ def write_text(path: Path, text: str) -> None:
     """Write a file whole or not at all."""
     with replacing(path) as beside:
         beside.write_text(text, encoding="utf-8")
+
+
+def digest(data: bytes) -> str:
+    """Return 16 hexadecimal digits that tell contents apart."""
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+def kept_table(text: str, kind: str, folder: Path) -> Path:
+    """Write TOML under a name that says what is in it, unless it is there; return its path."""
+    path = folder / f"{kind}-{digest(text.encode())}.toml"
+    if not path.exists():
+        write_text(path, text)
+    return path
 
 
 def _table(path: Path) -> dict[str, Any]:
