@@ -112,7 +112,7 @@ def test_an_edit_is_told_explained_undone_and_there_after_a_reload(server):
         assert "spk" not in why["sentences"]
         back = page.ask("undo")
         assert back["take"] == change["take"]
-        assert back["can_redo"]
+        assert back["redoes"]
         assert "nothing to redo" in (page.ask("redo") and page.refused("redo"))
         assert "unknown block 'x'" in page.refused("edit", kind="delete", movement="x")
         page.ask("view", view={"playhead": 1.5})

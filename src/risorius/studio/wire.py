@@ -420,8 +420,6 @@ class TakeView:
     drawn: tuple[Drawn, ...]
     curves: Mapping[str, str]
     made: Made
-    can_undo: bool = False
-    can_redo: bool = False
     undoes: str = ""
     redoes: str = ""
     warnings: tuple[str, ...] = ()
@@ -445,8 +443,6 @@ class TakeChange:
     from_frame: int
     to_frame: int
     made: Made
-    can_undo: bool
-    can_redo: bool
     undoes: str = ""
     redoes: str = ""
     whole: TakeView | None = None

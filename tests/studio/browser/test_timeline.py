@@ -43,7 +43,7 @@ class Timeline:
           document.querySelectorAll("dialog[open]").forEach((dialog) => dialog.close());
           document.querySelectorAll(":popover-open").forEach((popover) => popover.hidePopover());
           if (desk.draws) document.querySelector("#tl-draw").click();
-          while (scene.model.take.can_undo) await desk.undo();
+          while (scene.model.take.undoes) await desk.undo();
           scene.folded.clear();
           desk.choose(null);
           desk.arrange();

@@ -52,12 +52,12 @@ export class Actions {
 
   /** Take back the last change. */
   undo() {
-    return this.#store.get("take")?.can_undo ? this.#changing("undo", {}, "") : null;
+    return this.#store.get("take")?.undoes ? this.#changing("undo", {}, "") : null;
   }
 
   /** Make the change that was taken back last again. */
   redo() {
-    return this.#store.get("take")?.can_redo ? this.#changing("redo", {}, "") : null;
+    return this.#store.get("take")?.redoes ? this.#changing("redo", {}, "") : null;
   }
 
   /**

@@ -25,8 +25,8 @@ export function mountHeader(tools, state, { store, actions }) {
   const open = () => dialog.showModal();
   tools.append(undo, redo, tool("theme", "Light or dark", switchTheme), tool("help", "Keys", open), dialog);
   store.watch(["take"], () => {
-    showStep(undo, "Undo", store.get("take")?.can_undo, store.get("take")?.undoes, "Ctrl Z");
-    showStep(redo, "Redo", store.get("take")?.can_redo, store.get("take")?.redoes, "Ctrl Shift Z");
+    showStep(undo, "Undo", store.get("take")?.undoes, "Ctrl Z");
+    showStep(redo, "Redo", store.get("take")?.redoes, "Ctrl Shift Z");
   });
   store.watch(["link", "saved", "busy", "take", "catalogue"], () => showState(state, store));
   const list = (known) =>
@@ -37,8 +37,8 @@ export function mountHeader(tools, state, { store, actions }) {
   return { open, list };
 }
 
-function showStep(tool, name, can, what, keys) {
-  tool.disabled = !can;
+function showStep(tool, name, what, keys) {
+  tool.disabled = !what;
   const label = what ? `${name}: ${what}` : name;
   tool.setAttribute("aria-label", label);
   tool.title = `${label} (${keys})`;

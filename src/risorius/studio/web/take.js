@@ -40,7 +40,7 @@ export function changedTake(take, change) {
   blocks.sort((a, b) => a.start - b.start);
   const curves = { ...take.curves, ...decoded(change.curves) };
   for (const [name, text] of Object.entries(change.curves)) if (text === "") delete curves[name];
-  const { drawn, made, can_undo, can_redo, undoes, redoes, warnings } = change;
+  const { drawn, made, undoes, redoes, warnings } = change;
   return {
     ...take,
     take: change.take,
@@ -48,8 +48,6 @@ export function changedTake(take, change) {
     curves,
     drawn,
     made,
-    can_undo,
-    can_redo,
     undoes,
     redoes,
     warnings,

@@ -369,8 +369,6 @@
  * @property {Array<Drawn>} drawn
  * @property {Object<string, string>} curves
  * @property {Made} made
- * @property {boolean} can_undo
- * @property {boolean} can_redo
  * @property {string} undoes
  * @property {string} redoes
  * @property {Array<string>} warnings
@@ -390,8 +388,6 @@
  * @property {number} from_frame
  * @property {number} to_frame
  * @property {Made} made
- * @property {boolean} can_undo
- * @property {boolean} can_redo
  * @property {string} undoes
  * @property {string} redoes
  * @property {TakeView|null} whole

@@ -2,20 +2,43 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 
-const HEIGHT = 256;
+const BANDS = 96; // more than there are shades between the two colours
 
-/** @param {Element} element whose style has --stage-top and --stage-bottom @returns {THREE.Texture} */
-export function backdropOf(element) {
-  const style = getComputedStyle(element);
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [1, HEIGHT];
-  const context = canvas.getContext("2d");
-  const gradient = context.createLinearGradient(0, 0, 0, HEIGHT);
-  gradient.addColorStop(0, style.getPropertyValue("--stage-top"));
-  gradient.addColorStop(1, style.getPropertyValue("--stage-bottom"));
-  context.fillStyle = gradient;
-  context.fillRect(0, 0, 1, HEIGHT);
-  const texture = new THREE.CanvasTexture(canvas);
-  texture.colorSpace = THREE.SRGBColorSpace;
-  return texture;
+/**
+ * Bands of colour that are cleared, not drawn: without a graphics card that is much the quickest.
+ */
+export class Backdrop {
+  #colours;
+
+  /** @param {Element} element whose style has --stage-top and --stage-bottom */
+  constructor(element) {
+    const style = getComputedStyle(element);
+    const [top, bottom] = ["--stage-top", "--stage-bottom"].map((name) => channels(style.getPropertyValue(name)));
+    this.#colours = Array.from({ length: BANDS }, (_, k) => {
+      const share = k / (BANDS - 1);
+      const [r, g, b] = bottom.map((low, c) => low + share * (top[c] - low));
+      return new THREE.Color().setRGB(r, g, b, THREE.SRGBColorSpace);
+    });
+  }
+
+  /**
+   * Fill a part of the picture.
+   * @param {THREE.WebGLRenderer} renderer @param {number} x @param {number} width @param {number} height
+   */
+  paint(renderer, x, width, height) {
+    this.#colours.forEach((colour, k) => {
+      const [from, to] = [k, k + 1].map((at) => Math.round((at * height) / BANDS));
+      renderer.setScissor(x, from, width, to - from);
+      renderer.setClearColor(colour);
+      renderer.clear(true, false, false);
+    });
+  }
+}
+
+/** Red, green and blue of a colour of the style sheet, 0 to 1. */
+function channels(text) {
+  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  context.fillStyle = text;
+  context.fillRect(0, 0, 1, 1);
+  return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)].map((value) => value / 255);
 }

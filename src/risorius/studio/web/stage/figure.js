@@ -6,10 +6,9 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+import { lighterOf, shade } from "./detail.js";
 import { readGlb } from "./glb.js";
 import { materialOf } from "./materials.js";
-import { computeNormals } from "./normals.js";
-import { spreadStrands } from "./strands.js";
 
 const MM = 1000;
 const HAIRS = ["brows", "lashes", "hair"];
@@ -34,7 +33,8 @@ export class Figure {
   #head = new THREE.Group();
   #neck;
   #eyes = [];
-  #strands = { strand: 0, count: 0 };
+  #fine = true;
+  #lighter = {};
 
   constructor(glb, packing, pictures) {
     this.#packing = packing;
@@ -46,7 +46,7 @@ export class Figure {
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
-    this.#spreadHair();
+    this.#prepareLighter();
     this.shade = null;
   }
 
@@ -66,6 +66,7 @@ export class Figure {
     }
     geometry.setAttribute("free", new THREE.BufferAttribute(free, 1, true));
     geometry.setAttribute("reach", new THREE.BufferAttribute(reach, 4, true));
+    for (const name of ["free", "reach"]) this.#lighter.skin.take(name);
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
@@ -73,12 +74,15 @@ export class Figure {
     return this.#meshes.skin.geometry.attributes.position.array;
   }
 
-  /** The share of its hair that is drawn, evenly spread. @param {number} share 0 to 1 */
-  set hair(share) {
-    const { hair } = this.#meshes;
-    if (!hair) return;
-    const { strand, count } = this.#strands;
-    hair.geometry.setDrawRange(0, strand * Math.ceil(share * count));
+  /** Whether all triangles are drawn, or few: as a machine without a graphics card draws a face that moves. */
+  set fine(fine) {
+    if (fine === this.#fine) return;
+    this.#fine = fine;
+    for (const [name, lighter] of Object.entries(this.#lighter)) {
+      this.#meshes[name].visible = fine;
+      lighter.mesh.visible = !fine;
+    }
+    for (const { name } of this.#packing.parts) this.#moved(name);
   }
 
   /** How many numbers a face of this head has. */
@@ -99,7 +103,7 @@ export class Figure {
 
   /** Free what the graphics card holds. */
   dispose() {
-    for (const { geometry, material } of Object.values(this.#meshes)) {
+    for (const { geometry, material } of this.#drawn()) {
       geometry.dispose();
       material.dispose();
     }
@@ -121,7 +125,7 @@ export class Figure {
   }
 
   #place({ name, first, count, about }, a, b, share) {
-    const { attributes, index } = this.#meshes[name].geometry;
+    const { attributes } = this.#meshes[name].geometry;
     const { step, origin } = this.#packing;
     const points = attributes.position.array;
     const [u, v] = [step * (1 - share), step * share];
@@ -131,11 +135,17 @@ export class Figure {
         points[k] = u * a[from] + v * b[from] + shift;
       }
     }
-    attributes.position.needsUpdate = true;
-    if (HAIRS.includes(name)) return;
     if (name === "skin") this.#bendNeck(points);
-    computeNormals(points, index.array, attributes.normal.array);
-    attributes.normal.needsUpdate = true;
+    this.#moved(name);
+  }
+
+  /** A mesh's vertices are elsewhere: so is what is drawn of it, and the normals of what is no hair. */
+  #moved(name) {
+    const { geometry } = this.#meshes[name];
+    const lighter = this.#fine ? null : this.#lighter[name];
+    lighter?.take("position");
+    geometry.attributes.position.needsUpdate = !lighter;
+    if (!HAIRS.includes(name)) shade(lighter ? lighter.mesh.geometry : geometry);
   }
 
   /** Turn the skin with the head by each vertex's share: here and not in the shader, which is slow by software. */
@@ -156,12 +166,22 @@ export class Figure {
     return TURNED.makeRotationFromQuaternion(this.#head.quaternion).elements;
   }
 
-  #spreadHair() {
-    const geometry = this.#meshes.hair?.geometry;
-    if (!geometry) return;
-    const { index, strand } = spreadStrands(geometry.index.array);
-    geometry.setIndex(new THREE.BufferAttribute(index, 1));
-    this.#strands = { strand, count: index.length / strand };
+  /** Have a lighter mesh beside each that has too many triangles. */
+  #prepareLighter() {
+    const { min, max } = this.#meshes.teeth_upper.geometry.boundingBox;
+    const mouth = new THREE.Vector3(0, (min.y + max.y) / 2, max.z).add(this.pivot);
+    const spots = [...this.#packing.eyes, mouth.toArray()];
+    for (const [name, mesh] of Object.entries(this.#meshes)) {
+      const lighter = lighterOf(name, mesh, spots);
+      if (!lighter) continue;
+      this.#lighter[name] = lighter;
+      lighter.mesh.visible = false;
+      mesh.parent.add(lighter.mesh);
+    }
+  }
+
+  #drawn() {
+    return [...Object.values(this.#meshes), ...Object.values(this.#lighter).map(({ mesh }) => mesh)];
   }
 
   /** Tell the mouth's materials where its front and back are. */

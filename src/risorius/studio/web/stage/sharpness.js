@@ -5,8 +5,13 @@
 
 const SLOW = 1000 / 24; // ms between pictures
 const FAST = 1000 / 50;
-const STEPS = [1, 0.8, 0.65, 0.5];
-const DETAIL = 0.4; // share of the hair that is drawn while it is too slow for all
+// From what a quick machine draws to what the slowest does: pixels, and whether all triangles.
+const STEPS = [
+  { ratio: 1, fine: true },
+  { ratio: 1, fine: false },
+  { ratio: 0.75, fine: false },
+  { ratio: 0.5, fine: false },
+];
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
 const REST = 600; // ms without a picture after which the head is at rest
 
@@ -26,18 +31,19 @@ export class Sharpness {
    */
   constructor(rough, changed) {
     this.#still = rough ? 1.5 : 1;
+    this.#step = rough ? 2 : 0;
     this.#changed = changed;
   }
 
   /** Pixels drawn per CSS pixel. */
   get ratio() {
     const screen = Math.min(window.devicePixelRatio, 2);
-    return this.#atRest ? Math.max(this.#still, screen) : STEPS[this.#step] * screen;
+    return this.#atRest ? Math.max(this.#still, screen) : STEPS[this.#step].ratio * screen;
   }
 
-  /** The share of fine detail that is drawn. */
-  get detail() {
-    return this.#atRest || this.#step === 0 ? 1 : DETAIL;
+  /** Whether all triangles are drawn. */
+  get fine() {
+    return this.#atRest || STEPS[this.#step].fine;
   }
 
   /** Whether it plays: then it is never at rest, however slowly pictures come. */

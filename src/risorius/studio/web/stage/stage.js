@@ -6,10 +6,11 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
-import { backdropOf } from "./backdrop.js";
+import { Backdrop } from "./backdrop.js";
 import { View } from "./cameras.js";
 import { lightsOf, mirrored } from "./lights.js";
 import { Sharpness } from "./sharpness.js";
+import { drawnBySoftware } from "./software.js";
 import { developAsFilm } from "./tone.js";
 
 export class Stage {
@@ -18,6 +19,7 @@ export class Stage {
   #scene = new THREE.Scene();
   #figures = [];
   #sharpness;
+  #backdrop;
   #mirrored = null;
   #asked = false;
   #drawn = 0;
@@ -29,6 +31,7 @@ export class Stage {
     this.#canvas = canvas;
     const rough = drawnBySoftware();
     this.#renderer = new THREE.WebGLRenderer({ canvas, alpha: false, antialias: !rough });
+    this.#renderer.autoClear = false;
     developAsFilm(this.#renderer);
     this.#sharpness = new Sharpness(rough, () => this.#resize());
     this.dress();
@@ -52,8 +55,7 @@ export class Stage {
 
   /** Take up the page's colours. */
   dress() {
-    this.#scene.background?.dispose();
-    this.#scene.background = backdropOf(this.#canvas);
+    this.#backdrop = new Backdrop(this.#canvas);
     this.#ask();
   }
 
@@ -106,21 +108,14 @@ export class Stage {
     renderer.setScissorTest(true);
     this.#figures.forEach((shown, place) => {
       for (const figure of this.#figures) figure.group.visible = figure === shown;
-      shown.hair = this.#sharpness.detail;
+      shown.fine = this.#sharpness.fine;
       renderer.setViewport(place * each, 0, each, height);
+      this.#backdrop.paint(renderer, place * each, each, height);
       renderer.setScissor(place * each, 0, each, height);
+      renderer.clear(false, true, true);
       renderer.render(this.#scene, this.view.camera);
     });
     this.#drawn += 1;
     this.#sharpness.drew();
   }
-}
-
-/** Whether this browser draws without a graphics card. */
-function drawnBySoftware() {
-  const context = document.createElement("canvas").getContext("webgl2");
-  const about = context?.getExtension("WEBGL_debug_renderer_info");
-  const name = about ? context.getParameter(about.UNMASKED_RENDERER_WEBGL) : "";
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software/i.test(name);
 }

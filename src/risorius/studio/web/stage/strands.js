@@ -1,29 +1,45 @@
-/** Hair as strands that can be thinned out: fewer are drawn while a machine without graphics card is in motion. */
+/**
+ * Hairs as ribbons: strands that follow one another, each of as many pairs of vertices, its left and its right
+ * edge from root to tip. A machine without a graphics card draws fewer and straighter ones in motion.
+ */
 
 const GOLDEN = 0.6180339887498949;
+const QUAD = [0, 1, 2, 1, 3, 2];
 
 /**
- * The triangles of all strands in another order: any first share of it is spread evenly over the head.
- * Strands follow one another in the index, each with as many triangles as the first.
- * @param {Uint32Array} index (3m,) @returns {{index: Uint32Array, strand: number}} `strand`: indices of a strand
+ * Some of the strands, spread evenly, with two bends' worth of triangles instead of all.
+ * @param {Uint32Array} index (3m,) @param {number} share of the strands
+ * @returns {{order: number[], index: Uint32Array}} the vertices that are kept, and the triangles between these
  */
-export function spreadStrands(index) {
-  const strand = lengthOfFirst(index);
-  const count = index.length / strand;
-  if (!Number.isInteger(count)) return { index, strand: index.length };
-  const order = Array.from({ length: count }, (_, k) => k);
-  order.sort((a, b) => ((a * GOLDEN) % 1) - ((b * GOLDEN) % 1));
-  const spread = new Uint32Array(index.length);
-  order.forEach((from, to) => spread.set(index.subarray(from * strand, (from + 1) * strand), to * strand));
-  return { index: spread, strand };
+export function fewer(index, share) {
+  const { count, pairs } = strandsOf(index);
+  const kept = [0, pairs >> 1, pairs - 1];
+  const strands = Array.from({ length: count }, (_, k) => k).filter((k) => (k * GOLDEN) % 1 < share);
+  const order = strands.flatMap((strand) =>
+    kept.flatMap((pair) => [0, 1].map((edge) => 2 * (strand * pairs + pair) + edge)),
+  );
+  const each = kept.length - 1;
+  const quads = Array.from({ length: strands.length * each }, (_, k) => 2 * (k + Math.floor(k / each)));
+  return { order, index: Uint32Array.from(quads.flatMap((from) => QUAD.map((k) => from + k))) };
 }
 
-/** How many indices the first strand has: the next one has none of its vertices. */
-function lengthOfFirst(index) {
-  let highest = Math.max(index[0], index[1], index[2]);
-  for (let k = 3; k < index.length; k += 3) {
-    if (Math.min(index[k], index[k + 1], index[k + 2]) > highest) return k;
-    highest = Math.max(highest, index[k], index[k + 1], index[k + 2]);
+/** Make ribbons wider. @param {Float32Array} points in pairs @param {number} wide times as wide */
+export function widen(points, wide) {
+  for (let k = 0; k < points.length; k += 6) {
+    for (let axis = k; axis < k + 3; axis++) {
+      const [left, right] = [points[axis], points[axis + 3]];
+      const [middle, half] = [(left + right) / 2, (wide * (right - left)) / 2];
+      [points[axis], points[axis + 3]] = [middle - half, middle + half];
+    }
   }
-  return index.length;
+}
+
+/** How many strands, and of how many pairs: the second begins where none of the first's vertices is met. */
+function strandsOf(index) {
+  let [highest, each] = [Math.max(index[0], index[1], index[2]), index.length];
+  for (let k = 3; k < index.length && each === index.length; k += 3) {
+    if (Math.min(index[k], index[k + 1], index[k + 2]) > highest) each = k;
+    else highest = Math.max(highest, index[k], index[k + 1], index[k + 2]);
+  }
+  return { count: index.length / each, pairs: (highest + 1) / 2 };
 }

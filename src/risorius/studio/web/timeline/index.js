@@ -6,6 +6,7 @@ import { Graphs } from "./graphs.js";
 import { Model } from "./model.js";
 import { clockTime } from "./paint_head.js";
 import { onTheme, paletteOf } from "./palette.js";
+import { Said } from "./said.js";
 import { Scene } from "./scene.js";
 import { Shapes } from "./shape.js";
 import { Viewport } from "./viewport.js";
@@ -44,7 +45,7 @@ class Timeline {
   #edits;
   #parts;
   #frame = 0;
-  #said = null;
+  #said;
   #kept = null;
 
   constructor(element, { store, clock, actions, explanation }) {
@@ -58,6 +59,7 @@ class Timeline {
     this.#parts = frameOf();
     const [edits, details, { canvas, scroller }] = [this.#edits, this.#details, this.#parts];
     this.#scene = new Scene(canvas, { view: new Viewport(), edits, details });
+    this.#said = new Said(this.#parts.frame, this.#scene);
     const made = { scene: this.#scene, edits, details, clock, actions, store, scroller, repaint, arrange };
     this.#desk = new Desk(made);
     Object.assign(this.#parts, fitted(this.#parts, this.#desk, this.#graphs, explanation));
@@ -189,16 +191,13 @@ class Timeline {
     if (!scene.model) return;
     const follow = () => (this.#clock.playing ? scene.view.follow(scene.time) : scene.view.reveal(scene.time));
     if (this.#desk.follows && follow()) this.repaint();
-    const word = scene.model.speech?.words.at(scene.time) ?? null;
-    const phone = scene.model.speech?.phones.at(scene.time) ?? null;
-    if (word !== this.#said?.word || phone !== this.#said?.phone) this.repaint();
-    this.#said = { word, phone };
     this.#showTime();
   }
 
   #showTime() {
     const { scene } = this.#desk;
     this.#parts.playhead.style.transform = `translateX(${scene.view.x(scene.time) * scene.unit}px)`;
+    this.#said.show();
     this.#parts.names.setTime(`${clockTime(scene.time)} s`);
   }
 

@@ -116,7 +116,7 @@ const NARROW = 7; // pixels in which no text fits
 const CUT = 14; // pixels in which the beginning of a word says something
 
 /** Words or phones: a box each with its text, as far as it fits. */
-export function paintTexts({ context, view, palette, model, count, time }, row) {
+export function paintTexts({ context, view, palette, model, count }, row) {
   const words = row.kind === "words";
   const items = words ? model.speech.words : model.speech.phones;
   context.textAlign = "center";
@@ -128,17 +128,15 @@ export function paintTexts({ context, view, palette, model, count, time }, row) 
     if (end - painted < 1) continue; // within one pixel of what is there
     painted = end;
     count.texts++;
-    paintText({ context, palette, view }, row, item, [x, end], time >= item.start && time < item.end);
+    paintText({ context, palette, view }, row, item, [x, end]);
   }
 }
 
-function paintText({ context, palette, view }, row, item, [x, end], now) {
+function paintText({ context, palette, view }, row, item, [x, end]) {
   const text = item.text ?? item.symbol;
   if (!text) return;
-  context.fillStyle = now ? palette.mark : palette.word;
-  context.globalAlpha = now ? 0.35 : 1;
+  context.fillStyle = palette.word;
   context.fillRect(x + 0.5, row.y + 1, Math.max(end - x - 1, 0.5), row.height - 2);
-  context.globalAlpha = 1;
   const [left, right] = [Math.max(x, 0), Math.min(end, view.width)];
   const room = right - left;
   if (room < NARROW) return;

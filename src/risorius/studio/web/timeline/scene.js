@@ -1,3 +1,4 @@
+import { drawnBySoftware } from "../stage/software.js";
 import { clockTime, paintRuler, paintTexts, paintWave } from "./paint_head.js";
 import { paintGraph } from "./paint_graphs.js";
 import { paintLane } from "./paint_lanes.js";
@@ -31,7 +32,8 @@ export class Scene {
 
   /** @param {HTMLCanvasElement} canvas @param {object} parts view, edits, details, shapes, palette */
   constructor(canvas, parts) {
-    this.context = canvas.getContext("2d");
+    // Canvas by a graphics card that is none is ten times as slow as without.
+    this.context = canvas.getContext("2d", { willReadFrequently: drawnBySoftware() });
     this.canvas = canvas;
     Object.assign(this, parts);
   }

@@ -1,0 +1,79 @@
+/** What is drawn of a mesh while it moves and the machine is too slow for all its triangles: a lighter one. */
+
+import * as THREE from "../vendor/three/three.module.min.js";
+import { coarser } from "./coarse.js";
+import { computeNormals } from "./normals.js";
+import { fewer, widen } from "./strands.js";
+
+// mm within which the skin's vertices gather: fine round eyes and mouth, coarser by SLOPE from NEAR on.
+const [LEAST, MOST, NEAR, SLOPE] = [1.3, 8, 10, 0.25];
+const GATHERED = 2; // mm, in the mouth
+const [SHARE, WIDE] = [0.22, 2.6]; // of the hair's strands, and how much wider they are
+
+const LIGHTER = {
+  skin: (points, index, spots) => coarser(points, index, reachFrom(spots)),
+  teeth_upper: (points, index) => coarser(points, index, () => GATHERED),
+  teeth_lower: (points, index) => coarser(points, index, () => GATHERED),
+  tongue: (points, index) => coarser(points, index, () => GATHERED),
+  brows: (points, index) => fewer(index, 1),
+  lashes: (points, index) => fewer(index, 1),
+  hair: (points, index) => fewer(index, SHARE),
+};
+
+/**
+ * @param {string} name @param {THREE.Mesh} mesh at rest, mm
+ * @param {number[][]} spots where the skin is fine: eyes and mouth
+ * @returns {Lighter | null} null where all triangles are drawn
+ */
+export function lighterOf(name, mesh, spots) {
+  const { attributes, index } = mesh.geometry;
+  const few = LIGHTER[name]?.(attributes.position.array, index.array, spots);
+  if (!few) return null;
+  const lighter = new Lighter(mesh, few);
+  if (name === "hair") widen(lighter.mesh.geometry.attributes.position.array, WIDE);
+  return lighter;
+}
+
+/** A mesh with some of another's vertices, which stands in its place. */
+export class Lighter {
+  #full;
+  #order;
+
+  /** @param {THREE.Mesh} full @param {{order: number[], index: Uint32Array}} few */
+  constructor(full, { order, index }) {
+    this.#full = full;
+    this.#order = Uint32Array.from(order);
+    const geometry = new THREE.BufferGeometry().setIndex(new THREE.BufferAttribute(index, 1));
+    this.mesh = new THREE.Mesh(geometry, full.material);
+    this.mesh.frustumCulled = false;
+    for (const name of Object.keys(full.geometry.attributes)) this.take(name);
+  }
+
+  /** Take an attribute of the vertices from the full mesh as it is now. @param {string} name */
+  take(name) {
+    const { attributes } = this.mesh.geometry;
+    const { array, itemSize, normalized, usage } = this.#full.geometry.attributes[name];
+    if (!attributes[name]) {
+      const own = new array.constructor(itemSize * this.#order.length);
+      attributes[name] = new THREE.BufferAttribute(own, itemSize, normalized).setUsage(usage);
+    }
+    const own = attributes[name].array;
+    for (let k = 0, to = 0; k < this.#order.length; k++) {
+      for (let from = itemSize * this.#order[k], end = from + itemSize; from < end; ) own[to++] = array[from++];
+    }
+    attributes[name].needsUpdate = true;
+  }
+}
+
+/** @param {THREE.BufferGeometry} geometry whose normals become those of its vertices where they are now */
+export function shade({ attributes, index }) {
+  computeNormals(attributes.position.array, index.array, attributes.normal.array);
+  attributes.normal.needsUpdate = true;
+}
+
+function reachFrom(spots) {
+  return (x, y, z) => {
+    const near = Math.min(...spots.map(([a, b, c]) => Math.hypot(x - a, y - b, z - c)));
+    return Math.min(Math.max(SLOPE * (near - NEAR), LEAST), MOST);
+  };
+}

@@ -1,0 +1,17 @@
+/** Whether this browser draws without a graphics card: then triangles and pixels cost what else is free. */
+
+let known = null;
+
+/** @returns {boolean} */
+export function drawnBySoftware() {
+  known ??= /swiftshader|llvmpipe|software/i.test(rendererName());
+  return known;
+}
+
+function rendererName() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const about = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = about ? context.getParameter(about.UNMASKED_RENDERER_WEBGL) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return name;
+}
