@@ -19,6 +19,7 @@ from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..out.glb_scene import riding
 from ..out.gltf import quaternions
+from ..render.complexion import linear
 from ..render.figure import Piece, figure_of
 from .shade import light
 from .tables import StagePart, StageTable
@@ -61,7 +62,9 @@ class Stage:
             origin=_place(self.origin),
             pivot=_place(self.head.head_pivot),
             eyes=(_place(left), _place(right)),
+            lips=tuple((int(upper), int(lower)) for upper, lower in self.head.lip_pairs),
             light=light(),
+            cloth=_place(linear(self.head.identity.looks.cloth)),
             parts=self.parts,
         )
 

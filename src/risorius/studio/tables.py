@@ -231,7 +231,11 @@ class Light:
 
 @dataclass(frozen=True, slots=True)
 class StageTable:
-    """`GET /api/stage`: how faces are unpacked: `origin + step * value` mm; `pose` floats a face; mm."""
+    """`GET /api/stage`: how faces are unpacked: `origin + step * value` mm; `pose` floats a face; mm.
+
+    `lips` are the skin's vertices of the upper and the lower lip that touch when the mouth is shut; `cloth` is
+    the linear colour of what is worn.
+    """
 
     vertices: int
     pose: int
@@ -239,7 +243,9 @@ class StageTable:
     origin: tuple[float, float, float]
     pivot: tuple[float, float, float]
     eyes: tuple[tuple[float, float, float], tuple[float, float, float]]
+    lips: tuple[tuple[int, int], ...]
     light: Light
+    cloth: tuple[float, float, float]
     parts: tuple[StagePart, ...]
 
 

@@ -95,7 +95,6 @@ export class Theatre {
   #draw(place, a, b, share) {
     const figure = this.#figures[place];
     if (!figure || a.points.length !== figure.coordinates || b.points.length !== figure.coordinates) return;
-    figure.show(a, b, share);
-    this.stage.invalidate();
+    if (figure.show(a, b, share)) this.stage.invalidate();
   }
 }

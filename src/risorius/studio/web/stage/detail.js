@@ -8,16 +8,21 @@ import { fewer, widen } from "./strands.js";
 // mm within which the skin's vertices gather: fine round eyes and mouth, coarser by SLOPE from NEAR on.
 const [LEAST, MOST, NEAR, SLOPE] = [1.3, 8, 10, 0.25];
 const GATHERED = 2; // mm, in the mouth
-const [SHARE, WIDE] = [0.22, 2.6]; // of the hair's strands, and how much wider they are
+// The share of its strands that is drawn of hair, and how much wider they are: thinner than a pixel they glitter.
+const STRANDS = {
+  brows: { share: 0.4, wide: 4 },
+  lashes: { share: 0.5, wide: 3 },
+  hair: { share: 0.22, wide: 2.6 },
+};
 
 const LIGHTER = {
   skin: (points, index, spots) => coarser(points, index, reachFrom(spots)),
   teeth_upper: (points, index) => coarser(points, index, () => GATHERED),
   teeth_lower: (points, index) => coarser(points, index, () => GATHERED),
   tongue: (points, index) => coarser(points, index, () => GATHERED),
-  brows: (points, index) => fewer(index, 1),
-  lashes: (points, index) => fewer(index, 1),
-  hair: (points, index) => fewer(index, SHARE),
+  ...Object.fromEntries(
+    Object.entries(STRANDS).map(([name, { share }]) => [name, (points, index) => fewer(index, share)]),
+  ),
 };
 
 /**
@@ -28,20 +33,22 @@ const LIGHTER = {
 export function lighterOf(name, mesh, spots) {
   const { attributes, index } = mesh.geometry;
   const few = LIGHTER[name]?.(attributes.position.array, index.array, spots);
-  if (!few) return null;
-  const lighter = new Lighter(mesh, few);
-  if (name === "hair") widen(lighter.mesh.geometry.attributes.position.array, WIDE);
-  return lighter;
+  return few ? new Lighter(mesh, few, STRANDS[name]?.wide ?? 1) : null;
 }
 
 /** A mesh with some of another's vertices, which stands in its place. */
 export class Lighter {
   #full;
   #order;
+  #wide;
 
-  /** @param {THREE.Mesh} full @param {{order: number[], index: Uint32Array}} few */
-  constructor(full, { order, index }) {
+  /**
+   * @param {THREE.Mesh} full @param {{order: number[], index: Uint32Array}} few
+   * @param {number} wide how much wider ribbons are; 1 for what is none
+   */
+  constructor(full, { order, index }, wide) {
     this.#full = full;
+    this.#wide = wide;
     this.#order = Uint32Array.from(order);
     const geometry = new THREE.BufferGeometry().setIndex(new THREE.BufferAttribute(index, 1));
     this.mesh = new THREE.Mesh(geometry, full.material);
@@ -61,6 +68,7 @@ export class Lighter {
     for (let k = 0, to = 0; k < this.#order.length; k++) {
       for (let from = itemSize * this.#order[k], end = from + itemSize; from < end; ) own[to++] = array[from++];
     }
+    if (name === "position" && this.#wide > 1) widen(own, this.#wide);
     attributes[name].needsUpdate = true;
   }
 }

@@ -8,9 +8,11 @@
 import * as THREE from "../vendor/three/three.module.min.js";
 import { lighterOf, shade } from "./detail.js";
 import { readGlb } from "./glb.js";
+import { lightBetween, slitsOf } from "./lips.js";
 import { materialOf } from "./materials.js";
 
 const MM = 1000;
+const HEM_STEPS = 4; // a millimetre
 const HAIRS = ["brows", "lashes", "hair"];
 const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
@@ -35,6 +37,8 @@ export class Figure {
   #eyes = [];
   #fine = true;
   #lighter = {};
+  #shown = null;
+  #slits;
 
   constructor(glb, packing, pictures) {
     this.#packing = packing;
@@ -46,27 +50,33 @@ export class Figure {
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
+    this.#slits = slitsOf(packing.lips, this.skin);
     this.#prepareLighter();
     this.shade = null;
   }
 
   /**
-   * What each vertex of the skin sees at rest of the room and of each lamp, (vertices, 1 + lamps); null: all.
+   * What each vertex of the skin sees at rest of the room and of each lamp, and how far it is from the neckline,
+   * (vertices, 1 + lamps + 1) as `shade.py` packs it; null: of the light all, of the neckline nothing.
    * @param {Uint8Array | null} seen
    */
   set shade(seen) {
-    const { geometry } = this.#meshes.skin;
+    const { geometry, material } = this.#meshes.skin;
     const { count } = geometry.attributes.position;
     const [free, reach] = [new Uint8Array(count).fill(255), new Uint8Array(4 * count).fill(255)];
     const width = seen ? seen.length / count : 0;
+    const hem = new Float32Array(count);
     for (let k = 0; k < count * width; k++) {
       const [vertex, column] = [Math.floor(k / width), k % width];
       if (column === 0) free[vertex] = seen[k];
+      else if (column === width - 1) hem[vertex] = (seen[k] - 128) / HEM_STEPS;
       else reach[4 * vertex + column - 1] = seen[k];
     }
     geometry.setAttribute("free", new THREE.BufferAttribute(free, 1, true));
     geometry.setAttribute("reach", new THREE.BufferAttribute(reach, 4, true));
-    for (const name of ["free", "reach"]) this.#lighter.skin.take(name);
+    geometry.setAttribute("hem", new THREE.BufferAttribute(hem, 1));
+    material.userData.hemmed.value = seen ? 1 : 0;
+    for (const name of ["free", "reach", "hem"]) this.#lighter.skin.take(name);
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
@@ -94,11 +104,16 @@ export class Figure {
    * Show a face, or what lies between two.
    * @param {import("./faces.js").Face} a @param {import("./faces.js").Face} b
    * @param {number} share 0 shows `a`, 1 shows `b`
+   * @returns {boolean} whether that is another face than the one shown before
    */
   show(a, b, share) {
+    if (this.#shown?.a === a && this.#shown.b === b && this.#shown.share === share) return false;
+    this.#shown = { a, b, share };
     turn(this.#head.quaternion, a.head, b.head, share);
     for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
+    this.#lightMouth();
     this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
+    return true;
   }
 
   /** Free what the graphics card holds. */
@@ -113,7 +128,7 @@ export class Figure {
   #add(name, data, translation, pictures) {
     const moves = this.#packing.parts.some((part) => part.name === name);
     const geometry = geometryOf(data, moves);
-    const material = materialOf(data.material.name, pictures);
+    const material = materialOf(data.material.name, { ...pictures, cloth: this.#packing.cloth });
     const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
     this.#meshes[name] = mesh;
@@ -164,6 +179,12 @@ export class Figure {
 
   #turned() {
     return TURNED.makeRotationFromQuaternion(this.#head.quaternion).elements;
+  }
+
+  /** Between lips that hardly part no light comes to the teeth. */
+  #lightMouth() {
+    const lit = lightBetween(this.#slits, this.skin);
+    for (const name of MOUTH) this.#meshes[name].material.userData.lit.value = lit;
   }
 
   /** Have a lighter mesh beside each that has too many triangles. */

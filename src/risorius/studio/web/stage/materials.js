@@ -11,14 +11,14 @@ const MOUTH = ["teeth", "tongue"];
 
 /**
  * @param {string} name of the piece's material in the head's file
- * @param {{iris: THREE.Texture, mirrored: THREE.Texture}} pictures
+ * @param {{iris: THREE.Texture, mirrored: THREE.Texture, cloth: number[]}} pictures and the linear colour of cloth
  * @returns {THREE.Material}
  */
 export function materialOf(name, pictures) {
   if (name === "eye") return eyeMaterial(pictures);
   const side = HAIRS.includes(name) ? THREE.DoubleSide : THREE.FrontSide;
   const material = new THREE.MeshLambertMaterial({ vertexColors: true, side });
-  if (name === "skin") patch(material, SKIN);
+  if (name === "skin") clothed(material, pictures.cloth);
   if (MOUTH.includes(name)) hidden(material);
   if (HAIRS.includes(name)) patch(material, HAIR);
   return material;
@@ -55,16 +55,45 @@ const REACHED = THREE.ShaderChunk.lights_fragment_begin.replace(
   "getDirectionalLightInfo( directionalLight, directLight );\n\t\tdirectLight.color *= lampReach[ i ];",
 );
 
+/** The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's. */
+function clothed(material, cloth) {
+  material.userData.hemmed = { value: 0 };
+  const uniforms = { hemmed: material.userData.hemmed, cloth: { value: new THREE.Color(...cloth) } };
+  patch(material, SKIN, uniforms);
+}
+
+const CARRIED = `#include <common>
+varying float roomFree;
+varying vec4 lampReach;
+varying vec2 worn; // mm into the cloth, and the share that the colour has of it
+`;
+const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
+
+// What is left of the colour without the cloth's share is the skin's; skin is shaded where the collar begins.
+const CUT = `#include <color_fragment>
+  float width = clamp( fwidth( worn.x ), 0.15, 3.0 );
+  float covered = smoothstep( - width, width, worn.x );
+  vec3 bare = max( ( vColor.rgb - worn.y * cloth ) / max( 1.0 - worn.y, 0.1 ), vec3( 0.0 ) );
+  bare *= 1.0 - 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
+  float seam = worn.x - 9.0;
+  vec3 knit = cloth * ( 1.0 - 0.3 * exp( - seam * seam * 0.6 ) );
+  if ( hemmed > 0.5 && worn.x > - 30.0 ) diffuseColor.rgb = mix( bare, knit, covered );
+`;
+
 const SKIN = {
   vertex: [
+    ["#include <common>", `attribute float free;\nattribute vec4 reach;\nattribute float hem;\n${CARRIED}`],
     [
-      "#include <common>",
-      "#include <common>\nattribute float free;\nattribute vec4 reach;\nvarying float roomFree;\nvarying vec4 lampReach;",
+      "#include <begin_vertex>",
+      `#include <begin_vertex>
+      roomFree = free;
+      lampReach = reach;
+      worn = vec2( hem, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) );`,
     ],
-    ["#include <begin_vertex>", "#include <begin_vertex>\nroomFree = free;\nlampReach = reach;"],
   ],
   fragment: [
-    ["#include <common>", "#include <common>\nvarying float roomFree;\nvarying vec4 lampReach;"],
+    ["#include <common>", `uniform float hemmed;\nuniform vec3 cloth;\n${CARRIED}`],
+    ["#include <color_fragment>", CUT],
     ["#include <lights_lambert_pars_fragment>", SKIN_LIT],
     ["#include <lights_fragment_begin>", REACHED],
     ["#include <lights_fragment_end>", "irradiance *= roomFree;\n#include <lights_fragment_end>"],
@@ -84,10 +113,12 @@ const HAIR = {
   ],
 };
 
-/** Darken what stands back in the mouth, where little light comes: between `mouth.x` and `mouth.y` mm. */
+/** Darken what stands back in the mouth, between `mouth.x` and `mouth.y` mm, and all where `lit` is 0: shut lips. */
 function hidden(material) {
-  material.userData.mouth = { value: new THREE.Vector2() };
-  patch(material, MOUTH_DIM, { mouth: material.userData.mouth });
+  const { userData } = material;
+  userData.mouth = { value: new THREE.Vector2() };
+  userData.lit = { value: 1 };
+  patch(material, MOUTH_DIM, { mouth: userData.mouth, lit: userData.lit });
 }
 
 const MOUTH_DIM = {
@@ -96,10 +127,10 @@ const MOUTH_DIM = {
     ["#include <begin_vertex>", "#include <begin_vertex>\ndepth = position.z;"],
   ],
   fragment: [
-    ["#include <common>", "#include <common>\nvarying float depth;\nuniform vec2 mouth;"],
+    ["#include <common>", "#include <common>\nvarying float depth;\nuniform vec2 mouth;\nuniform float lit;"],
     [
       "#include <color_fragment>",
-      "#include <color_fragment>\ndiffuseColor.rgb *= mix( 0.05, 0.62, smoothstep( mouth.x, mouth.y, depth ) );",
+      "#include <color_fragment>\ndiffuseColor.rgb *= mix( 0.05, 0.62, smoothstep( mouth.x, mouth.y, depth ) ) * mix( 0.06, 1.0, lit );",
     ],
   ],
 };

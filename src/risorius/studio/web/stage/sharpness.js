@@ -30,7 +30,7 @@ export class Sharpness {
    * @param {() => void} changed called when the ratio is another; it draws
    */
   constructor(rough, changed) {
-    this.#still = rough ? 1.5 : 1;
+    this.#still = rough ? 2 : 1;
     this.#step = rough ? 2 : 0;
     this.#changed = changed;
   }
