@@ -94,7 +94,7 @@ export class Clock {
   /** @param {number} time seconds, brought within the take */
   seek(time) {
     this.#time = Math.min(Math.max(time, 0), this.duration);
-    if (!this.#silent) this.#audio.currentTime = this.#time;
+    if (this.#playing) this.#cue();
     this.#seen = performance.now();
     this.#tell("tick");
   }
@@ -140,9 +140,15 @@ export class Clock {
     return this.#loop ?? [0, this.duration];
   }
 
+  /** Have the sound where the time is: not before it is to be heard, since it takes long in a long line. */
+  #cue() {
+    if (!this.#silent && this.#audio.currentTime !== this.#time) this.#audio.currentTime = this.#time;
+  }
+
   #start() {
     this.#seen = performance.now();
     if (this.#silent) return;
+    this.#cue();
     this.#audio.playbackRate = this.#rate;
     // Refused where nobody has touched the page yet: then time runs without sound.
     this.#audio.play().catch(() => {});

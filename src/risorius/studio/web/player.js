@@ -67,6 +67,8 @@ export class Player {
     if (kind !== KINDS.take || take !== this.#take?.take) return;
     faces.forEach((face, k) => this.#faces.set(first + k, face));
     if (this.#asking) this.#asking.arrived = first + faces.length;
+    // While somebody scrubs faster than faces come, those that come are seen all the same.
+    if (this.behind && !this.#clock.playing) this.#show(faces[0], faces[0], 0);
     this.update();
   }
 
@@ -93,10 +95,14 @@ export class Player {
     for (const frame of this.#faces.keys()) if (frame < first || frame > last) this.#faces.delete(frame);
   }
 
-  /** Whether a frame is asked for and due soon: not so after a jump far ahead. */
+  /**
+   * Whether to wait for what was asked for: a frame that is due soon, or the first of a stretch, even if the
+   * playhead has jumped on since. A server asked for each place that a hand scrubs over would never answer.
+   */
   #comes(frame, rate) {
     const asking = this.#asking;
-    return asking && frame >= asking.first && frame < asking.last && frame <= asking.arrived + SOON * rate;
+    if (asking?.arrived === asking?.first) return Boolean(asking);
+    return frame >= asking.first && frame < asking.last && frame <= asking.arrived + SOON * rate;
   }
 
   /** Ask for the first stretch that is missing from the playhead on, unless it is on its way. */

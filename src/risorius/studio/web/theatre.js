@@ -27,6 +27,7 @@ export class Theatre {
       (place) => new Player(connection, clock, (a, b, s) => this.#show(place, a, b, s)),
     );
     connection.on("binary", (buffer) => this.#receive(unpackFaces(buffer)));
+    clock.on("tick", () => this.stage.stir());
     clock.on("state", () => {
       this.stage.playing = clock.playing;
     });

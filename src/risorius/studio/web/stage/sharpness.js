@@ -13,7 +13,7 @@ const STEPS = [
   { ratio: 0.5, fine: false },
 ];
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
-const REST = 600; // ms without a picture after which the head is at rest
+const REST = 800; // ms in which nobody moves anything after which the head is at rest
 
 export class Sharpness {
   #step = 0;
@@ -52,7 +52,7 @@ export class Sharpness {
     this.moves();
   }
 
-  /** Something new is about to be drawn: it moves. */
+  /** Something moves, or is about to. */
   moves() {
     clearTimeout(this.#timer);
     if (!this.#playing) this.#timer = setTimeout(() => this.#rest(true), REST);

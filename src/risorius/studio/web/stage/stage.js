@@ -77,6 +77,11 @@ export class Stage {
     this.#sharpness.playing = playing;
   }
 
+  /** Somebody is about to move something: the fine picture of a head at rest would keep them waiting. */
+  stir() {
+    this.#sharpness.moves();
+  }
+
   /** Draw a picture before long: something moved. */
   invalidate() {
     this.#sharpness.moves();
