@@ -26,6 +26,8 @@ BAD = [
     ('{"id": 7, "do": "undo", "twice": 1}', 7, "unknown key 'twice'"),
     ('{"id": 7, "do": "edit"}', 7, "unknown edit 'None'"),
     ('{"id": 7, "do": "edit", "kind": "moves"}', 7, "did you mean 'move'"),
+    ('{"id": 7, "do": "preview"}', 7, "unknown edit 'None'"),
+    ('{"id": 7, "do": "preview", "kind": "move", "movement": "a"}', 7, "key 'start' is missing"),
     ('{"id": 7, "do": "move", "movement": "a", "start": 1}', 7, "unknown request 'move'"),
     ('{"id": 7, "do": "edit", "kind": "move", "movement": "a"}', 7, "key 'start' is missing"),
     ('{"id": 7, "do": "edit", "kind": "move", "movement": 3, "start": 1}', 7, "movement = 3 cannot be used"),
@@ -87,3 +89,8 @@ def test_answers_and_events_are_one_line_of_json():
     assert json.loads(answer(3, wire.Sent(4))) == {"re": 3, "ok": {"sent": 4}}
     assert json.loads(refusal(None, "no")) == {"re": None, "error": "no"}
     assert json.loads(event(wire.Saved())) == {"event": "saved", "error": ""}
+
+
+def test_a_preview_holds_the_edit():
+    asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1}').asked
+    assert asked == wire.Preview(Move("a", 1.0))

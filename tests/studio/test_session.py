@@ -181,6 +181,18 @@ def test_a_change_tells_what_is_other_and_nothing_else(session):
 _RIVALS = ("zygomatic_major", "zygomatic_minor", "depressor_labii")
 
 
+def test_a_preview_says_what_an_edit_would_do_and_does_not_make_it(session):
+    take = perform(session)
+    block = next(b for b in take.blocks if b.channel == "signals")
+    before = _state(session)
+    told = session.preview(wire.Preview(Move(block.id, block.start + 0.2)), quiet)
+    assert _state(session) == before
+    assert told.take == take.take
+    made = edit(session, Move(block.id, block.start + 0.2))
+    assert told.curves == made.curves
+    assert set(block.targets) & set(told.curves)
+
+
 def test_edits_are_made_again_on_another_plan_and_what_does_not_fit_is_named(session):
     take = perform(session)
     block = next(b for b in take.blocks if b.channel == "signals")

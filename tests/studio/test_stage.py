@@ -11,7 +11,10 @@ import pytest
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.solve import FaceSolver
+from risorius.render.anatomy import find_anatomy
+from risorius.render.garment import neckline
 from risorius.studio.mesh import head_glb
+from risorius.studio.shade import HEM_STEPS, light, shade
 from risorius.studio.solvers import stage_of
 from risorius.studio.stage import FRAMES, PARTS, POSE, STEP
 
@@ -99,3 +102,15 @@ def test_all_heads_at_all_ages_fit_the_whole_numbers(stage):
         points = np.concatenate([other.pieces[name].points for name in PARTS])
         # With room for the jaw, which goes down by less than 40 mm.
         assert np.abs(points - other.origin).max() + 40.0 < 32767 * STEP
+
+
+def test_a_page_is_told_where_lips_meet_and_where_cloth_begins(stage):
+    skin = stage.pieces["skin"].points
+    upper, lower = np.array(stage.described().lips).T
+    assert np.abs(skin[upper, 0] - skin[lower, 0]).max() < 3.0
+    assert np.median(skin[upper, 1] - skin[lower, 1]) >= 0.0
+    seen = np.frombuffer(shade(stage.head), np.uint8).reshape(len(skin), -1)
+    assert seen.shape[1] == 1 + len(light().lamps) + 1
+    inside = (seen[:, -1].astype(float) - 128.0) / HEM_STEPS
+    depth = neckline(find_anatomy(stage.head)).clip(-128 / HEM_STEPS, 127 / HEM_STEPS)
+    assert np.abs(inside - depth).max() <= 0.51 / HEM_STEPS

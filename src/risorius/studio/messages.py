@@ -9,7 +9,7 @@ from typing import Any
 from ..core.schema import Source as Schema
 from ..core.schema import build
 from ..errors import InputError, RisoriusError, unknown
-from .wire import EDITS, EVENTS, VERBS
+from .wire import EDITS, EVENTS, VERBS, Preview
 
 MOST_ID = 2**53
 _EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}
@@ -60,13 +60,17 @@ def _number(data: dict[str, Any]) -> int:
 
 
 def _asked(data: dict[str, Any]) -> Any:
-    verb, kinds = data.pop("do", None), VERBS
-    if verb == "edit":
+    done, kinds = data.pop("do", None), VERBS
+    verb = done
+    if done in ("edit", "preview"):
         verb, kinds = data.pop("kind", None), EDITS
     if not isinstance(verb, str) or verb not in kinds:
         kind = "request" if kinds is VERBS else "edit"
-        raise InputError(unknown(kind, str(verb)[:40], (*kinds, "edit") if kinds is VERBS else kinds))
-    return build(kinds[verb], without_nulls(data), Schema(verb))
+        raise InputError(
+            unknown(kind, str(verb)[:40], (*kinds, "edit", "preview") if kinds is VERBS else kinds)
+        )
+    asked = build(kinds[verb], without_nulls(data), Schema(verb))
+    return Preview(asked) if done == "preview" else asked
 
 
 def without_nulls(data: Any) -> Any:

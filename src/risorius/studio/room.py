@@ -28,6 +28,7 @@ HANDLERS: dict[type, Handler] = {
     wire.Choose: Session.choose,
     wire.Compare: Session.compare,
     **dict.fromkeys(wire.EDITS.values(), Session.edit),
+    wire.Preview: Session.preview,
     wire.Undo: Session.undo,
     wire.Redo: Session.redo,
     wire.View: Session.keep_view,

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
-from ..core.edits import Add, ClearKeys, Delete, Keys, Move, Retarget, Stretch
+from ..core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Retarget, Stretch
 from ..core.schema import Range
 
 Seconds = Annotated[float, Range(0.0, 86_400.0)]
@@ -125,6 +125,16 @@ EDITS: Mapping[str, type] = {
     "clear_keys": ClearKeys,
 }
 """The kinds of `{"do": "edit", "kind": KIND, …}`, which are the library's own; answered by TakeChange."""
+
+
+@dataclass(frozen=True, slots=True)
+class Preview:
+    """What an edit would do, which is not made: `{"do": "preview", "kind": KIND, …}` with the fields of the edit.
+
+    Answered by Previewed.
+    """
+
+    edit: Edit
 
 
 @dataclass(frozen=True, slots=True)
@@ -289,7 +299,7 @@ VERBS: Mapping[str, type] = {
     "project": Project,
     "view": View,
 }
-"""All requests but `edit`, whose class is found in EDITS by its `kind`."""
+"""All requests but `edit` and `preview`, whose class is found in EDITS by their `kind`."""
 
 
 # --- Answers --------------------------------------------------------------------------------------------
@@ -543,6 +553,14 @@ class ChannelCurve:
 
 
 @dataclass(frozen=True, slots=True)
+class Previewed:
+    """The curves that would be other in a take, in base64 as in TakeView; "" where one would come to rest."""
+
+    take: int
+    curves: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterDetail:
     """All channels in one parameter."""
 
@@ -645,5 +663,5 @@ EVENTS: Mapping[str, type] = {
 
 ANSWERS: tuple[type, ...] = (
     TakeView, TakeChange, State, Sent, Done, DialState, Download, Explained, ParameterDetail, Fired,
-    ProfileFile, PoseFile, Job,
+    ProfileFile, PoseFile, Job, Previewed,
 )  # fmt: skip

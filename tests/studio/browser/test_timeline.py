@@ -254,8 +254,16 @@ def test_a_drag_is_given_up_by_escape(timeline: Timeline) -> None:
     pointer.move_to_location(x + 80, y)
     chain.perform()
     assert timeline.page.get("[...timeline.scene.edits.held].length") == 1
+    # The curves follow before the block is let go of, and are the take's own again when it is given up.
+    timeline.page.wait("timeline.scene.model.previewed.size > 0")
+    name = timeline.page.get("[...timeline.scene.model.previewed.keys()][0]")
+    follows = (
+        "timeline.scene.model.curve(arguments[0])?.values !== timeline.scene.model.take.curves[arguments[0]]"
+    )
+    assert timeline.page.run(f"return {follows}", name)
     timeline.press(Keys.ESCAPE)
     assert timeline.page.get("[...timeline.scene.edits.held].length") == 0
+    assert not timeline.page.run(f"return {follows}", name)
     release = timeline.page.actions()
     release.w3c_actions.pointer_action.pointer_up()
     release.perform()

@@ -50,6 +50,18 @@ export class Actions {
     return this.#changing("edit", { kind, ...fields }, "");
   }
 
+  /**
+   * Ask what a change would do; null where it cannot be made, which is not said: it is not yet what is wanted.
+   * @param {string} kind @param {Record<string, any>} fields as those of `edit`
+   */
+  async preview(kind, fields) {
+    try {
+      return await this.#connection.request("preview", { kind, ...fields });
+    } catch {
+      return null;
+    }
+  }
+
   /** Take back the last change. */
   undo() {
     return this.#store.get("take")?.undoes ? this.#changing("undo", {}, "") : null;

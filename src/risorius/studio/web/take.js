@@ -54,6 +54,11 @@ export function changedTake(take, change) {
   };
 }
 
+/** The curves of an answer; null where one comes to rest. @param {Record<string, string>} curves */
+export function curvesOf(curves) {
+  return new Map(Object.entries(curves).map(([name, text]) => [name, text === "" ? null : floatsOf(text)]));
+}
+
 function decoded(curves) {
   return Object.fromEntries(Object.entries(curves).map(([name, text]) => [name, floatsOf(text)]));
 }

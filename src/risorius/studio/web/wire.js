@@ -145,6 +145,13 @@
  * @property {Array<EmotionSpan>|null} [emotions]
  */
 /**
+ * What an edit would do, which is not made: `{"do": "preview", "kind": KIND, …}` with the fields of the
+ * edit.
+ * Answered by Previewed.
+ * @typedef {Object} Preview
+ * @property {Move|Stretch|Retarget|Add|Delete|Keys|ClearKeys} edit
+ */
+/**
  * Take the last change back; answered by TakeChange.
  * @typedef {Object} Undo
  * @property {"undo"} do
@@ -466,6 +473,12 @@
  * @property {Array<[number, number]>} limited
  */
 /**
+ * The curves that would be other in a take, in base64 as in TakeView; "" where one would come to rest.
+ * @typedef {Object} Previewed
+ * @property {number} take
+ * @property {Object<string, string>} curves
+ */
+/**
  * All channels in one parameter.
  * @typedef {Object} ParameterDetail
  * @property {string} parameter
@@ -723,6 +736,8 @@
  */
 /**
  * `GET /api/stage`: how faces are unpacked: `origin + step * value` mm; `pose` floats a face; mm.
+ * `lips` are the skin's vertices of the upper and the lower lip that touch when the mouth is shut; `cloth`
+ * is the linear colour of what is worn.
  * @typedef {Object} StageTable
  * @property {number} vertices
  * @property {number} pose
@@ -730,7 +745,9 @@
  * @property {[number, number, number]} origin
  * @property {[number, number, number]} pivot
  * @property {[[number, number, number], [number, number, number]]} eyes
+ * @property {Array<[number, number]>} lips
  * @property {Light} light
+ * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
 /** @typedef {"open" | "perform" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */

@@ -1,3 +1,4 @@
+import { Preview } from "./preview.js";
 import { editOf, timesOf } from "./times.js";
 
 /**
@@ -10,6 +11,7 @@ export class Edits {
   #actions;
   #changed;
   #model = null;
+  #preview;
 
   /**
    * @param {import("../actions.js").Actions} actions
@@ -18,11 +20,13 @@ export class Edits {
   constructor(actions, changed) {
     this.#actions = actions;
     this.#changed = changed;
+    this.#preview = new Preview(actions, changed);
   }
 
   /** @param {import("./model.js").Model} model what the changes are made to */
   setModel(model) {
     this.#model = model;
+    this.#preview.setModel(model);
   }
 
   /** Ids of the blocks that are shown otherwise than the take has them. */
@@ -51,34 +55,38 @@ export class Edits {
   /** Show a block at other times, without telling the server yet. */
   hold(block, times) {
     this.#blocks.set(block.id, times);
+    if (times) this.#preview.show(blockEdit(block, times));
     this.#changed();
   }
 
   holdKeys(names, keys) {
     for (const name of names) this.#keys.set(name, keys);
+    this.#preview.show(this.#keyEdit(names, keys));
     this.#changed();
   }
 
   /** Show what the take has. */
   drop(id) {
     this.#blocks.delete(id);
+    this.#preview.end();
     this.#changed();
   }
 
   dropKeys(names) {
     for (const name of names) this.#keys.delete(name);
+    this.#preview.end();
     this.#changed();
   }
 
   /** Send a block's held times. @returns {Promise<any>} the answer, null if refused or nothing changed */
   async send(block) {
     const times = this.#blocks.get(block.id);
-    const edit = times ? editOf(timesOf(block), times) : null;
+    const edit = times ? blockEdit(block, times) : null;
     if (edit === null) {
       this.drop(block.id);
       return null;
     }
-    return this.#sending(block.id, edit.kind, { movement: block.id, ...edit.fields }, () => this.drop(block.id));
+    return this.#sending(block.id, edit.kind, edit.fields, () => this.drop(block.id));
   }
 
   async remove(block) {
@@ -89,9 +97,14 @@ export class Edits {
   /** Make keys those of the parameters (one, or both sides of one); none takes the curves back. */
   sendKeys(names, keys) {
     this.holdKeys(names, keys);
+    const { kind, fields } = this.#keyEdit(names, keys);
+    return this.#sending(fields.parameter, kind, fields, () => this.dropKeys(names));
+  }
+
+  #keyEdit(names, keys) {
     const parameter = names.length > 1 ? this.#model.parameters.get(names[0]).base : names[0];
-    const [kind, fields] = keys.length ? ["keys", { parameter, keys }] : ["clear_keys", { parameter }];
-    return this.#sending(parameter, kind, fields, () => this.dropKeys(names));
+    if (keys.length === 0) return { kind: "clear_keys", fields: { parameter } };
+    return { kind: "keys", fields: { parameter, keys } };
   }
 
   /** Send an edit; `over` is called when its answer is here, unless another was sent for the same meanwhile. */
@@ -105,4 +118,10 @@ export class Edits {
     }
     return answer;
   }
+}
+
+/** The wire's edit that puts a block to other times; null where they are its own. */
+function blockEdit(block, times) {
+  const edit = editOf(timesOf(block), times);
+  return edit && { ...edit, fields: { movement: block.id, ...edit.fields } };
 }

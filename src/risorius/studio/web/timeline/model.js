@@ -11,6 +11,8 @@ const ALIKE = 1e-4; // what cannot be told apart in a graph
 export class Model {
   #pyramids;
   #compared = new WeakMap();
+  /** Curves that a change would make other, by parameter, while it is being made; null where one would rest. */
+  previewed = new Map();
 
   /**
    * @param {ReturnType<typeof import("../take.js").takeOf>} take
@@ -41,7 +43,7 @@ export class Model {
 
   /** @param {string} name @returns {Pyramid | null} the parameter's final curve; null where it rests */
   curve(name) {
-    const values = this.take.curves[name];
+    const values = this.#shown(name);
     return values ? this.pyramid(values) : null;
   }
 
@@ -51,6 +53,10 @@ export class Model {
     return this.#pyramids.get(values);
   }
 
+  #shown(name) {
+    return this.previewed.has(name) ? this.previewed.get(name) : this.take.curves[name];
+  }
+
   /** Parameters that a name means: itself, or both sides where it has none. */
   named(name) {
     return this.bases.get(name)?.names ?? [name];
@@ -58,7 +64,7 @@ export class Model {
 
   /** Whether two parameters' curves are not the same, as those of the two sides most often are. */
   differ(one, other) {
-    const [a, b] = [this.take.curves[one], this.take.curves[other]];
+    const [a, b] = [this.#shown(one), this.#shown(other)];
     if (!a || !b) return Boolean(a) !== Boolean(b);
     if (!this.#compared.has(a)) this.#compared.set(a, new WeakMap());
     const known = this.#compared.get(a);

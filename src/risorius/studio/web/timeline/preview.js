@@ -1,0 +1,58 @@
+import { curvesOf } from "../take.js";
+
+/**
+ * The curves as they would be with the change that is being made by hand: one question at a time, the newest
+ * when the answer is there.
+ */
+export class Preview {
+  #actions;
+  #changed;
+  #model = null;
+  #wanted = null;
+  #busy = false;
+
+  /** @param {import("../actions.js").Actions} actions @param {() => void} changed */
+  constructor(actions, changed) {
+    this.#actions = actions;
+    this.#changed = changed;
+  }
+
+  /** @param {import("./model.js").Model} model whose curves are shown otherwise */
+  setModel(model) {
+    this.#model = model;
+  }
+
+  /** See to it that the curves with an edit are shown. @param {{kind: string, fields: object} | null} edit */
+  show(edit) {
+    if (edit === null) this.end();
+    else {
+      this.#wanted = edit;
+      this.#ask();
+    }
+  }
+
+  /** Show the take's own curves again. */
+  end() {
+    this.#wanted = null;
+    this.#put(new Map());
+  }
+
+  async #ask() {
+    if (this.#busy || this.#wanted === null) return;
+    this.#busy = true;
+    const { kind, fields } = this.#wanted;
+    const asked = this.#wanted;
+    const answer = await this.#actions.preview(kind, fields);
+    this.#busy = false;
+    // What has been let go of or taken up meanwhile is no preview any more.
+    if (this.#wanted && answer?.take === this.#model?.take.take) this.#put(curvesOf(answer.curves));
+    if (this.#wanted === asked) this.#wanted = null;
+    this.#ask();
+  }
+
+  #put(curves) {
+    if (!this.#model || (this.#model.previewed.size === 0 && curves.size === 0)) return;
+    this.#model.previewed = curves;
+    this.#changed();
+  }
+}
