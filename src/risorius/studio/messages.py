@@ -69,7 +69,7 @@ def _asked(data: dict[str, Any]) -> Any:
         raise InputError(
             unknown(kind, str(verb)[:40], (*kinds, "edit", "preview") if kinds is VERBS else kinds)
         )
-    asked = build(kinds[verb], without_nulls(data), Schema(verb))
+    asked: Any = build(kinds[verb], without_nulls(data), Schema(verb))
     return Preview(asked) if done == "preview" else asked
 
 

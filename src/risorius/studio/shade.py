@@ -22,8 +22,8 @@ def light() -> Light:
 def shade(head: Head) -> bytes:
     """Return what each vertex of the skin sees at rest of the room and of each lamp, and where cloth is worn.
 
-    uint8 (vertices, 1 + lamps + 1): 255 for all of the light; the last is 128 at the neckline, one more for each
-    1 / HEM_STEPS mm into the cloth. The first of a scene's lamps is left to shadows that move, so
+    uint8 (vertices, 1 + lamps + 1): 255 for all of the light; the last is 128 at the neckline, one more
+    for each 1 / HEM_STEPS mm into the cloth. The first of a scene's lamps is left to shadows that move, so
     the page's are all put behind it.
     """
     lamps = STUDIO.lighting().lamps

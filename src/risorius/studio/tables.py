@@ -233,8 +233,8 @@ class Light:
 class StageTable:
     """`GET /api/stage`: how faces are unpacked: `origin + step * value` mm; `pose` floats a face; mm.
 
-    `lips` are the skin's vertices of the upper and the lower lip that touch when the mouth is shut; `cloth` is
-    the linear colour of what is worn.
+    `lips` are the skin's vertices of the upper and the lower lip that touch when the mouth is shut; `cloth`
+    is the linear colour of what is worn.
     """
 
     vertices: int

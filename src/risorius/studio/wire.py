@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
-from ..core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Retarget, Stretch
+from ..core.edits import Add, ClearKeys, Delete, Keys, Move, Retarget, Stretch
 from ..core.schema import Range
 
 Seconds = Annotated[float, Range(0.0, 86_400.0)]
@@ -129,7 +129,7 @@ EDITS: Mapping[str, type] = {
 
 @dataclass(frozen=True, slots=True)
 class Preview:
-    """What an edit would do, which is not made: `{"do": "preview", "kind": KIND, …}` with the fields of the edit.
+    """What an edit would do, which is not made: `{"do": "preview", "kind": KIND, …}` with the edit's fields.
 
     Answered by Previewed.
     """

@@ -145,8 +145,7 @@
  * @property {Array<EmotionSpan>|null} [emotions]
  */
 /**
- * What an edit would do, which is not made: `{"do": "preview", "kind": KIND, …}` with the fields of the
- * edit.
+ * What an edit would do, which is not made: `{"do": "preview", "kind": KIND, …}` with the edit's fields.
  * Answered by Previewed.
  * @typedef {Object} Preview
  * @property {Move|Stretch|Retarget|Add|Delete|Keys|ClearKeys} edit
