@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from collections.abc import Awaitable, Callable
 from concurrent.futures import Executor
 from contextlib import ExitStack
@@ -23,6 +24,7 @@ from .threads import on_thread
 
 Send = Callable[[bytes], Awaitable[None]]
 RATE = 30.0  # faces a second while the skin moves
+SOONEST = 1.0 / 60.0  # seconds after a face at which one follows that shows a dial turned meanwhile
 
 
 class Dialling:
@@ -38,6 +40,7 @@ class Dialling:
         self._number, self._until = 0, 0.0
         self._moving: asyncio.Task[None] | None = None
         self._turning = asyncio.Lock()
+        self._turned = asyncio.Event()
 
     async def turn(self, number: int, asked: wire.Dial, shelf: Shelf) -> wire.DialState:
         """Take new values; the faces on the way there are sent as they come. Raises ParameterError."""
@@ -50,6 +53,7 @@ class Dialling:
                 await self._take_head(asked.head, asked.age)
         self._values = np.array(list(values.values()))
         self._number, self._until = number, self._loop.time() + (SETTLED if asked.live else 0.0)
+        self._turned.set()
         if self._moving is None or self._moving.done():
             self._moving = self._loop.create_task(self._move())
         return wire.DialState(values)
@@ -76,9 +80,17 @@ class Dialling:
             while (now := self._loop.time()) < self._until:
                 await self._show(now - before)
                 before = now
-                await asyncio.sleep(max(0.0, 1.0 / RATE - (self._loop.time() - now)))
+                await self._pause(now)
             shown = self._number
             await self._show(None)
+
+    async def _pause(self, last: float) -> None:
+        """Wait until the next face is due after that of the time `last`: sooner where a dial is turned."""
+        await asyncio.sleep(max(0.0, last + SOONEST - self._loop.time()))
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout_at(last + 1.0 / RATE):
+                await self._turned.wait()
+        self._turned.clear()
 
     async def _show(self, seconds: float | None) -> None:
         dial, values, number = self._dial, self._values, self._number
