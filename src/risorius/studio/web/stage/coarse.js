@@ -1,6 +1,6 @@
 /**
- * A mesh with fewer triangles on the same vertices, for machines that draw without a graphics card while the
- * face moves: each triangle costs them as much as a hundred pixels.
+ * A mesh with fewer triangles and vertices, for machines that draw without a graphics card while the face moves:
+ * a triangle smaller than a pixel costs them what a larger one does.
  */
 
 /**

@@ -7,15 +7,13 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { lighterOf, shade } from "./detail.js";
+import { MM, geometryOf, irisTexture, lightOf, neckShare } from "./geometry.js";
 import { readGlb } from "./glb.js";
 import { lightBetween, slitsOf } from "./lips.js";
 import { materialOf } from "./materials.js";
 
-const MM = 1000;
-const HEM_STEPS = 4; // a millimetre
 const HAIRS = ["brows", "lashes", "hair"];
 const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
-const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
 
 /**
  * @param {ArrayBuffer} file the head as binary glTF
@@ -62,21 +60,11 @@ export class Figure {
    */
   set shade(seen) {
     const { geometry, material } = this.#meshes.skin;
-    const { count } = geometry.attributes.position;
-    const [free, reach] = [new Uint8Array(count).fill(255), new Uint8Array(4 * count).fill(255)];
-    const width = seen ? seen.length / count : 0;
-    const hem = new Float32Array(count);
-    for (let k = 0; k < count * width; k++) {
-      const [vertex, column] = [Math.floor(k / width), k % width];
-      if (column === 0) free[vertex] = seen[k];
-      else if (column === width - 1) hem[vertex] = (seen[k] - 128) / HEM_STEPS;
-      else reach[4 * vertex + column - 1] = seen[k];
+    for (const [name, attribute] of Object.entries(lightOf(seen, geometry.attributes.position.count))) {
+      geometry.setAttribute(name, attribute);
+      this.#lighter.skin.take(name);
     }
-    geometry.setAttribute("free", new THREE.BufferAttribute(free, 1, true));
-    geometry.setAttribute("reach", new THREE.BufferAttribute(reach, 4, true));
-    geometry.setAttribute("hem", new THREE.BufferAttribute(hem, 1));
     material.userData.hemmed.value = seen ? 1 : 0;
-    for (const name of ["free", "reach", "hem"]) this.#lighter.skin.take(name);
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
@@ -214,38 +202,9 @@ export class Figure {
   }
 }
 
-/** The share by which each vertex turns with the head: its weight for the second joint, the head's. */
-function neckShare({ attributes }) {
-  const { array } = attributes.WEIGHTS_0;
-  return Float32Array.from({ length: array.length / 4 }, (_, vertex) => array[4 * vertex + 1] / 255);
-}
-
-function geometryOf(data, moves) {
-  const geometry = new THREE.BufferGeometry();
-  for (const [theirs, ours] of Object.entries(NAMES)) {
-    const found = data.attributes[theirs];
-    if (!found) continue;
-    const array = found.array.slice();
-    if (ours === "position") for (let k = 0; k < array.length; k++) array[k] *= MM;
-    const attribute = new THREE.BufferAttribute(array, found.width, found.normalized);
-    if (moves && (ours === "position" || ours === "normal")) attribute.setUsage(THREE.DynamicDrawUsage);
-    geometry.setAttribute(ours, attribute);
-  }
-  return geometry.setIndex(new THREE.BufferAttribute(data.index, 1));
-}
-
 const TARGET = new THREE.Quaternion();
 const TURNED = new THREE.Matrix4();
 
 function turn(quaternion, a, b, share) {
   quaternion.fromArray(a).slerp(TARGET.fromArray(b), share);
-}
-
-async function irisTexture(blob) {
-  const texture = new THREE.Texture(await createImageBitmap(blob));
-  texture.colorSpace = THREE.SRGBColorSpace;
-  texture.flipY = false;
-  texture.anisotropy = 4;
-  texture.needsUpdate = true;
-  return texture;
 }

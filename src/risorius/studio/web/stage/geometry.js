@@ -1,0 +1,62 @@
+/** From what the server says of a head to what is drawn: meshes, light and neckline at each vertex, the iris. */
+
+import * as THREE from "../vendor/three/three.module.min.js";
+
+export const MM = 1000;
+const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
+const LAMPS = 4;
+const HEM_STEPS = 4; // a millimetre
+
+/**
+ * What each vertex of the skin sees of the room and of each lamp, and its way to the neckline in mm.
+ * @param {Uint8Array | null} seen (count, 1 + lamps + 1) as `shade.py` packs it; null: all of the light
+ * @param {number} count of the vertices
+ * @returns {{free: THREE.BufferAttribute, reach: THREE.BufferAttribute, hem: THREE.BufferAttribute}}
+ */
+export function lightOf(seen, count) {
+  const [free, reach] = [new Uint8Array(count).fill(255), new Uint8Array(LAMPS * count).fill(255)];
+  const hem = new Float32Array(count);
+  const width = seen ? seen.length / count : 0;
+  for (let vertex = 0; vertex < count && seen; vertex++) {
+    const [first, last] = [vertex * width, (vertex + 1) * width - 1];
+    free[vertex] = seen[first];
+    reach.set(seen.subarray(first + 1, last), LAMPS * vertex);
+    hem[vertex] = (seen[last] - 128) / HEM_STEPS;
+  }
+  return {
+    free: new THREE.BufferAttribute(free, 1, true),
+    reach: new THREE.BufferAttribute(reach, LAMPS, true),
+    hem: new THREE.BufferAttribute(hem, 1),
+  };
+}
+
+/** The share by which each vertex turns with the head: its weight for the second joint, the head's. */
+export function neckShare({ attributes }) {
+  const { array } = attributes.WEIGHTS_0;
+  return Float32Array.from({ length: array.length / 4 }, (_, vertex) => array[4 * vertex + 1] / 255);
+}
+
+/** A mesh of the file in mm; one that `moves` has its points and normals changed often. */
+export function geometryOf(data, moves) {
+  const geometry = new THREE.BufferGeometry();
+  for (const [theirs, ours] of Object.entries(NAMES)) {
+    const found = data.attributes[theirs];
+    if (!found) continue;
+    const array = found.array.slice();
+    if (ours === "position") for (let k = 0; k < array.length; k++) array[k] *= MM;
+    const attribute = new THREE.BufferAttribute(array, found.width, found.normalized);
+    if (moves && (ours === "position" || ours === "normal")) attribute.setUsage(THREE.DynamicDrawUsage);
+    geometry.setAttribute(ours, attribute);
+  }
+  return geometry.setIndex(new THREE.BufferAttribute(data.index, 1));
+}
+
+/** @param {Blob} blob a picture of the iris @returns {Promise<THREE.Texture>} */
+export async function irisTexture(blob) {
+  const texture = new THREE.Texture(await createImageBitmap(blob));
+  texture.colorSpace = THREE.SRGBColorSpace;
+  texture.flipY = false;
+  texture.anisotropy = 4;
+  texture.needsUpdate = true;
+  return texture;
+}
