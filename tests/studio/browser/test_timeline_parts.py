@@ -202,3 +202,25 @@ def test_a_first_key_is_tied_to_the_curve_around_it(page: Page) -> None:
       return withKey([], 1, 0.9, { duration: 3, valueAt: (time) => time / 10 });
     """)
     assert keys == [pytest.approx([0.85, 0.085]), [1, 0.9], pytest.approx([1.15, 0.115])]
+
+
+def test_names_stay_beside_their_lanes_when_the_page_s_text_grows(page: Page) -> None:
+    tops, rows = page.run(f"""
+      const seconds = 5;
+      {LONG_TAKE} {MOUNT}
+      store.set({{ take }});
+      const settle = async () => {{
+        for (let k = 0; k < 4; k++) await new Promise(requestAnimationFrame);
+      }};
+      await settle();
+      document.documentElement.style.fontSize = "24px";
+      element.style.height = "500px";
+      await settle();
+      const {{ body, unit }} = timeline.scene;
+      const tops = [...element.querySelectorAll(".tl-name")].map((name) => parseFloat(name.style.top));
+      document.documentElement.style.fontSize = "";
+      element.remove();
+      return [tops, body.map(({{ y }}) => y * unit)];
+    """)
+    assert len(rows) > 2
+    assert tops == pytest.approx(rows, abs=0.01)

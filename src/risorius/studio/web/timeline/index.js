@@ -155,7 +155,9 @@ class Timeline {
     const height = scroller.clientHeight;
     frame.style.height = `${height}px`;
     names.setHeight(height);
+    const { unit } = this.#scene;
     if (frame.clientWidth > 0) this.#scene.resize(frame.clientWidth, height);
+    if (this.#scene.model && this.#scene.unit !== unit) names.show();
     const whole = this.#scene.model ? (this.#scene.headHeight + this.#scene.bodyHeight) * this.#scene.unit : 0;
     depth.style.height = `${Math.max(whole - height, 0)}px`;
     this.repaint();
