@@ -1,9 +1,4 @@
-import hashlib
-import os
-import subprocess
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,19 +10,6 @@ from risorius.render.inputs import EYE_LEFT, EYE_RIGHT, HAIR, SKIN, TEETH, TONGU
 from risorius.render.lights import Lamp, LightRig
 
 SYMMETRIC = LightRig((Lamp(0, 30, (2, 2, 2)),), (0.5, 0.5, 0.5), (0.3, 0.3, 0.3))
-DRAW_BY_THREADS = """
-import hashlib, sys
-import numba, numpy as np
-from risorius.core.parameters import NEUTRAL
-from risorius.face.head import load_head
-from risorius.face.solve import FaceSolver
-from risorius.render import Renderer
-head = load_head("standard")
-frame = FaceSolver(head).solve(np.array(NEUTRAL))
-for threads in (1, 2, 4):
-    numba.set_num_threads(threads)
-    print(hashlib.sha256(Renderer(head, (120, 120)).render(frame).tobytes()).hexdigest())
-"""
 
 
 def surfaces(renderer):
@@ -98,20 +80,6 @@ def test_a_frame_gives_the_same_bytes_whatever_was_drawn_before(renderer, face):
     out = np.empty_like(first)
     assert renderer.render(face(), out) is out
     assert np.array_equal(out, first)
-
-
-def test_bytes_do_not_depend_on_the_number_of_threads(head, face):
-    environment = {**os.environ, "NUMBA_NUM_THREADS": "4", "PYTHONPATH": os.pathsep.join(sys.path)}
-    result = subprocess.run(
-        [sys.executable, "-c", DRAW_BY_THREADS],
-        env=environment,
-        cwd=Path(__file__).parent,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    here = hashlib.sha256(Renderer(head, (120, 120)).render(face()).tobytes()).hexdigest()
-    assert set(result.stdout.split()) == {here}
 
 
 def test_every_material_is_drawn(renderer, face):

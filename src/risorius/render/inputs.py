@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from .jit import BANDS
 from .raster import ByteArray, FloatArray, IntArray
 
 BitArray = npt.NDArray[np.int64]
@@ -116,11 +115,14 @@ class Paint(NamedTuple):
 class Sight(NamedTuple):
     """The visibility buffer, samples per pixel and side, the camera's place (3,), mm a pixel, background.
 
+    `rows` and `chunks` are those of `raster.Visibility`, whose `ids` and `depth` are drawn with the picture;
     `empty` (height, width, 3) uint8 is the picture of the background alone.
     """
 
     ids: IntArray
     depth: FloatArray
+    rows: IntArray
+    chunks: IntArray
     samples: int
     eye: FloatArray
     pixel: float
@@ -129,11 +131,11 @@ class Sight(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """What one row of pixels shows, for each band of rows at work: up to `capacity` patches.
+    """What one row of pixels shows: up to `capacity` patches.
 
-    A patch is a set of samples of one pixel on one surface: `triangle`, `column` and `samples` (BANDS,
-    capacity) int32 say which triangle, which pixel of the row and how many samples; `weights` and `colour`
-    (BANDS, capacity, 3) where in the triangle, and the scene light that the materials fill in.
+    A patch is a set of samples of one pixel on one surface: `triangle`, `column` and `samples` (capacity,)
+    int32 say which triangle, which pixel of the row and how many samples; `weights` and `colour`
+    (capacity, 3) where in the triangle, and the scene light that the materials fill in.
     """
 
     triangle: IntArray
@@ -145,6 +147,6 @@ class Batch(NamedTuple):
 
 def empty_batch(capacity: int) -> Batch:
     """Return room for rows of up to `capacity` patches."""
-    triangle, column, samples = (np.zeros((BANDS, capacity), np.int32) for _ in range(3))
-    weights, colour = (np.zeros((BANDS, capacity, 3), np.float32) for _ in range(2))
+    triangle, column, samples = (np.zeros(capacity, np.int32) for _ in range(3))
+    weights, colour = (np.zeros((capacity, 3), np.float32) for _ in range(2))
     return Batch(triangle, column, samples, weights, colour)

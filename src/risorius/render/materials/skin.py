@@ -23,14 +23,14 @@ _PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 @device
 def shade_skin(
-    turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+    n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of bare skin among the first n of a row."""
     for k in range(n):
-        t = batch.triangle[turn, k]
+        t = batch.triangle[k]
         if mesh.surfaces[t] != SKIN:
             continue
-        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k)
+        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
         curvature, inner, cloth = weigh(mesh.attributes, corners, weights, CURVATURE)
         if cloth > sight.pixel:
             continue
@@ -52,7 +52,7 @@ def shade_skin(
             inner,
             cloth,
         )
-        put(batch.colour, turn, k, colour)
+        put(batch.colour, k, colour)
 
 
 @inlined
