@@ -97,7 +97,7 @@ class Renderer:
         self._buffer = Visibility(width * samples, height * samples, len(scene.triangles))
         self._xy: IntArray = np.zeros((len(scene.positions), 2), np.int32)
         self._key: FloatArray = np.zeros(len(scene.positions), np.float32)
-        self._batch = empty_batch(width * samples)
+        self._batch = empty_batch(width * samples * samples)
         centre, radius = scene.anatomy.sphere()
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
 
