@@ -5,7 +5,9 @@ import pytest
 
 from risorius.errors import InputError
 from risorius.render import Renderer
+from risorius.render.anatomy import find_anatomy
 from risorius.render.camera import portrait
+from risorius.render.framing import frame_head
 from risorius.render.inputs import EYE_LEFT, EYE_RIGHT, HAIR, SKIN, TEETH, TONGUE
 from risorius.render.lights import Lamp, LightRig
 
@@ -173,3 +175,14 @@ def test_the_background_shows_where_nothing_stands(head, face):
     background[..., 1] = 1.0
     picture = Renderer(head, (64, 64), background=background).render(face())
     assert picture[0, 0].tolist() == [0, 255, 0]
+
+
+def test_a_row_has_room_for_a_patch_in_every_sample(head, face):
+    """Among lashes seen close by, each sample may show a hair of its own."""
+    camera = frame_head(find_anatomy(head), 1.0, "eyes", 85.0)
+    renderer = Renderer(head, (120, 120), camera=camera)
+    renderer.render(face())
+    shown = np.where(renderer._buffer.ids >= 0, renderer.scene.surfaces[renderer._buffer.ids], -1)
+    pixels = shown.reshape(120, 2, 120, 2).transpose(0, 2, 1, 3).reshape(120, 120, 4)
+    patches = max(sum(len(set(pixel[pixel >= 0])) for pixel in row) for row in pixels)
+    assert 2 * 120 < patches <= len(renderer._batch.column)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from .lanes import LANES, empty_block
 from .raster import ByteArray, FloatArray, IntArray
 
 BitArray = npt.NDArray[np.int64]
@@ -55,7 +56,8 @@ class Light(NamedTuple):
     lamps: FloatArray
     room: FloatArray
     shadow: FloatArray
-    shadow_tiles: FloatArray
+    shadow_low: FloatArray
+    shadow_high: FloatArray
     shadow_matrix: FloatArray
     bias: float
     pupil: float
@@ -135,7 +137,8 @@ class Batch(NamedTuple):
 
     A patch is a set of samples of one pixel on one surface: `triangle`, `column` and `samples` (capacity,)
     int32 say which triangle, which pixel of the row and how many samples; `weights` and `colour`
-    (capacity, 3) where in the triangle, and the scene light that the materials fill in.
+    (capacity, 3) where in the triangle, and the scene light that the materials fill in. Of patches that are
+    shaded in blocks, `chosen` (LANES,) are the numbers and `block` is the rest (`lanes`).
     """
 
     triangle: IntArray
@@ -143,10 +146,12 @@ class Batch(NamedTuple):
     samples: IntArray
     weights: FloatArray
     colour: FloatArray
+    chosen: IntArray
+    block: FloatArray
 
 
 def empty_batch(capacity: int) -> Batch:
     """Return room for rows of up to `capacity` patches."""
     triangle, column, samples = (np.zeros(capacity, np.int32) for _ in range(3))
     weights, colour = (np.zeros((capacity, 3), np.float32) for _ in range(2))
-    return Batch(triangle, column, samples, weights, colour)
+    return Batch(triangle, column, samples, weights, colour, np.zeros(LANES, np.int32), empty_block())

@@ -41,6 +41,11 @@ def device(function: F) -> F:
     return _cached(function, _nrt=False, fastmath=_FAST)
 
 
+def summing(function: F) -> F:
+    """Compile a device function with a long sum that may be taken in any order."""
+    return _cached(function, _nrt=False, fastmath=_FAST | {"reassoc"})
+
+
 def exact(function: F) -> F:
     """Compile a function whose arithmetic must not be rearranged."""
     return _cached(function, _nrt=False)
