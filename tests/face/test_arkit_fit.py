@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from risorius.core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
 from risorius.errors import HeadError
-from risorius.face import arkit_fit
+from risorius.face import far_vertices
 from risorius.face.arkit_fit import ArkitFit
 from risorius.face.arkit_given import gaze_of
 from risorius.face.head import load_head, shipped_heads
@@ -114,13 +114,16 @@ def bounds_of():
 
 
 def test_a_lip_under_the_teeth_is_nearly_as_near_as_52_shapes_can_be(fit, face, bounds_of) -> None:
-    """/v/ draws the lower lip back under the teeth, which no shape does: 1.9 mm at the least."""
+    """/v/ draws the lower lip back under the teeth, which no shape does: 1.9 mm at the least.
+
+    The face is even, and so nearly are its weights: nothing of what a lopsided mouth would gain.
+    """
     frame = face(lip_tuck=1.0, masseter=0.15, zygomatic_major=0.7)
     weights = fit.weights(frame)
     rms, worst = fit.residual(frame, weights)
-    free, one_sided = bounds_of(fit, frame.skin, weights)
-    assert 1.9 < free <= one_sided <= worst < one_sided + 0.7
-    assert rms < 1.0
+    free, one_sided, even = bounds_of(fit, frame.skin, weights)
+    assert 1.9 < free <= one_sided <= worst < even + 0.2
+    assert rms < 1.2
 
 
 def test_the_bound_of_what_shapes_make_is_nothing(fit, bounds_of) -> None:
@@ -132,7 +135,7 @@ def test_the_bound_of_what_shapes_make_is_nothing(fit, bounds_of) -> None:
 def test_far_vertices_come_nearer_for_little(fit, face, monkeypatch: pytest.MonkeyPatch) -> None:
     frame = face(orbicularis_oris_funneler=0.9, masseter=0.4, frontalis_medialis=0.6)
     near = fit.residual(frame, fit.weights(frame))
-    monkeypatch.setattr(arkit_fit, "ROUNDS", 0)
+    monkeypatch.setattr(far_vertices, "STEPS", 0)
     before = fit.residual(frame, fit.weights(frame))
     assert near[1] < before[1] - 0.3
     assert near[0] < before[0] + 0.15
