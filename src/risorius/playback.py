@@ -47,9 +47,8 @@ def score_of(times: Array, values: Array, source: str) -> Score:
     low, high = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
     kept = np.clip(values, low, high)
     moving = np.flatnonzero(np.abs(kept - NEUTRAL).max(axis=0) > _RESTS)
-    keys = {
-        NAMES[column]: tuple(zip(times.tolist(), kept[:, column].tolist(), strict=True)) for column in moving
-    }
+    clock = times.tolist()
+    keys = {NAMES[column]: tuple(zip(clock, kept[:, column].tolist(), strict=True)) for column in moving}
     curves = (ManualCurve(keys, Cause("capture", source)),) if keys else ()
     settings = BlendSettings(contact=False)
     return Score(max(float(times[-1]), 1e-3), manual=curves, settings=settings)
@@ -63,8 +62,8 @@ def _from_arkit(path: Path, settings: Settings) -> tuple[Array, Array]:
     # Lips that are closed over an open jaw are brought together by contact, not by muscles against the jaw.
     apart = take.weights.copy()
     apart[:, ARKIT["mouthClose"]] = 0.0
-    wanted = fit.seen_displacement(apart)
-    values = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin)).values(wanted)
+    responses = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin))
+    values = responses.of_shapes(apart, fit.seen_displacement(np.eye(len(ARKIT))))
     values[:, INDEX["lip_seal"]] = np.where(
         open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0
     )
@@ -87,7 +86,7 @@ def _from_fap(path: Path, settings: Settings) -> tuple[Array, Array]:
     angles = np.degrees(take.values * ANGLE)
     values[:, _HEAD] = angles[:, 47:50] * [-1.0, 1.0, -1.0]
     values[:, _GAZE] = np.stack([-angles[:, 24:26].mean(axis=1), angles[:, 22:24].mean(axis=1)], axis=1)
-    return np.arange(len(values)) / take.fps, values
+    return take.times, values
 
 
 def _from_action_units(path: Path, settings: Settings) -> tuple[Array, Array]:
