@@ -60,6 +60,14 @@ def test_a_score_gives_the_same_curves(folder: Path, clip: Take, name: str) -> N
     )
 
 
+def test_points_that_say_nothing_of_the_face_leave_it_at_rest(tmp_path: Path) -> None:
+    mask = " ".join("1" if number == 48 else "0" for number in range(1, 69))
+    (tmp_path / "x.fap").write_text(f"2.1 x 10 2\n{mask}\n0 0\n{mask}\n1 10000\n")
+    take = play(tmp_path / "x.fap", settings=Settings(dynamics="static"))
+    assert take.curves["head_pitch"][-1] == pytest.approx(-np.degrees(0.1))
+    assert {name for name, curve in take.curves.items() if np.ptp(curve)} == {"head_pitch"}
+
+
 def test_lips_closed_over_an_open_jaw_are_closed_by_contact(folder: Path, tmp_path: Path) -> None:
     header, first, *_ = (folder / "x.arkit.csv").read_text().splitlines()
     cells = dict(zip(header.split(","), first.split(","), strict=True))

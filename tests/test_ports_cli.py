@@ -64,3 +64,15 @@ def test_a_sentence_is_streamed(capsys: pytest.CaptureFixture[str]) -> None:
     frames = [data for data in got if data]
     assert {len(data) for data in frames} == {306 + 2}
     assert f"Sent {len(frames)} frames" in capsys.readouterr().err
+
+
+def test_what_the_weights_leave_over_is_said(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    outputs = ["-o", str(tmp_path / "x.arkit.csv"), "-o", str(tmp_path / "x.vrma")]
+    assert run(["speak", "Oh.", "--still", "--skin", "static", *FAST, *outputs]) == 0
+    told = [
+        line
+        for line in capsys.readouterr().err.splitlines()
+        if line.startswith("ARKit weights leave over 0.")
+    ]
+    assert len(told) == 1
+    assert told[0].endswith(" mm at worst")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import signal
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -420,7 +421,7 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
 
 @commands.command()
 @click.argument("source", metavar="INPUT")
-@click.option("--protocol", default="livelink", metavar="NAME", help="livelink, vmc or ifacialmocap.")
+@click.option("--protocol", default="livelink", metavar="NAME", help="livelink, vmc, ifacialmocap[-tcp].")
 @click.option("--to", metavar="HOST[:PORT]", help="Who receives it.  [default: 127.0.0.1]")
 @click.option(
     "--listen", metavar="HOST[:PORT]", help="Send to who greets here, as receivers of iFacialMocap do."
@@ -506,10 +507,16 @@ def rig(
         raise InputError("--perform and -o go together; expected both or neither")
     settings = _settings(**chosen)
     with Console() as console:
-        take = speak_(perform, settings=settings, progress=console.progress) if perform is not None else None
+        take = (
+            None
+            if perform is None
+            else partial(speak_, perform, settings=settings, progress=console.progress)
+        )
         found, rows = report(character, map_file=map_file, take=take, output=output, settings=settings)
         for line in tell_rig(found, rows, guessed=map_file is None):
             click.echo(line)
+        if output is not None:
+            console.say(f"Wrote {output}")
 
 
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:

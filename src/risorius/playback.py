@@ -82,7 +82,7 @@ def _from_fap(path: Path, settings: Settings) -> tuple[Array, Array]:
     sizes = points.sizes()
     rows = [number - 1 for number in (*POINTS, *LIDS) if take.used[number - 1]]
     responses = Responses(FaceSolver(head), lambda frame: points.of_skin(frame.skin) * sizes)
-    values = responses.values(take.values * sizes, rows)
+    values = responses.values(take.values * sizes, rows) if rows else np.tile(NEUTRAL, (len(take.times), 1))
     angles = np.degrees(take.values * ANGLE)
     values[:, _HEAD] = angles[:, 47:50] * [-1.0, 1.0, -1.0]
     values[:, _GAZE] = np.stack([-angles[:, 24:26].mean(axis=1), angles[:, 22:24].mean(axis=1)], axis=1)

@@ -28,6 +28,7 @@ def written(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("timestamp, AU99_r\n0, 1", ":1:12: unknown action unit"),
         ("timestamp, AU01_r\n0, x", ":2:4: AU01_r is 'x'; expected a number"),
         ("timestamp, AU01_r\n0", ":2: has 1 values; expected 2"),
+        ("timestamp, succes, AU01_r\n0, 1, 1", ":1:12: unknown column 'succes'; did you mean 'success'"),
         ("timestamp, AU01_r, AU01_R\n0, 1, 1", "column 'AU01_r' is given twice"),
         (
             "timestamp, AU01_r, pose_Rx\n0, 1, 0",

@@ -147,6 +147,8 @@ class ArkitFit:
         fixed = ~np.isnan(kept)
         free = self._free & ~fixed
         weights = np.where(fixed, kept, 0.0)
+        if not free.any():
+            return weights
         factor = np.linalg.cholesky(normal[np.ix_(free, free)])
         rest = right[free] - normal[np.ix_(free, fixed)] @ weights[fixed]
         weights[free] = nnls(factor.T, np.linalg.solve(factor, rest))[0]

@@ -9,6 +9,7 @@ may itself.
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -36,6 +37,8 @@ DISTANCE = 800.0
 _PARTED = 8.0  # mm of lip gap at which lips are parted as far as the scale goes
 _GAZE = (*(f"gaze_{eye}_{axis}" for eye in (0, 1) for axis in "xyz"), "gaze_angle_x", "gaze_angle_y")
 _POSE = (*(f"pose_T{axis}" for axis in "xyz"), *(f"pose_R{axis}" for axis in "xyz"))
+_PLAIN = ("timestamp", "success")
+_MISSPELT = 0.85  # how alike a name is to that of a column which is not there, to be taken for it
 _TURNED, _LOOKED = _POSE[3:], _GAZE[6:]
 _UNIT = re.compile(r"AU\d+_r")
 COLUMNS = (
@@ -122,15 +125,17 @@ def read_au_csv(path: Path) -> ActionUnitTake:
 def _columns(header: Header) -> list[Column]:
     units = [name for name in header.names if _UNIT.fullmatch(name)]
     header.require(("timestamp", *([] if units else ["AU01_r"])), "OpenFace")
-    for name in header.names:
-        if name.startswith("AU") and not re.fullmatch(r"AU\d+_[rc]", name):
+    absent = sorted({*_PLAIN, *_TURNED, *_LOOKED} - set(header.names))
+    for name in (name for name in header.names if name not in COLUMNS):
+        strange = name.startswith("AU") and not re.fullmatch(r"AU\d+_[rc]", name)
+        if strange or difflib.get_close_matches(name, absent, 1, _MISSPELT):
             raise InputError(unknown("column", name, COLUMNS), header.place(name))
     for name in units:
         try:
             action_unit(f"AU{int(name[2:-2])}")
         except InputError as error:
             raise error.at(header.place(name)) from None
-    plain = [name for name in ("timestamp", "success", *units) if name in header.names]
+    plain = [name for name in (*_PLAIN, *units) if name in header.names]
     angles = [name for block in (_TURNED, _LOOKED) if _whole(header, block) for name in block]
     return [*map(Column, plain), *(Column(name, radians) for name in angles)]
 

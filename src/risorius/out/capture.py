@@ -31,7 +31,7 @@ LONGEST_LINE = 1_000_000  # characters
 def number(text: str, low: float = -math.inf, high: float = math.inf, unit: str = "") -> tuple[float]:
     """Read a finite number from `low` to `high`."""
     try:
-        value = math.nan if "_" in text else float(text)
+        value = float(text) if text.isascii() and "_" not in text else math.nan
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
@@ -138,9 +138,21 @@ def _header(path: Path, lines: Iterator[tuple[int, str]], spelled: Mapping[str, 
         raise InputError("is empty; expected a header and rows", Place(str(path)))
     names = tuple(spelled.get(name.lower(), name) for name in _cells(line, Place(str(path), at)))
     for k, name in enumerate(names):
-        if name in names[:k]:
-            raise InputError(f"column '{name}' is given twice", Place(str(path), at, _position(line, k)))
+        if fault := _fault_of(name, names[:k]):
+            raise InputError(fault, Place(str(path), at, _position(line, k)))
     return Header(path, at, names, line)
+
+
+def _fault_of(name: str, before: Sequence[str]) -> str:
+    """Say what is wrong with a column's name by itself; nothing if all is well."""
+    if not name:
+        return "a column has no name"
+    if name[0] in "0123456789-+.":
+        return f"'{name[:30]}' is no column's name; expected a header in the first line"
+    for other in (";", "\t"):
+        if other in name:
+            return f"columns are parted by {other!r}; expected ','"
+    return f"column '{name[:30]}' is given twice" if name in before else ""
 
 
 def _read_row(
