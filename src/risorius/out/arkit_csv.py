@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS
+from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
 from ..errors import InputError, unknown
 from ..face.arkit_fit import ArkitTrack
 from .capture import Column, Header, Parse, Table, check_times, radians, read_table
@@ -26,6 +26,7 @@ from .table import write_lines
 Array = npt.NDArray[np.float64]
 
 APP_RATE = 60.0  # frames per second of the app's takes
+_CLOCK = 4  # numbers of a time code, the first of each row
 DAY = 86_400.0  # s; a take may go on past midnight
 _TIMECODE = re.compile(r"(\d+):(\d{2}):(\d{2})[:;](\d+(?:\.\d+)?)")
 COLUMNS = ("Timecode", "BlendshapeCount", *CSV_SHAPES, *ROTATIONS)
@@ -78,10 +79,10 @@ def read_arkit_csv(path: Path) -> ArkitTake:
     time code that is none or goes back.
     """
     table = read_table(path, _columns, COLUMNS)
-    weights = np.empty((len(table.values), len(INDEX)))
-    weights[:, _ORDER] = np.clip(table.of(CSV_SHAPES), 0.0, 1.0)
+    weights = table.values[:, _CLOCK : _CLOCK + len(SHAPES)]
+    np.clip(weights, 0.0, 1.0, out=weights)  # long takes are large: their numbers are held once
     turned = [name for name in ROTATIONS if name in table.names]
-    rotations = np.zeros((len(table.values), len(ROTATIONS)))
+    rotations = np.zeros((len(weights), len(ROTATIONS)))
     rotations[:, [ROTATIONS.index(name) for name in turned]] = table.of(turned)
     return ArkitTake(_times(table), weights, rotations)
 
@@ -92,7 +93,7 @@ def _columns(header: Header) -> list[Column]:
             raise InputError(unknown("column", name, COLUMNS), header.place(name))
     header.require(("Timecode", *CSV_SHAPES), "a Live Link Face take")
     turned = [Column(name, radians) for name in ROTATIONS if name in header.names]
-    wanted = [Column("Timecode", _clock, 4), *map(Column, CSV_SHAPES), *turned]
+    wanted = [Column("Timecode", _clock, _CLOCK), *map(Column, map(column_of, SHAPES)), *turned]
     if "BlendshapeCount" in header.names:
         here = len(header.names) - 2
         wanted.append(Column("BlendshapeCount", _counter({str(here), str(COUNT)}, here), 0))
@@ -118,7 +119,7 @@ def _clock(text: str) -> tuple[float, ...]:
 
 
 def _times(table: Table) -> Array:
-    clock = table.values[:, :4]  # the first column that is wanted
+    clock = table.values[:, :_CLOCK]
     seconds = clock[:, :3] @ [3600.0, 60.0, 1.0]
     seconds += DAY * np.cumsum(np.diff(seconds, prepend=seconds[0]) < -0.5 * DAY)
     return check_times(seconds + clock[:, 3] / _rate(seconds, clock[:, 3]), table.path, table.lines)
