@@ -48,7 +48,7 @@ def _lines(material: Material) -> Iterator[str]:
 
 
 def _behaviour(movement: Movement) -> str:
-    """Return the BML element of a movement: gaze, which may turn the head; head, which the eyes may counter."""
+    """Return a movement's BML element: gaze, which may turn the head; head, which the eyes may counter."""
     moved = {name.partition("_")[0] for name in movement.targets}
     if not moved <= {"head", "gaze"}:
         return "face"
