@@ -189,6 +189,10 @@ _OUTPUT_OPTION = click.option(
 )
 
 
+_AT_OPTION = click.option(
+    "--at", type=float, metavar="S", help="Second that a .png shows.  [default: the middle]"
+)
+_EVERY_OPTION = click.option("--every", type=int, metavar="N", help="A .png is a sheet of every N-th frame.")
 _RULES_OPTION = click.option(
     "--rules",
     metavar="FILE",
@@ -254,8 +258,8 @@ _TRANSCRIPT_HELP = "What the recording says, or a file with it."
 @_SKIN_OPTION
 @click.option("--seed", type=int, metavar="N", help="Seed of everything random.  [default: 0]")
 @_picture_options
-@click.option("--at", type=float, metavar="S", help="Second that a .png shows.  [default: the middle]")
-@click.option("--every", type=int, metavar="N", help="A .png is a sheet of every N-th frame.")
+@_AT_OPTION
+@_EVERY_OPTION
 def speak(
     source: str | None,
     outputs: tuple[Path, ...],
@@ -348,6 +352,8 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None
 @click.option("--conflict", metavar="POLICY", help="Override the score's conflict policy.")
 @click.option("--onset-function", metavar="NAME", help="Override the movements' onset functions.")
 @_picture_options
+@_AT_OPTION
+@_EVERY_OPTION
 def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     """Combine the movements of SCORE (.json) into curves.
 
@@ -356,7 +362,7 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import check_outputs
     from .pipeline import mix as combine
 
-    shared = ("size", "head", "age", "shape", "fps", "dynamics", *_LOOK_OPTIONS)
+    shared = ("size", "head", "age", "shape", "fps", "dynamics", "at", "every", *_LOOK_OPTIONS)
     settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
     check_outputs(outputs, alpha=settings.look.transparent)
     take = combine(
@@ -401,6 +407,8 @@ def pose(
 @_SAMPLING_OPTION
 @_SKIN_OPTION
 @_picture_options
+@_AT_OPTION
+@_EVERY_OPTION
 def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: Any) -> None:
     """Perform a captured face: CAPTURE is .arkit.csv, .au.csv, .fap, a score or a performance (.json).
 
@@ -414,7 +422,7 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
         raise OutputError("no output named; expected -o y.mp4")
     with Console() as console:
         check_outputs(outputs)
-        take = perform(capture, audio=audio, settings=_settings(**chosen))
+        take = perform(capture, audio=audio, settings=_settings(**chosen), progress=console.progress)
         take.write(*outputs, progress=console.progress)
         console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
 

@@ -185,6 +185,7 @@ def play(
     *,
     audio: str | PathLike[str] | None = None,
     settings: Settings | None = None,
+    progress: Progress = quiet,
 ) -> Take:
     """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
 
@@ -198,7 +199,7 @@ def play(
     else:
         from .playback import captured
 
-        take = perform(captured(path, settings), settings)
+        take = perform(captured(path, settings, progress), settings)
     return take if audio is None else replace(take, sound=read_recording(audio))
 
 

@@ -24,6 +24,7 @@ from .out.arkit_csv import read_arkit_csv
 from .out.au_csv import read_au_csv
 from .out.fap import read_fap
 from .settings import Settings
+from .take import Progress, quiet
 
 Array = npt.NDArray[np.float64]
 _HEAD = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
@@ -32,13 +33,13 @@ _OPEN = 0.02  # of the jaw's way: less is no opening that lips could close
 _RESTS = 1e-4  # a parameter that never leaves its rest by more gets no curve
 
 
-def captured(path: Path, settings: Settings) -> Score:
+def captured(path: Path, settings: Settings, progress: Progress = quiet) -> Score:
     """Return a file's motion as curves drawn by hand; InputError for a file that is none of `CAPTURES`."""
     name = path.name.lower()
     suffix = next((suffix for suffix in CAPTURES if name.endswith(suffix)), None)
     if suffix is None:
         raise InputError(unknown("kind of capture", "".join(path.suffixes[-2:]), CAPTURES), Place(str(path)))
-    times, values = CAPTURES[suffix](path, settings)
+    times, values = CAPTURES[suffix](path, settings, progress)
     return score_of(times, values, path.name)
 
 
@@ -54,8 +55,9 @@ def score_of(times: Array, values: Array, source: str) -> Score:
     return Score(max(float(times[-1]), 1e-3), manual=curves, settings=settings)
 
 
-def _from_arkit(path: Path, settings: Settings) -> tuple[Array, Array]:
+def _from_arkit(path: Path, settings: Settings, progress: Progress) -> tuple[Array, Array]:
     take = read_arkit_csv(path)
+    progress("Fitting muscles …")
     head = load_head(settings.head, age=settings.age, shape=settings.shape)
     fit = ArkitFit(head)
     open_, close = take.weights[:, ARKIT["jawOpen"]], take.weights[:, ARKIT["mouthClose"]]
@@ -75,8 +77,9 @@ def _from_arkit(path: Path, settings: Settings) -> tuple[Array, Array]:
     return take.times, values
 
 
-def _from_fap(path: Path, settings: Settings) -> tuple[Array, Array]:
+def _from_fap(path: Path, settings: Settings, progress: Progress) -> tuple[Array, Array]:
     take = read_fap(path)
+    progress("Fitting muscles …")
     head = load_head(settings.head, age=settings.age, shape=settings.shape)
     points = FeaturePoints(head)
     sizes = points.sizes()
@@ -89,7 +92,7 @@ def _from_fap(path: Path, settings: Settings) -> tuple[Array, Array]:
     return take.times, values
 
 
-def _from_action_units(path: Path, settings: Settings) -> tuple[Array, Array]:
+def _from_action_units(path: Path, _settings: Settings, _progress: Progress) -> tuple[Array, Array]:
     take = read_au_csv(path)
     values = np.tile(NEUTRAL, (len(take.times), 1))
     for k, row in enumerate(values):
@@ -100,7 +103,7 @@ def _from_action_units(path: Path, settings: Settings) -> tuple[Array, Array]:
     return take.times, values
 
 
-CAPTURES: dict[str, Callable[[Path, Settings], tuple[Array, Array]]] = {
+CAPTURES: dict[str, Callable[[Path, Settings, Progress], tuple[Array, Array]]] = {
     ".arkit.csv": _from_arkit,
     ".au.csv": _from_action_units,
     ".fap": _from_fap,
