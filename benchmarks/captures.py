@@ -2,8 +2,8 @@
 
     python benchmarks/captures.py [INPUT]
 
-Per format: the distance between the skins of both, all vertices of all frames: root mean square, and what 99 %
-of them are within, in mm. 30 frames per second, without inertia.
+Per format: the distance between the skins of both, all vertices of all frames: root mean square, and what
+99 % of them are within, in mm. 30 frames per second, without inertia.
 """
 
 from __future__ import annotations
