@@ -1,6 +1,7 @@
 """The commands that let performances in and out: one line for each fault."""
 
 import socket
+import sys
 import threading
 from pathlib import Path
 
@@ -41,6 +42,17 @@ def test_faults_are_one_line(
     assert message in error
     assert error.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
+
+
+def test_what_cannot_be_reached_is_told_before_the_face_is_made(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("risorius.face.arkit_fit.ArkitFit.track", lambda *_: pytest.fail("made"))
+    assert run(["stream", "Oh.", "--to", "no.such.host.invalid", "--without-sound", *FAST]) == 2
+    assert "risorius: 'no.such.host.invalid:11111' cannot be reached" in capsys.readouterr().err
+    monkeypatch.setitem(sys.modules, "sounddevice", None)
+    assert run(["stream", "Oh.", *FAST]) == 2
+    assert "risorius: sound needs sounddevice" in capsys.readouterr().err
 
 
 def test_a_sentence_is_streamed(capsys: pytest.CaptureFixture[str]) -> None:

@@ -224,6 +224,7 @@ def stream(
     """
     from .stream import PROTOCOLS, Address, Options, parse_address, send, wait_for_greeting
     from .stream.clock import MachineClock, SoundClock
+    from .stream.line import check_host
 
     chosen = PROTOCOLS.get(protocol)
     options = options or Options()
@@ -231,6 +232,10 @@ def stream(
     if listen is not None and not chosen.greetings:
         greeted = ", ".join(name for name in PROTOCOLS if PROTOCOLS.get(name).greetings)
         raise InputError(f"no greeting asks for {protocol} first; expected --to, or one of {greeted}")
+    if listen is None:
+        check_host(address)
+    audio = take.sound or (take.utterance.audio if take.utterance else None)
+    clock = SoundClock(audio) if sound and audio is not None else MachineClock()
     progress("Fitting weights …")
     track = take.arkit
     if listen is not None:
@@ -239,8 +244,6 @@ def stream(
         chosen, options = PROTOCOLS.get(asked.protocol), replace(options, dialect=asked.dialect)
         address = Address(host, chosen.port)
     packets = chosen.make(track, take.performance.fps, options)
-    audio = take.sound or (take.utterance.audio if take.utterance else None)
-    clock = SoundClock(audio) if sound and audio is not None else MachineClock()
     progress(f"Sending to {address} …")
     frames, fps = len(take.performance.values), take.performance.fps
     return send(packets, frames, fps, address, clock, tcp=chosen.tcp)

@@ -65,7 +65,9 @@ class Steps(MachineClock):
         self.slept.append(seconds)
 
 
-@pytest.mark.parametrize("text", ["", ":80", "host:", "host:99999", "host:x", "host:0"])
+@pytest.mark.parametrize(
+    "text", ["", ":80", "host:", "host:99999", "host:x", "host:0", "1.2.3.4:5:6", "host:a:9"]
+)
 def test_no_address(text: str) -> None:
     with pytest.raises(InputError, match="is no address; expected HOST or HOST:PORT"):
         parse_address(text, 11111)
@@ -77,6 +79,7 @@ def test_no_address(text: str) -> None:
         ("host", Address("host", 39539)),
         ("10.0.0.2:5", Address("10.0.0.2", 5)),
         ("[::1]:7", Address("::1", 7)),
+        ("[::1]", Address("::1", 39539)),
     ],
 )
 def test_addresses(text: str, address: Address) -> None:
