@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,16 +14,17 @@ from .core.arkit import INDEX as ARKIT
 from .core.movement import Cause, ManualCurve
 from .core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from .core.score import BlendSettings, Score
-from .errors import InputError, Place, unknown
+from .errors import InputError, Place, RisoriusWarning, unknown
 from .face.arkit_fit import ArkitFit
 from .face.arkit_given import gaze_of
-from .face.feature_points import ANGLE, LIDS, POINTS, FeaturePoints
+from .face.feature_points import ANGLE, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
 from .face.head import load_head
+from .face.response import TONGUE as TONGUE_FITTED
 from .face.response import Responses
 from .face.solve import FaceSolver
 from .out.arkit_csv import read_arkit_csv
 from .out.au_csv import read_au_csv
-from .out.fap import read_fap
+from .out.fap import FapTake, read_fap
 from .settings import Settings
 from .take import Progress, quiet
 
@@ -84,12 +86,28 @@ def _from_fap(path: Path, settings: Settings, progress: Progress) -> tuple[Array
     points = FeaturePoints(head)
     sizes = points.sizes()
     rows = [number - 1 for number in (*POINTS, *LIDS) if take.used[number - 1]]
-    responses = Responses(FaceSolver(head), lambda frame: points.of_skin(frame.skin) * sizes)
+    solver = FaceSolver(head)
+    responses = Responses(solver, lambda frame: points.of_skin(frame.skin) * sizes)
     values = responses.values(take.values * sizes, rows) if rows else np.tile(NEUTRAL, (len(take.times), 1))
+    tongue = [number - 1 for number in TONGUE]
+    if take.used[tongue].all():
+        tip = Responses(solver, points.tongue_tip, TONGUE_FITTED).values(take.values[:, tongue], (0, 1))
+        places = [INDEX[name] for name in TONGUE_FITTED]
+        values[:, places] = tip[:, places]
+    _tell_left_out(take, path)
     angles = np.degrees(take.values * ANGLE)
     values[:, _HEAD] = angles[:, 47:50] * [-1.0, 1.0, -1.0]
     values[:, _GAZE] = np.stack([-angles[:, 24:26].mean(axis=1), angles[:, 22:24].mean(axis=1)], axis=1)
     return take.times, values
+
+
+def _tell_left_out(take: FapTake, path: Path) -> None:
+    """Warn of parameters that do something in a file, and nothing in our face."""
+    moved = np.flatnonzero(take.values.any(axis=0)) + 1
+    left_out = sorted({int(number) for number in moved} - set(SHOWN))
+    if left_out:
+        named = ", ".join(map(str, left_out))
+        warnings.warn(f"{path}: FAP {named} cannot be shown; left out", RisoriusWarning, stacklevel=2)
 
 
 def _from_action_units(path: Path, _settings: Settings, _progress: Progress) -> tuple[Array, Array]:
