@@ -8,12 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius.core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
+from risorius.core.parameters import INDEX as PARAMETER
+from risorius.core.parameters import NEUTRAL
 from risorius.errors import HeadError
 from risorius.face import far_vertices
 from risorius.face.arkit_fit import ArkitFit
 from risorius.face.arkit_given import gaze_of
 from risorius.face.head import load_head, shipped_heads
 from risorius.face.shapes import arkit_shapes
+from risorius.face.solve import FaceSolver
 
 FITTED = [name for name in SHAPES if not name.startswith("eyeLook") and name != "tongueOut"]
 
@@ -81,6 +84,26 @@ def test_a_muscle_is_its_shape(fit, face, targets: dict[str, float], shape: str)
     assert SHAPES[int(weights.argmax())].removesuffix("Left").removesuffix("Right") == shape.removesuffix(
         "Left"
     ).removesuffix("Right")
+
+
+@pytest.mark.parametrize("name", ["standard", "kenji"])
+def test_a_lid_that_is_shut_is_a_whole_blink(name: str) -> None:
+    """So that another character's eyes shut, too; and a whole blink shuts ours."""
+    fit, solver = ArkitFit(load_head(name)), FaceSolver(load_head(name))
+    values = NEUTRAL.copy()
+    for shut in (0.5, 1.0):
+        values[PARAMETER["orbicularis_oculi_palpebralis.left"]] = shut
+        weights = fit.weights(solver.solve(values))
+        assert weights[INDEX["eyeBlinkLeft"]] == pytest.approx(shut, abs=0.02)
+        others = [name for name in FITTED if name != "eyeBlinkLeft"]
+        assert weights[[INDEX[name] for name in others]].max() < 0.05
+
+
+def test_what_the_brows_cannot_reach_moves_little_elsewhere(fit, face) -> None:
+    weights = fit.weights(face(**{f"{name}_{'supercilii'}": 1.0 for name in ("corrugator", "depressor")}))
+    assert weights[INDEX["browDownLeft"]] > 0.7
+    mouth = [INDEX[name] for name in FITTED if name.startswith(("mouth", "jaw"))]
+    assert weights[mouth].max() < 0.25
 
 
 def test_the_eyes_shapes_are_their_angles(fit, face) -> None:

@@ -6,6 +6,10 @@ distances d in mm: nearly the least worst vertex, and yet a strictly convex func
 its minimum is one and moves without jumps as the surface does. Found by Newton's method: each step is the
 non-negative least squares of the second-order model, halved while it goes too far (Nocedal and Wright,
 Numerical Optimization, 2006, chapters 3 and 18).
+
+What no shapes can reach would pull in others that have little to do with the place, and others yet against
+what these do elsewhere. So the weights go only so far from the least squares, on the straight way to the
+minimum, on which every step is to the better.
 """
 
 from __future__ import annotations
@@ -21,6 +25,7 @@ Least = Callable[[Array, Array], Array]
 
 FAR, POWER, STRENGTH = 1.5, 8, 1e4  # mm, none, mm⁻⁶
 STEPS, STILL = 40, 1e-4  # at most so many; a step that moves no weight by more is the last
+LEEWAY = 0.4  # by how much a weight may leave the least squares
 SHORTEST = 1e-3  # share of a step that is still tried
 
 
@@ -36,6 +41,12 @@ class FarVertices:
 
     def settle(self, weights: Array, least: Least) -> Array:
         """Return the weights (s,), from those of the least squares; `least` keeps weights within limits."""
+        way = self.minimum(weights, least) - weights
+        farthest = float(np.abs(way).max())
+        return weights + way * (LEEWAY / farthest) if farthest > LEEWAY else weights + way
+
+    def minimum(self, weights: Array, least: Least) -> Array:
+        """Return the weights (s,) that cost least, on the way from those given."""
         cost, distance = self.cost(weights)
         for _ in range(STEPS):
             if distance.max() <= FAR:
