@@ -191,7 +191,7 @@ class Take:
             pictures=partial(self.pictures, progress=progress),
             measures=self._measured,
             head=lambda: self._dressed,
-            arkit=lambda: self.arkit,
+            arkit=partial(self._told_arkit, progress),
         )
 
     def _told_faces(self, progress: Progress) -> Iterator[FaceFrame]:
@@ -199,6 +199,13 @@ class Take:
         for done, face in enumerate(self.faces(), 1):
             yield face
             progress("Solving", done, total)
+
+    def _told_arkit(self, progress: Progress) -> ArkitTrack:
+        known = "arkit" in vars(self)
+        rms, worst = self.arkit.residual
+        if not known:
+            progress(f"ARKit weights leave over {rms:.2f} mm root mean square, {worst:.1f} mm at worst")
+        return self.arkit
 
     def _measured(self, face: FaceFrame) -> list[float]:
         measures = astuple(self._gauge.measure(face))
