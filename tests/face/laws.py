@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 
 from risorius.face.contact import Contacts, find_contacts
+from risorius.face.lids import FRONT
 from risorius.face.mouth import Mouth, TeethEdge
 from risorius.face.solve import FaceSolver
 
@@ -25,6 +26,7 @@ COMPANY = (
 )
 CLOSURES = (0.0, 0.3, 0.6, 0.9, 1.0)
 MIDDLE = 4.0  # mm to either side of the midline
+LINING = 4.0  # mm about an eyeball and behind its front, where skin lines the socket
 FLAT = 0.05  # of a face's area at rest: thinner slivers have no side
 
 
@@ -133,9 +135,14 @@ class Laws:
         return normal, np.linalg.norm(normal, axis=1)
 
     def _seen(self):
-        """Faces of the outer skin, which are not rolled in by lips or lids."""
+        """Faces of the outer skin, which are not rolled in by lips or lids, nor line the eyes' sockets."""
         hidden = np.max([self.head.masks[name] for name in ("inner_mouth", "lips", "lids")], axis=0)
-        return (self.head.skin.matrix @ hidden)[self.head.skin.quads].max(axis=1) < 0.3
+        fine = self.head.skin.matrix @ hidden
+        for centre, radius in zip(self.head.eye_centre, self.head.eye_radius, strict=True):
+            ahead = self.rest - centre
+            lining = (np.linalg.norm(ahead, axis=1) < radius + LINING) & (ahead[:, 2] < FRONT * radius)
+            fine[lining] = 1.0
+        return fine[self.head.skin.quads].max(axis=1) < 0.3
 
     def teeth_in_lips(self):
         """Greatest height of a front tooth before the lips' inner skin at rest; negative where all are

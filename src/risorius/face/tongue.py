@@ -53,24 +53,33 @@ class TongueShapes:
         forward = np.maximum(fine[_OUT, :, 2], 0.0)
         return cls(rest, fine, OVER * forward / max(forward.max(), 1e-9), _lying(rest), columns)
 
-    def place(self, values: Array, jaw: Jaw, opening: float) -> Array:
-        """Return the tongue (n1, 3) in mm for `values` (46,), with the jaw at `opening` 0..1."""
+    def place(self, values: Array, jaw: Jaw, opening: float, out: Array | None = None) -> Array:
+        """Return the tongue (n1, 3) mm for `values` (46,), the jaw at `opening` 0..1, in `out` if given."""
+        moved = np.empty_like(self.rest) if out is None else out
         active = values[self.columns]
         opened = min(max((opening - STANDS_UP_TO) / (1.0 - STANDS_UP_TO), 0.0), 1.0)
         lies = opened * (2.0 - opened) * (1.0 - float(active.max()))
-        moved = np.empty_like(self.rest)
-        _shape(self.rest, self.shapes, active, self.lying, lies, moved)
-        out = float(active[_OUT])
-        moved[:, 1] += 4.0 * out * (1.0 - out) * self.over
+        way = float(active[_OUT])
+        _shape(self.rest, self.shapes, active, self.lying, lies, self.over, 4.0 * way * (1.0 - way), moved)
         jaw.carry_to(moved, opening, moved)
         return moved
 
 
 @compiled
-def _shape(rest: Array, shapes: Array, active: Array, lying: Array, lies: float, out: Array) -> None:
+def _shape(
+    rest: Array,
+    shapes: Array,
+    active: Array,
+    lying: Array,
+    lies: float,
+    over: Array,
+    halfway: float,
+    out: Array,
+) -> None:
     for v in range(len(rest)):
         for c in range(3):
             out[v, c] = rest[v, c] + lies * lying[v, c]
+        out[v, 1] += halfway * over[v]
     for s in range(len(active)):
         if active[s] != 0.0:
             for v in range(len(rest)):
