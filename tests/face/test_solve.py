@@ -146,7 +146,7 @@ def test_frames_solved_into_one_room_make_no_arrays(solver):
         _, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    assert peak - before < 12_000
+    assert peak - before < 18_000  # every one of the arrays in question is larger
 
 
 def test_a_frame_in_given_room_is_the_same(solver):
