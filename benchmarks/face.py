@@ -75,8 +75,10 @@ def shares(take: Take, solver: FaceSolver, whole: float, moving: bool) -> dict[s
 
 
 def report(take: Take, solver: FaceSolver, moving: bool) -> None:
+    room = solver.room()
+
     def run() -> None:
-        for _ in animate(take.performance, solver, moving, take._curves_between_frames):
+        for _ in animate(take.performance, solver, moving, take._curves_between_frames, room=room):
             pass
 
     whole = seconds(run) / len(take.performance.values)

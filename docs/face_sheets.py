@@ -14,9 +14,13 @@ import numpy as np
 import numpy.typing as npt
 from PIL import Image, ImageDraw
 
+from risorius import blend
 from risorius.core.action_units import ACTION_UNITS, resolve_targets
+from risorius.core.movement import LipSegment
 from risorius.core.parameters import INDEX, MUSCLES, NEUTRAL
+from risorius.core.score import Score
 from risorius.face.head import Head, load_head
+from risorius.face.lip_fit import load_lip_rig
 from risorius.face.solve import FaceSolver
 from risorius.render.renderer import Renderer
 from risorius.rules.emotions import emotion, emotions
@@ -29,6 +33,8 @@ PICTURES = Path(__file__).parent / "pictures"
 SIDE = 400  # pixels of a picture, of which the face is kept: left, top, right, bottom
 FACE = (118, 80, 282, 322)
 HEAD = (64, 0, 335, 400)  # the whole head in the same proportions
+MOUTH_SIDE = 900  # pixels of a picture of which the mouth is kept, from the front and from the side
+MOUTH = {"front": (350, 500, 550, 720), "side": (240, 500, 440, 720)}
 CAPTION = 13
 COLOURS = 256
 STRENGTHS = (0.5, 1.0)
@@ -44,24 +50,28 @@ MURMUR = {"masseter": 0.1, "lip_seal": 1.0}
 class Studio:
     """Takes pictures of one head."""
 
-    def __init__(self, head: Head, *, age: float = 25.0, turned: float = 0.0) -> None:
+    def __init__(self, head: Head, *, age: float = 25.0, turned: float = 0.0, side: int = SIDE) -> None:
         self._solver = FaceSolver(head, age=age)
-        self._renderer = Renderer(head, (SIDE, SIDE))
+        self._renderer = Renderer(head, (side, side))
         if turned:
             camera = self._renderer.camera
             angle, far = np.radians(turned), camera.eye[2] - camera.target[2]
             x, _, z = camera.target
             eye = (x + far * float(np.sin(angle)), camera.eye[1], z + far * float(np.cos(angle)))
-            self._renderer = Renderer(head, (SIDE, SIDE), camera=replace(camera, eye=eye))
+            self._renderer = Renderer(head, (side, side), camera=replace(camera, eye=eye))
 
     def take(self, targets: Targets, frame: tuple[int, int, int, int] = FACE) -> Image.Image:
         """Return the face with parameters or action units at `targets`."""
         values = np.array(NEUTRAL)
         for name, value in resolve_targets(targets).items():
             values[INDEX[name]] = value
-        picture: Picture = self._renderer.render(self._solver.solve(values))
         size = FACE[2] - FACE[0], FACE[3] - FACE[1]
-        return Image.fromarray(np.asarray(picture)).crop(frame).resize(size, Image.Resampling.LANCZOS)
+        return self.picture(values).crop(frame).resize(size, Image.Resampling.LANCZOS)
+
+    def picture(self, values: npt.NDArray[np.float64]) -> Image.Image:
+        """Return the whole picture of the face at `values` (46,)."""
+        picture: Picture = self._renderer.render(self._solver.solve(values))
+        return Image.fromarray(np.asarray(picture))
 
 
 def sheet(pictures: Mapping[str, Image.Image], columns: int) -> Image.Image:
@@ -124,17 +134,26 @@ def emotion_intensities() -> Image.Image:
 
 def visemes() -> Image.Image:
     """Twelve mouth shapes of speech, from the front and from the side."""
-    head, table = load_head(), lip_table()
-    views = {"front": Studio(head), "side": Studio(head, turned=PROFILE)}
+    head = load_head()
+    views = {
+        "front": Studio(head, side=MOUTH_SIDE),
+        "side": Studio(head, turned=PROFILE, side=MOUTH_SIDE),
+    }
     return sheet(
         {
-            f"{phone} {view}": studio.take(table.to_parameters(table.shape(phone).targets))
+            f"{phone} {view}": studio.picture(held(phone)).crop(MOUTH[view])
             for half in (VISEMES[:6], VISEMES[6:])
             for view, studio in views.items()
             for phone in half
         },
         6,
     )
+
+
+def held(phone: str) -> npt.NDArray[np.float64]:
+    """Return the values (46,) of a phone that lasts."""
+    score = Score(4.0, lips=(LipSegment(phone, 0.5, 3.5, lip_table().shape(phone).targets),))
+    return np.asarray(blend.at(score, np.array([2.0]), load_lip_rig())[0])
 
 
 def closures() -> Image.Image:

@@ -131,17 +131,21 @@ class Take:
         *,
         lead_in: float | None = None,
         solver: FaceSolver | None = None,
+        reuse: bool = False,
     ) -> Iterator[FaceFrame]:
         """Yield the face of every frame, or of the frames in `indices`, one at a time.
 
         A frame is the same whichever others are asked for: with a skin of springs, those before it are gone
         through, or with `lead_in` only those in so many seconds before the first (1 s: equal to 1e-6 mm).
-        `solver` is one that the caller keeps warm, made as `make_solver` does.
+        `solver` is one that the caller keeps warm, made as `make_solver` does. With `reuse` each frame is
+        valid until the next is asked for, and no array is made for it.
         """
         from .face.motion import animate
 
         moving, drive = self.settings.dynamics != "static", self._curves_between_frames
-        return animate(self.performance, solver or self._solver, moving, drive, indices, lead_in)
+        solver = solver or self._solver
+        room = solver.room() if reuse else None
+        return animate(self.performance, solver, moving, drive, indices, lead_in, room)
 
     def _curves_between_frames(self, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         return self._plan.at(np.minimum(times, self.performance.times[-1]))
@@ -164,7 +168,7 @@ class Take:
             renderer = picture_renderer(self.head, overlays.picture_size, look)
             renderer.render(next(self.faces([0])))
         kept_down = self._kept_down(chosen) if look.style == "muscles" else repeat(None)
-        pictures = Crew(renderer).draw(zip(self.faces(chosen), kept_down, strict=False))
+        pictures = Crew(renderer).draw(zip(self.faces(chosen, reuse=True), kept_down, strict=False))
         for done, (frame, picture) in enumerate(zip(chosen, pictures, strict=True)):
             yield overlays.draw(picture, frame)
             progress("Drawing", done + 1, len(chosen))

@@ -7,10 +7,12 @@ import itertools
 import numpy as np
 
 from risorius.face.contact import Contacts, find_contacts
+from risorius.face.lids import FRONT
 from risorius.face.mouth import Mouth, TeethEdge
 from risorius.face.solve import FaceSolver
 
 from .conftest import values_of
+from .teeth import TeethTester
 from .winding import LipTester
 
 BLINK = "orbicularis_oculi_palpebralis"
@@ -23,6 +25,8 @@ COMPANY = (
     {"gaze_pitch": -30.0},
 )
 CLOSURES = (0.0, 0.3, 0.6, 0.9, 1.0)
+MIDDLE = 4.0  # mm to either side of the midline
+LINING = 4.0  # mm about an eyeball and behind its front, where skin lines the socket
 FLAT = 0.05  # of a face's area at rest: thinner slivers have no side
 
 
@@ -34,6 +38,7 @@ class Laws:
         self.solver = FaceSolver(head)
         self.rest = head.skin.matrix @ head.rest
         self._tester = LipTester.of(head)
+        self._teeth = TeethTester(head)
         self._mouth = Mouth.of(head)
         self._found = Contacts.room_for(len(self._mouth.facing.vertices))
         self._margins = [margins(head, eye) for eye in (0, 1)]
@@ -97,6 +102,26 @@ class Laws:
         y, z = TeethEdge.of(self.head.teeth_upper, 15.0, 16).at(lip[:, 0])
         return np.abs(lip[:, 1] - y).max(), np.abs(lip[:, 2] - z).max()
 
+    def tongue_shown(self, targets):
+        """Height of the tongue that is seen before the lower front teeth, from the upper teeth's edge down to
+        the lower lip.
+        """
+        frame = self.face(targets)
+        upper, lower = self.head.teeth_upper, self.head.teeth_lower
+        edge = front(upper.vertices, upper.material)[:, 1].min()
+        before = front(np.asarray(frame.teeth_lower), lower.material)[:, 2].max()
+        tongue = frame.tongue[(np.abs(frame.tongue[:, 0]) < MIDDLE) & (frame.tongue[:, 2] > before)]
+        if not len(tongue):
+            return 0.0
+        lip = np.maximum(-self._mouth.line, 0.0) @ frame.skin[self._mouth.vertices]
+        lip = lip[np.abs(lip[:, 0]) < MIDDLE]
+        return min(edge, tongue[:, 1].max()) - max(lip[:, 1].max(), tongue[:, 1].min())
+
+    def teeth_pierced(self, targets):
+        """Greatest depth of teeth in the lips and cheeks, of lips in teeth, and of the tongue in teeth."""
+        frame = self.face(targets)
+        return self._teeth.in_lips(frame), self._teeth.lips_in(frame), max(self._teeth.tongue_in(frame))
+
     def turned(self, targets):
         """How many faces outside the mouth and the eyes' sockets turn over by more than a right angle."""
         before, area = self._normals(self.rest)
@@ -110,9 +135,14 @@ class Laws:
         return normal, np.linalg.norm(normal, axis=1)
 
     def _seen(self):
-        """Faces of the outer skin, which are not rolled in by lips or lids."""
+        """Faces of the outer skin, which are not rolled in by lips or lids, nor line the eyes' sockets."""
         hidden = np.max([self.head.masks[name] for name in ("inner_mouth", "lips", "lids")], axis=0)
-        return (self.head.skin.matrix @ hidden)[self.head.skin.quads].max(axis=1) < 0.3
+        fine = self.head.skin.matrix @ hidden
+        for centre, radius in zip(self.head.eye_centre, self.head.eye_radius, strict=True):
+            ahead = self.rest - centre
+            lining = (np.linalg.norm(ahead, axis=1) < radius + LINING) & (ahead[:, 2] < FRONT * radius)
+            fine[lining] = 1.0
+        return fine[self.head.skin.quads].max(axis=1) < 0.3
 
     def teeth_in_lips(self):
         """Greatest height of a front tooth before the lips' inner skin at rest; negative where all are
@@ -128,6 +158,11 @@ class Laws:
                 if len(near):
                     depths.append(tooth[2] - near[:, 2].max())
         return max(depths)
+
+
+def front(vertices, material):
+    """The crowns' vertices at the midline."""
+    return vertices[(material < 0.5) & (np.abs(vertices[:, 0]) < MIDDLE)]
 
 
 def margins(head, eye):

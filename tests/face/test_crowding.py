@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.crowding import LEAST, Crowding, relieve, struts
+from risorius.face.crowding import LEAST, Crowding, Distances, altitudes, relieve, struts
 from risorius.face.links import NO_LINKS
 from risorius.face.solve import FaceSolver
 
@@ -19,11 +19,6 @@ def displaced(solver, targets):
     out = np.zeros_like(solver.head.rest)
     solver._muscles.displace(values_of(targets), out)
     return out
-
-
-def shortened(crowding, displacement):
-    a, b = crowding.edges.T
-    return ((displacement[a] - displacement[b]) * crowding.way).sum(axis=1)
 
 
 def test_struts_are_sides_and_diagonals_once():
@@ -43,16 +38,29 @@ def test_a_muscle_alone_is_left_as_it_is(head, crowding, solver, muscle):
 def test_what_many_muscles_crowd_keeps_its_room(head, crowding):
     solver = FaceSolver(head, NO_LINKS)
     crowded = displaced(solver, dict.fromkeys(("depressor_supercilii", "levator_palpebrae", "AU1"), 1.0))
-    before = (shortened(crowding, crowded) - crowding.room).max()
+    before = (crowding.distances.shortened(crowded) - crowding.room).max()
     crowding.relieve(crowded)
-    after = (shortened(crowding, crowded) - crowding.room).max()
+    after = (crowding.distances.shortened(crowded) - crowding.room).max()
     assert before > 0.3
     assert after < 0.1
 
 
 def test_one_edge_is_pushed_apart_evenly():
-    edges, way = np.array([[0, 1]], np.int32), np.array([[1.0, 0.0, 0.0]])
+    points, way = np.array([[0, 1, 1]], np.int32), np.array([[1.0, 0.0, 0.0]])
     moved = np.array([[3.0, 0.5, 0.0], [0.0, 0.0, 0.2]])
-    relieve(edges, way, np.array([2.0]), 4, moved)
+    relieve(points, np.zeros(1), way, np.array([2.0]), 4, moved)
     np.testing.assert_allclose(moved, [[2.5, 0.5, 0.0], [0.5, 0.0, 0.2]])
     assert 0.0 < LEAST < 1.0
+
+
+def test_a_narrow_face_is_kept_from_turning_over():
+    """Its long sides slide over each other, and no edge of it grows shorter along its own direction."""
+    rest = np.array([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [5.0, 1.0, 0.0], [1.0, 1.0, 0.0]])
+    widths = Distances.of(altitudes(np.array([[0, 1, 2, 3]])), rest)
+    np.testing.assert_allclose(widths.length[np.abs(widths.way[:, 1]) > 0.99], 1.0)
+    moved = np.array([[0.0, 1.4, 0.0], [0.0, 1.4, 0.0], [3.0, 0.0, 0.0], [3.0, 0.0, 0.0]])
+    assert widths.shortened(moved).max() > 1.0
+    room = 0.6 * widths.length
+    relieve(widths.points, widths.foot, widths.way, room, 40, moved)
+    assert (widths.shortened(moved) - room).max() < 0.05
+    assert (rest + moved)[3, 1] > (rest + moved)[0, 1]

@@ -13,6 +13,8 @@ from .conftest import EMOTIONS
 from .laws import Laws
 
 OVERLAP, SEALED, LIDS, CLEAR = 0.3, 0.05, 0.01, 0.25
+PIERCED = 0.3
+TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_out": 1.0}
 HEADS = shipped_heads()
 AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 50), ("olaf", 25)]
 POSES = [
@@ -64,6 +66,17 @@ def test_no_outer_skin_turns_over(laws):
 
 def test_teeth_stand_behind_the_lips(laws):
     assert laws.teeth_in_lips() < -1.0
+
+
+def test_the_tongue_shows_for_th(laws):
+    assert laws.tongue_shown(TH) > 1.2
+    assert laws.tongue_shown({**TH, "tongue_out": 0.0}) == 0.0
+    assert max(laws.teeth_pierced(TH)) < PIERCED
+
+
+def test_nothing_pierces_the_teeth_as_the_mouth_opens_wide(laws):
+    for jaw in (0.5, 0.7, 1.0):
+        assert max(laws.teeth_pierced({"masseter": jaw})) < PIERCED
 
 
 @pytest.mark.parametrize("name", HEADS)

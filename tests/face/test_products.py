@@ -20,7 +20,7 @@ def test_carry_adds_the_motion_of_every_handle_to_its_region_alone():
     motion, moves = RNG.normal(size=(5, 3)), RNG.normal(size=(5, 3))
     expected = skin.copy()
     expected[region] += motion.T @ moves
-    carry(region, motion, moves, skin)
+    carry(region, motion, moves, np.full((3, 3), np.nan), skin)
     np.testing.assert_allclose(skin, expected, atol=1e-14)
 
 
@@ -29,5 +29,5 @@ def test_carry_upwards_moves_y_alone():
     motion, pushes = RNG.normal(size=(5, 3)), np.array([0.0, 1.0, 0.0, -2.0, 0.0])
     expected = skin.copy()
     expected[region, 1] += pushes @ motion
-    carry_upwards(region, motion, pushes, skin)
+    carry_upwards(region, motion, pushes, np.full(3, np.nan), skin)
     np.testing.assert_allclose(skin, expected, atol=1e-14)

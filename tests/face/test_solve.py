@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import tracemalloc
 from fractions import Fraction
 
 import numpy as np
@@ -128,3 +129,31 @@ def test_frames_are_made_one_by_one(solver):
     assert first.skin is not second.skin
     with pytest.raises(StopIteration):
         next(frames)
+
+
+def test_frames_solved_into_one_room_make_no_arrays(solver):
+    """What is left is Python's own: the frame, its rotations and the checked values."""
+    room = solver.room()
+    poses = [values_of({"AU12": a, "AU1": a, "masseter": 0.4 * a, "lip_seal": a, "tongue_up": a, "AU43": a})
+             for a in (0.3, 0.6, 0.9)]  # fmt: skip
+    for pose in poses:  # what compiles, compiles here
+        solver.solve(pose, room)
+    tracemalloc.start()
+    try:
+        before, _ = tracemalloc.get_traced_memory()
+        for pose in poses:
+            solver.solve(pose, room)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak - before < 18_000  # every one of the arrays in question is larger
+
+
+def test_a_frame_in_given_room_is_the_same(solver):
+    pose, room = values_of({"AU12": 0.7, "masseter": 0.2, "tongue_out": 0.5}), solver.room()
+    solver.solve(values_of({"AU4": 1.0, "AU9": 1.0}), room)
+    given, own = solver.solve(pose, room), solver.solve(pose)
+    assert given.skin is room.skin
+    assert own.skin is not room.skin
+    for name in ("skin", "teeth_lower", "tongue", "wrinkles"):
+        np.testing.assert_array_equal(getattr(given, name), getattr(own, name))

@@ -165,3 +165,13 @@ def test_any_face_keeps_its_folds_within_their_caps(old, strengths):
     heights = tallest(old, units)
     assert np.isfinite(heights).all()
     assert (heights <= 1.01 * caps).all()
+
+
+def test_an_open_jaw_draws_the_folds_beside_the_nose_out(old):
+    """It narrows the cheeks as it lengthens them: taut skin does not fold."""
+    rest = tallest(old, {})
+    for jaw in (0.3, 0.6, 1.0):
+        opened = tallest(old, {"masseter": jaw}) - rest
+        assert opened[INDEX["sneer"]] < 0.08
+        assert opened[INDEX["wing"]] < 0.08
+        assert opened[INDEX["nasolabial"]] < 0.35

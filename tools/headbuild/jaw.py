@@ -64,7 +64,8 @@ def _uncrowd(bust: Bust, jaw: Jaw, weight: Array, rest: Array, opened: Array) ->
     length = np.linalg.norm(vector, axis=1)
     bare = replace(jaw, point=np.zeros(3))
     way = bare.turn(vector / length[:, None], weight[edges].mean(axis=1) * jaw.angle)
-    relieve(edges.astype(np.int32), way, -_LEAST * length, _SWEEPS, opened)
+    points = edges[:, [0, 1, 1]].astype(np.int32)
+    relieve(points, np.zeros(len(points)), way, -_LEAST * length, _SWEEPS, opened)
 
 
 def _weights(jaw: Jaw, rest: Array, opened: Array) -> Array:

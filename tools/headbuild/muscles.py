@@ -15,6 +15,7 @@ from risorius.core.parameters import MUSCLES
 
 from .arrays import Array
 from .bust import Bust
+from .folds import unfolded
 from .lids import close_lids, lid_pairs
 from .masks import smoothstep
 from .mouth import LipSeal, lip_rings, narrowed
@@ -27,6 +28,7 @@ _KEYS = ("shapes", "part", "origin", "insertion", "action")
 # The anatomy of a row, which the recipe does not need: `risorius.face.muscle_table` reads it.
 _ANATOMY = ("type", "line", "zone", "source")
 _DEFAULTS = {"lips": "free", "smooth": 0.0, "narrow": 0.0}
+_MEETING = ("lids to their meeting", "lower lip to the teeth")
 _LIPS = ("free", "together", "no overlap")
 
 Split = Callable[[Array, Array], Array]
@@ -114,14 +116,20 @@ def muscle_fields(
             left = _field(bust, rest, recipe, "left")
             left = 0.5 * (left + mirrored(bust, _field(bust, rest, recipe, "right")))
             change = _lips_change(bust, rest, seal, left + mirrored(bust, left), recipe)
-            left = left + change * _left_share(bust.places)
+            left = _with_room(bust, rest, left + change * _left_share(bust.places), recipe)
             fields[f"{name}.left"], fields[f"{name}.right"] = left, mirrored(bust, left)
         else:
             both = sum((_field(bust, rest, recipe, side) for side in SIDES), np.zeros_like(rest))
             both = 0.5 * (both + mirrored(bust, both))
             both = narrowed(bust, rest + both, recipe["narrow"]) - rest
-            fields[name] = both + _lips_change(bust, rest, seal, both, recipe)
+            both = both + _lips_change(bust, rest, seal, both, recipe)
+            fields[name] = _with_room(bust, rest, both, recipe)
     return fields
+
+
+def _with_room(bust: Bust, rest: Array, field: Array, recipe: dict[str, Any]) -> Array:
+    """The field, with room left for the skin unless its part is to bring parts together."""
+    return field if recipe["part"] in _MEETING else unfolded(bust, rest, field)
 
 
 def _lips_change(bust: Bust, rest: Array, seal: LipSeal, both: Array, recipe: dict[str, Any]) -> Array:

@@ -13,6 +13,10 @@ from .masks import smoothstep
 _PART = "helper-tongue"
 _FIT_SCALE = np.array([0.88, 1.0, 1.0])
 _FIT_SHIFT = np.array([0.0, -2.5, -0.8])
+_OUT = 13.5  # mm that the tip comes forward
+_FLATTENED = 0.62  # of its thickness, lost by the blade
+# z and y (mm) of its middle plane on its way out: above the lower incisors, under the upper ones, then down
+_PASSAGE = ([8.0, 13.0, 16.0, 18.0, 20.0, 24.0], [-64.0, -63.4, -63.4, -64.4, -65.6, -66.6])
 
 
 def tongue(bust: Bust) -> tuple[Array, Array]:
@@ -25,24 +29,30 @@ def tongue(bust: Bust) -> tuple[Array, Array]:
 def tongue_fields(rest: Array) -> dict[str, Array]:
     """Displacement (n, 3) in mm at 1, for jaws that stand a little open (masseter about 0.12).
 
-    Up: the tip touches the ridge behind the upper incisors (t d n l). Out: the tip, flattened, passes between
-    the teeth (th). Back: the body draws back and rises towards the soft palate (k g and back vowels).
+    Up: the tip touches the ridge behind the upper incisors (t d n l); its underside comes into view. Out: the
+    blade passes between the teeth and the tip rests on the lower ones, before them (th). Back: the body draws
+    back and rises towards the soft palate (k g and back vowels).
     """
     tip = float(rest[:, 2].max())
     return {"tongue_up": _up(rest, tip), "tongue_out": _out(rest, tip), "tongue_back": _back(rest, tip)}
 
 
 def _up(rest: Array, tip: float) -> Array:
-    blade = smoothstep(tip - 24.0, tip + 2.0, rest[:, 2])
-    return _field(-0.10 * blade * rest[:, 0], 12.5 * blade, 2.0 * blade)
+    body = smoothstep(tip - 34.0, tip, rest[:, 2])
+    blade = smoothstep(tip - 12.0, tip, rest[:, 2])
+    return _field(-0.12 * blade * rest[:, 0], 4.5 * body + 7.0 * blade, 1.0 * body + 2.5 * blade)
 
 
 def _out(rest: Array, tip: float) -> Array:
+    """The middle plane is laid on `_PASSAGE`, by where a vertex comes to stand, and the blade flattened."""
     body = smoothstep(tip - 48.0, tip, rest[:, 2])
     blade = smoothstep(tip - 18.0, tip, rest[:, 2])
     middle = _middle_height(rest)
-    flat = -0.50 * blade * (rest[:, 1] - middle)
-    return _field(-0.12 * blade * rest[:, 0], 4.5 * body + flat, 16.0 * body)
+    forward = _OUT * body
+    passage = np.interp(rest[:, 2] + forward, *_PASSAGE)
+    low = blade * (passage - middle) + (1.0 - blade) * 5.0 * body
+    flat = -_FLATTENED * blade * (rest[:, 1] - middle)
+    return _field(-0.12 * blade * rest[:, 0], low + flat, forward)
 
 
 def _back(rest: Array, tip: float) -> Array:

@@ -42,10 +42,11 @@ class Compression:
     """Rows of (vertex, zone) with the quads that each reads.
 
     `quad` (e, 4) and `frame` (e, 3) are the quads in use, one entry per zone, with the coefficients of the
-    zone's direction on their diagonals, or the area at rest where area is measured; `side` (e, 2) their
+    zone's direction on their diagonals, 0 where area is measured, and the area at rest; `side` (e, 2) their
     shares in the means of the left and right half of their zone `zone` (e,); `start` (r + 1,), `column`,
     `weight` the entries that each row averages; `row_zone` (r,), `row_vertex` (r,), `row_side` (r,) share of
-    the left half.
+    the left half; `work` the strain (e,) and the means (zones, 2) of what was measured last; `taut`
+    whether skin drawn out across a direction may narrow along it.
     """
 
     zones: int
@@ -59,10 +60,12 @@ class Compression:
     row_zone: IntArray
     row_vertex: IntArray
     row_side: Array
+    work: tuple[Array, Array]
+    taut: bool
 
     @classmethod
-    def of(cls, head: Head, zones: Sequence[Zone]) -> Compression:
-        """Prepare to measure `zones` of a head."""
+    def of(cls, head: Head, zones: Sequence[Zone], *, taut: bool = False) -> Compression:
+        """Prepare to measure `zones` of a head; `taut` as skin that folds, not as flesh that swells."""
         spread = _quads_to_fine(head)
         left = smooth(-_MIDDLE, _MIDDLE, head.rest[head.quads].mean(axis=1)[:, 0])
         fine_left = smooth(-_MIDDLE, _MIDDLE, (head.skin.matrix @ head.rest)[:, 0])
@@ -82,6 +85,8 @@ class Compression:
             np.repeat(np.arange(len(parts)), [len(p.vertices) for p in parts]).astype(np.uint32),
             vertices.astype(np.uint32),
             fine_left[vertices],
+            (np.empty(sum(sizes)), np.empty((len(zones), 2))),
+            taut,
         )
 
     def measure(self, skin: Array, out: Array) -> Array:
@@ -90,7 +95,8 @@ class Compression:
         Half of it is the row's own and half the mean of its side of the zone: skin slides on the fat below.
         """
         _measure(
-            self.zones,
+            *self.work,
+            self.taut,
             self.quad,
             self.frame,
             self.zone,
@@ -165,7 +171,7 @@ def _diagonals(corners: Array) -> tuple[Array, Array]:
 
 def _frames(corners: Array, pull: Array) -> Array:
     """Return for quads their frame (k, 3): the coefficients on the diagonals of `pull` (k, 3), laid into the
-    quad, as a unit vector, and 0; or 0, 0 and the area, where there is no such direction.
+    quad, as a unit vector, or 0 and 0 where there is no such direction; and the area at rest.
     """
     a, b = _diagonals(corners)
     aa, bb, ab = (a * a).sum(axis=1), (b * b).sum(axis=1), (a * b).sum(axis=1)
@@ -174,33 +180,37 @@ def _frames(corners: Array, pull: Array) -> Array:
     u, v = (pa * bb - pb * ab) / determinant, (pb * aa - pa * ab) / determinant
     length = np.linalg.norm(u[:, None] * a + v[:, None] * b, axis=1)
     directed = length > _ALONG
-    length[~directed] = 1.0
-    return np.where(
-        directed[:, None],
-        np.stack([u / length, v / length, np.zeros(len(a))], axis=1),
-        np.stack([np.zeros(len(a)), np.zeros(len(a)), np.sqrt(determinant)], axis=1),
-    )
+    unit = np.where(directed[:, None], np.stack([u, v], axis=1) / np.maximum(length, _ALONG)[:, None], 0.0)
+    return np.column_stack([unit, np.sqrt(determinant)])
 
 
 @inlined
-def _stretch(skin: Array, quad: IntArray, frame: Array, e: int) -> float:
-    """Return the stretch of quad e along its frame's direction, or of its area."""
+def _stretch(skin: Array, quad: IntArray, frame: Array, e: int, taut: bool) -> float:
+    """Return the stretch of quad e along its frame's direction, or of its area.
+
+    `taut`: skin that is drawn out across that direction narrows by itself, and only what is shorter than
+    that is compressed: an open jaw draws the cheeks long and folds nothing.
+    """
     p, q, r, s = quad[e, 0], quad[e, 1], quad[e, 2], quad[e, 3]
     ax, ay, az = skin[r, 0] - skin[p, 0], skin[r, 1] - skin[p, 1], skin[r, 2] - skin[p, 2]
     bx, by, bz = skin[s, 0] - skin[q, 0], skin[s, 1] - skin[q, 1], skin[s, 2] - skin[q, 2]
-    if frame[e, 2] > 0.0:
-        x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        scale = 1.0 / frame[e, 2]
-    else:
-        u, v = frame[e, 0], frame[e, 1]
-        x, y, z = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        scale = 1.0
-    return float(scale * np.sqrt(x * x + y * y + z * z))
+    x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    area = np.sqrt(x * x + y * y + z * z) / frame[e, 2]
+    u, v = frame[e, 0], frame[e, 1]
+    if u == 0.0 and v == 0.0:
+        return float(area)
+    x, y, z = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+    along = np.sqrt(x * x + y * y + z * z)
+    if taut and along < min(area, 1.0):
+        along = min(np.sqrt(along * area), 1.0)
+    return float(along)
 
 
 @compiled_fast
 def _measure(
-    zones: int,
+    strain: Array,
+    mean: Array,
+    taut: bool,
     quad: IntArray,
     frame: Array,
     zone: IntArray,
@@ -213,10 +223,9 @@ def _measure(
     skin: Array,
     out: Array,
 ) -> None:
-    strain = np.empty(len(quad))
-    mean = np.zeros((zones, 2))
+    mean[:] = 0.0
     for e in range(len(quad)):
-        strain[e] = _stretch(skin, quad, frame, e)
+        strain[e] = _stretch(skin, quad, frame, e, taut)
         low = min(strain[e], STRETCHED)
         mean[zone[e], 0] += side[e, 0] * low
         mean[zone[e], 1] += side[e, 1] * low

@@ -19,6 +19,7 @@ Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.integer]
 
 BINS = 96
+ITEMS = 16  # in bins, for each vertex that may touch: more than lips have
 EDGE = 1e-9  # of a triangle, beyond it, that still belongs to it
 SPILL = 1e-6  # of a triangle's extent, beyond it, that is looked at: more than EDGE
 
@@ -36,27 +37,54 @@ class Facing(NamedTuple):
     lower: IntArray
 
 
+class Bins(NamedTuple):
+    """Workspace for triangles sorted by x: each one's first and last bin `span` (m, 2), where a bin's items
+    `start` and are to `fill` (BINS + 1,), `items` and their `box` (i, 3). More are made room for when needed.
+    """
+
+    span: npt.NDArray[np.int32]
+    start: npt.NDArray[np.int32]
+    fill: npt.NDArray[np.int32]
+    items: IntArray
+    box: Array
+
+    @classmethod
+    def room_for(cls, count: int) -> Bins:
+        """Allocate for the triangles among `count` vertices."""
+        start, fill = np.zeros(BINS + 1, np.int32), np.zeros(BINS + 1, np.int32)
+        items = ITEMS * count
+        return cls(
+            np.zeros((items, 2), np.int32), start, fill, np.zeros(items, np.uint32), np.zeros((items, 3))
+        )
+
+
 class Contacts(NamedTuple):
     """Workspace for the contacts of one instant, at most one per vertex of `Facing`.
 
     Row i says that Σ weight[i] · y[points[i]] is the gap: `points` (k, 4), `weight` (k, 4), `gap` (k,) mm
-    (negative where the surfaces overlap), `x` (k,) where it lies.
+    (negative where the surfaces overlap), `x` (k,) where it lies. `upper`, `lower`: their sorted triangles.
     """
 
     points: IntArray
     weight: Array
     gap: Array
     x: Array
+    upper: Bins
+    lower: Bins
 
     @classmethod
     def room_for(cls, count: int) -> Contacts:
         """Allocate for `count` contacts."""
-        return cls(np.zeros((count, 4), np.uint32), np.zeros((count, 4)), np.zeros(count), np.zeros(count))
+        points, weight = np.zeros((count, 4), np.uint32), np.zeros((count, 4))
+        return cls(
+            points, weight, np.zeros(count), np.zeros(count), Bins.room_for(count), Bins.room_for(count)
+        )
 
 
 def find_contacts(facing: Facing, points: Array, reach: float, out: Contacts) -> int:
     """Write the contacts of `points` (n, 3) whose gap is below `reach` mm to `out`; return how many."""
-    return int(_find(*facing, points, reach, *out))
+    x, upper, lower = out.x, out.upper, out.lower
+    return int(_find(*facing, points, reach, out.points, out.weight, out.gap, x, upper, lower))
 
 
 @compiled
@@ -71,10 +99,12 @@ def _find(
     out_weight: Array,
     out_gap: Array,
     out_x: Array,
+    upper_bins: Bins,
+    lower_bins: Bins,
 ) -> int:
     low, width = _range_of(points)
-    upper_start, upper_items, upper_box = _sort_into_bins(points, upper, low, width, 1.0)
-    lower_start, lower_items, lower_box = _sort_into_bins(points, lower, low, width, -1.0)
+    upper_start, upper_items, upper_box = _sort_into_bins(points, upper, low, width, 1.0, upper_bins)
+    lower_start, lower_items, lower_box = _sort_into_bins(points, lower, low, width, -1.0, lower_bins)
     count = 0
     for k in range(len(vertices)):
         v = vertices[k]
@@ -107,14 +137,21 @@ def _range_of(points: Array) -> tuple[float, float]:
 
 @compiled
 def _sort_into_bins(
-    points: Array, triangles: IntArray, low: float, width: float, sign: float
+    points: Array,
+    triangles: IntArray,
+    low: float,
+    width: float,
+    sign: float,
+    work: Bins,
 ) -> tuple[IntArray, IntArray, Array]:
     """Return start (BINS + 1,) and items: the triangles that meet each bin of `width` mm from x = `low`.
 
     And the box (items, 3) of every item: least `sign` times y, least and largest z.
     """
-    bins = np.empty((len(triangles), 2), np.int32)
-    start = np.zeros(BINS + 1, np.int32)
+    bins, start, fill, items, box = work
+    if len(bins) < len(triangles):
+        bins = np.empty((len(triangles), 2), np.int32)
+    start[:] = 0
     for t in range(len(triangles)):
         a, b, c = points[triangles[t, 0], 0], points[triangles[t, 1], 0], points[triangles[t, 2], 0]
         bins[t, 0] = min(max(int((min(a, b, c) - low) / width), 0), BINS - 1)
@@ -123,9 +160,9 @@ def _sort_into_bins(
             start[k + 1] += 1
     for k in range(BINS):
         start[k + 1] += start[k]
-    items = np.empty(start[BINS], np.uint32)
-    box = np.empty((start[BINS], 3))
-    fill = start.copy()
+    if len(items) < start[BINS]:
+        items, box = np.empty(start[BINS], np.uint32), np.empty((start[BINS], 3))
+    fill[:] = start
     for t in range(len(triangles)):
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         lowest = min(sign * points[a, 1], sign * points[b, 1], sign * points[c, 1])

@@ -1,9 +1,11 @@
 """Skin that several muscles push together gives way before it folds over.
 
-An edge of the mesh keeps a share of its length along its own direction, or what the hardest muscle alone
-leaves of it: so muscles alone stay exact. The limits are linear in the displacement before the jaw turns it,
-and are met by sweeps of equal pushes at both ends (position-based dynamics, Müller et al. 2007, one-sided
-constraints), which is continuous in every activation.
+What is limited are distances of points of the mesh: the ends of an edge keep a share of their distance along
+the edge's own direction, and so does a corner of a face from the edge across, for a long narrow face turns
+over while no edge of it grows shorter. What the hardest muscle alone leaves is always left: so muscles alone
+stay exact. The limits are linear in the displacement before the jaw turns it, and are met by sweeps of equal
+pushes (position-based dynamics, Müller et al. 2007, one-sided constraints), which is continuous in every
+activation.
 """
 
 from __future__ import annotations
@@ -22,42 +24,93 @@ Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int32]
 
 LEAST = 0.6  # of an edge's length at rest that is left to it along its direction
+LEAST_WIDTH = 0.5  # of a face's width at rest that is left to it
+TURNING = 0.9  # of a face's width: lost by all muscles together where they could turn it over
 SWEEPS = 20
-NEAR = 1e-6  # mm: edges at rest are longer
+NEAR = 1e-2  # mm: distances at rest are longer
+
+
+@dataclass(frozen=True, slots=True)
+class Distances:
+    """Distances of points from points on edges of the mesh: from `points` (d, 3) the first, to the place
+    `foot` (d,), 0 to 1, on the way from the second to the third; `way` (d, 3) is their unit direction and
+    `length` (d,) their length in mm at rest.
+    """
+
+    points: IntArray
+    foot: Array
+    way: Array
+    length: Array
+
+    @classmethod
+    def of(cls, points: npt.NDArray[np.integer], rest: Array) -> Distances:
+        """Measure, at rest (n, 3), each first point from the edge of the other two, which may be one."""
+        first, second, third = (rest[points[:, k]] for k in range(3))
+        base = third - second
+        along = ((first - second) * base).sum(axis=1) / np.maximum((base * base).sum(axis=1), NEAR**2)
+        foot = np.clip(along, 0.0, 1.0)
+        vector = second + foot[:, None] * base - first
+        length = np.linalg.norm(vector, axis=1)
+        long = length > NEAR
+        way = vector[long] / length[long, None]
+        return cls(points[long].astype(np.int32), foot[long], way, length[long])
+
+    def shortened(self, displacement: Array) -> Array:
+        """Return by how many mm (d,) a displacement (n, 3) shortens them; below 0 where it lengthens them."""
+        first, second, third = (displacement[self.points[:, k]] for k in range(3))
+        apart = second + self.foot[:, None] * (third - second) - first
+        return np.asarray(-(apart * self.way).sum(axis=1))
 
 
 @dataclass(frozen=True, slots=True)
 class Crowding:
-    """What muscles could fold over: `edges` (e, 2), diagonals of faces among them, their unit directions
-    `way` (e, 3), and the most in mm by which each may shorten, `room` (e,).
+    """What muscles could fold over: distances of points, and the most in mm by which each may shorten, `room`
+    (d,).
     """
 
-    edges: IntArray
-    way: Array
+    distances: Distances
     room: Array
 
     @classmethod
     def of(cls, head: Head) -> Crowding:
-        """Find the edges of `head` that all muscles together could shorten to less than is left to them."""
-        edges = struts(head.quads)
-        vector = head.rest[edges[:, 1]] - head.rest[edges[:, 0]]
-        length = np.linalg.norm(vector, axis=1)
-        way = vector / np.maximum(length, NEAR)[:, None]
-        shortened = [_shortened(field, edges, way) for field in _fields(head)]
-        hardest = np.max(shortened, axis=0)
-        room = np.maximum((1.0 - LEAST) * length, hardest)
-        risky = (np.sum(shortened, axis=0) > room) & (length > NEAR)
-        return cls(edges[risky].astype(np.int32), way[risky], room[risky])
+        """Find what all muscles of `head` together could shorten to less than is left to it."""
+        fields = _fields(head)
+        edges, widths = struts(head.quads), altitudes(head.quads)
+        limits = [
+            _limits(Distances.of(edges[:, [0, 1, 1]], head.rest), fields, LEAST, 1.0 - LEAST),
+            _limits(Distances.of(widths, head.rest), fields, LEAST_WIDTH, TURNING),
+        ]
+        tables = [(d.points, d.foot, d.way, d.length, room) for d, room in limits]
+        *found, room = (np.concatenate(parts) for parts in zip(*tables, strict=True))
+        return cls(Distances(*found), room)
 
     def relieve(self, displacement: Array) -> None:
-        """Change `displacement` (N0, 3) mm in place until no edge is shorter than it may be."""
-        relieve(self.edges, self.way, self.room, SWEEPS, displacement)
+        """Change `displacement` (N0, 3) mm in place until nothing is shorter than it may be."""
+        found = self.distances
+        relieve(found.points, found.foot, found.way, self.room, SWEEPS, displacement)
 
 
 def struts(quads: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
     """Return the sides and diagonals (e, 2) of `quads` (Q, 4), each once."""
     ends = [quads[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3))]
     return np.asarray(np.unique(np.sort(np.vstack(ends), axis=1), axis=0))
+
+
+def altitudes(quads: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
+    """Return each corner of `quads` (Q, 4) with the ends of either side that it does not lie on (8 Q, 3)."""
+    turned = [np.roll(quads, -k, axis=1) for k in range(4)]
+    return np.vstack([t[:, order] for t in turned for order in ([0, 3, 2], [1, 2, 3])])
+
+
+def _limits(found: Distances, fields: list[Array], least: float, turning: float) -> tuple[Distances, Array]:
+    """Return those of the distances `found` that all `fields` together shorten by more than their share
+    `turning` and than they may, and by how much each may: to the share `least`, or as one field alone does.
+    """
+    shortened = [np.maximum(found.shortened(field), 0.0) for field in fields]
+    room = np.maximum((1.0 - least) * found.length, np.max(shortened, axis=0))
+    risky = np.sum(shortened, axis=0) > np.maximum(room, turning * found.length)
+    chosen = (table[risky] for table in (found.points, found.foot, found.way, found.length))
+    return Distances(*chosen), room[risky]
 
 
 def _fields(head: Head) -> list[Array]:
@@ -70,29 +123,28 @@ def _fields(head: Head) -> list[Array]:
     return list(found.values())
 
 
-def _shortened(field: Array, edges: npt.NDArray[np.integer], way: Array) -> Array:
-    """Return by how many mm (e,) a field shortens edges along `way`; 0 where it does not."""
-    return np.asarray(np.maximum(-((field[edges[:, 1]] - field[edges[:, 0]]) * way).sum(axis=1), 0.0))
-
-
 @compiled
-def relieve(edges: IntArray, way: Array, room: Array, sweeps: int, displacement: Array) -> None:
-    """Push the ends of `edges` (e, 2) apart along `way` (e, 3) where they come nearer than by `room` (e,) mm.
+def relieve(points: IntArray, foot: Array, way: Array, room: Array, sweeps: int, displacement: Array) -> None:
+    """Push points apart that come nearer than by `room` (d,) mm along `way` (d, 3): `Distances`' tables.
 
     `displacement` (n, 3) mm is changed in place, in at most `sweeps` sweeps.
     """
     for _ in range(sweeps):
         moved = False
-        for e in range(len(edges)):
-            a, b = edges[e, 0], edges[e, 1]
-            shortened = 0.0
+        for k in range(len(points)):
+            first, second, third = points[k, 0], points[k, 1], points[k, 2]
+            far = foot[k]
+            near = 1.0 - far
+            excess = -room[k]
             for c in range(3):
-                shortened += (displacement[a, c] - displacement[b, c]) * way[e, c]
-            excess = shortened - room[e]
+                other = near * displacement[second, c] + far * displacement[third, c]
+                excess += (displacement[first, c] - other) * way[k, c]
             if excess > 0.0:
                 moved = True
+                push = excess / (1.0 + near * near + far * far)
                 for c in range(3):
-                    displacement[a, c] -= 0.5 * excess * way[e, c]
-                    displacement[b, c] += 0.5 * excess * way[e, c]
+                    displacement[first, c] -= push * way[k, c]
+                    displacement[second, c] += near * push * way[k, c]
+                    displacement[third, c] += far * push * way[k, c]
         if not moved:
             break

@@ -12,6 +12,16 @@ Array32 = npt.NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class FrameRoom:
+    """Room for the arrays of a frame, to be filled again and again: `FaceFrame` has their shapes."""
+
+    skin: Array32
+    teeth_lower: Array32
+    tongue: Array32
+    wrinkles: Array32
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class FaceFrame:
     """Vertices of one instant, in mm in the head frame, before the head's own rotation.
 

@@ -57,6 +57,7 @@ class Lids:
     taper          (m,) 1 at the middle of the eye, 0 at its corners
     region         (r,) level-0 vertices that move with the margins, `motion` (2 m, r) how far with each
     shell          (s,) level-1 vertices, `floor` (s,) mm their least distance to `centre`
+    work           of the last frame: where the margins were and went (2 m, 3), `region`'s way (3, r)
     """
 
     column: int
@@ -71,6 +72,7 @@ class Lids:
     motion: Array
     shell: IntArray
     floor: Array
+    work: tuple[Array, Array, Array]
 
     @classmethod
     def of(cls, head: Head, eye: int, stiff: sp.csc_matrix) -> Lids:
@@ -102,19 +104,20 @@ class Lids:
             np.ascontiguousarray(np.linalg.inv(plate.compliance).T @ plate.motion),
             shell,
             floor,
+            (np.empty((2 * len(pairs), 3)), np.empty((2 * len(pairs), 3)), np.empty((3, len(plate.region)))),
         )
 
     def close(self, skin: Array, closure: float, pitch: float) -> None:
         """Move the level-0 `skin` (N0, 3) in place: `closure` 0..1, the eye at `pitch` degrees."""
         up, down = follow(pitch, UPPER_GAIN, UPPER_MOST), follow(pitch, LOWER_GAIN, LOWER_MOST)
-        places, goal = np.empty((2 * len(self.taper), 3)), np.empty((2 * len(self.taper), 3))
+        places, goal, sums = self.work
         self.margin.times(skin, places)
         share = _aim(places, self.centre, self.taper, self.margin_stroke, closure, up, down, goal)
         if share != 0.0:
             _turn(skin, self.closing, self.angle, self.stroke, min(share, 1.0), self.centre)
             self.margin.times(skin, places)
         _rest_of_the_way(places, self.centre, closure, goal)
-        carry(self.region, self.motion, goal, skin)
+        carry(self.region, self.motion, goal, sums, skin)
 
     def keep_off(self, skin: Array) -> None:
         """Push the level-1 `skin` (N1, 3) out of the eyeball in place."""

@@ -41,6 +41,7 @@ class Handles:
         self._region = plate.region
         inverse = np.linalg.inv(weights @ plate.compliance @ weights.T)
         self._motion = np.ascontiguousarray((weights.T @ inverse).T @ plate.motion)
+        self._sums = np.empty((3, len(plate.region)))
 
     def places(self, points: Array) -> Array:
         """Return where they are (s, 3) at `points` (n, 3)."""
@@ -48,7 +49,7 @@ class Handles:
 
     def move(self, skin: Array, way: Array) -> None:
         """Move the places by `way` (s, 3) mm, and the level-0 `skin` (N0, 3) around them with them."""
-        carry(self._region, self._motion, way, skin)
+        carry(self._region, self._motion, way, self._sums, skin)
 
 
 class Lips:
@@ -72,6 +73,7 @@ class Lips:
         self._work = Workspace.room_for(most, len(rest))
         self._low, self._high = np.full(most, -OVERLAP), np.full(most, np.inf)
         self._force = np.zeros(len(rest))
+        self._sums = np.empty(len(self._plate.region))
 
     def solve(self, skin: Array, seal: float, tuck: float) -> None:
         """Move the level-0 `skin` (N0, 3) in place.
@@ -120,7 +122,7 @@ class Lips:
         self._force[:] = 0.0
         gaps = Gaps(found.points[rows], found.weight[rows], gap[rows], low[rows], high[rows])
         settle(gaps, self._plate.compliance, SWEEPS, self._work, self._force)
-        carry_upwards(self._plate.region, self._plate.motion, self._force, skin)
+        carry_upwards(self._plate.region, self._plate.motion, self._force, self._sums, skin)
         return True
 
     def _narrowest(self, points: Array, count: int) -> npt.NDArray[np.int64]:

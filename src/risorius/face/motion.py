@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..core.performance import Performance
-from .frame import FaceFrame
+from .frame import FaceFrame, FrameRoom
 from .solve import FaceSolver, checked_rows
 from .springs import RATE, Springs
 
@@ -46,25 +46,27 @@ def animate(
     drive: Drive | None = None,
     indices: Sequence[int] | None = None,
     lead_in: float | None = None,
+    room: FrameRoom | None = None,
 ) -> Iterator[FaceFrame]:
     """Yield the face at every frame of `performance`, or at those in `indices`, one at a time.
 
     With `dynamics` the skin moves with its inertia, starting at rest in the first frame; frames that are left
     out are gone through all the same, so that the others do not depend on it; with `lead_in` only that many
     seconds before the first of them (see `Motion.start_before`). `drive` gives the curves between frames
-    (straight lines where None); with the score's own, faces at one time agree at all frame rates. Raises
-    ParameterError for a value that is not a number or out of range.
+    (straight lines where None); with the score's own, faces at one time agree at all frame rates. With `room`
+    each frame takes the place of the one before it. Raises ParameterError for a value that is not a number
+    or out of range.
     """
     chosen = range(len(performance.values)) if indices is None else indices
     if not dynamics:
-        yield from (solver.solve(performance.values[i]) for i in chosen)
+        yield from (solver.solve(performance.values[i], room) for i in chosen)
         return
     motion = Motion(solver, drive or between_frames(performance))
     if lead_in is not None and len(chosen):
         motion.start_before(Fraction(int(chosen[0])) / performance.fps, lead_in)
     for i in chosen:
         values = performance.values[i]
-        yield solver.solve_moving(values, *motion.go_to(Fraction(int(i)) / performance.fps))
+        yield solver.solve_moving(values, *motion.go_to(Fraction(int(i)) / performance.fps), room)
 
 
 class Motion:

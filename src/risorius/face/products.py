@@ -50,9 +50,11 @@ def _times(start: IntArray, column: IntArray, weight: Array, points: Array, out:
 
 
 @compiled_fast
-def carry(region: IntArray, motion: Array, moves: Array, skin: Array) -> None:
-    """Add to `skin` (N, 3) at `region` (r,) the transpose of `motion` (s, r) times `moves` (s, 3)."""
-    sums = np.zeros((3, len(region)))
+def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Array) -> None:
+    """Add to `skin` (N, 3) at `region` (r,) the transpose of `motion` (s, r) times `moves` (s, 3): `sums`
+    (3, r), which are overwritten.
+    """
+    sums[:] = 0.0
     for s in range(len(moves)):
         for c in range(3):
             way = moves[s, c]
@@ -65,9 +67,11 @@ def carry(region: IntArray, motion: Array, moves: Array, skin: Array) -> None:
 
 
 @compiled_fast
-def carry_upwards(region: IntArray, motion: Array, pushes: Array, skin: Array) -> None:
-    """Add to the y of `skin` (N, 3) at `region` (r,) `pushes` (s,), mostly 0, times `motion` (s, r)."""
-    sums = np.zeros(len(region))
+def carry_upwards(region: IntArray, motion: Array, pushes: Array, sums: Array, skin: Array) -> None:
+    """Add to the y of `skin` (N, 3) at `region` (r,) `pushes` (s,), mostly 0, times `motion` (s, r): `sums`
+    (r,), which are overwritten.
+    """
+    sums[:] = 0.0
     for s in range(len(pushes)):
         push = pushes[s]
         if push != 0.0:

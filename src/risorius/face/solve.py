@@ -20,7 +20,7 @@ from .ageing import DEFAULT_AGE
 from .biphasic import Biphasic
 from .crowding import Crowding
 from .eyes import eye_rotations, pitch_and_yaw
-from .frame import Array32, FaceFrame
+from .frame import FaceFrame, FrameRoom
 from .head import Head
 from .jaw import Jaw
 from .lids import both_lids
@@ -108,6 +108,13 @@ class FaceSolver:
         self._displacement = np.zeros_like(head.rest)
         self._skin = np.zeros_like(head.rest)
         self._fine = np.zeros((head.skin.matrix.shape[0], 3))
+        self._lick = np.zeros_like(self._tongue.rest)
+
+    def room(self) -> FrameRoom:
+        """Return room for a frame, which `solve` and `solve_moving` fill: with it they make no new arrays."""
+        teeth, tongue = self.head.teeth_lower.vertices.shape, self._lick.shape
+        shapes = (self._fine.shape, teeth, tongue, self._wrinkles.shape)
+        return FrameRoom(*(np.empty(shape, np.float32) for shape in shapes))
 
     def springs(self) -> Springs:
         """Return a state of the skin in motion; there may be several at once."""
@@ -116,10 +123,11 @@ class FaceSolver:
     def _second_phase(self) -> Biphasic | None:
         return Biphasic(self._network, self._muscles, self.head) if self._phases == "biphasic" else None
 
-    def solve(self, values: npt.ArrayLike) -> FaceFrame:
+    def solve(self, values: npt.ArrayLike, room: FrameRoom | None = None) -> FaceFrame:
         """Return the face at `values` (46,), in the parameter table's order and units, in equilibrium.
 
-        The same values give the same frame, whatever was solved before. Raises ParameterError as
+        The same values give the same frame, whatever was solved before. The frame's arrays are those of
+        `room`, and the next frame's too if it is given again; new ones where None. Raises ParameterError as
         `checked_values`.
         """
         checked = checked_values(values)
@@ -127,42 +135,44 @@ class FaceSolver:
         self._displacement[:] = self._displaced.at(linked)
         if self._stiffening is not None:
             self._stiffening.settle_skin(linked, self._displacement)
-        return self._finish(checked)
+        return self._finish(checked, room or self.room())
 
-    def solve_moving(self, values: npt.ArrayLike, springs: Springs, share: float) -> FaceFrame:
+    def solve_moving(
+        self, values: npt.ArrayLike, springs: Springs, share: float, room: FrameRoom | None = None
+    ) -> FaceFrame:
         """Return the face at `values` (46,) with the free points of the skin where `springs` have them.
 
-        `share` 0..1 is the way from before the last step to after it. Raises ParameterError as
-        `checked_values`.
+        `share` 0..1 is the way from before the last step to after it; `room` as for `solve`. Raises
+        ParameterError as `checked_values`.
         """
         checked = checked_values(values)
         self._displacement[:] = self._held.at(self._links.apply(checked, self._linked))
         springs.place(share, self._displacement)
-        return self._finish(checked)
+        return self._finish(checked, room or self.room())
 
-    def _finish(self, values: Array) -> FaceFrame:
+    def _finish(self, values: Array, room: FrameRoom) -> FaceFrame:
         """Return the face at checked `values` (46,) whose muscles have displaced the skin."""
         values.setflags(write=False)
         opening = float(values[_JAW])
         eyes = eye_rotations(self.head.eye_centre, *values[_GAZE].tolist())
         self._crowding.relieve(self._displacement)
-        skin, wrinkles = self._solve_skin(values, eyes)
-        tongue = self._tongue.place(values, self.jaw, opening)
-        self._teeth.keep_in(tongue, opening)
-        teeth = np.empty(self.head.teeth_lower.vertices.shape, np.float32)
-        self.jaw.carry_to(self.head.teeth_lower.vertices, opening, teeth)
+        self._solve_skin(values, eyes, room)
+        self._tongue.place(values, self.jaw, opening, self._lick)
+        self._teeth.keep_in(self._lick, opening)
+        room.tongue[:] = self._lick
+        self.jaw.carry_to(self.head.teeth_lower.vertices, opening, room.teeth_lower)
         return FaceFrame(
-            skin=skin,
-            teeth_lower=teeth,
-            tongue=tongue.astype(np.float32),
+            skin=room.skin,
+            teeth_lower=room.teeth_lower,
+            tongue=room.tongue,
             eye_rotation=eyes,
             head_rotation=head_rotation(*values[_HEAD].tolist()),
             jaw_angle=opening * self.jaw.angle,
-            wrinkles=wrinkles,
+            wrinkles=room.wrinkles,
             parameters=values,
         )
 
-    def _solve_skin(self, values: Array, eyes: Array) -> tuple[Array32, Array32]:
+    def _solve_skin(self, values: Array, eyes: Array, room: FrameRoom) -> None:
         skin = self._skin
         self.jaw.carry_skin(self.head.rest, self._displacement, values[_JAW], skin)
         for lids, eye in zip(self._lids, eyes, strict=True):
@@ -172,5 +182,5 @@ class FaceSolver:
         for lids in self._lids:
             lids.keep_off(self._fine)
         self._teeth.keep_out(self._fine, values[_JAW])
-        wrinkles = self._wrinkles.fold(skin, self._fine)
-        return self._fine.astype(np.float32), wrinkles
+        self._wrinkles.fold(skin, self._fine, room.wrinkles)
+        room.skin[:] = self._fine

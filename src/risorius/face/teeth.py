@@ -29,7 +29,8 @@ ROUNDING = 3.0  # mm by which a row recedes with each row beyond its edge: no st
 WIDENED = 5  # columns over which the front is widened: faces of skin lie between their corners
 SAMPLES = 6  # along each side of a triangle
 CLEARANCE = 0.3  # mm of skin before the teeth's front
-DEEPEST, LOST = 5.0, 8.0  # mm behind the front: up to here skin is pushed out, from there on it is elsewhere
+FINE, COARSE = 3.0, 0.14  # mm of an edge of the skin above which its corners stand further out, and how much
+DEEPEST, LOST = 7.0, 10.0  # mm behind the front: up to here skin is pushed out, from there on it is elsewhere
 LINING_REACH = 14.0  # mm from the teeth's vertices to the skin that can meet them
 AHEAD = 6.0  # mm from the hindmost tooth to the middle: the last tooth has a back to go round
 SECTORS = 24  # of a full turn
@@ -123,11 +124,14 @@ def _around(front: Array, back: Array) -> Array:
 
 @dataclass(frozen=True, slots=True)
 class Teeth:
-    """Both rows of a head, and the level-1 vertices `lining` (k,) of the skin that can meet them."""
+    """Both rows of a head, the level-1 vertices `lining` (k,) of the skin that can meet them, and the mm
+    `clearance` (k,) that each is kept before them.
+    """
 
     upper: Row
     lower: Row
     lining: IntArray
+    clearance: Array
     jaw: Jaw
 
     @classmethod
@@ -139,23 +143,40 @@ class Teeth:
         back = min(mesh.vertices[:, 2].min() for mesh in (head.teeth_upper, head.teeth_lower))
         near = (rest[:, 2] > back - LINING_REACH) & (rest[:, 2] < front + LINING_REACH)
         lining = np.flatnonzero(soft & near).astype(np.uint32)
-        return cls(Row.of(head.teeth_upper, 1.0), Row.of(head.teeth_lower, -1.0), lining, Jaw.of(head))
+        upper, lower = Row.of(head.teeth_upper, 1.0), Row.of(head.teeth_lower, -1.0)
+        return cls(upper, lower, lining, _clearance(rest, head.skin.quads)[lining], Jaw.of(head))
 
     def keep_out(self, skin: Array, opening: float) -> None:
         """Push the level-1 `skin` (N1, 3) before the teeth in place, with the jaw at `opening` 0..1."""
         for row, turn in self._rows(opening):
-            _keep_out(skin, self.lining, row.middle, row.front, row.around, turn, self.jaw.point)
+            _keep_out(
+                skin, self.lining, self.clearance, row.middle, row.front, row.around, turn, self.jaw.point
+            )
 
     def keep_in(self, tongue: Array, opening: float) -> None:
-        """Push the `tongue` (n, 3) behind the teeth, or between them, in place."""
+        """Push the `tongue` (n, 3) behind the teeth, between them or before the lower ones, in place."""
         for row, turn in self._rows(opening):
-            _keep_in(tongue, row.middle, row.back, row.around, row.edge, row.up, turn, self.jaw.point)
+            _keep_in(
+                tongue, row.middle, row.front, row.back, row.around, row.edge, row.up, turn, self.jaw.point
+            )
 
     def _rows(self, opening: float) -> tuple[tuple[Row, Array], tuple[Row, Array]]:
         return (self.upper, _UPRIGHT), (self.lower, about_axis(self.jaw.axis, self.jaw.angle * opening))
 
 
 _UPRIGHT = np.eye(3)
+
+
+def _clearance(rest: Array, quads: npt.NDArray[np.int32]) -> Array:
+    """Return the clearance (n,) in mm of the skin's vertices: between its corners a long edge cuts the round
+    of a tooth, as the cheeks' do at the molars.
+    """
+    longest = np.zeros(len(rest))
+    for a, b in ((0, 1), (1, 2), (2, 3), (3, 0)):
+        length = np.linalg.norm(rest[quads[:, a]] - rest[quads[:, b]], axis=1)
+        for end in (a, b):
+            np.maximum.at(longest, quads[:, end], length)
+    return np.asarray(CLEARANCE + COARSE * np.maximum(longest - FINE, 0.0))
 
 
 @compiled
@@ -204,15 +225,23 @@ def _look_up(table: Array, column: float, row: float) -> float:
 
 @compiled
 def _keep_out(
-    skin: Array, vertices: IntArray, middle: Array, front: Array, around: Array, turn: Array, hinge: Array
+    skin: Array,
+    vertices: IntArray,
+    clearance: Array,
+    middle: Array,
+    front: Array,
+    around: Array,
+    turn: Array,
+    hinge: Array,
 ) -> None:
     last = front.shape[1] - 1.001
-    for v in vertices:
+    for k in range(len(vertices)):
+        v = vertices[k]
         x, y, z = _to_row(skin, v, turn, hinge)
         row, out = (y - middle[1]) / ROW, z - middle[0]
         far, beyond = np.sqrt(x * x + out * out), max(0.0, -row, row - front.shape[1] + 1.0)
         row = min(max(row, 0.0), last)
-        offset = CLEARANCE - ROUNDING * beyond - far
+        offset = clearance[k] - ROUNDING * beyond - far
         sector, j = _sector(x, out), int(row)
         if around[sector, j, 1] + offset <= 0.0 or around[sector, j, 0] + offset >= LOST:
             continue
@@ -227,6 +256,7 @@ def _keep_out(
 def _keep_in(
     tongue: Array,
     middle: Array,
+    front: Array,
     back: Array,
     around: Array,
     edge: Array,
@@ -245,10 +275,13 @@ def _keep_in(
         i, s = int(column), column - int(column)
         beyond = up * (y - ((1.0 - s) * edge[i] + s * edge[i + 1]))
         behind = radius - min(back[i, nearest], back[i + 1, nearest])
-        if beyond <= 0.0 or behind <= 0.0:
+        before = max(front[i, nearest], front[i + 1, nearest]) - radius if up < 0.0 else NONE
+        if beyond <= 0.0 or behind <= 0.0 or before <= 0.0:
             continue
-        if beyond < behind:
+        if beyond < min(behind, before):
             y -= up * beyond
+        elif before < behind:
+            x, out = x + before * x / radius, out + before * out / radius
         else:
             x, out = x - behind * x / radius, out - behind * out / radius
         _from_row(x, y, out + middle[0], turn, hinge, tongue, v)

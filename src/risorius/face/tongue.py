@@ -22,17 +22,20 @@ Array = npt.NDArray[np.float64]
 LYING = 0.62  # share of its height above its floor that the tongue loses with the jaw wide open
 SUNK, DRAWN_BACK = 12.0, 6.0  # mm that its back sinks and its tip draws back then
 STANDS_UP_TO = 0.1  # opening of the jaw up to which it keeps its height: consonants are made there
+_OUT = TONGUE_FIELDS.index("tongue_out")
+OVER = 5.0  # mm that the tip is raised halfway out: it passes over the lower teeth, not through them
 COLUMNS = 12  # along its length at which its floor is measured
 
 
 @dataclass(frozen=True, slots=True)
 class TongueShapes:
-    """The tongue at level 1: `rest` (n1, 3) mm, `shapes` (3, n1, 3), its displacements at activation 1, and
-    `lying` (n1, 3), that in the wide open mouth.
+    """The tongue at level 1: `rest` (n1, 3) mm, `shapes` (3, n1, 3), its displacements at activation 1,
+    `over` (n1,) how far it is raised halfway out, and `lying` (n1, 3), that in the wide open mouth.
     """
 
     rest: Array
     shapes: Array
+    over: Array
     lying: Array
     columns: npt.NDArray[np.intp]
 
@@ -46,24 +49,37 @@ class TongueShapes:
             shape[tongue.fields[name].vertices] = tongue.fields[name].displacement
         columns = np.array([INDEX[name] for name in TONGUE_FIELDS])
         rest = matrix @ tongue.rest
-        return cls(rest, np.stack([matrix @ shape for shape in shapes]), _lying(rest), columns)
+        fine = np.stack([matrix @ shape for shape in shapes])
+        forward = np.maximum(fine[_OUT, :, 2], 0.0)
+        return cls(rest, fine, OVER * forward / max(forward.max(), 1e-9), _lying(rest), columns)
 
-    def place(self, values: Array, jaw: Jaw, opening: float) -> Array:
-        """Return the tongue (n1, 3) in mm for `values` (46,), with the jaw at `opening` 0..1."""
+    def place(self, values: Array, jaw: Jaw, opening: float, out: Array | None = None) -> Array:
+        """Return the tongue (n1, 3) mm for `values` (46,), the jaw at `opening` 0..1, in `out` if given."""
+        moved = np.empty_like(self.rest) if out is None else out
         active = values[self.columns]
         opened = min(max((opening - STANDS_UP_TO) / (1.0 - STANDS_UP_TO), 0.0), 1.0)
         lies = opened * (2.0 - opened) * (1.0 - float(active.max()))
-        moved = np.empty_like(self.rest)
-        _shape(self.rest, self.shapes, active, self.lying, lies, moved)
+        way = float(active[_OUT])
+        _shape(self.rest, self.shapes, active, self.lying, lies, self.over, 4.0 * way * (1.0 - way), moved)
         jaw.carry_to(moved, opening, moved)
         return moved
 
 
 @compiled
-def _shape(rest: Array, shapes: Array, active: Array, lying: Array, lies: float, out: Array) -> None:
+def _shape(
+    rest: Array,
+    shapes: Array,
+    active: Array,
+    lying: Array,
+    lies: float,
+    over: Array,
+    halfway: float,
+    out: Array,
+) -> None:
     for v in range(len(rest)):
         for c in range(3):
             out[v, c] = rest[v, c] + lies * lying[v, c]
+        out[v, 1] += halfway * over[v]
     for s in range(len(active)):
         if active[s] != 0.0:
             for v in range(len(rest)):

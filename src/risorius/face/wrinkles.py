@@ -44,22 +44,22 @@ class Wrinkles:
         factor, skin = check_factors(factors or {}), skin_at(age)
         placed = place_regions(head)
         self._bulges = Bulges(head)
-        self._compression = Compression.of(head, [p.zone for p in placed])
+        self._compression = Compression.of(head, [p.zone for p in placed], taut=True)
         rows = self._compression
         self._mask = np.concatenate([p.zone.mask[p.zone.mask > 0.0] for p in placed])
         self._law = _law(placed, skin, factor, Marks.of(head).unit)
         self._relief = np.concatenate([_relief(p)[p.zone.mask > 0.0] for p in placed])
         self._stretch = np.empty(len(rows.row_vertex))
         self._lift = np.zeros(head.skin.matrix.shape[0])
-        self._shape = (head.skin.matrix.shape[0], len(placed))
+        self.shape = (head.skin.matrix.shape[0], len(placed))
         self._raised = _Raised(head, np.union1d(rows.row_vertex[self._relief != 0.0], self._bulges.vertices))
 
-    def fold(self, skin: Array, fine: Array) -> Array32:
-        """Return the heights of folds (N1, R) in mm on the level-0 skin (N0, 3), and raise `fine` (N1, 3).
+    def fold(self, skin: Array, fine: Array, heights: Array32) -> None:
+        """Write the `heights` (N1, R) in mm of folds on the level-0 skin (N0, 3), and raise `fine` (N1, 3).
 
         `fine` is moved along its normals by the bulges and by the part of the folds that the mesh can carry.
         """
-        heights = np.zeros(self._shape, np.float32)
+        heights[:] = 0.0
         self._lift[:] = 0.0
         rows = self._compression
         rows.measure(skin, self._stretch)
@@ -75,7 +75,6 @@ class Wrinkles:
         )
         self._bulges.lift(skin, self._lift)
         self._raised.move(self._lift, fine)
-        return heights
 
 
 class _Raised:
