@@ -159,13 +159,13 @@ class Moment:
 
     def bounded(self, channel: Channel, name: str, index: Indices, settled: Array, own: Array) -> Array:
         """Return what is left of another channel's settled values, at the indices, under speech, (m,)."""
-        return self.limited(channel, name, index, self.shared(channel, name, index, settled), own)
+        return self.limited(channel, name, index, self.shared(channel, name, index, settled, own), own)
 
-    def shared(self, channel: Channel, name: str, index: Indices, values: Array) -> Array:
+    def shared(self, channel: Channel, name: str, index: Indices, values: Array, own: Array) -> Array:
         """Return another channel's values, the jaw's as what it adds to the jaw of speech, shape (m,)."""
         if name != JAW or self._limits is None:
             return values
-        return values * self._limits.jaw_share(channel, self.times[index])
+        return values * self._limits.jaw_share(channel, self.times[index], own[index])
 
     def limited(self, channel: Channel, name: str, index: Indices, values: Array, own: Array) -> Array:
         """Return another channel's values within the limits of speech, shape (m,)."""
