@@ -84,7 +84,7 @@ class TestJaw:
     def test_others_add_a_share_while_the_mouth_speaks(self) -> None:
         speech = LipSegment("AA", 1.0, 3.0, {JAW: 0.3})
         values = curve(Score(4.0, (held(JAW, 0.6),), (speech,)), JAW)
-        assert values[2000] == pytest.approx(0.3 + 0.6 * JAW_SHARE, abs=0.01)
+        assert values[2000] == pytest.approx(0.3 + 0.6 * JAW_SHARE * 0.7, abs=0.01)
         assert values[200] == pytest.approx(0.6)
 
     def test_limits_hold_for_the_total(self) -> None:

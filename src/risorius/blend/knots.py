@@ -55,8 +55,9 @@ def smoothstep(x: Array) -> Array:
     return x * x * (3.0 - 2.0 * x)
 
 
+_INSTANT = 1e-9
 SOFT = 0.2
-"""The share of a ramp's time in which it comes up to its speed; and so much again in which it comes to rest."""
+"""The share of a ramp's time in which it comes up to its speed; as much again brings it to rest."""
 STEEPEST = 1.0 / (1.0 - SOFT)
 """The greatest slope of a ramp: it is held for most of it, so that it lasts little longer than it must."""
 
@@ -82,6 +83,40 @@ def eased(times: Array, share: Array, rise: float, fall: float) -> Array:
     leaves 0 and reaches 1.
     """
     return ramp(envelope(times, inverse_ramp(share), STEEPEST * rise, STEEPEST * fall))
+
+
+def rounded(times: Array, share: Array, width: float) -> Array:
+    """Return the average of a curve over `width` seconds around each time, shape (n,): it has no corners.
+
+    Exactly the curve where it is even.
+    """
+    area = np.append(0.0, np.cumsum(0.5 * (share[1:] + share[:-1]) * np.diff(times)))
+    first, last = _around(times, width)
+    spread = np.interp(last, times, area) - np.interp(first, times, area)
+    average = spread / np.maximum(last - first, _INSTANT)
+    return np.minimum(np.maximum(average, lowest(times, share, width)), -lowest(times, -share, width))
+
+
+def lowest(times: Array, share: Array, width: float) -> Array:
+    """Return the least of a curve within `width` seconds around each time, shape (n,)."""
+    first, last = _around(times, width)
+    # A time at the very end of a stretch is in it, however the numbers are rounded.
+    low = np.searchsorted(times, first - _INSTANT, side="left")
+    count = np.searchsorted(times, last + _INSTANT, side="right") - low
+    # The least of a range is that of two ranges as long as powers of two that cover it.
+    powers = np.frexp(count.astype(np.float64))[1] - 1
+    found, least = np.empty(len(times)), share
+    for power in range(int(powers.max()) + 1):
+        here = np.flatnonzero(powers == power)
+        found[here] = np.minimum(least[low[here]], least[low[here] + count[here] - 2**power])
+        least = np.minimum(least[: -(2**power)], least[2**power :])
+    return found
+
+
+def _around(times: Array, width: float) -> tuple[Array, Array]:
+    """Return the ends of the stretches of `width` seconds around the times that lie between the times."""
+    half = 0.5 * width
+    return np.maximum(times - half, times[0]), np.minimum(times + half, times[-1])
 
 
 def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:

@@ -11,11 +11,17 @@ import numpy as np
 
 from .channels import Channel
 from .intervals import EMPTY, Array, Spans
-from .knots import eased
+from .knots import eased, lowest, rounded
 from .levels import Levels, outranking, outranks
 from .mouth import JAW, Block, Mouth
 
 LIPS = "lips"
+JAW_SHARE = 0.85
+"""The share of another channel's jaw that is added to a jaw of the lips' own that is up."""
+
+
+ROUNDED = 0.04
+"""Seconds over which what a channel keeps turns from falling to rising: no corner is seen in a jaw."""
 
 
 class Limits:
@@ -38,7 +44,8 @@ class Limits:
         as in silence and a low one less.
         """
         free = outranks(channel.levels, self._lips, times)
-        return 1.0 - own * self.mouth.speaking_at(times) * (1.0 - free)
+        less = 1.0 - JAW_SHARE * (1.0 - own)
+        return 1.0 - less * self.mouth.speaking_at(times) * (1.0 - free)
 
     def applied(self, channel: Channel, name: str, times: Array, values: Array, own: Array) -> Array:
         """Return what is left of a channel's values at sorted times, all shape (n,).
@@ -81,5 +88,9 @@ class Limits:
                 asked *= self.jaw_share(channel, knots, own)
                 limit = np.maximum(limit - own, 0.0)
             share = np.divide(limit, asked, out=np.ones(len(knots)), where=asked > limit)
-            block.kept[key] = eased(knots, share, tuning.min_onset[name], tuning.min_offset[name])
+            if (share < 1.0).any():
+                share = lowest(knots, share, ROUNDED)
+                share = eased(knots, share, tuning.min_onset[name], tuning.min_offset[name])
+                share = rounded(knots, share, ROUNDED)
+            block.kept[key] = share
         return block.kept[key]
