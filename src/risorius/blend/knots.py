@@ -94,7 +94,8 @@ def rounded(times: Array, share: Array, width: float) -> Array:
     first, last = _around(times, width)
     spread = np.interp(last, times, area) - np.interp(first, times, area)
     average = spread / np.maximum(last - first, _INSTANT)
-    return np.minimum(np.maximum(average, lowest(times, share, width)), -lowest(times, -share, width))
+    least, most = lowest(times, share, width), -lowest(times, -share, width)
+    return np.asarray(np.clip(average, least, most))
 
 
 def lowest(times: Array, share: Array, width: float) -> Array:
