@@ -15,3 +15,11 @@ def test_a_place_once_given_is_kept() -> None:
 def test_the_nearest_name_is_suggested_whatever_the_case() -> None:
     assert "did you mean 'happiness'" in unknown("emotion", "HAPPINES", ["happiness", "anger"])
     assert "expected one of happiness, anger" in unknown("emotion", "zzz", ["happiness", "anger"])
+
+
+def test_what_a_terminal_obeys_is_not_repeated() -> None:
+    assert str(InputError("unknown word '\x1b[2J\0'")) == "unknown word '\ufffd[2J\ufffd'"
+
+
+def test_long_names_are_cut() -> None:
+    assert len(unknown("column", "x" * 10_000, ["Timecode"])) < 120

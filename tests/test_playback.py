@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from risorius.core.parameters import INDEX
-from risorius.errors import InputError
-from risorius.pipeline import play
+from risorius.errors import InputError, RisoriusWarning
+from risorius.pipeline import play, pose
 from risorius.settings import Settings
 from risorius.speech.recording import read_recording
 from risorius.take import Take
@@ -58,6 +58,31 @@ def test_a_score_gives_the_same_curves(folder: Path, clip: Take, name: str) -> N
         np.abs(play(folder / name, settings=settings).performance.values - clip.performance.values).max()
         < 1e-9
     )
+
+
+def test_points_that_say_nothing_of_the_face_leave_it_at_rest(tmp_path: Path) -> None:
+    mask = " ".join("1" if number == 48 else "0" for number in range(1, 69))
+    (tmp_path / "x.fap").write_text(f"2.1 x 10 2\n{mask}\n0 0\n{mask}\n1 10000\n")
+    take = play(tmp_path / "x.fap", settings=Settings(dynamics="static"))
+    assert take.curves["head_pitch"][-1] == pytest.approx(-np.degrees(0.1))
+    assert {name for name, curve in take.curves.items() if np.ptp(curve)} == {"head_pitch"}
+
+
+def test_the_tongue_comes_back_from_its_tip(tmp_path: Path) -> None:
+    pose({"tongue_out": 0.7, "masseter": 0.3}).write(tmp_path / "out.fap")
+    pose({"tongue_up": 0.8, "masseter": 0.3}).write(tmp_path / "up.fap")
+    out, up = (
+        play(tmp_path / name, settings=Settings(dynamics="static")).curves for name in ("out.fap", "up.fap")
+    )
+    assert out["tongue_out"][0] == pytest.approx(0.7, abs=0.25)
+    assert up["tongue_up"][0] > 0.5 > up["tongue_out"][0] + 0.2
+
+
+def test_what_our_face_cannot_show_of_a_capture_is_said(tmp_path: Path) -> None:
+    mask = " ".join("1" if number in (1, 39, 48) else "0" for number in range(1, 69))
+    (tmp_path / "x.fap").write_text(f"2.1 x 10 1\n{mask}\n0 3 200 100\n")
+    with pytest.warns(RisoriusWarning, match=r"x.fap: FAP 1, 39 cannot be shown; left out"):
+        play(tmp_path / "x.fap")
 
 
 def test_lips_closed_over_an_open_jaw_are_closed_by_contact(folder: Path, tmp_path: Path) -> None:

@@ -1,6 +1,7 @@
 """The commands that let performances in and out: one line for each fault."""
 
 import socket
+import sys
 import threading
 from pathlib import Path
 
@@ -43,6 +44,17 @@ def test_faults_are_one_line(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_what_cannot_be_reached_is_told_before_the_face_is_made(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("risorius.face.arkit_fit.ArkitFit.track", lambda *_: pytest.fail("made"))
+    assert run(["stream", "Oh.", "--to", "no.such.host.invalid", "--without-sound", *FAST]) == 2
+    assert "risorius: 'no.such.host.invalid:11111' cannot be reached" in capsys.readouterr().err
+    monkeypatch.setitem(sys.modules, "sounddevice", None)
+    assert run(["stream", "Oh.", *FAST]) == 2
+    assert "risorius: sound needs sounddevice" in capsys.readouterr().err
+
+
 def test_a_sentence_is_streamed(capsys: pytest.CaptureFixture[str]) -> None:
     receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     receiver.bind(("127.0.0.1", 0))
@@ -64,3 +76,15 @@ def test_a_sentence_is_streamed(capsys: pytest.CaptureFixture[str]) -> None:
     frames = [data for data in got if data]
     assert {len(data) for data in frames} == {306 + 2}
     assert f"Sent {len(frames)} frames" in capsys.readouterr().err
+
+
+def test_what_the_weights_leave_over_is_said(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    outputs = ["-o", str(tmp_path / "x.arkit.csv"), "-o", str(tmp_path / "x.vrma")]
+    assert run(["speak", "Oh.", "--still", "--skin", "static", *FAST, *outputs]) == 0
+    told = [
+        line
+        for line in capsys.readouterr().err.splitlines()
+        if line.startswith("ARKit weights leave over 0.")
+    ]
+    assert len(told) == 1
+    assert told[0].endswith(" mm at worst")

@@ -7,7 +7,7 @@ import pytest
 
 from risorius.cli import run
 from risorius.core.arkit import INDEX, SHAPES
-from risorius.errors import InputError
+from risorius.errors import InputError, RisoriusError
 from risorius.out.glb_file import read_glb
 from risorius.out.gltf import Gltf
 from risorius.pipeline import pose, rig
@@ -50,11 +50,98 @@ def test_a_mesh_without_targets_is_refused(tmp_path: Path) -> None:
         read_rig(character(tmp_path / "x.glb", []))
 
 
+def glb(document: dict[str, object]) -> bytes:
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    chunk = struct.pack("<I4s", len(text), b"JSON") + text
+    return b"glTF" + struct.pack("<II", 2, 12 + len(chunk)) + chunk
+
+
+@pytest.mark.parametrize(
+    ("mesh", "message"),
+    [
+        ({"primitives": 3}, "'primitives' of mesh 0 is no list"),
+        ({"primitives": [3]}, "'targets' of mesh 0 is no list"),
+        ({"primitives": [{"targets": 3}]}, "'targets' of mesh 0 is no list"),
+        (
+            {"primitives": [{"targets": [{}]}], "extras": {"targetNames": 3}},
+            "'targetNames' of mesh 0 is no list",
+        ),
+        (
+            {"primitives": [{"targets": [{}] * 2}], "extras": {"targetNames": ["a"]}},
+            "2 morph targets and 1 names",
+        ),
+        ({"primitives": [{"targets": [{}]}, {}]}, "has 1 morph targets and 0 names"),
+        (3, "'meshes' is no list of objects"),
+    ],
+)
+def test_meshes_that_are_none_are_named(tmp_path: Path, mesh: object, message: str) -> None:
+    (tmp_path / "x.glb").write_bytes(glb({"meshes": [mesh]}))
+    with pytest.raises(InputError, match=message):
+        read_rig(tmp_path / "x.glb")
+
+
+@pytest.mark.parametrize(
+    ("name", "other", "message"),
+    [
+        (
+            "viseme_PP",
+            {"nodes": [{"mesh": 0}]},
+            "no morph target has the name of an ARKit shape; expected --map",
+        ),
+        ("jawOpen", {}, "no node shows a mesh with morph targets"),
+        ("jawOpen", {"nodes": 7}, "'nodes' is no list of objects"),
+        ("jawOpen", {"nodes": [{"mesh": 0}], "animations": "x"}, "'animations' is no list of objects"),
+        (
+            "jawOpen",
+            {"nodes": [{"mesh": 0}], "buffers": [{"uri": "x.bin"}]},
+            "keeps its data in another file",
+        ),
+    ],
+)
+def test_what_cannot_perform_is_told_before_anything_is_said(
+    tmp_path: Path, name: str, other: dict[str, object], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mesh = {"primitives": [{"targets": [{}]}], "extras": {"targetNames": [name]}}
+    (tmp_path / "x.glb").write_bytes(glb({"meshes": [mesh], **other}))
+    assert run(["rig", str(tmp_path / "x.glb"), "--perform", "Hi.", "-o", str(tmp_path / "y.glb")]) == 2
+    error = capsys.readouterr().err
+    assert message in error
+    assert error.count("\n") == 1
+    assert not (tmp_path / "y.glb").exists()
+
+
+@pytest.mark.parametrize(
+    ("output", "message"),
+    [
+        ("y.txt", "unknown suffix '.txt'"),
+        ("y.mp4", "is no .glb"),
+        ("none/y.glb", "folder .*none' does not exist"),
+    ],
+)
+def test_the_output_is_told_before_anything_is_said(tmp_path: Path, output: str, message: str) -> None:
+    path = character(tmp_path / "x.glb", ["Jaw_Open"])
+    with pytest.raises(RisoriusError, match=message):
+        rig(path, take=lambda: pytest.fail("spoken"), output=tmp_path / output)
+    assert [file.name for file in tmp_path.iterdir()] == ["x.glb"]
+
+
+def test_a_character_that_shows_only_the_tongue(tmp_path: Path) -> None:
+    """None of what it has is fitted, and what is fitted it does not have."""
+    _, rows = rig(character(tmp_path / "x.glb", ["tongueOut"]))
+    assert {row.verdict for row in rows} == {"not"}
+
+
 def test_wrong_maps_are_named(tmp_path: Path) -> None:
     path = character(tmp_path / "x.glb", ["Jaw"])
     for text, message in (
-        ('[shapes]\njawOpne = "Jaw"', "unknown ARKit shape 'jawOpne'; did you mean 'jawOpen'"),
-        ('[shapes]\njawOpen = "Jwa"', "unknown morph target 'Jwa'; did you mean 'Jaw'"),
+        ('[shapes]\njawOpne = "Jaw"', ":2: unknown ARKit shape 'jawOpne'; did you mean 'jawOpen'"),
+        ("", r"\[shapes\] is empty"),
+        (
+            '[shapes]\njawOpen = "Jaw"\nmouthClose = "Jaw"',
+            ":3: morph target 'Jaw' is given for jawOpen and for",
+        ),
+        ('[shapes]\njawOpen = "Jwa"', ":2: unknown morph target 'Jwa'; did you mean 'Jaw'"),
         ('[shape]\njawOpen = "Jaw"', "shape"),
     ):
         (tmp_path / "map.toml").write_text(text)

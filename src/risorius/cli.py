@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import signal
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -188,6 +189,10 @@ _OUTPUT_OPTION = click.option(
 )
 
 
+_AT_OPTION = click.option(
+    "--at", type=float, metavar="S", help="Second that a .png shows.  [default: the middle]"
+)
+_EVERY_OPTION = click.option("--every", type=int, metavar="N", help="A .png is a sheet of every N-th frame.")
 _RULES_OPTION = click.option(
     "--rules",
     metavar="FILE",
@@ -253,8 +258,8 @@ _TRANSCRIPT_HELP = "What the recording says, or a file with it."
 @_SKIN_OPTION
 @click.option("--seed", type=int, metavar="N", help="Seed of everything random.  [default: 0]")
 @_picture_options
-@click.option("--at", type=float, metavar="S", help="Second that a .png shows.  [default: the middle]")
-@click.option("--every", type=int, metavar="N", help="A .png is a sheet of every N-th frame.")
+@_AT_OPTION
+@_EVERY_OPTION
 def speak(
     source: str | None,
     outputs: tuple[Path, ...],
@@ -347,6 +352,8 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None
 @click.option("--conflict", metavar="POLICY", help="Override the score's conflict policy.")
 @click.option("--onset-function", metavar="NAME", help="Override the movements' onset functions.")
 @_picture_options
+@_AT_OPTION
+@_EVERY_OPTION
 def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     """Combine the movements of SCORE (.json) into curves.
 
@@ -355,7 +362,7 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import check_outputs
     from .pipeline import mix as combine
 
-    shared = ("size", "head", "age", "shape", "fps", "dynamics", *_LOOK_OPTIONS)
+    shared = ("size", "head", "age", "shape", "fps", "dynamics", "at", "every", *_LOOK_OPTIONS)
     settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
     check_outputs(outputs, alpha=settings.look.transparent)
     take = combine(
@@ -400,6 +407,8 @@ def pose(
 @_SAMPLING_OPTION
 @_SKIN_OPTION
 @_picture_options
+@_AT_OPTION
+@_EVERY_OPTION
 def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: Any) -> None:
     """Perform a captured face: CAPTURE is .arkit.csv, .au.csv, .fap, a score or a performance (.json).
 
@@ -413,14 +422,14 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
         raise OutputError("no output named; expected -o y.mp4")
     with Console() as console:
         check_outputs(outputs)
-        take = perform(capture, audio=audio, settings=_settings(**chosen))
+        take = perform(capture, audio=audio, settings=_settings(**chosen), progress=console.progress)
         take.write(*outputs, progress=console.progress)
         console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
 
 
 @commands.command()
 @click.argument("source", metavar="INPUT")
-@click.option("--protocol", default="livelink", metavar="NAME", help="livelink, vmc or ifacialmocap.")
+@click.option("--protocol", default="livelink", metavar="NAME", help="livelink, vmc, ifacialmocap[-tcp].")
 @click.option("--to", metavar="HOST[:PORT]", help="Who receives it.  [default: 127.0.0.1]")
 @click.option(
     "--listen", metavar="HOST[:PORT]", help="Send to who greets here, as receivers of iFacialMocap do."
@@ -506,10 +515,16 @@ def rig(
         raise InputError("--perform and -o go together; expected both or neither")
     settings = _settings(**chosen)
     with Console() as console:
-        take = speak_(perform, settings=settings, progress=console.progress) if perform is not None else None
+        take = (
+            None
+            if perform is None
+            else partial(speak_, perform, settings=settings, progress=console.progress)
+        )
         found, rows = report(character, map_file=map_file, take=take, output=output, settings=settings)
         for line in tell_rig(found, rows, guessed=map_file is None):
             click.echo(line)
+        if output is not None:
+            console.say(f"Wrote {output}")
 
 
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:

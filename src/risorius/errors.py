@@ -6,6 +6,8 @@ import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+_LONGEST_NAME = 60  # characters of a name that are shown
+
 
 @dataclass(frozen=True, slots=True)
 class Place:
@@ -24,8 +26,8 @@ class RisoriusError(Exception):
     """A fault that a user can mend: one line saying where it is, what is wrong and what was expected."""
 
     def __init__(self, message: str, place: Place | None = None) -> None:
-        # Names that users wrote may hold line ends.
-        self.message = " ".join(message.split())
+        # Names that users wrote may hold line ends, and what a terminal obeys.
+        self.message = "".join(c if c.isprintable() else "\ufffd" for c in " ".join(message.split()))
         self.place = place
         super().__init__(self.message if place is None else f"{place}: {self.message}")
 
@@ -64,6 +66,7 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> str:
     >>> unknown("emotion", "hapiness", ["happiness", "anger"])
     "unknown emotion 'hapiness'; did you mean 'happiness'?"
     """
+    name = name if len(name) <= _LONGEST_NAME else f"{name[:_LONGEST_NAME]}…"
     choices = list(known)
     lowered = {c.lower(): c for c in reversed(choices)}
     near = difflib.get_close_matches(name.lower(), list(lowered), n=1, cutoff=0.6)

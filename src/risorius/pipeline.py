@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
@@ -19,7 +19,7 @@ from .core.parameters import INDEX, NEUTRAL
 from .core.performance import Performance
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
-from .errors import InputError
+from .errors import InputError, Place
 from .out import check_targets as check_outputs
 from .out.performance_json import read_performance_file
 from .out.score_json import read_score_file
@@ -185,6 +185,7 @@ def play(
     *,
     audio: str | PathLike[str] | None = None,
     settings: Settings | None = None,
+    progress: Progress = quiet,
 ) -> Take:
     """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
 
@@ -198,7 +199,7 @@ def play(
     else:
         from .playback import captured
 
-        take = perform(captured(path, settings), settings)
+        take = perform(captured(path, settings, progress), settings)
     return take if audio is None else replace(take, sound=read_recording(audio))
 
 
@@ -215,53 +216,66 @@ def stream(
 ) -> Sent:
     """Send a take to another program in real time; return how many frames were sent and dropped.
 
-    `protocol` is livelink, vmc or ifacialmocap, `to` HOST or HOST:PORT. With `listen`, HOST or HOST:PORT of
-    this machine, it is sent to who greets there within `patience` seconds, as receivers of iFacialMocap do.
+    `protocol` is livelink, vmc, ifacialmocap or ifacialmocap-tcp, `to` HOST or HOST:PORT. With `listen`, HOST
+    or HOST:PORT of this machine, it is sent to who greets there within `patience` seconds, as receivers of
+    iFacialMocap do, by datagrams or TCP as they ask.
     With `sound` the voice is played here and is the clock. Raises InputError for a wrong protocol or address,
     OutputError where nothing listens or nobody greets.
     """
-    from .stream import PROTOCOLS, Options, parse_address, send, wait_for_greeting
+    from .stream import PROTOCOLS, Address, Options, parse_address, send, wait_for_greeting
     from .stream.clock import MachineClock, SoundClock
+    from .stream.line import check_host
 
     chosen = PROTOCOLS.get(protocol)
     options = options or Options()
     address = parse_address(listen or to, chosen.port)
     if listen is not None and not chosen.greetings:
-        raise InputError(f"receivers of {protocol} send no greeting; expected an address to send to")
+        greeted = ", ".join(name for name in PROTOCOLS if PROTOCOLS.get(name).greetings)
+        raise InputError(f"no greeting asks for {protocol} first; expected --to, or one of {greeted}")
+    if listen is None:
+        check_host(address)
+    audio = take.sound or (take.utterance.audio if take.utterance else None)
+    clock = SoundClock(audio) if sound and audio is not None else MachineClock()
     progress("Fitting weights …")
     track = take.arkit
     if listen is not None:
         progress(f"Waiting for a greeting at {address} …")
-        address, dialect = wait_for_greeting(address, chosen.greetings, chosen.port, patience)
-        options = replace(options, dialect=dialect)
+        host, asked = wait_for_greeting(address, chosen.greetings, patience)
+        chosen, options = PROTOCOLS.get(asked.protocol), replace(options, dialect=asked.dialect)
+        address = Address(host, chosen.port)
     packets = chosen.make(track, take.performance.fps, options)
-    audio = take.sound or (take.utterance.audio if take.utterance else None)
-    clock = SoundClock(audio) if sound and audio is not None else MachineClock()
     progress(f"Sending to {address} …")
-    return send(packets, len(take.performance.values), take.performance.fps, address, clock)
+    frames, fps = len(take.performance.values), take.performance.fps
+    return send(packets, frames, fps, address, clock, tcp=chosen.tcp)
 
 
 def rig(
     character: str | PathLike[str],
     *,
     map_file: str | PathLike[str] | None = None,
-    take: Take | None = None,
+    take: Take | Callable[[], Take] | None = None,
     output: str | PathLike[str] | None = None,
     settings: Settings | None = None,
 ) -> tuple[Rig, list[Shown]]:
     """Return what a character (`.glb` with blend shapes) has and how well it shows each of our muscles.
 
-    With `take` and `output` the character is written with the take's animation. Raises RisoriusError.
+    With `take` (or what makes it, once the files are known to be right) and `output`, a `.glb`, the character
+    is written with the take's animation. Raises RisoriusError.
     """
     from .face.arkit_fit import ArkitFit
     from .face.head import load_head
     from .out.atomic import replacing
     from .out.glb_file import save_glb
-    from .rig import animated, read_rig, report
+    from .rig import animated, check_performable, read_rig, report
 
     settings = settings or Settings()
     found = read_rig(Path(character), None if map_file is None else Path(map_file))
     if take is not None and output is not None:
+        (target,) = check_outputs((output,))
+        if target.output.suffix not in (".glb", ".rig.glb"):
+            raise InputError("is no .glb; expected one for the character", Place(str(output)))
+        check_performable(found)
+        take = take if isinstance(take, Take) else take()
         track = ArkitFit(take.head, found.shapes).track(take.faces())
         with replacing(Path(output)) as path:
             save_glb(animated(found, track, take.times), path)

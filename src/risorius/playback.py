@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,17 +14,19 @@ from .core.arkit import INDEX as ARKIT
 from .core.movement import Cause, ManualCurve
 from .core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from .core.score import BlendSettings, Score
-from .errors import InputError, Place, unknown
+from .errors import InputError, Place, RisoriusWarning, unknown
 from .face.arkit_fit import ArkitFit
 from .face.arkit_given import gaze_of
-from .face.feature_points import ANGLE, LIDS, POINTS, FeaturePoints
+from .face.feature_points import ANGLE, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
 from .face.head import load_head
+from .face.response import TONGUE as TONGUE_FITTED
 from .face.response import Responses
 from .face.solve import FaceSolver
 from .out.arkit_csv import read_arkit_csv
 from .out.au_csv import read_au_csv
-from .out.fap import read_fap
+from .out.fap import FapTake, read_fap
 from .settings import Settings
+from .take import Progress, quiet
 
 Array = npt.NDArray[np.float64]
 _HEAD = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
@@ -32,13 +35,13 @@ _OPEN = 0.02  # of the jaw's way: less is no opening that lips could close
 _RESTS = 1e-4  # a parameter that never leaves its rest by more gets no curve
 
 
-def captured(path: Path, settings: Settings) -> Score:
+def captured(path: Path, settings: Settings, progress: Progress = quiet) -> Score:
     """Return a file's motion as curves drawn by hand; InputError for a file that is none of `CAPTURES`."""
     name = path.name.lower()
     suffix = next((suffix for suffix in CAPTURES if name.endswith(suffix)), None)
     if suffix is None:
         raise InputError(unknown("kind of capture", "".join(path.suffixes[-2:]), CAPTURES), Place(str(path)))
-    times, values = CAPTURES[suffix](path, settings)
+    times, values = CAPTURES[suffix](path, settings, progress)
     return score_of(times, values, path.name)
 
 
@@ -47,24 +50,24 @@ def score_of(times: Array, values: Array, source: str) -> Score:
     low, high = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
     kept = np.clip(values, low, high)
     moving = np.flatnonzero(np.abs(kept - NEUTRAL).max(axis=0) > _RESTS)
-    keys = {
-        NAMES[column]: tuple(zip(times.tolist(), kept[:, column].tolist(), strict=True)) for column in moving
-    }
+    clock = times.tolist()
+    keys = {NAMES[column]: tuple(zip(clock, kept[:, column].tolist(), strict=True)) for column in moving}
     curves = (ManualCurve(keys, Cause("capture", source)),) if keys else ()
     settings = BlendSettings(contact=False)
     return Score(max(float(times[-1]), 1e-3), manual=curves, settings=settings)
 
 
-def _from_arkit(path: Path, settings: Settings) -> tuple[Array, Array]:
+def _from_arkit(path: Path, settings: Settings, progress: Progress) -> tuple[Array, Array]:
     take = read_arkit_csv(path)
+    progress("Fitting muscles …")
     head = load_head(settings.head, age=settings.age, shape=settings.shape)
     fit = ArkitFit(head)
     open_, close = take.weights[:, ARKIT["jawOpen"]], take.weights[:, ARKIT["mouthClose"]]
     # Lips that are closed over an open jaw are brought together by contact, not by muscles against the jaw.
     apart = take.weights.copy()
     apart[:, ARKIT["mouthClose"]] = 0.0
-    wanted = fit.seen_displacement(apart)
-    values = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin)).values(wanted)
+    responses = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin))
+    values = responses.of_shapes(apart, fit.seen_displacement(np.eye(len(ARKIT))))
     values[:, INDEX["lip_seal"]] = np.where(
         open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0
     )
@@ -76,21 +79,38 @@ def _from_arkit(path: Path, settings: Settings) -> tuple[Array, Array]:
     return take.times, values
 
 
-def _from_fap(path: Path, settings: Settings) -> tuple[Array, Array]:
+def _from_fap(path: Path, settings: Settings, progress: Progress) -> tuple[Array, Array]:
     take = read_fap(path)
+    progress("Fitting muscles …")
     head = load_head(settings.head, age=settings.age, shape=settings.shape)
     points = FeaturePoints(head)
     sizes = points.sizes()
     rows = [number - 1 for number in (*POINTS, *LIDS) if take.used[number - 1]]
-    responses = Responses(FaceSolver(head), lambda frame: points.of_skin(frame.skin) * sizes)
-    values = responses.values(take.values * sizes, rows)
+    solver = FaceSolver(head)
+    responses = Responses(solver, lambda frame: points.of_skin(frame.skin) * sizes)
+    values = responses.values(take.values * sizes, rows) if rows else np.tile(NEUTRAL, (len(take.times), 1))
+    tongue = [number - 1 for number in TONGUE]
+    if take.used[tongue].all():
+        tip = Responses(solver, points.tongue_tip, TONGUE_FITTED).values(take.values[:, tongue], (0, 1))
+        places = [INDEX[name] for name in TONGUE_FITTED]
+        values[:, places] = tip[:, places]
+    _tell_left_out(take, path)
     angles = np.degrees(take.values * ANGLE)
     values[:, _HEAD] = angles[:, 47:50] * [-1.0, 1.0, -1.0]
     values[:, _GAZE] = np.stack([-angles[:, 24:26].mean(axis=1), angles[:, 22:24].mean(axis=1)], axis=1)
-    return np.arange(len(values)) / take.fps, values
+    return take.times, values
 
 
-def _from_action_units(path: Path, settings: Settings) -> tuple[Array, Array]:
+def _tell_left_out(take: FapTake, path: Path) -> None:
+    """Warn of parameters that do something in a file, and nothing in our face."""
+    moved = np.flatnonzero(take.values.any(axis=0)) + 1
+    left_out = sorted({int(number) for number in moved} - set(SHOWN))
+    if left_out:
+        named = ", ".join(map(str, left_out))
+        warnings.warn(f"{path}: FAP {named} cannot be shown; left out", RisoriusWarning, stacklevel=2)
+
+
+def _from_action_units(path: Path, _settings: Settings, _progress: Progress) -> tuple[Array, Array]:
     take = read_au_csv(path)
     values = np.tile(NEUTRAL, (len(take.times), 1))
     for k, row in enumerate(values):
@@ -101,7 +121,7 @@ def _from_action_units(path: Path, settings: Settings) -> tuple[Array, Array]:
     return take.times, values
 
 
-CAPTURES: dict[str, Callable[[Path, Settings], tuple[Array, Array]]] = {
+CAPTURES: dict[str, Callable[[Path, Settings, Progress], tuple[Array, Array]]] = {
     ".arkit.csv": _from_arkit,
     ".au.csv": _from_action_units,
     ".fap": _from_fap,

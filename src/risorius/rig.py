@@ -14,7 +14,8 @@ import numpy.typing as npt
 from .core.arkit import INDEX, SHAPES
 from .core.parameters import INDEX as PARAMETER
 from .core.parameters import NEUTRAL
-from .core.toml import load_file
+from .core.schema import Source
+from .core.toml import parse, read_text
 from .errors import InputError, Place, unknown
 from .face.arkit_fit import ArkitFit, ArkitTrack
 from .face.head import Head
@@ -30,14 +31,9 @@ _SIDES = {"l": "left", "r": "right", "lft": "left", "rgt": "right"}
 
 @dataclass(frozen=True, slots=True)
 class ShapeMap:
-    """Names of a character's morph targets by ARKit's names."""
+    """What a map's file says: names of a character's morph targets by ARKit's names."""
 
     shapes: Mapping[str, str] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        for name in self.shapes:
-            if name not in INDEX:
-                raise InputError(unknown("ARKit shape", name, INDEX))
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +78,7 @@ class Rig:
 def read_rig(path: Path, map_file: Path | None = None) -> Rig:
     """Read a character; the map is guessed from names where no file gives it.
 
-    Raises InputError where the file has no morph targets, or the map names one that it does not have.
+    Raises InputError where the file has no morph targets, or the map is wrong.
     """
     file = read_glb(path)
     targets = file.morph_targets()
@@ -91,11 +87,36 @@ def read_rig(path: Path, map_file: Path | None = None) -> Rig:
     names = tuple(dict.fromkeys(name for group in targets.values() for name in group))
     if map_file is None:
         return Rig(file, targets, guess_map(names))
-    shapes = load_file(ShapeMap, map_file).shapes
-    for target in shapes.values():
+    return Rig(file, targets, _read_map(map_file, names))
+
+
+def _read_map(path: Path, names: Sequence[str]) -> dict[str, str]:
+    """Return a map; InputError where it is empty, or a name is unknown or a target given twice."""
+    source = Source(str(path), read_text(path))
+    shapes = parse(ShapeMap, source.text, source.name).shapes
+    if not shapes:
+        example = 'jawOpen = "Mouth_Open"'
+        raise InputError(f"[shapes] is empty; expected lines such as {example}", Place(str(path)))
+    given: dict[str, str] = {}
+    for shape, target in shapes.items():
+        if shape not in INDEX:
+            raise source.error(("shapes", shape), unknown("ARKit shape", shape, INDEX))
         if target not in names:
-            raise InputError(unknown("morph target", target, names), Place(str(map_file)))
-    return Rig(file, targets, dict(shapes))
+            raise source.error(("shapes", shape), unknown("morph target", target, names))
+        if (other := given.setdefault(target, shape)) != shape:
+            message = f"morph target '{target}' is given for {other} and for {shape}"
+            raise source.error(("shapes", shape), message)
+    return dict(shapes)
+
+
+def check_performable(rig: Rig) -> None:
+    """Raise InputError where nothing of a performance would show on a character."""
+    place = Place(str(rig.file.path))
+    if not rig.shapes:
+        raise InputError("no morph target has the name of an ARKit shape; expected --map FILE", place)
+    if not any(rig.file.nodes_of(mesh) for mesh in rig.targets):
+        raise InputError("no node shows a mesh with morph targets", place)
+    rig.file.extended()
 
 
 def guess_map(names: Sequence[str]) -> dict[str, str]:
@@ -133,10 +154,12 @@ def report(rig: Rig, head: Head) -> list[Shown]:
 
 
 def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:
-    """Return the character's file with one animation more: the track's weights on its morph targets."""
-    document, binary = dict(rig.file.document), bytearray(rig.file.binary)
-    for kind in ("accessors", "bufferViews", "animations", "buffers"):
-        document[kind] = list(document.get(kind, []))
+    """Return the character's file with one animation more: the track's weights on its morph targets.
+
+    Raises InputError as `check_performable`.
+    """
+    check_performable(rig)
+    document, binary = rig.file.extended(), bytearray(rig.file.binary)
 
     def accessor(values: npt.NDArray[np.float32]) -> int:
         binary.extend(b"\0" * (-len(binary) % 4))
@@ -158,8 +181,6 @@ def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:
             samplers.append({"input": clock, "output": output, "interpolation": "LINEAR"})
             target = {"node": node, "path": "weights"}
             channels.append({"sampler": len(samplers) - 1, "target": target})
-    if not channels:
-        raise InputError("no node shows a mesh with morph targets", Place(str(rig.file.path)))
     document["animations"].append({"name": "risorius", "channels": channels, "samplers": samplers})
     buffers = document["buffers"] or [{}]
     document["buffers"] = [{**buffers[0], "byteLength": len(binary)}, *buffers[1:]]

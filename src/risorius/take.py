@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property, partial
+from itertools import repeat
 from os import PathLike
 from typing import TYPE_CHECKING, Literal
 
@@ -153,7 +154,7 @@ class Take:
         They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
         """
         from .out.overlay import Overlays, Subject
-        from .render import picture_renderer
+        from .render import Crew, picture_renderer
 
         chosen = range(len(self.performance.values)) if indices is None else indices
         look = self.settings.look
@@ -162,9 +163,9 @@ class Take:
         with _announced_if_slow(progress):
             renderer = picture_renderer(self.head, overlays.picture_size, look)
             renderer.render(next(self.faces([0])))
-        kept_down = self._kept_down(chosen) if look.style == "muscles" else None
-        for done, (frame, face) in enumerate(zip(chosen, self.faces(chosen), strict=True)):
-            picture = renderer.render(face, kept_down=None if kept_down is None else kept_down[done])
+        kept_down = self._kept_down(chosen) if look.style == "muscles" else repeat(None)
+        pictures = Crew(renderer).draw(zip(self.faces(chosen), kept_down, strict=False))
+        for done, (frame, picture) in enumerate(zip(chosen, pictures, strict=True)):
             yield overlays.draw(picture, frame)
             progress("Drawing", done + 1, len(chosen))
 
@@ -190,7 +191,7 @@ class Take:
             pictures=partial(self.pictures, progress=progress),
             measures=self._measured,
             head=lambda: self._dressed,
-            arkit=lambda: self.arkit,
+            arkit=partial(self._told_arkit, progress),
         )
 
     def _told_faces(self, progress: Progress) -> Iterator[FaceFrame]:
@@ -198,6 +199,13 @@ class Take:
         for done, face in enumerate(self.faces(), 1):
             yield face
             progress("Solving", done, total)
+
+    def _told_arkit(self, progress: Progress) -> ArkitTrack:
+        known = "arkit" in vars(self)
+        rms, worst = self.arkit.residual
+        if not known:
+            progress(f"ARKit weights leave over {rms:.2f} mm root mean square, {worst:.1f} mm at worst")
+        return self.arkit
 
     def _measured(self, face: FaceFrame) -> list[float]:
         measures = astuple(self._gauge.measure(face))

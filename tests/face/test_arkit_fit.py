@@ -8,12 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius.core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
+from risorius.core.parameters import INDEX as PARAMETER
+from risorius.core.parameters import NEUTRAL
 from risorius.errors import HeadError
-from risorius.face import arkit_fit
+from risorius.face import far_vertices
 from risorius.face.arkit_fit import ArkitFit
 from risorius.face.arkit_given import gaze_of
 from risorius.face.head import load_head, shipped_heads
 from risorius.face.shapes import arkit_shapes
+from risorius.face.solve import FaceSolver
 
 FITTED = [name for name in SHAPES if not name.startswith("eyeLook") and name != "tongueOut"]
 
@@ -83,6 +86,26 @@ def test_a_muscle_is_its_shape(fit, face, targets: dict[str, float], shape: str)
     ).removesuffix("Right")
 
 
+@pytest.mark.parametrize("name", ["standard", "kenji"])
+def test_a_lid_that_is_shut_is_a_whole_blink(name: str) -> None:
+    """So that another character's eyes shut, too; and a whole blink shuts ours."""
+    fit, solver = ArkitFit(load_head(name)), FaceSolver(load_head(name))
+    values = NEUTRAL.copy()
+    for shut in (0.5, 1.0):
+        values[PARAMETER["orbicularis_oculi_palpebralis.left"]] = shut
+        weights = fit.weights(solver.solve(values))
+        assert weights[INDEX["eyeBlinkLeft"]] == pytest.approx(shut, abs=0.02)
+        others = [name for name in FITTED if name != "eyeBlinkLeft"]
+        assert weights[[INDEX[name] for name in others]].max() < 0.05
+
+
+def test_what_the_brows_cannot_reach_moves_little_elsewhere(fit, face) -> None:
+    weights = fit.weights(face(**{f"{name}_{'supercilii'}": 1.0 for name in ("corrugator", "depressor")}))
+    assert weights[INDEX["browDownLeft"]] > 0.7
+    mouth = [INDEX[name] for name in FITTED if name.startswith(("mouth", "jaw"))]
+    assert weights[mouth].max() < 0.25
+
+
 def test_the_eyes_shapes_are_their_angles(fit, face) -> None:
     weights = fit.weights(face(gaze_yaw=20.0, gaze_pitch=-10.0, gaze_distance=100.0))
     assert weights[INDEX["eyeLookOutLeft"]] == pytest.approx(20.0 / 45.0, abs=1e-3)
@@ -114,13 +137,16 @@ def bounds_of():
 
 
 def test_a_lip_under_the_teeth_is_nearly_as_near_as_52_shapes_can_be(fit, face, bounds_of) -> None:
-    """/v/ draws the lower lip back under the teeth, which no shape does: 1.9 mm at the least."""
+    """/v/ draws the lower lip back under the teeth, which no shape does: 1.9 mm at the least.
+
+    The face is even, and so nearly are its weights: nothing of what a lopsided mouth would gain.
+    """
     frame = face(lip_tuck=1.0, masseter=0.15, zygomatic_major=0.7)
     weights = fit.weights(frame)
     rms, worst = fit.residual(frame, weights)
-    free, one_sided = bounds_of(fit, frame.skin, weights)
-    assert 1.9 < free <= one_sided <= worst < one_sided + 0.7
-    assert rms < 1.0
+    free, one_sided, even = bounds_of(fit, frame.skin, weights)
+    assert 1.9 < free <= one_sided <= worst < even + 0.2
+    assert rms < 1.2
 
 
 def test_the_bound_of_what_shapes_make_is_nothing(fit, bounds_of) -> None:
@@ -132,7 +158,7 @@ def test_the_bound_of_what_shapes_make_is_nothing(fit, bounds_of) -> None:
 def test_far_vertices_come_nearer_for_little(fit, face, monkeypatch: pytest.MonkeyPatch) -> None:
     frame = face(orbicularis_oris_funneler=0.9, masseter=0.4, frontalis_medialis=0.6)
     near = fit.residual(frame, fit.weights(frame))
-    monkeypatch.setattr(arkit_fit, "ROUNDS", 0)
+    monkeypatch.setattr(far_vertices, "STEPS", 0)
     before = fit.residual(frame, fit.weights(frame))
     assert near[1] < before[1] - 0.3
     assert near[0] < before[0] + 0.15

@@ -21,13 +21,21 @@ def written(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
     [
         (lambda t: [], ":1: is no header"),
         (lambda t: ["2.1 x 0 9", *t[1:]], ":1: is no header"),
-        (lambda t: t[:-1], "expected .* for .* frames"),
+        (lambda t: ["2.1 x 25 0", *t[1:]], ":1: is no header"),
+        (lambda t: ["2.1 x 0.001 100", *t[1:]], ":1: the capture lasts 100000 s"),
+        (lambda t: t[:-1], "is a mask without values"),
+        (lambda t: t[:-2], r"holds \d+ frames; expected \d+, as its header says"),
+        (lambda t: [*t[:3], t[3], t[2]], ":5: frame 0 does not come after frame 0"),
+        (
+            lambda t: [*t[:2], t[2].replace(" ", f" {'9' * 5000} ", 1), *t[3:]],
+            ":3: '9{30}' is no whole number",
+        ),
         (lambda t: [t[0], t[1][2:], *t[2:]], ":2: is no mask of 68 or 69 flags"),
         (lambda t: [t[0], t[1].replace("1", "2", 1), *t[2:]], ":2: is no mask"),
         (lambda t: [*t[:2], t[2] + " 7", *t[3:]], r":3: has \d+ values; expected \d+"),
         (
             lambda t: [*t[:2], t[2].replace(" ", " nan ", 1), *t[3:]],
-            ":3: holds a word that is no whole number",
+            ":3: 'nan' is no whole number from -1000000 to 1000000",
         ),
     ],
 )
@@ -81,3 +89,9 @@ def test_signs_are_those_of_the_standard(clip: Take) -> None:
     assert turned[23] > 0.0
     assert turned[25] < 0.0
     assert faps(tongue_out=1.0)[45] > 100
+
+
+def test_frames_that_are_left_out_take_their_time(written: Path, tmp_path: Path) -> None:
+    first, *lines = written.read_text().splitlines()
+    (tmp_path / "y.fap").write_text("\n".join([first.rsplit(" ", 1)[0] + " 3", *lines[:4], *lines[6:8]]))
+    assert read_fap(tmp_path / "y.fap").times == pytest.approx([0.0, 0.1, 0.3])

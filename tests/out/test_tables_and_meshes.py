@@ -112,8 +112,13 @@ def test_feedback_has_every_word_and_movement(folder: Path, clip: Take) -> None:
     assert len(root.findall(f"{space}speech/{space}sync")) == len(clip.utterance.words)
     shown = [e for e in root if e.tag.removeprefix(space) in ("face", "gaze", "head")]
     assert len(shown) == len(clip.score.movements)
-    for element in shown:
-        times = [float(element.get(name)) for name in ("start", "attackPeak", "relax", "end")]
+    peaks = {"face": "attackPeak", "gaze": "ready", "head": "stroke"}
+    for element, movement in zip(shown, clip.score.movements, strict=True):
+        kind = element.tag.removeprefix(space)
+        face = any(not name.startswith(("head_", "gaze_")) for name in movement.targets)
+        assert (kind == "face") == face
+        assert kind != "head" or any(name.startswith("head_") for name in movement.targets)
+        times = [float(element.get(name)) for name in ("start", peaks[kind], "relax", "end")]
         assert times == sorted(times)
 
 

@@ -1,8 +1,4 @@
 import itertools
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,20 +9,6 @@ from risorius.render.raster import SUBPIXEL, Visibility
 
 SIZE = 24
 PLACES = st.tuples(*[st.integers(-4 * SUBPIXEL, (SIZE + 4) * SUBPIXEL)] * 2)
-DRAW_BY_THREADS = """
-import hashlib, sys
-import numba, numpy as np
-from risorius.render.raster import Visibility
-numba.set_num_threads(int(sys.argv[1]))
-rng = np.random.default_rng(5)
-centre = rng.integers(0, 200 * 256, (600, 1, 2))
-xy = (centre + rng.integers(-9000, 9000, (600, 3, 2))).reshape(-1, 2).astype(np.int32)
-key = rng.uniform(0.1, 1.0, len(xy)).astype(np.float32)
-buffer = Visibility(200, 200, 600)
-triangles = np.arange(1800, dtype=np.int32).reshape(-1, 3)
-buffer.draw(xy, key, triangles, np.ones(600, np.uint8))
-print(hashlib.sha256(buffer.ids.tobytes() + buffer.depth.tobytes()).hexdigest())
-"""
 
 
 def drawn(xy, key, triangles, two_sided=1, size=SIZE):
@@ -142,19 +124,3 @@ def test_a_new_drawing_forgets_the_last():
     buffer.draw(nothing, np.ones(3, np.float32), np.array([[0, 1, 2]], np.int32), np.ones(1, np.uint8))
     assert (buffer.ids == -1).all()
     assert (buffer.depth == 0).all()
-
-
-def test_bytes_do_not_depend_on_the_number_of_threads():
-    environment = {**os.environ, "NUMBA_NUM_THREADS": "4", "PYTHONPATH": os.pathsep.join(sys.path)}
-    hashes = {
-        subprocess.run(
-            [sys.executable, "-c", DRAW_BY_THREADS, str(threads)],
-            env=environment,
-            cwd=Path(__file__).parent,
-            capture_output=True,
-            text=True,
-            check=True,
-        ).stdout
-        for threads in (1, 2, 4)
-    }
-    assert len(hashes) == 1

@@ -23,7 +23,7 @@ def scene():
 
 def share(shadow, x, y, z):
     place = tuple(np.float32(v) for v in (x, y, z))
-    return lit(shadow.depth, shadow.tiles, shadow.matrix, place, np.float32(shadow.bias))
+    return lit(shadow.depth, shadow.low, shadow.high, shadow.matrix, place, np.float32(shadow.bias))
 
 
 def test_the_matrix_covers_its_sphere():
@@ -52,3 +52,9 @@ def test_a_surface_does_not_shade_itself(scene):
 
 def test_outside_the_map_all_is_lit(scene):
     assert share(scene, 500, 0, 0) == 1
+
+
+def test_bounds_are_those_of_the_taps(scene):
+    for j, i in ((0, 0), (120, 151), (150, 190), (378, 378)):
+        taps = scene.depth[j : j + 6, i : i + 6]
+        assert (scene.low[j, i], scene.high[j, i]) == (taps.min(), taps.max())

@@ -1,7 +1,15 @@
 import numpy as np
 import pytest
 
-from risorius.render.subsurface import ANGLES, CURVATURES, MAX_CURVATURE, diffuse_table, scattered
+from risorius.render.subsurface import (
+    ANGLES,
+    CURVATURES,
+    MAX_CURVATURE,
+    angle_place,
+    curvature_place,
+    diffuse_table,
+    scattered,
+)
 
 
 @pytest.fixture(scope="module")
@@ -31,9 +39,17 @@ def test_sharper_bends_glow_more(table):
     assert (np.diff(table[ANGLES // 2, :, 0]) > 0).all()
 
 
+def look_up(table, cosine, curvature):
+    return scattered(table, angle_place(np.float32(cosine)), curvature_place(np.float32(curvature)))
+
+
 def test_looking_up_is_linear_and_clips(table):
     step = 2 / (ANGLES - 1)
-    between = scattered(table, np.float32(-1 + 60.5 * step), np.float32(0.0))
+    between = look_up(table, -1 + 60.5 * step, 0.0)
     assert between == pytest.approx(0.5 * (table[60, 0] + table[61, 0]), abs=1e-4)
-    beyond = scattered(table, np.float32(2.0), np.float32(9 * MAX_CURVATURE))
+    beyond = look_up(table, 2.0, 9 * MAX_CURVATURE)
     assert beyond == pytest.approx(table[-1, -1], abs=1e-3)
+
+
+def test_no_entry_is_so_small_that_it_slows_the_processor(table):
+    assert not ((table > 0) & (table < np.finfo(np.float32).tiny)).any()

@@ -15,10 +15,12 @@ from risorius.errors import InputError, OutputError
 from risorius.pipeline import stream
 from risorius.stream import PROTOCOLS, Address, wait_for_greeting
 from risorius.stream.ifacialmocap import GREETINGS
+from risorius.stream.protocols import Asked
 from risorius.stream.send import Sent
 from risorius.take import Take
 
 GREETING = b"iFacialMocap_sahuasouryya9218sauhuiayeta91555dy3719"
+OVER_TCP = b"iFacialMocap_UDPTCP_sahuasouryya9218sauhuiayeta91555dy3719"
 PHONE, PC = "127.0.0.2", "127.0.0.1"
 
 
@@ -50,33 +52,35 @@ def greet(port: int, *said: bytes, seconds: float = 2.0) -> None:
 def test_nobody_greets() -> None:
     at = Address(PHONE, free_port(PHONE))
     with pytest.raises(OutputError, match=rf"no receiver has sent its greeting to {at} within 0.1 s"):
-        wait_for_greeting(at, GREETINGS, 49983, 0.1)
+        wait_for_greeting(at, GREETINGS, 0.1)
 
 
 def test_a_port_that_is_taken_and_an_address_of_another_machine() -> None:
     with udp(PHONE) as taken, pytest.raises(InputError, match=r"cannot listen at '127.0.0.2:\d+': Address"):
-        wait_for_greeting(Address(PHONE, taken.getsockname()[1]), GREETINGS, 49983, 0.1)
+        wait_for_greeting(Address(PHONE, taken.getsockname()[1]), GREETINGS, 0.1)
     with pytest.raises(InputError, match=r"cannot listen at '192.0.2.1:9'"):
-        wait_for_greeting(Address("192.0.2.1", 9), GREETINGS, 49983, 0.1)
+        wait_for_greeting(Address("192.0.2.1", 9), GREETINGS, 0.1)
 
 
 def test_a_protocol_without_a_greeting(clip: Take) -> None:
-    with pytest.raises(InputError, match="receivers of livelink send no greeting"):
+    with pytest.raises(InputError, match=r"no greeting asks for livelink first; .* one of ifacialmocap$"):
         stream(clip, "livelink", listen="127.0.0.2")
 
 
 @pytest.mark.parametrize(
-    ("said", "dialect"),
+    ("said", "protocol", "dialect"),
     [
-        (GREETING, "v1"),
-        (GREETING + b"|sendDataVersion=v2", "v2"),
-        (GREETING + b"\0", "v1"),
+        (GREETING, "ifacialmocap", "v1"),
+        (GREETING + b"|sendDataVersion=v2", "ifacialmocap", "v2"),
+        (GREETING + b"\0", "ifacialmocap", "v1"),
+        (OVER_TCP, "ifacialmocap-tcp", "v1"),
+        (OVER_TCP + b"|sendDataVersion=v2\n", "ifacialmocap-tcp", "v2"),
     ],
 )
-def test_who_greets_is_answered_at_the_usual_port(said: bytes, dialect: str) -> None:
+def test_who_greets_is_known_with_what_they_ask_for(said: bytes, protocol: str, dialect: str) -> None:
     at = Address(PHONE, free_port(PHONE))
     greet(at.port, b"hello", b"", said[:20], said)
-    assert wait_for_greeting(at, GREETINGS, 49983, 10.0) == (Address(PC, 49983), dialect)
+    assert wait_for_greeting(at, GREETINGS, 10.0) == (PC, Asked(protocol, dialect))
 
 
 @pytest.mark.parametrize(("said", "joint"), [(GREETING, "-"), (GREETING + b"|sendDataVersion=v2", "&")])
@@ -104,3 +108,32 @@ def test_a_receiver_greets_and_is_sent_the_performance(clip: Take, said: bytes, 
     assert max(jaw) > 10
     assert set(jaw) <= set(wanted)
     assert got[-1][0] - got[0][0] == pytest.approx(clip.times[-1], abs=0.3)
+
+
+def test_a_receiver_greets_and_is_sent_a_stream(clip: Take) -> None:
+    """The app connects to the receiver's port 49986; frames end with a mark, wherever the stream is cut."""
+    clip.arkit  # noqa: B018  (fitted before anyone waits)
+    sent: list[Sent] = []
+    with socket.create_server((PC, PROTOCOLS.get("ifacialmocap-tcp").port)) as receiver:
+        assert receiver.getsockname()[1] == 49986
+        receiver.settimeout(20.0)
+        thread = threading.Thread(target=lambda: sent.append(stream(clip, "ifacialmocap", listen=PHONE)))
+        thread.start()
+        greet(49983, OVER_TCP + b"|sendDataVersion=v2", seconds=0.5)
+        line, _ = receiver.accept()
+        data = b""
+        with line:
+            start = time.perf_counter()
+            while more := line.recv(100):
+                data += more
+        seconds = time.perf_counter() - start
+        thread.join(10.0)
+    *frames, rest = data.split(b"___iFacialMocap")
+    assert rest == b""
+    assert len(frames) == sent[0].frames >= 3
+    jaw = [
+        int(dict(part.split("&") for part in f.decode().split("|=")[0].split("|"))["jawOpen"]) for f in frames
+    ]
+    assert max(jaw) > 10
+    assert set(jaw) <= set(np.round(100.0 * clip.arkit.weights[:, INDEX["jawOpen"]]))
+    assert seconds == pytest.approx(clip.times[-1], abs=0.3)

@@ -121,6 +121,14 @@ def test_vmc(track: ArkitTrack, names: str) -> None:
         assert values["JawOpen"] == pytest.approx(track.weights[2, INDEX["jawOpen"]], abs=1e-6)
 
 
+@pytest.mark.parametrize("names", ["vrm0", "vrm1"])
+def test_python_osc_reads_the_same(track: ArkitTrack, names: str) -> None:
+    osc_packet = pytest.importorskip("pythonosc.osc_packet")
+    for packet in PROTOCOLS.get("vmc").make(track, FPS, Options(names=names))(2):
+        read = [(m.message.address, m.message.params) for m in osc_packet.OscPacket(packet).messages]
+        assert read == list(osc_messages(packet))
+
+
 def test_vmc_turns_to_unity_s_axes(track: ArkitTrack) -> None:
     """A head turned to the subject's left turns about Unity's y axis the other way, because x is mirrored."""
     left = np.array([[90.0, 0.0, 0.0]])

@@ -15,7 +15,7 @@ import pytest
 
 from risorius.core.audio import silence
 from risorius.errors import InputError, OutputError
-from risorius.stream import Address, parse_address, send
+from risorius.stream import Address, line, parse_address, send
 from risorius.stream.clock import MachineClock, SoundClock
 
 FPS = Fraction(50)
@@ -65,7 +65,9 @@ class Steps(MachineClock):
         self.slept.append(seconds)
 
 
-@pytest.mark.parametrize("text", ["", ":80", "host:", "host:99999", "host:x", "host:0"])
+@pytest.mark.parametrize(
+    "text", ["", ":80", "host:", "host:99999", "host:x", "host:0", "1.2.3.4:5:6", "host:a:9"]
+)
 def test_no_address(text: str) -> None:
     with pytest.raises(InputError, match="is no address; expected HOST or HOST:PORT"):
         parse_address(text, 11111)
@@ -77,6 +79,7 @@ def test_no_address(text: str) -> None:
         ("host", Address("host", 39539)),
         ("10.0.0.2:5", Address("10.0.0.2", 5)),
         ("[::1]:7", Address("::1", 7)),
+        ("[::1]", Address("::1", 39539)),
     ],
 )
 def test_addresses(text: str, address: Address) -> None:
@@ -92,6 +95,29 @@ def test_a_receiver_that_is_not_there_is_named(receiver: Receiver) -> None:
     receiver.socket.close()
     with pytest.raises(OutputError, match=r"nothing listens at 127\.0\.0\.1"):
         send(lambda k: [b"x"], 50, FPS, receiver.address, MachineClock())
+
+
+def test_a_stream_that_nobody_takes_is_named() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        to = Address(*server.getsockname())
+    with pytest.raises(OutputError, match=rf"nothing listens at {to}"):
+        send(lambda k: [b"x"], 50, FPS, to, MachineClock(), tcp=True)
+
+
+def test_a_receiver_that_goes_away_is_named() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        to = Address(*server.getsockname())
+        threading.Thread(target=lambda: server.accept()[0].close()).start()
+        with pytest.raises(OutputError, match=rf"the receiver at {to} has gone"):
+            send(lambda k: [b"x" * 1000], 500, FPS, to, MachineClock(), tcp=True)
+
+
+def test_a_receiver_that_does_not_read_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(line, "PATIENCE", 0.2)
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        to = Address(*server.getsockname())
+        with pytest.raises(OutputError, match=rf"'{to}' has not answered for 0.2 s"):
+            send(lambda k: [bytes(1_000_000)], 500, FPS, to, MachineClock(), tcp=True)
 
 
 def test_frames_come_at_their_time(receiver: Receiver) -> None:

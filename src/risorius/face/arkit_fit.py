@@ -3,8 +3,7 @@
 The eyes' shapes stand for the eyes' rotation and `tongueOut` for the tongue, so these are not fitted: weight
 1 is the farthest that the table of parameters allows. `mouthClose` closes what `jawOpen` opens, so it is
 never more than it: the two are fitted as an opening, and an opening with the lips together. Of shapes that
-exclude each other the difference stays, and the others are fitted anew. Then vertices that are far off count
-more and more, so that a little is lost over the whole face for what would be seen at one place.
+exclude each other the difference stays, and the others are fitted anew, vertices that are far off held back.
 """
 
 from __future__ import annotations
@@ -20,6 +19,7 @@ from ..core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
 from ..core.parameters import INDEX as PARAMETER
 from .arkit_given import GIVEN, given_weights
 from .eyes import pitch_and_yaw
+from .far_vertices import FarVertices
 from .frame import FaceFrame
 from .head import Head
 from .lids import FRONT, LID_REACH
@@ -30,8 +30,6 @@ Array = npt.NDArray[np.float64]
 # Shares of the mean square of a shape: what keeps nearly parallel shapes, and opposed ones, from fighting.
 RIDGE, AGAINST = 3e-5, 5e-5
 LIPS = 2.0  # how much more the lips count: they are few vertices, and what is looked at
-FAR = 1.5  # mm from which a vertex counts more in the next round
-ROUNDS, PULL = 8, 40.0  # how often, and how much more for each mm² beyond
 HIDDEN = 3.0  # mm before the eyeball's front plane up to which the socket's lining is not seen
 MOVED = 0.3  # mm by which some shape must move a vertex for it to count in the residual
 
@@ -136,26 +134,12 @@ class ArkitFit:
         right = self._heavy @ wanted
         both = self._least(self._normal, right, np.full(len(SHAPES), np.nan))
         kept = _one_of_each(both)
-        weights = self._near(wanted, right, kept, self._least(self._normal, right, kept)) + given
+        start = self._least(self._normal, right, kept)
+        held = FarVertices(self._fitted, wanted, self._normal, right)
+        weights = held.settle(start, lambda normal, right: self._least(normal, right, kept)) + given
         weights[_JAW] += weights[_CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[_CLOSE] = min(weights[_CLOSE], weights[_JAW])
-        return weights
-
-    def _near(self, wanted: Array, right: Array, kept: Array, weights: Array) -> Array:
-        """Return the weights after some rounds in which vertices that are far off count more (after Lawson,
-        Contributions to the Theory of Linear Least Maximum Approximations, 1961)."""
-        extra = np.zeros(len(self.counted))
-        for _ in range(ROUNDS):
-            away = np.linalg.norm((wanted - weights @ self._fitted).reshape(-1, 3), axis=1)
-            extra += PULL * np.maximum(away - FAR, 0.0) ** 2
-            far = np.flatnonzero(extra)
-            if not far.size:
-                return weights
-            columns = (3 * far[:, None] + np.arange(3)).ravel()
-            there = self._fitted[:, columns]
-            pulled = there * np.repeat(extra[far], 3)
-            weights = self._least(self._normal + pulled @ there.T, right + pulled @ wanted[columns], kept)
         return weights
 
     def _least(self, normal: Array, right: Array, kept: Array) -> Array:
@@ -163,6 +147,8 @@ class ArkitFit:
         fixed = ~np.isnan(kept)
         free = self._free & ~fixed
         weights = np.where(fixed, kept, 0.0)
+        if not free.any():
+            return weights
         factor = np.linalg.cholesky(normal[np.ix_(free, free)])
         rest = right[free] - normal[np.ix_(free, fixed)] @ weights[fixed]
         weights[free] = nnls(factor.T, np.linalg.solve(factor, rest))[0]

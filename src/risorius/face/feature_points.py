@@ -104,7 +104,7 @@ class FeaturePoints:
             found[22 + side], found[24 + side] = np.radians(yaw) / ANGLE, -np.radians(pitch) / ANGLE
         pitch, yaw, roll = (frame.parameters[INDEX[f"head_{axis}"]] for axis in ("pitch", "yaw", "roll"))
         found[47:50] = np.radians([-pitch, yaw, -roll]) / ANGLE
-        found[[number - 1 for number in TONGUE]] = self._tongue_tip(frame)
+        found[[number - 1 for number in TONGUE]] = self.tongue_tip(frame)
         return found
 
     def of_skin(self, skin: npt.NDArray[np.floating]) -> Array:
@@ -126,11 +126,11 @@ class FeaturePoints:
         found[[number - 1 for number in LIDS]] = self.units.IRISD
         return found
 
-    def _tongue_tip(self, frame: FaceFrame) -> tuple[float, float]:
-        """Return how the tip rises and thrusts against the jaw."""
+    def tongue_tip(self, frame: FaceFrame) -> Array:
+        """Return how the tip rises and thrusts against the jaw (2,): the parameters of `TONGUE`."""
         carried = self._tongue.place(NEUTRAL, self._jaw, frame.jaw_angle / self._jaw.angle)[self._tip]
         way = frame.tongue[self._tip].astype(np.float64) - carried
-        return float(way[1] / self.units.MNS), float(way[2] / self.units.MW)
+        return np.array([way[1] / self.units.MNS, way[2] / self.units.MW])
 
     def _measure_units(self) -> Fapu:
         points, head = self._rest, self._head

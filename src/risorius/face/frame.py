@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -33,3 +33,8 @@ class FaceFrame:
     jaw_angle: float
     wrinkles: Array32
     parameters: Array
+
+    def copy(self) -> FaceFrame:
+        """Return a frame that stays as it is, whatever becomes of this one's arrays."""
+        arrays = [f.name for f in fields(self) if isinstance(getattr(self, f.name), np.ndarray)]
+        return replace(self, **{name: getattr(self, name).copy() for name in arrays})

@@ -15,41 +15,47 @@ from .solve import FaceSolver
 Array = npt.NDArray[np.float64]
 Measure = Callable[[FaceFrame], Array]
 
+TONGUE = ("tongue_up", "tongue_out", "tongue_back")
 FITTED = (*(muscle.name for muscle in MUSCLES), "lip_tuck")
 # Of muscles that do nearly the same none is driven high against another.
 _RIDGE = 2e-3
 
 
 class Responses:
-    """Non-negative least squares of measures over the muscles of one head.
+    """Non-negative least squares of measures over the muscles of one head, or over the parameters `fitted`.
 
     `measure` gives numbers (n,) of a frame, 0 at rest. Each column is what a muscle alone does at activation
     1, its linked muscles included; muscles together are taken to add up, which the solver's limits on
     near-parallel pulls make a little too much.
     """
 
-    def __init__(self, solver: FaceSolver, measure: Measure) -> None:
-        rest = measure(solver.solve(NEUTRAL))
-        self._columns = np.stack([measure(solver.solve(_alone(name))) - rest for name in FITTED], axis=1)
+    def __init__(self, solver: FaceSolver, measure: Measure, fitted: Sequence[str] = FITTED) -> None:
+        rest = measure(solver.solve(NEUTRAL)).copy()
+        self._columns = np.stack([measure(solver.solve(_alone(name))) - rest for name in fitted], axis=1)
+        self._places = [INDEX[name] for name in fitted]
 
-    def values(self, wanted: Array, rows: Sequence[int] | None = None) -> Array:
+    def values(self, wanted: Array, rows: Sequence[int]) -> Array:
         """Return values (frames, 46) whose muscles come nearest to measures `wanted` (frames, n).
 
-        `rows` are the measures that count, all where None. Parameters that are not fitted stay at rest.
+        `rows` are the measures that count. Parameters that are not fitted stay at rest.
         """
-        chosen = slice(None) if rows is None else list(rows)
-        columns = self._columns[chosen]
+        columns = self._columns[list(rows)]
+        return self._nearest(columns, wanted[:, list(rows)] @ columns)
+
+    def of_shapes(self, weights: Array, shapes: Array) -> Array:
+        """Return the same where measures are sums of `shapes` (s, n) by `weights` (frames, s)."""
+        return self._nearest(self._columns, weights @ (shapes @ self._columns))
+
+    def _nearest(self, columns: Array, right: Array) -> Array:
+        """Return values (frames, 46) of normal equations with the right sides `right` (frames, muscles)."""
         normal = columns.T @ columns
         scale = float(np.trace(normal)) / len(normal)
         factor = np.linalg.cholesky(normal + _RIDGE * scale * np.eye(len(normal)))
-        result = np.tile(NEUTRAL, (len(wanted), 1))
-        for row, target in zip(result, wanted[:, chosen], strict=True):
-            found = nnls(factor.T, np.linalg.solve(factor, columns.T @ target))[0]
-            row[_COLUMNS] = np.minimum(found, 1.0)
+        result = np.tile(NEUTRAL, (len(right), 1))
+        for row, target in zip(result, right, strict=True):
+            found = nnls(factor.T, np.linalg.solve(factor, target))[0]
+            row[self._places] = np.minimum(found, 1.0)
         return result
-
-
-_COLUMNS = [INDEX[name] for name in FITTED]
 
 
 def _alone(name: str) -> Array:

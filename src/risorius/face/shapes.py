@@ -1,7 +1,12 @@
-"""The 52 sculpted ARKit shapes of a head, from the `shapes.npz` in its folder."""
+"""The 52 ARKit shapes of a head: sculpted, from the `shapes.npz` in its folder, but for a lid that is shut.
+
+The sculpted `eyeBlink` draws the lids past each other by a third at weight 1, so that 0.66 of it would shut
+the eye, and a character that takes over the weights would never shut its own. It is our face's own shut lid.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -16,10 +21,16 @@ from ..errors import HeadError, Place
 from .head import Head
 from .head_file import HeadFile
 from .jaw import Jaw
+from .solve import FaceSolver
 from .subdivide import FloatArray
 from .tongue import TongueShapes
 
 FILE = "shapes.npz"
+_SHUT = {
+    INDEX[f"eyeBlink{side.title()}"]: PARAMETER[f"orbicularis_oculi_palpebralis.{side}"]
+    for side in ("left", "right")
+}
+_SMALLEST = 1e-3  # mm: displacements below it are none
 _JAW_OPEN, _TONGUE_OUT = INDEX["jawOpen"], INDEX["tongueOut"]
 
 
@@ -64,6 +75,18 @@ def _cached(path: Path, changed: int, count: int) -> tuple[tuple[FloatArray, ...
     return tuple(fields), file.array("teeth", (len(SHAPES), 3))
 
 
+def _shut(head: Head) -> Iterator[tuple[int, FloatArray]]:
+    """Yield for each eye its shape, and the displacement (N1, 3) of the skin when its lids meet."""
+    solver = FaceSolver(head)
+    rest = solver.solve(NEUTRAL).skin.astype(np.float64)
+    for shape, parameter in _SHUT.items():
+        values = NEUTRAL.copy()
+        values[parameter] = 1.0
+        moved = solver.solve(values).skin - rest
+        moved[np.abs(moved).max(axis=1) < _SMALLEST] = 0.0
+        yield shape, moved
+
+
 def _moves(file: HeadFile, name: str) -> bool:
     return file.arrays.get(f"shape/{name}/vertices", np.ones(1)).size > 0
 
@@ -71,6 +94,8 @@ def _moves(file: HeadFile, name: str) -> bool:
 def _shapes(head: Head, path: Path, changed: int) -> ArkitShapes:
     fields, shifts = _cached(path, changed, len(head.rest))
     fine = [sp.csr_matrix((head.skin.matrix @ field).reshape(1, -1)) for field in fields]
+    for shape, moved in _shut(head):
+        fine[shape] = sp.csr_matrix(moved.reshape(1, -1))
     jaw, tongue = Jaw.of(head), TongueShapes.of(head)
     teeth = np.repeat(shifts[:, None], len(head.teeth_lower.vertices), axis=1)
     teeth[_JAW_OPEN] = jaw.carry(head.teeth_lower.vertices, 1.0) - head.teeth_lower.vertices

@@ -8,7 +8,7 @@ show (the fit's residual), wrinkles, the tongue but for `TongueOut`, the sound.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -16,16 +16,18 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS
-from ..errors import InputError, Place, unknown
+from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
+from ..errors import InputError, unknown
 from ..face.arkit_fit import ArkitTrack
-from .capture import Table, check_times, read_table, require
+from .capture import Column, Header, Parse, Table, check_times, radians, read_table
 from .source import Material, WriteOptions, needed
 from .table import write_lines
 
 Array = npt.NDArray[np.float64]
 
 APP_RATE = 60.0  # frames per second of the app's takes
+_CLOCK = 4  # numbers of a time code, the first of each row
+DAY = 86_400.0  # s; a take may go on past midnight
 _TIMECODE = re.compile(r"(\d+):(\d{2}):(\d{2})[:;](\d+(?:\.\d+)?)")
 COLUMNS = ("Timecode", "BlendshapeCount", *CSV_SHAPES, *ROTATIONS)
 COUNT = len(CSV_SHAPES) + len(ROTATIONS)
@@ -73,46 +75,53 @@ def read_arkit_csv(path: Path) -> ArkitTake:
     """Read a take of Live Link Face, or one written here; columns are found by name, in any order.
 
     Weights are brought within 0 to 1; rotations that are not there are 0. Raises InputError for a column that
-    is missing or unknown, a row that counts other values than it has, a cell that is no number, a time code
-    that is none or goes back.
+    is missing or unknown, a row that counts other values than it has, a cell that is no number or no angle, a
+    time code that is none or goes back.
     """
-    table = read_table(path)
-    known = {name.lower(): name for name in COLUMNS}
-    for name in table.columns:
-        if name.lower() not in known:
-            raise InputError(unknown("column", name, COLUMNS), Place(str(path), 1))
-    columns = tuple(known[name.lower()] for name in table.columns)
-    table = Table(path, columns, table.rows, table.lines)
-    require(table, ("Timecode", *CSV_SHAPES), "a Live Link Face take")
-    _check_counts(table)
-    weights = np.empty((len(table.rows), len(INDEX)))
-    weights[:, _ORDER] = np.clip(table.numbers(CSV_SHAPES), 0.0, 1.0)
-    turned = [name for name in ROTATIONS if name in columns]
-    rotations = np.zeros((len(table.rows), len(ROTATIONS)))
-    rotations[:, [ROTATIONS.index(name) for name in turned]] = table.numbers(turned)
+    table = read_table(path, _columns, COLUMNS)
+    weights = table.values[:, _CLOCK : _CLOCK + len(SHAPES)]
+    np.clip(weights, 0.0, 1.0, out=weights)  # long takes are large: their numbers are held once
+    turned = [name for name in ROTATIONS if name in table.names]
+    rotations = np.zeros((len(weights), len(ROTATIONS)))
+    rotations[:, [ROTATIONS.index(name) for name in turned]] = table.of(turned)
     return ArkitTake(_times(table), weights, rotations)
 
 
-def _check_counts(table: Table) -> None:
-    """Raise InputError where a row says that it holds another number of values than there are columns."""
-    if "BlendshapeCount" not in table.columns:
-        return
-    here = len([name for name in table.columns if name not in ("Timecode", "BlendshapeCount")])
-    for text, line in zip(table.texts("BlendshapeCount"), table.lines, strict=True):
-        if text not in (str(here), str(COUNT)):
-            message = f"BlendshapeCount is '{text[:20]}'; expected {here}, as there are columns"
-            raise InputError(message, Place(str(table.path), line))
+def _columns(header: Header) -> list[Column]:
+    for name in header.names:
+        if name not in COLUMNS:
+            raise InputError(unknown("column", name, COLUMNS), header.place(name))
+    header.require(("Timecode", *CSV_SHAPES), "a Live Link Face take")
+    turned = [Column(name, radians) for name in ROTATIONS if name in header.names]
+    wanted = [Column("Timecode", _clock, _CLOCK), *map(Column, map(column_of, SHAPES)), *turned]
+    if "BlendshapeCount" in header.names:
+        here = len(header.names) - 2
+        wanted.append(Column("BlendshapeCount", _counter({str(here), str(COUNT)}, here), 0))
+    return wanted
+
+
+def _counter(right: Collection[str], here: int) -> Parse:
+    """Return what checks that a row says how many values it holds; nothing is kept of it."""
+
+    def check(text: str) -> tuple[()]:
+        if text not in right:
+            raise ValueError(f"expected {here}, as there are columns")
+        return ()
+
+    return check
+
+
+def _clock(text: str) -> tuple[float, ...]:
+    match = _TIMECODE.fullmatch(text)
+    if match is None:
+        raise ValueError("expected a time code HH:MM:SS:FF.mmm")
+    return tuple(float(part) for part in match.groups())
 
 
 def _times(table: Table) -> Array:
-    parts = []
-    for text, line in zip(table.texts("Timecode"), table.lines, strict=True):
-        match = _TIMECODE.fullmatch(text)
-        if match is None:
-            raise InputError(f"'{text[:30]}' is no time code HH:MM:SS:FF.mmm", Place(str(table.path), line))
-        parts.append([float(part) for part in match.groups()])
-    clock = np.array(parts)
+    clock = table.values[:, :_CLOCK]
     seconds = clock[:, :3] @ [3600.0, 60.0, 1.0]
+    seconds += DAY * np.cumsum(np.diff(seconds, prepend=seconds[0]) < -0.5 * DAY)
     return check_times(seconds + clock[:, 3] / _rate(seconds, clock[:, 3]), table.path, table.lines)
 
 

@@ -9,8 +9,9 @@ may itself.
 
 from __future__ import annotations
 
+import difflib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,7 +23,7 @@ from ..core.action_units import action_unit
 from ..errors import InputError, Place, unknown
 from ..face.frame import FaceFrame
 from ..face.rotations import about_axis, rotation_angles
-from .capture import Table, check_times, read_table, require
+from .capture import Column, Header, Table, check_times, radians, read_table
 from .landmarks_csv import MEASURES
 from .source import Material, WriteOptions
 from .table import write_lines
@@ -36,6 +37,10 @@ DISTANCE = 800.0
 _PARTED = 8.0  # mm of lip gap at which lips are parted as far as the scale goes
 _GAZE = (*(f"gaze_{eye}_{axis}" for eye in (0, 1) for axis in "xyz"), "gaze_angle_x", "gaze_angle_y")
 _POSE = (*(f"pose_T{axis}" for axis in "xyz"), *(f"pose_R{axis}" for axis in "xyz"))
+_PLAIN = ("timestamp", "success")
+_MISSPELT = 0.85  # how alike a name is to that of a column which is not there, to be taken for it
+_TURNED, _LOOKED = _POSE[3:], _GAZE[6:]
+_UNIT = re.compile(r"AU\d+_r")
 COLUMNS = (
     *("frame", "face_id", "timestamp", "confidence", "success", *_GAZE, *_POSE),
     *(f"AU{number:02d}_r" for number in INTENSITIES),
@@ -106,40 +111,59 @@ def read_au_csv(path: Path) -> ActionUnitTake:
     Frames in which no face was found (`success` 0) hold the one before. Raises InputError for columns that
     are missing, units that we do not know, and cells that are no numbers.
     """
-    table = read_table(path)
-    names = [name for name in table.columns if re.fullmatch(r"AU\d+_r", name)]
-    require(table, ("timestamp", *([] if names else ["AU01_r"])), "OpenFace")
-    for name in table.columns:
-        if name.startswith("AU") and not re.fullmatch(r"AU\d+_[rc]", name):
-            raise InputError(unknown("column", name, COLUMNS), Place(str(path), 1))
-    units = {int(name[2:-2]): name for name in names}
-    for number in units:
-        action_unit(f"AU{number}")
+    table = read_table(path, _columns, COLUMNS)
+    units = {int(name[2:-2]): name for name in table.names if _UNIT.fullmatch(name)}
     found = _held(table)
-    strengths = np.clip(table.numbers(list(units.values()))[found] / SCALE, 0.0, 1.0)
-    times = check_times(table.numbers(["timestamp"])[:, 0], path, table.lines)
-    turns = [_turn(row) for row in _block(table, [f"pose_R{axis}" for axis in "xyz"])[found]]
+    strengths = np.clip(table.of(list(units.values()))[found] / SCALE, 0.0, 1.0)
+    times = check_times(table.of(["timestamp"])[:, 0], path, table.lines)
+    turns = [_turn(row) for row in _block(table, _TURNED)[found]]
     head = np.array([rotation_angles(CAMERA @ turn @ CAMERA) for turn in turns])
-    angles = _block(table, ["gaze_angle_x", "gaze_angle_y"])[found]
-    return ActionUnitTake(times, dict(zip(units, strengths.T, strict=True)), head, _gaze(angles, turns))
+    gaze = _gaze(_block(table, _LOOKED)[found], turns)
+    return ActionUnitTake(times, dict(zip(units, strengths.T, strict=True)), head, gaze)
+
+
+def _columns(header: Header) -> list[Column]:
+    units = [name for name in header.names if _UNIT.fullmatch(name)]
+    header.require(("timestamp", *([] if units else ["AU01_r"])), "OpenFace")
+    absent = sorted({*_PLAIN, *_TURNED, *_LOOKED} - set(header.names))
+    for name in (name for name in header.names if name not in COLUMNS):
+        strange = name.startswith("AU") and not re.fullmatch(r"AU\d+_[rc]", name)
+        if strange or difflib.get_close_matches(name, absent, 1, _MISSPELT):
+            raise InputError(unknown("column", name, COLUMNS), header.place(name))
+    for name in units:
+        try:
+            action_unit(f"AU{int(name[2:-2])}")
+        except InputError as error:
+            raise error.at(header.place(name)) from None
+    plain = [name for name in (*_PLAIN, *units) if name in header.names]
+    angles = [name for block in (_TURNED, _LOOKED) if _whole(header, block) for name in block]
+    return [*map(Column, plain), *(Column(name, radians) for name in angles)]
+
+
+def _whole(header: Header, block: Sequence[str]) -> bool:
+    """Return whether all columns of a block are there, not none; raise InputError for a part."""
+    if not set(block) & set(header.names):
+        return False
+    header.require(block, "OpenFace")
+    return True
 
 
 def _held(table: Table) -> npt.NDArray[np.int64]:
     """Return for each row (n,) the last one up to it in which a face was found."""
-    rows = np.arange(len(table.rows))
-    if "success" not in table.columns:
+    rows = np.arange(len(table.values))
+    if "success" not in table.names:
         return rows
-    good = table.numbers(["success"])[:, 0] > 0.0
+    good = table.of(["success"])[:, 0] > 0.0
     if not good.any():
         raise InputError("no row has success 1; expected a face", Place(str(table.path)))
     first = int(np.argmax(good))
     return np.maximum.accumulate(np.where(good, rows, first))
 
 
-def _block(table: Table, names: list[str]) -> Array:
-    if not set(names) <= set(table.columns):
-        return np.zeros((len(table.rows), len(names)))
-    return table.numbers(names)
+def _block(table: Table, names: Sequence[str]) -> Array:
+    if names[0] not in table.names:
+        return np.zeros((len(table.values), len(names)))
+    return table.of(names)
 
 
 def _turn(angles: Array) -> Array:

@@ -10,12 +10,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
+from ..core.movement import Movement
 from .source import Material, WriteOptions
 from .table import write_lines
 
 NAMESPACE = "http://www.bml-initiative.org/bml/bml-1.0"
 _BLOCK = "risorius"
-_ELEMENTS = {"gaze": "gaze", "head": "head"}
+_PEAKS = {"head": "stroke", "gaze": "ready", "face": "attackPeak"}
+"""Behaviours, and what the standard calls the time at which each is fully there."""
 
 
 def write_bml_feedback(material: Material, path: Path, _options: WriteOptions) -> None:
@@ -34,12 +36,20 @@ def _lines(material: Material) -> Iterator[str]:
             yield f'    <sync id="word{number}" time="{word.start:.6f}"/>'
         yield "  </speech>"
     for number, movement in enumerate(material.performance.score.movements):
-        element = _ELEMENTS.get(movement.channel, "face")
+        element = _behaviour(movement)
         name = quoteattr(f"{_BLOCK}:{movement.id or f'{movement.channel}{number}'}")
         peak = min(movement.start + movement.onset, movement.end)
         relax = max(movement.end - movement.offset, peak)
         yield (
-            f'  <{element} id={name} start="{movement.start:.6f}" attackPeak="{peak:.6f}" '
+            f'  <{element} id={name} start="{movement.start:.6f}" {_PEAKS[element]}="{peak:.6f}" '
             f'relax="{relax:.6f}" end="{movement.end:.6f}"/>'
         )
     yield "</predictionFeedback>"
+
+
+def _behaviour(movement: Movement) -> str:
+    """Return a movement's BML element: gaze, which may turn the head; head, which the eyes may counter."""
+    moved = {name.partition("_")[0] for name in movement.targets}
+    if not moved <= {"head", "gaze"}:
+        return "face"
+    return "head" if "head" in moved and movement.channel != "gaze" else "gaze"

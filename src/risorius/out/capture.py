@@ -1,55 +1,95 @@
-"""Captured faces read back: what the readers of formats have in common."""
+"""Captured faces read back: what the readers of formats have in common.
+
+Files are read row by row, and only the numbers that are asked for are kept.
+"""
 
 from __future__ import annotations
 
 import csv
+import difflib
 import math
-from collections.abc import Iterator, Sequence
+from array import array
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
-from ..errors import InputError, Place, unknown
+from ..errors import InputError, Place
+from .score_json import MAX_SECONDS
 
 Array = npt.NDArray[np.float64]
+Parse = Callable[[str], Sequence[float]]
+"""Reads a cell; raises ValueError saying what was expected."""
 
 LARGEST = 512_000_000  # bytes
+LONGEST_LINE = 1_000_000  # characters
+
+
+def number(text: str, low: float = -math.inf, high: float = math.inf, unit: str = "") -> tuple[float]:
+    """Read a finite number from `low` to `high`."""
+    try:
+        value = float(text) if text.isascii() and "_" not in text else math.nan
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise ValueError("expected a number")
+    if not low <= value <= high:
+        raise ValueError(f"expected {unit}{' ' if unit else ''}from {low:g} to {high:g}")
+    return (value,)
+
+
+def radians(text: str) -> tuple[float]:
+    """Read an angle of at most a full turn."""
+    return number(text, -6.2832, 6.2832, "radians")
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column that is wanted: its name, what reads a cell, and how many numbers that gives."""
+
+    name: str
+    parse: Parse = number
+    width: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    """The names of a file's columns, and where they stand."""
+
+    path: Path
+    line: int
+    names: tuple[str, ...]
+    text: str
+
+    def place(self, name: str) -> Place:
+        """Return where a column is named."""
+        return Place(str(self.path), self.line, _position(self.text, self.names.index(name)))
+
+    def require(self, wanted: Sequence[str], kind: str) -> None:
+        """Raise InputError, naming the nearest column that there is, where one of `wanted` is missing."""
+        for name in wanted:
+            if name not in self.names:
+                near = difflib.get_close_matches(name, self.names, n=1)
+                there = f"; the nearest is '{near[0]}'" if near else ""
+                message = f"column '{name}' of {kind} is missing{there}"
+                raise InputError(message, Place(str(self.path), self.line))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Table:
-    """Rows of a CSV file: columns by name, cells as text, and the number of each row's line."""
+    """The chosen columns of a file: `values` (rows, k), and the number of each row's line (rows,)."""
 
     path: Path
-    columns: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    lines: tuple[int, ...]
+    names: tuple[str, ...]
+    values: Array
+    lines: Sequence[int]
 
-    def texts(self, column: str) -> list[str]:
-        """Return the cells of a column."""
-        index = self.columns.index(column)
-        return [row[index] for row in self.rows]
-
-    def numbers(self, names: Sequence[str]) -> Array:
-        """Return columns as numbers (rows, len(names)); raise InputError where a cell is none."""
-        places = [self.columns.index(name) for name in names]
-        result = np.empty((len(self.rows), len(names)))
-        for k, (row, line) in enumerate(zip(self.rows, self.lines, strict=True)):
-            for c, place in enumerate(places):
-                result[k, c] = self._number(row[place], names[c], line)
-        return result
-
-    def _number(self, text: str, name: str, line: int) -> float:
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            message = f"{name} is '{text[:20]}'; expected a number"
-            raise InputError(message, Place(str(self.path), line))
-        return value
+    def of(self, names: Sequence[str]) -> Array:
+        """Return columns (rows, len(names)) that hold one number each."""
+        return self.values[:, [self.names.index(name) for name in names]]
 
 
 def read_lines(path: Path) -> Iterator[tuple[int, str]]:
@@ -59,48 +99,105 @@ def read_lines(path: Path) -> Iterator[tuple[int, str]]:
         if path.stat().st_size > LARGEST:
             raise InputError(f"is larger than {LARGEST // 1_000_000} MB; expected less", place)
         with path.open(encoding="utf-8-sig", newline=None) as file:
-            for number, line in enumerate(file, 1):
-                yield number, line.rstrip("\n")
+            at = 0
+            while line := file.readline(LONGEST_LINE):
+                at += 1
+                if len(line) == LONGEST_LINE or "\0" in line:
+                    raise InputError("is no line of text", Place(str(path), at))
+                yield at, line.rstrip("\n")
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}", place) from None
     except UnicodeDecodeError:
         raise InputError("is no UTF-8 text; expected a text file", place) from None
 
 
-def read_table(path: Path) -> Table:
-    """Read a CSV file with a header; spaces around names and cells do not count.
+def read_table(path: Path, choose: Callable[[Header], Sequence[Column]], known: Sequence[str] = ()) -> Table:
+    """Read those columns of a CSV file that `choose` wants of its header; spaces around cells do not count,
+    nor does case in the names of the `known` columns.
 
-    Raises InputError for a file that is empty or no text, a column given twice, and a row of another length.
+    Raises InputError for a file that is empty or no text, a column given twice, a row of another length, and
+    a cell that its column cannot read.
     """
-    lines = [(number, line) for number, line in read_lines(path) if line.strip()]
-    if not lines:
-        raise InputError("is empty; expected a header and rows", Place(str(path)))
-    parsed = [tuple(cell.strip() for cell in row) for row in csv.reader(line for _, line in lines)]
-    header, rows = parsed[0], parsed[1:]
-    if twice := sorted({name for name in header if header.count(name) > 1}):
-        raise InputError(f"column '{twice[0]}' is given twice", Place(str(path), lines[0][0]))
-    if not rows:
+    lines = ((at, line) for at, line in read_lines(path) if line.strip())
+    header = _header(path, lines, {name.lower(): name for name in known})
+    columns = choose(header)
+    chosen = [(header.names.index(column.name), column) for column in columns]
+    values, numbers = array("d"), array("Q")
+    for at, line in lines:
+        _read_row(line, header, chosen, values, Place(str(path), at))
+        numbers.append(at)
+    if not numbers:
         raise InputError("has a header and no rows; expected one per frame", Place(str(path)))
-    numbers = tuple(number for number, _ in lines[1:])
-    for number, row in zip(numbers, rows, strict=True):
-        if len(row) != len(header):
-            message = f"has {len(row)} values; expected {len(header)}, as the header"
-            raise InputError(message, Place(str(path), number))
-    return Table(path, header, tuple(rows), numbers)
+    names = tuple(column.name if k == 0 else "" for column in columns for k in range(column.width))
+    return Table(path, names, np.frombuffer(values).reshape(len(numbers), len(names)), numbers)
 
 
-def require(table: Table, wanted: Sequence[str], kind: str) -> None:
-    """Raise InputError, naming the nearest column that there is, where one of `wanted` is missing."""
-    for name in wanted:
-        if name not in table.columns:
-            message = f"column '{name}' of {kind} is missing; {unknown('column', name, table.columns)}"
-            raise InputError(message, Place(str(table.path), 1))
+def _header(path: Path, lines: Iterator[tuple[int, str]], spelled: Mapping[str, str]) -> Header:
+    at, line = next(lines, (0, ""))
+    if not at:
+        raise InputError("is empty; expected a header and rows", Place(str(path)))
+    names = tuple(spelled.get(name.lower(), name) for name in _cells(line, Place(str(path), at)))
+    for k, name in enumerate(names):
+        if fault := _fault_of(name, names[:k]):
+            raise InputError(fault, Place(str(path), at, _position(line, k)))
+    return Header(path, at, names, line)
+
+
+def _fault_of(name: str, before: Sequence[str]) -> str:
+    """Say what is wrong with a column's name by itself; nothing if all is well."""
+    if not name:
+        return "a column has no name"
+    if name[0] in "0123456789-+.":
+        return f"'{name[:30]}' is no column's name; expected a header in the first line"
+    for other in (";", "\t"):
+        if other in name:
+            return f"columns are parted by {other!r}; expected ','"
+    return f"column '{name[:30]}' is given twice" if name in before else ""
+
+
+def _read_row(
+    line: str, header: Header, chosen: Sequence[tuple[int, Column]], values: array[float], place: Place
+) -> None:
+    """Append the numbers of a row."""
+    cells = _cells(line, place)
+    if len(cells) != len(header.names):
+        raise InputError(f"has {len(cells)} values; expected {len(header.names)}, as the header", place)
+    for index, column in chosen:
+        try:
+            values.extend(column.parse(cells[index]))
+        except ValueError as error:
+            message = f"{column.name} is '{cells[index][:30]}'; {error}"
+            raise InputError(message, Place(place.file, place.line, _position(line, index))) from None
+
+
+def _cells(line: str, place: Place) -> tuple[str, ...]:
+    try:
+        (row,) = csv.reader([line], strict=True)
+    except csv.Error:
+        raise InputError("has a quoted cell that does not end well", place) from None
+    return tuple(cell.strip() for cell in row)
+
+
+def _position(line: str, index: int) -> int | None:
+    """Return where a cell begins in its line, from 1; None where quotes hide it."""
+    if '"' in line:
+        return None
+    cells = line.split(",")
+    start = list(accumulate((len(cell) + 1 for cell in cells[:index]), initial=1))[-1]
+    return start + len(cells[index]) - len(cells[index].lstrip())
 
 
 def check_times(times: Array, path: Path, lines: Sequence[int]) -> Array:
-    """Return times from 0 on; raise InputError where one does not come after the one before."""
+    """Return times from 0 on; raise InputError where one does not come after the one before, or too late."""
     wrong = np.flatnonzero(np.diff(times) <= 0.0)
     if len(wrong):
         line = lines[int(wrong[0]) + 1]
         raise InputError("its time does not come after the row before", Place(str(path), line))
+    check_length(float(times[-1] - times[0]), Place(str(path), lines[-1]))
     return np.asarray(times - times[0])
+
+
+def check_length(seconds: float, place: Place) -> None:
+    """Raise InputError for a capture that is longer than a performance can be."""
+    if seconds > MAX_SECONDS:
+        raise InputError(f"the capture lasts {seconds:g} s; expected at most {MAX_SECONDS:g} s", place)

@@ -26,13 +26,13 @@ class GlbFile:
         """Return the names of morph targets by mesh; raise InputError where names and targets differ."""
         found = {}
         for index, mesh in enumerate(self._list("meshes")):
-            targets = [len(primitive.get("targets", ())) for primitive in mesh.get("primitives", ())]
+            targets = [len(self._part(p, "targets", index)) for p in self._part(mesh, "primitives", index)]
             if not any(targets):
                 continue
-            names = (mesh.get("extras") or {}).get("targetNames") or []
+            extras = mesh.get("extras")
+            names = self._part(extras, "targetNames", index) if isinstance(extras, dict) else []
             if len(set(targets)) != 1 or (names and len(names) != targets[0]):
-                message = f"mesh {index} has {targets[0]} morph targets and {len(names)} names"
-                raise InputError(message, Place(str(self.path)))
+                raise self._fault(f"mesh {index} has {targets[0]} morph targets and {len(names)} names")
             found[index] = tuple(map(str, names)) or tuple(f"target_{k}" for k in range(targets[0]))
         return found
 
@@ -40,11 +40,31 @@ class GlbFile:
         """Return the nodes that show a mesh."""
         return [k for k, node in enumerate(self._list("nodes")) if node.get("mesh") == mesh]
 
+    def extended(self) -> dict[str, Any]:
+        """Return a copy of the document to which accessors, their views and animations can be added.
+
+        Raises InputError where what stands there is none, or its first buffer is not the file's own.
+        """
+        lists = {kind: [*self._list(kind)] for kind in ("accessors", "bufferViews", "animations", "buffers")}
+        if any("uri" in buffer for buffer in lists["buffers"][:1]) or (lists["buffers"] and not self.binary):
+            raise self._fault("keeps its data in another file; expected all of it in the .glb")
+        return {**self.document, **lists}
+
     def _list(self, kind: str) -> list[dict[str, Any]]:
         entries = self.document.get(kind, [])
         if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-            raise InputError(f"'{kind}' is no list of objects", Place(str(self.path)))
+            raise self._fault(f"'{kind}' is no list of objects")
         return entries
+
+    def _part(self, holder: object, kind: str, mesh: int) -> list[Any]:
+        """Return a list within a mesh, empty where it is not there."""
+        part = holder.get(kind, []) if isinstance(holder, dict) else None
+        if not isinstance(part, list):
+            raise self._fault(f"'{kind}' of mesh {mesh} is no list")
+        return part
+
+    def _fault(self, message: str) -> InputError:
+        return InputError(message, Place(str(self.path)))
 
 
 def save_glb(file: GlbFile, path: Path) -> None:
@@ -76,8 +96,8 @@ def read_glb(path: Path) -> GlbFile:
             raise InputError(f"has {len(data)} bytes and says {length}: it is cut off", place)
         chunks = _chunks(data)
         document = json.loads(chunks[b"JSON"])
-    except (struct.error, KeyError, ValueError) as error:
-        raise InputError(f"is no binary glTF 2.0 ({error}); expected a .glb file", place) from None
+    except (struct.error, KeyError, ValueError, RecursionError):
+        raise InputError("is no binary glTF 2.0; expected a .glb file", place) from None
     if not isinstance(document, dict):
         raise InputError("holds no glTF document", place)
     return GlbFile(path, document, chunks.get(b"BIN\0", b""))

@@ -1,6 +1,7 @@
 """The renderer: a software rasterizer that draws the head without GL."""
 
+from .crew import Crew
 from .pictures import picture_renderer
 from .renderer import Renderer
 
-__all__ = ["Renderer", "picture_renderer"]
+__all__ = ["Crew", "Renderer", "picture_renderer"]

@@ -9,11 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import InputError
-from .jit import exact, exact_kernel, f4, i4, prange
+from .jit import exact, exact_kernel, f4, i4
 from .raster import SUBPIXEL, FloatArray, IntArray
 
 Vector = tuple[float, float, float]
-_BLOCK = 1024
 _FAR = f4(1 << 22)  # snapped positions stay within ±16384 samples, so that edge products fit in 64 bits
 _NEAREST = f4(1.0)  # mm; what is nearer than this is projected as if it were this far
 
@@ -86,14 +85,12 @@ def snap(position: float) -> int:
 @exact_kernel
 def project(points: FloatArray, matrix: FloatArray, xy: IntArray, key: FloatArray) -> None:
     """Write positions in 1/256 sample and keys (1 / distance) of points (n, 3) for `Camera.matrix`."""
-    n = len(points)
-    for block in prange((n + _BLOCK - 1) // _BLOCK):
-        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
-            x, y, z = points[i, 0], points[i, 1], points[i, 2]
-            d = matrix[2, 0] * x + matrix[2, 1] * y + matrix[2, 2] * z + matrix[2, 3]
-            k = f4(1) / max(d, _NEAREST)
-            u = (matrix[0, 0] * x + matrix[0, 1] * y + matrix[0, 2] * z + matrix[0, 3]) * k
-            v = (matrix[1, 0] * x + matrix[1, 1] * y + matrix[1, 2] * z + matrix[1, 3]) * k
-            xy[i, 0] = snap(u)
-            xy[i, 1] = snap(v)
-            key[i] = k
+    for i in range(len(points)):
+        x, y, z = points[i, 0], points[i, 1], points[i, 2]
+        d = matrix[2, 0] * x + matrix[2, 1] * y + matrix[2, 2] * z + matrix[2, 3]
+        k = f4(1) / max(d, _NEAREST)
+        u = (matrix[0, 0] * x + matrix[0, 1] * y + matrix[0, 2] * z + matrix[0, 3]) * k
+        v = (matrix[1, 0] * x + matrix[1, 1] * y + matrix[1, 2] * z + matrix[1, 3]) * k
+        xy[i, 0] = snap(u)
+        xy[i, 1] = snap(v)
+        key[i] = k

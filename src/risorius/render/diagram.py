@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from .inputs import Batch, Light, Mesh, Paint, Pose, Sight, Tables
-from .jit import BANDS, band_rows, i8, kernel, prange
+from .jit import kernel
 from .materials.hair import shade_hairs
 from .materials.plain import shade_plain
 from .raster import ByteArray
-from .shade import collect, resolve
+from .shade import collect, resolve, uncover
 
 
 @kernel
@@ -22,11 +22,9 @@ def shade_diagram(
     out: ByteArray,
 ) -> None:
     """Write the picture (height, width, 3) of sRGB bytes."""
-    for band in prange(BANDS):
-        turn = i8(band)
-        top, bottom = band_rows(turn, out.shape[0])
-        for y in range(top, bottom):
-            n = collect(turn, y, sight, mesh, batch)
-            shade_plain(turn, n, batch, mesh, sight, light, pose, tables, paint)
-            shade_hairs(turn, n, batch, mesh)
-            resolve(turn, y, n, sight, batch, tables, out)
+    for y in range(out.shape[0]):
+        uncover(y, sight, mesh)
+        n = collect(y, sight, mesh, batch)
+        shade_plain(n, batch, mesh, sight, light, pose, tables, paint)
+        shade_hairs(n, batch, mesh)
+        resolve(y, n, sight, batch, tables, out)

@@ -5,6 +5,8 @@ A fraction of a millisecond each: not worth the time that parallel kernels take 
 
 from __future__ import annotations
 
+from copy import copy
+
 import numpy as np
 import numpy.typing as npt
 
@@ -59,6 +61,12 @@ class Normals:
         counts = np.bincount(corners, minlength=vertices)
         self._starts: IntArray = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
         self._face_normals: FloatArray = np.zeros((len(faces), 3), np.float32)
+
+    def twin(self) -> Normals:
+        """Return one that can be updated at the same time as this."""
+        other = copy(self)
+        other._face_normals = np.zeros_like(self._face_normals)
+        return other
 
     def update(self, points: FloatArray, out: FloatArray) -> None:
         """Write unit normals (n, 3) of the vertices `points` (n, 3)."""

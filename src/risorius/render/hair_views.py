@@ -7,6 +7,7 @@ sample; drawn are those that are seen from any corner of the cell in which the c
 from __future__ import annotations
 
 import math
+from copy import copy
 
 import numpy as np
 import numpy.typing as npt
@@ -36,9 +37,13 @@ class HairViews:
         self._side = min(math.ceil(2.0 * self._radius / sample), _LARGEST)
         self._centre = (0.0, float(centre[1]), float(centre[2]))
         self._nodes: dict[tuple[int, int], npt.NDArray[np.bool_]] = {}
-        self._buffer: Visibility | None = None
-        self._xy: IntArray = np.zeros((len(scene.positions), 2), np.int32)
-        self._key: FloatArray = np.zeros(len(scene.positions), np.float32)
+        self._buffers: _Buffers | None = None
+
+    def twin(self, scene: HeadScene) -> HairViews:
+        """Return one that looks at a twin of the scene, and knows what this one has seen or will see."""
+        other = copy(self)
+        other._scene, other._buffers = scene, None
+        return other
 
     @property
     def reliable(self) -> bool:
@@ -71,19 +76,26 @@ class HairViews:
         angle = 2.0 * math.degrees(math.asin(min(self._radius / self._distance, 0.86)))
         camera = Camera((x + way[0], y + way[1], z + way[2]), self._centre, angle)
         scene.rest_at(np.asarray(camera.eye, np.float32), self._sample)
-        project(scene.positions, camera.matrix(self._side, self._side), self._xy, self._key)
-        if self._buffer is None:
-            self._buffer = Visibility(self._side, self._side, len(scene.triangles))
-        self._buffer.draw(self._xy, self._key, scene.triangles, scene.two_sided)
-        return self._winners()
+        buffers = self._buffers = self._buffers or _Buffers(scene, self._side)
+        project(scene.positions, camera.matrix(self._side, self._side), buffers.xy, buffers.key)
+        buffers.seen.draw(buffers.xy, buffers.key, scene.triangles, scene.two_sided)
+        return self._winners(buffers.seen.ids)
 
-    def _winners(self) -> npt.NDArray[np.bool_]:
-        assert self._buffer is not None
+    def _winners(self, ids: IntArray) -> npt.NDArray[np.bool_]:
         scene = self._scene
         drawn = np.zeros(len(scene.triangles), bool)
-        drawn[self._buffer.ids[self._buffer.ids >= 0]] = True
+        drawn[ids[ids >= 0]] = True
         hairs = scene.surfaces[scene.solid :]
         found = np.bincount(hairs[drawn[scene.solid :]] - HAIR, minlength=scene.hairs) > 0
         # Brows and lashes move with the face, so that rest does not tell what of them is seen.
         found[: scene.facial_hairs] = True
         return found
+
+
+class _Buffers:
+    """What a scene is drawn with, `side` samples high and wide."""
+
+    def __init__(self, scene: HeadScene, side: int) -> None:
+        self.xy: IntArray = np.zeros((len(scene.positions), 2), np.int32)
+        self.key: FloatArray = np.zeros(len(scene.positions), np.float32)
+        self.seen = Visibility(side, side, len(scene.triangles))

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from .jit import BANDS
+from .lanes import LANES, empty_block
 from .raster import ByteArray, FloatArray, IntArray
 
 BitArray = npt.NDArray[np.int64]
@@ -56,7 +56,8 @@ class Light(NamedTuple):
     lamps: FloatArray
     room: FloatArray
     shadow: FloatArray
-    shadow_tiles: FloatArray
+    shadow_low: FloatArray
+    shadow_high: FloatArray
     shadow_matrix: FloatArray
     bias: float
     pupil: float
@@ -116,11 +117,14 @@ class Paint(NamedTuple):
 class Sight(NamedTuple):
     """The visibility buffer, samples per pixel and side, the camera's place (3,), mm a pixel, background.
 
+    `rows` and `chunks` are those of `raster.Visibility`, whose `ids` and `depth` are drawn with the picture;
     `empty` (height, width, 3) uint8 is the picture of the background alone.
     """
 
     ids: IntArray
     depth: FloatArray
+    rows: IntArray
+    chunks: IntArray
     samples: int
     eye: FloatArray
     pixel: float
@@ -129,11 +133,12 @@ class Sight(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """What one row of pixels shows, for each band of rows at work: up to `capacity` patches.
+    """What one row of pixels shows: up to `capacity` patches.
 
-    A patch is a set of samples of one pixel on one surface: `triangle`, `column` and `samples` (BANDS,
-    capacity) int32 say which triangle, which pixel of the row and how many samples; `weights` and `colour`
-    (BANDS, capacity, 3) where in the triangle, and the scene light that the materials fill in.
+    A patch is a set of samples of one pixel on one surface: `triangle`, `column` and `samples` (capacity,)
+    int32 say which triangle, which pixel of the row and how many samples; `weights` and `colour`
+    (capacity, 3) where in the triangle, and the scene light that the materials fill in. Of patches that are
+    shaded in blocks, `chosen` (LANES,) are the numbers and `block` is the rest (`lanes`).
     """
 
     triangle: IntArray
@@ -141,10 +146,12 @@ class Batch(NamedTuple):
     samples: IntArray
     weights: FloatArray
     colour: FloatArray
+    chosen: IntArray
+    block: FloatArray
 
 
 def empty_batch(capacity: int) -> Batch:
     """Return room for rows of up to `capacity` patches."""
-    triangle, column, samples = (np.zeros((BANDS, capacity), np.int32) for _ in range(3))
-    weights, colour = (np.zeros((BANDS, capacity, 3), np.float32) for _ in range(2))
-    return Batch(triangle, column, samples, weights, colour)
+    triangle, column, samples = (np.zeros(capacity, np.int32) for _ in range(3))
+    weights, colour = (np.zeros((capacity, 3), np.float32) for _ in range(2))
+    return Batch(triangle, column, samples, weights, colour, np.zeros(LANES, np.int32), empty_block())

@@ -1,8 +1,7 @@
 """The ways in which the renderer compiles its functions, with the types that numba's decorators lose.
 
-Kernels run in one Python thread only: numba's `workqueue` layer aborts the process when two enter at once.
-Loops over bands have a fixed number of turns whatever the number of threads, so that the same instructions
-meet the same data and the bytes do not depend on the machine's cores.
+Kernels run without Python's lock and in one thread each: several pictures are drawn at once (`crew`), each by
+the same instructions whatever the number of threads, so that the bytes do not depend on the machine's cores.
 """
 
 from __future__ import annotations
@@ -27,10 +26,6 @@ i8 = cast(Callable[[float], int], np.int64)
 # Indices without sign: numba then leaves out the test for negative ones, which counts in inner loops.
 index = cast(Callable[[float], int], np.uint32)
 
-prange: type[range] = numba.prange
-BANDS = 32
-_SPREAD = 13  # coprime to BANDS: neighbouring turns work on distant rows, which evens out the threads
-
 # Not the whole of fastmath: nan and infinity keep their meaning, and sums their order, since short loops over
 # lamps would otherwise be turned into wide vector code that is three times as slow.
 _FAST = {"contract", "arcp", "nsz", "afn"}
@@ -44,6 +39,11 @@ def _cached(function: F, **options: Any) -> F:
 def device(function: F) -> F:
     """Compile a function that kernels call."""
     return _cached(function, _nrt=False, fastmath=_FAST)
+
+
+def summing(function: F) -> F:
+    """Compile a device function with a long sum that may be taken in any order."""
+    return _cached(function, _nrt=False, fastmath=_FAST | {"reassoc"})
 
 
 def exact(function: F) -> F:
@@ -61,17 +61,10 @@ def inlined(function: F) -> F:
 
 
 def kernel(function: F) -> F:
-    """Compile a function whose `prange` loops run on all threads."""
-    return _cached(function, parallel=True, fastmath=_FAST)
+    """Compile a function that Python calls, to run beside Python's other threads."""
+    return _cached(function, _nrt=False, nogil=True, fastmath=_FAST)
 
 
 def exact_kernel(function: F) -> F:
-    """Compile a parallel function whose arithmetic must not be rearranged."""
-    return _cached(function, parallel=True)
-
-
-@exact
-def band_rows(turn: int, height: int) -> tuple[int, int]:
-    """Return the first row of the band drawn in this turn (0..BANDS-1) and the row after its last."""
-    band = (turn * _SPREAD) % BANDS
-    return band * height // BANDS, (band + 1) * height // BANDS
+    """Compile a kernel whose arithmetic must not be rearranged."""
+    return _cached(function, _nrt=False, nogil=True)

@@ -20,6 +20,9 @@ _ONE = index(1)
 _SHIFT = f4(SIZE << 7)  # whole tiles: cells are counted without sign
 _SEED = 20040611
 
+Cell = tuple[int, int, int]
+Heights = tuple[float, float, float, float, float, float, float, float]
+
 
 @lru_cache(maxsize=1)
 def noise_tile() -> FloatArray:
@@ -50,15 +53,36 @@ def noise_at(points: npt.NDArray[np.floating], wavelength: float) -> npt.NDArray
 
 
 @device
-def grain(tile: FloatArray, point: Vec, cells: float) -> tuple[float, float, float, float]:
-    """Return height and slope (per mm) of the tile at a point in mm, with `cells` cells to the millimetre."""
+def cell_of(point: Vec, cells: float) -> tuple[Cell, Vec]:
+    """Return the cell in which a point in mm lies, with `cells` cells to the millimetre, and where in it."""
     x, y, z = point[0] * cells + _SHIFT, point[1] * cells + _SHIFT, point[2] * cells + _SHIFT
     i, j, k = index(x), index(y), index(z)
-    u, v, w = x - f4(i), y - f4(j), z - f4(k)
-    i, j, k = i & _MASK, j & _MASK, k & _MASK
-    low, low_x, low_y = _layer(tile, k, i, j, u, v)
-    high, high_x, high_y = _layer(tile, (k + _ONE) & _MASK, i, j, u, v)
-    rise = high - low
+    return (i & _MASK, j & _MASK, k & _MASK), (x - f4(i), y - f4(j), z - f4(k))
+
+
+@device
+def heights_about(tile: FloatArray, cell: Cell) -> Heights:
+    """Return the heights at the eight corners of a cell: x runs first, z last."""
+    i, j, k = cell
+    right, down, deep = (i + _ONE) & _MASK, (j + _ONE) & _MASK, (k + _ONE) & _MASK
+    return (
+        tile[k, j, i],
+        tile[k, j, right],
+        tile[k, down, i],
+        tile[k, down, right],
+        tile[deep, j, i],
+        tile[deep, j, right],
+        tile[deep, down, i],
+        tile[deep, down, right],
+    )
+
+
+@device
+def between(h: Heights, way: Vec, cells: float) -> tuple[float, float, float, float]:
+    """Return height and slope (per mm) at a place within a cell of those heights."""
+    low, low_x, low_y = _layer(h[0], h[1], h[2], h[3], way[0], way[1])
+    high, high_x, high_y = _layer(h[4], h[5], h[6], h[7], way[0], way[1])
+    rise, w = high - low, way[2]
     return (
         low + rise * w,
         (low_x + (high_x - low_x) * w) * cells,
@@ -68,9 +92,14 @@ def grain(tile: FloatArray, point: Vec, cells: float) -> tuple[float, float, flo
 
 
 @device
-def _layer(tile: FloatArray, k: int, i: int, j: int, u: float, v: float) -> tuple[float, float, float]:
-    """Return height and slopes per cell in x and y within layer k of the tile."""
-    right, down = (i + _ONE) & _MASK, (j + _ONE) & _MASK
-    a, b, c, d = tile[k, j, i], tile[k, j, right], tile[k, down, i], tile[k, down, right]
+def grain(tile: FloatArray, point: Vec, cells: float) -> tuple[float, float, float, float]:
+    """Return height and slope (per mm) of the tile at a point in mm, with `cells` cells to the millimetre."""
+    cell, way = cell_of(point, cells)
+    return between(heights_about(tile, cell), way, cells)
+
+
+@device
+def _layer(a: float, b: float, c: float, d: float, u: float, v: float) -> tuple[float, float, float]:
+    """Return height and slopes per cell in x and y within a layer of four corners."""
     near, far = a + (b - a) * u, c + (d - c) * u
     return near + (far - near) * v, (b - a) + (d - c - b + a) * v, far - near

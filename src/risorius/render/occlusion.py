@@ -8,14 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from ..kept import kept
-from .jit import exact_kernel, f4, prange
+from .jit import exact_kernel, f4
 from .raster import ByteArray, FloatArray, IntArray, Visibility
 from .shadow import flatten, light_matrix, transform
 
 Array = npt.NDArray[np.float64]
 
 _SIZE = 512
-_BLOCK = 512
 _CONE = np.radians(20.0)  # half the angle under which a broad lamp is seen
 _CONE_DIRECTIONS = 260  # over the whole sphere: eight within the cone
 
@@ -94,18 +93,16 @@ def _gather(
     sums: FloatArray,
 ) -> None:
     """Add what each vertex sees in one direction to its free (column 0) and its whole (column 1) weight."""
-    n = len(points)
-    for block in prange((n + _BLOCK - 1) // _BLOCK):
-        for i in range(block * _BLOCK, min((block + 1) * _BLOCK, n)):
-            x, y, z = normals[i, 0], normals[i, 1], normals[i, 2]
-            weight = f4(1)
-            if by_cosine:
-                weight = x * direction[0] + y * direction[1] + z * direction[2]
-                if weight <= f4(0):
-                    continue
-            lifted = (points[i, 0] + x * bias, points[i, 1] + y * bias, points[i, 2] + z * bias)
-            u, v, d = transform(matrix, lifted)
-            sums[i, 1] += weight
-            inside = f4(0) <= u < f4(depth.shape[1]) and f4(0) <= v < f4(depth.shape[0])
-            if not inside or depth[int(v), int(u)] <= d + bias:
-                sums[i, 0] += weight
+    for i in range(len(points)):
+        x, y, z = normals[i, 0], normals[i, 1], normals[i, 2]
+        weight = f4(1)
+        if by_cosine:
+            weight = x * direction[0] + y * direction[1] + z * direction[2]
+            if weight <= f4(0):
+                continue
+        lifted = (points[i, 0] + x * bias, points[i, 1] + y * bias, points[i, 2] + z * bias)
+        u, v, d = transform(matrix, lifted)
+        sums[i, 1] += weight
+        inside = f4(0) <= u < f4(depth.shape[1]) and f4(0) <= v < f4(depth.shape[0])
+        if not inside or depth[int(v), int(u)] <= d + bias:
+            sums[i, 0] += weight

@@ -2,7 +2,8 @@
 
 Positions are snapped to 1/256 sample and edges are tested in integers, so coverage is exact: a sample on an
 edge that two triangles share belongs to exactly one of them (the top-left rule). The result depends on the
-order of the triangles alone, never on the number of threads.
+order of the triangles alone. Samples are drawn band by band: a band's rows stay in the processor's cache
+until they are shaded.
 """
 
 from __future__ import annotations
@@ -12,11 +13,12 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from .jit import BANDS, band_rows, exact, exact_kernel, f4, f8, i8, index, inlined, prange
+from .jit import exact, exact_kernel, f4, f8, i8, index, inlined
 
 SUBPIXEL = 256
 _HALF = SUBPIXEL // 2
 CHUNK = 64  # triangles whose joint extent is tested at once
+BAND = 64  # rows of samples drawn at once
 
 IntArray = npt.NDArray[np.int32]
 FloatArray = npt.NDArray[np.float32]
@@ -27,14 +29,15 @@ class Visibility:
     """Buffers for drawing up to a given number of triangles.
 
     After `draw`, `ids` (height, width) int32 holds the index of the triangle that each sample shows or -1,
-    and `depth` (height, width) float32 its key: larger is nearer, 0 is empty.
+    and `depth` (height, width) float32 its key: larger is nearer, 0 is empty. After `prepare`, `rows` and
+    `chunks` tell `rasterize` where to look for what.
     """
 
     def __init__(self, width: int, height: int, triangles: int, *, keep_ids: bool = True) -> None:
         self.depth: FloatArray = np.zeros((height, width), np.float32)
         self.ids: IntArray = np.full((height, width) if keep_ids else (1, 1), -1, np.int32)
-        self._rows: IntArray = np.zeros((triangles, 2), np.int32)
-        self._chunks: IntArray = np.zeros((-(-triangles // CHUNK), 2), np.int32)
+        self.rows: IntArray = np.zeros((triangles, 2), np.int32)
+        self.chunks: IntArray = np.zeros((-(-triangles // CHUNK), 2), np.int32)
 
     def draw(self, xy: IntArray, key: FloatArray, triangles: IntArray, two_sided: ByteArray) -> None:
         """Clear the buffers and draw.
@@ -44,9 +47,14 @@ class Visibility:
         reciprocal of the distance is); `triangles` (m, 3) int32 appear counter-clockwise when seen from
         the front; `two_sided` (m,) uint8 is 1 where the back is drawn too.
         """
-        rows, chunks = self._rows[: len(triangles)], self._chunks[: -(-len(triangles) // CHUNK)]
-        find_rows(xy, triangles, two_sided, self.depth.shape[0], self.depth.shape[1], rows, chunks)
-        rasterize(xy, key, triangles, rows, chunks, self.depth, self.ids)
+        if len(triangles) != len(self.rows):
+            raise ValueError(f"{len(triangles)} triangles for a buffer of {len(self.rows)}")
+        self.prepare(xy, triangles, two_sided)
+        rasterize_all(xy, key, triangles, self.rows, self.chunks, self.depth, self.ids)
+
+    def prepare(self, xy: IntArray, triangles: IntArray, two_sided: ByteArray) -> None:
+        """Find the rows that the triangles cover (see `draw`)."""
+        find_rows(xy, triangles, two_sided, self.depth.shape[0], self.depth.shape[1], self.rows, self.chunks)
 
 
 @exact
@@ -78,7 +86,7 @@ def find_rows(
     chunks: IntArray,
 ) -> None:
     """Write the first and last row of each triangle (first > last: not drawn) and of each chunk."""
-    for chunk in prange(len(chunks)):
+    for chunk in range(len(chunks)):
         low, high = height, -1
         for t in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(triangles))):
             a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
@@ -93,7 +101,7 @@ def find_rows(
 
 
 @exact_kernel
-def rasterize(
+def rasterize_all(
     xy: IntArray,
     key: FloatArray,
     triangles: IntArray,
@@ -102,20 +110,35 @@ def rasterize(
     depth: FloatArray,
     ids: IntArray,
 ) -> None:
-    """Draw all triangles band by band; a later triangle wins only where it is strictly nearer."""
+    """Draw all triangles, all rows."""
+    for top in range(0, depth.shape[0], BAND):
+        rasterize(xy, key, triangles, rows, chunks, top, min(top + BAND, depth.shape[0]), depth, ids)
+
+
+@exact
+def rasterize(
+    xy: IntArray,
+    key: FloatArray,
+    triangles: IntArray,
+    rows: IntArray,
+    chunks: IntArray,
+    top: int,
+    bottom: int,
+    depth: FloatArray,
+    ids: IntArray,
+) -> None:
+    """Draw the rows from `top` to `bottom`; a later triangle wins only where it is strictly nearer."""
     keep = ids.shape[0] == depth.shape[0]
-    for turn in prange(BANDS):
-        top, bottom = band_rows(i8(turn), depth.shape[0])
-        depth[top:bottom] = f4(0)
-        if keep:
-            ids[top:bottom] = -1
-        for chunk in range(len(chunks)):
-            if chunks[chunk, 0] >= bottom or chunks[chunk, 1] < top:
-                continue
-            for t in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(triangles))):
-                first, last = max(rows[t, 0], top), min(rows[t, 1], bottom - 1)
-                if first <= last:
-                    _fill(xy, key, triangles, t, first, last, depth, ids, keep)
+    depth[top:bottom] = f4(0)
+    if keep:
+        ids[top:bottom] = -1
+    for chunk in range(len(chunks)):
+        if chunks[chunk, 0] >= bottom or chunks[chunk, 1] < top:
+            continue
+        for t in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(triangles))):
+            first, last = max(rows[t, 0], top), min(rows[t, 1], bottom - 1)
+            if first <= last:
+                _fill(xy, key, triangles, t, first, last, depth, ids, keep)
 
 
 @exact

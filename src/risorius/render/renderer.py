@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 
 import numpy as np
 import numpy.typing as npt
@@ -39,7 +40,7 @@ SMALLEST, LARGEST = 16, 4096
 class Renderer:
     """Draws one head at one size.
 
-    Not safe for several threads at once: its kernels share buffers, and numba allows one caller at a time.
+    Draws one picture at a time; several renderers may draw at once, each in a thread of its own.
     """
 
     def __init__(
@@ -76,27 +77,45 @@ class Renderer:
         elif background is None:
             background = gradient(width, height, lights.centre, lights.edge)
         self._background = _check_background(background, width, height)
-        self._drawn: ByteArray | None = np.empty((height, width, 3), np.uint8) if alpha else None
+        self._alpha = alpha
         self._sketch = Sketch(head, len(self.scene.triangles), style) if style != "realistic" else None
         self._eye = np.asarray(self.camera.eye, np.float32)
-        self._prepare(width * self._samples, height * self._samples)
-
-    def _prepare(self, width: int, height: int) -> None:
-        scene = self.scene
-        self._matrix = self.camera.matrix(width, height)
-        self._buffer = Visibility(width, height, len(scene.triangles))
-        self._xy: IntArray = np.zeros((len(scene.positions), 2), np.int32)
-        self._key: FloatArray = np.zeros(len(scene.positions), np.float32)
-        self._batch = empty_batch(width * self._samples)
-        centre, radius = scene.anatomy.sphere()
-        self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
-        self._least = 0.9 * self.camera.millimetres_per_sample(height)
-        views = HairViews(scene, math.dist(self.camera.eye, self.camera.target), self._least)
-        self._hair_views = views if views.reliable else None
-        iris = iris_image(*scene.looks.iris)
+        self._matrix = self.camera.matrix(width * self._samples, height * self._samples)
         self._empty = to_bytes(self._background)
         tones = (film_table(), tone_table(), to_bytes(film_table()))
-        self._tables = Tables(diffuse_table(), noise_tile(), iris, scene.cloth, *tones)
+        iris = iris_image(*self.scene.looks.iris)
+        self._tables = Tables(diffuse_table(), noise_tile(), iris, self.scene.cloth, *tones)
+        self._least = 0.9 * self.camera.millimetres_per_sample(height * self._samples)
+        views = HairViews(self.scene, math.dist(self.camera.eye, self.camera.target), self._least)
+        self._hair_views = views if views.reliable else None
+        self._allocate()
+
+    def _allocate(self) -> None:
+        """Make what each picture is drawn with."""
+        scene, (width, height), samples = self.scene, self.size, self._samples
+        self._drawn: ByteArray | None = np.empty((height, width, 3), np.uint8) if self._alpha else None
+        self._buffer = Visibility(width * samples, height * samples, len(scene.triangles))
+        self._xy: IntArray = np.zeros((len(scene.positions), 2), np.int32)
+        self._key: FloatArray = np.zeros(len(scene.positions), np.float32)
+        self._batch = empty_batch(width * samples * samples)
+        centre, radius = scene.anatomy.sphere()
+        self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
+
+    def twin(self) -> Renderer:
+        """Return a renderer of the same pictures that may draw at the same time as this one."""
+        other = copy(self)
+        other.scene = self.scene.twin()
+        if self._sketch is not None:
+            other._sketch = self._sketch.twin()
+        if self._hair_views is not None:
+            other._hair_views = self._hair_views.twin(other.scene)
+        other._allocate()
+        return other
+
+    @property
+    def buffer_bytes(self) -> int:
+        """About how much memory a twin takes."""
+        return self._buffer.ids.nbytes + self._buffer.depth.nbytes + 80 * len(self.scene.positions)
 
     @property
     def shape(self) -> tuple[int, int, int]:
@@ -135,7 +154,7 @@ class Renderer:
             shown = self._hair_views.seen(self._eye, frame.head_rotation)
         pose = scene.pose(frame, self._eye, self._least, shown)
         project(scene.positions, self._matrix, self._xy, self._key)
-        self._buffer.draw(self._xy, self._key, scene.triangles, scene.two_sided)
+        self._buffer.prepare(self._xy, scene.triangles, scene.two_sided)
         self._shadow.update(
             scene.positions[: scene.mesh_vertices],
             scene.triangles[: scene.solid],
@@ -162,15 +181,25 @@ class Renderer:
             self._lights.lamps,
             self._lights.room,
             shadow.depth,
-            shadow.tiles,
+            shadow.low,
+            shadow.high,
             shadow.matrix,
             f4(shadow.bias),
             f4(self._lights.pupil),
         )
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
         pixel = f4(self.camera.millimetres_per_sample(self.size[1]))
+        buffer = self._buffer
         sight = Sight(
-            self._buffer.ids, self._buffer.depth, samples, self._eye, pixel, self._background, self._empty
+            buffer.ids,
+            buffer.depth,
+            buffer.rows,
+            buffer.chunks,
+            samples,
+            self._eye,
+            pixel,
+            self._background,
+            self._empty,
         )
         if self._sketch is None:
             shade(sight, mesh, light, pose, self._tables, self._batch, out)

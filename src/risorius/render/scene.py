@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from copy import copy
+
 import numpy as np
 import numpy.typing as npt
 
@@ -112,6 +114,16 @@ class HeadScene:
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast
         self.attributes[:count, OCCLUSION] *= 1.0 - around
+
+    def twin(self) -> HeadScene:
+        """Return a scene that can be posed apart from this; they share what never changes."""
+        other = copy(self)
+        other._normals = self._normals.twin()
+        other._local = self._local.copy()
+        other.positions, other.normals = self.positions.copy(), self.normals.copy()
+        other.hair_light = self.hair_light.copy()
+        other.creases = self.creases._replace(height=self.creases.height.copy())
+        return other
 
     def check(self, frame: FaceFrame) -> None:
         """Raise InputError where a frame's vertices are not as many as this head's."""

@@ -8,13 +8,13 @@ needed. Patches are collected row by row and each material then answers for its 
 from __future__ import annotations
 
 from .inputs import Batch, Light, Mesh, Pose, Sight, Tables
-from .jit import BANDS, band_rows, device, f4, f8, i8, index, inlined, kernel, prange
+from .jit import device, f4, f8, index, inlined, kernel
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
 from .materials.mouth import shade_mouth
 from .materials.skin import shade_skin
-from .raster import SUBPIXEL, ByteArray, FloatArray, IntArray
+from .raster import BAND, SUBPIXEL, ByteArray, FloatArray, IntArray, rasterize
 from .tone import developed, exposed, to_byte
 from .vec import Vec, saturate
 
@@ -26,27 +26,35 @@ def shade(
     sight: Sight, mesh: Mesh, light: Light, pose: Pose, tables: Tables, batch: Batch, out: ByteArray
 ) -> None:
     """Write the picture (height, width, 3) of sRGB bytes."""
-    for band in prange(BANDS):
-        turn = i8(band)  # prange counts without sign, and all below would be compiled a second time
-        top, bottom = band_rows(turn, out.shape[0])
-        for y in range(top, bottom):
-            n = collect(turn, y, sight, mesh, batch)
-            shade_skin(turn, n, batch, mesh, sight, light, pose, tables)
-            shade_cloth(turn, n, batch, mesh, sight, light, tables)
-            shade_hairs(turn, n, batch, mesh)
-            shade_eyes(turn, n, batch, mesh, sight, light, pose, tables)
-            shade_mouth(turn, n, batch, mesh, sight, light, pose)
-            resolve(turn, y, n, sight, batch, tables, out)
+    for y in range(out.shape[0]):
+        uncover(y, sight, mesh)
+        n = collect(y, sight, mesh, batch)
+        shade_skin(n, batch, mesh, sight, light, pose, tables)
+        shade_cloth(n, batch, mesh, sight, light, tables)
+        shade_hairs(n, batch, mesh)
+        shade_eyes(n, batch, mesh, sight, light, pose, tables)
+        shade_mouth(n, batch, mesh, sight, light, pose)
+        resolve(y, n, sight, batch, tables, out)
 
 
 @device
-def collect(turn: int, y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
+def uncover(y: int, sight: Sight, mesh: Mesh) -> None:
+    """Draw the band of samples that begins with row y of the picture, if one does."""
+    band = BAND // sight.samples
+    if y % band == 0:
+        top, bottom = y * sight.samples, min((y + band) * sight.samples, sight.ids.shape[0])
+        rasterize(
+            mesh.xy, mesh.key, mesh.triangles, sight.rows, sight.chunks, top, bottom, sight.depth, sight.ids
+        )
+
+
+@device
+def collect(y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     """Find the patches of row y; return how many there are."""
     side, n = sight.samples, 0
     for x in range(sight.background.shape[1]):
         if _whole(x, y, sight, mesh):
             _put(
-                turn,
                 n,
                 x,
                 side * side,
@@ -62,7 +70,7 @@ def collect(turn: int, y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
         for row in range(y * side, y * side + side):
             for column in range(x * side, x * side + side):
                 if sight.ids[index(row), index(column)] >= 0 and done & bit == 0:
-                    done |= _gather(turn, n, x, y, row, column, done, sight, mesh, batch)
+                    done |= _gather(n, x, y, row, column, done, sight, mesh, batch)
                     n += 1
                 bit <<= 1
     return n
@@ -89,18 +97,17 @@ def _whole(x: int, y: int, sight: Sight, mesh: Mesh) -> bool:
 
 
 @inlined
-def _put(turn: int, n: int, x: int, count: int, u: float, v: float, t: int, mesh: Mesh, batch: Batch) -> None:
+def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: Mesh, batch: Batch) -> None:
     """Write patch n: `count` samples of pixel x that show triangle t, their middle at (u, v) in samples."""
-    batch.triangle[turn, n] = t
-    batch.column[turn, n] = x
-    batch.samples[turn, n] = count
+    batch.triangle[n] = t
+    batch.column[n] = x
+    batch.samples[n] = count
     a, b, c = _weights(u, v, t, mesh.triangles, mesh.xy, mesh.key)
-    batch.weights[turn, n, 0], batch.weights[turn, n, 1], batch.weights[turn, n, 2] = a, b, c
+    batch.weights[n, 0], batch.weights[n, 1], batch.weights[n, 2] = a, b, c
 
 
 @inlined
 def _gather(
-    turn: int,
     n: int,
     x: int,
     y: int,
@@ -128,7 +135,7 @@ def _gather(
                 sum_y += j
             bit <<= 1
     share = f4(1) / f4(count)
-    _put(turn, n, x, count, f4(sum_x) * share + f4(0.5), f4(sum_y) * share + f4(0.5), t, mesh, batch)
+    _put(n, x, count, f4(sum_x) * share + f4(0.5), f4(sum_y) * share + f4(0.5), t, mesh, batch)
     return members
 
 
@@ -150,7 +157,7 @@ def _weights(x: float, y: float, t: int, triangles: IntArray, xy: IntArray, key:
 
 
 @device
-def resolve(turn: int, y: int, n: int, sight: Sight, batch: Batch, tables: Tables, out: ByteArray) -> None:
+def resolve(y: int, n: int, sight: Sight, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Weigh the patches of each pixel of row y by their samples, and what is left by the background."""
     for x in range(out.shape[1]):
         out[y, x, 0], out[y, x, 1], out[y, x, 2] = (
@@ -161,19 +168,19 @@ def resolve(turn: int, y: int, n: int, sight: Sight, batch: Batch, tables: Table
     whole, k = sight.samples * sight.samples, 0
     share = f4(1) / f4(whole)
     while k < n:
-        x = index(batch.column[turn, k])
-        if batch.samples[turn, k] == whole:
-            out[y, x, 0] = developed(tables.direct, batch.colour[turn, k, 0])
-            out[y, x, 1] = developed(tables.direct, batch.colour[turn, k, 1])
-            out[y, x, 2] = developed(tables.direct, batch.colour[turn, k, 2])
+        x = index(batch.column[k])
+        if batch.samples[k] == whole:
+            out[y, x, 0] = developed(tables.direct, batch.colour[k, 0])
+            out[y, x, 1] = developed(tables.direct, batch.colour[k, 1])
+            out[y, x, 2] = developed(tables.direct, batch.colour[k, 2])
             k += 1
             continue
         r, g, b, left = f4(0), f4(0), f4(0), f4(1)
-        while k < n and batch.column[turn, k] == x:
-            part = f4(batch.samples[turn, k]) * share
-            r += part * exposed(tables.film, batch.colour[turn, k, 0])
-            g += part * exposed(tables.film, batch.colour[turn, k, 1])
-            b += part * exposed(tables.film, batch.colour[turn, k, 2])
+        while k < n and batch.column[k] == x:
+            part = f4(batch.samples[k]) * share
+            r += part * exposed(tables.film, batch.colour[k, 0])
+            g += part * exposed(tables.film, batch.colour[k, 1])
+            b += part * exposed(tables.film, batch.colour[k, 2])
             left -= part
             k += 1
         out[y, x, 0] = to_byte(tables.bytes, r + left * sight.background[y, x, 0])

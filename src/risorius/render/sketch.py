@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from copy import copy
+
 import numpy as np
 import numpy.typing as npt
 
@@ -29,6 +31,12 @@ class Sketch:
         count = len(self._muscles.columns)
         still = np.zeros((count, 4), np.float32)
         self.paint = Paint(self._muscles.covered, self._muscles.place, still, edges, ink)
+
+    def twin(self) -> Sketch:
+        """Return one that can be updated apart from this."""
+        other = copy(self)
+        other.paint = self.paint._replace(colours=self.paint.colours.copy())
+        return other
 
     def update(self, parameters: Array, kept_down: Array | None = None) -> None:
         """Colour the muscles by their activations (46,) and by how much rivals keep them down (46,)."""

@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .jit import exact, exact_kernel, f4, prange
+from .jit import exact, exact_kernel, f4
 from .raster import ByteArray, FloatArray, IntArray
 from .vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
 
-_BLOCK = 128
 _GOLDEN = f4(0.61803)  # steps of this part of a turn are spread evenly, however many there are
 
 
@@ -120,29 +119,28 @@ def ribbons(
     """
     strands, points = widths.shape
     camera = (eye[0], eye[1], eye[2])
-    for block in prange((strands + _BLOCK - 1) // _BLOCK):
-        for s in range(block * _BLOCK, min((block + 1) * _BLOCK, strands)):
-            corners = (roots[s, 0], roots[s, 1], roots[s, 2])
-            place = (weights[s, 0], weights[s, 1], weights[s, 2])
-            origin = weigh(positions, corners, place, 0)
-            frame = _frame(positions, normals, corners, place)
-            spread = f4(s) * _GOLDEN
-            crowded = (spread - math.floor(spread)) * least > widths[s, 0]
-            if crowded or not shown[s] or dot(frame[2], unit(sub(camera, origin))) < behind:
-                _collapse(positions, normals, first + 2 * s * points, 2 * points, origin)
-                continue
-            here = _point(curves, s, 0, origin, frame)
-            ahead = (f4(0), f4(0), f4(0))
-            for k in range(points):
-                point = here
-                if k + 1 < points:
-                    here = _point(curves, s, k + 1, origin, frame)
-                    ahead = unit(sub(here, point))
-                wide = max(widths[s, k], least) * f4(0.5)
-                side = scale(unit(cross(sub(camera, point), ahead)), wide)
-                row = first + 2 * (s * points + k)
-                for column in range(3):
-                    positions[row, column] = point[column] - side[column]
-                    positions[row + 1, column] = point[column] + side[column]
-                    normals[row, column] = ahead[column]
-                    normals[row + 1, column] = ahead[column]
+    for s in range(strands):
+        corners = (roots[s, 0], roots[s, 1], roots[s, 2])
+        place = (weights[s, 0], weights[s, 1], weights[s, 2])
+        origin = weigh(positions, corners, place, 0)
+        frame = _frame(positions, normals, corners, place)
+        spread = f4(s) * _GOLDEN
+        crowded = (spread - math.floor(spread)) * least > widths[s, 0]
+        if crowded or not shown[s] or dot(frame[2], unit(sub(camera, origin))) < behind:
+            _collapse(positions, normals, first + 2 * s * points, 2 * points, origin)
+            continue
+        here = _point(curves, s, 0, origin, frame)
+        ahead = (f4(0), f4(0), f4(0))
+        for k in range(points):
+            point = here
+            if k + 1 < points:
+                here = _point(curves, s, k + 1, origin, frame)
+                ahead = unit(sub(here, point))
+            wide = max(widths[s, k], least) * f4(0.5)
+            side = scale(unit(cross(sub(camera, point), ahead)), wide)
+            row = first + 2 * (s * points + k)
+            for column in range(3):
+                positions[row, column] = point[column] - side[column]
+                positions[row + 1, column] = point[column] + side[column]
+                normals[row, column] = ahead[column]
+                normals[row + 1, column] = ahead[column]

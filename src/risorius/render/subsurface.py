@@ -26,6 +26,7 @@ _WEIGHTS = np.array(
 )
 ANGLES, CURVATURES = 96, 16
 MAX_CURVATURE = 0.2  # 1/mm
+_NOTHING = 1e-6  # less than this is no light; still smaller numbers take the processor a hundred times longer
 _ONE = index(1)
 
 
@@ -49,14 +50,25 @@ def diffuse_table() -> FloatArray:
         radius = (CURVATURES - 1) / (k * MAX_CURVATURE)
         weight = _profile(2 * radius * np.abs(np.sin(ring / 2)))
         table[:, k] = lit @ weight / weight.sum(axis=0)
+    table[table < _NOTHING] = 0.0
     return table
 
 
 @device
-def scattered(table: FloatArray, cosine: float, curvature: float) -> Vec:
-    """Look the table up, linearly between its entries."""
-    x = bounded((cosine + f4(1)) * f4(0.5), f4(0.9999)) * f4(ANGLES - 1)
-    y = bounded(curvature * f4(1 / MAX_CURVATURE), f4(0.9999)) * f4(CURVATURES - 1)
+def angle_place(cosine: float) -> float:
+    """Return the row of the table, and how far on to the next, for the cosine between normal and light."""
+    return bounded((cosine + f4(1)) * f4(0.5), f4(0.9999)) * f4(ANGLES - 1)
+
+
+@device
+def curvature_place(curvature: float) -> float:
+    """Return the column of the table, and how far on to the next, for a curvature in 1/mm."""
+    return bounded(curvature * f4(1 / MAX_CURVATURE), f4(0.9999)) * f4(CURVATURES - 1)
+
+
+@device
+def scattered(table: FloatArray, x: float, y: float) -> Vec:
+    """Look the table up at `angle_place` and `curvature_place`, linearly between its entries."""
     i, j = index(x), index(y)
     below, right = i + _ONE, j + _ONE
     u, v = x - f4(i), y - f4(j)

@@ -8,6 +8,7 @@ from .jit import device, f4
 from .raster import FloatArray
 
 Vec = tuple[float, float, float]
+Rows = tuple[Vec, Vec, Vec]
 
 
 @device
@@ -78,13 +79,21 @@ def tilted(a: Vec, slope: Vec) -> Vec:
 
 
 @device
+def rows_of(matrix: FloatArray) -> Rows:
+    """Return the rows of a matrix (3, 3)."""
+    return at(matrix, 0), at(matrix, 1), at(matrix, 2)
+
+
+@device
+def turned(rows: Rows, a: Vec) -> Vec:
+    """Return a matrix of those rows · a."""
+    return dot(rows[0], a), dot(rows[1], a), dot(rows[2], a)
+
+
+@device
 def rotate(matrix: FloatArray, a: Vec) -> Vec:
     """Return matrix · a, for a matrix (3, 3)."""
-    return (
-        matrix[0, 0] * a[0] + matrix[0, 1] * a[1] + matrix[0, 2] * a[2],
-        matrix[1, 0] * a[0] + matrix[1, 1] * a[1] + matrix[1, 2] * a[2],
-        matrix[2, 0] * a[0] + matrix[2, 1] * a[1] + matrix[2, 2] * a[2],
-    )
+    return turned(rows_of(matrix), a)
 
 
 @device

@@ -145,9 +145,8 @@ class Reader:
             )
         if code == expat.errors.codes[expat.errors.XML_ERROR_TAG_MISMATCH] and self.open:
             last = self.open[-1]
-            return InputError(
-                f"{one_line(last.name)} is not closed; expected it to end with '/>'", last.place
-            )
+            name = one_line(last.name)
+            return InputError(f"{name} is not closed; expected it to end with '/>' or </{name}>", last.place)
         if index >= len(self.text):
             return InputError("not closed: a quotation mark or '/>' is missing", self._place(tag))
         return InputError(self._syntax_message(code, index), self._place(index))

@@ -82,7 +82,8 @@ class Node:
             if isinstance(child, Node):
                 yield child
             elif child.text.strip():
-                raise InputError(f"{quoted(child.text.strip())} stands in <{self.name}>", child.place)
+                where = f"in <{self.name}>" if self.name else "outside elements"
+                raise InputError(f"{quoted(child.text.strip())} stands {where}", child.place)
 
 
 class Unknowns:

@@ -1,15 +1,17 @@
 """Performances sent to other programs as they happen: one module per protocol, one line here for each."""
 
 from .greeting import wait_for_greeting
-from .ifacialmocap import GREETINGS, ifacialmocap_packets
+from .ifacialmocap import GREETINGS, ifacialmocap_packets, ifacialmocap_pieces
+from .line import Address, parse_address
 from .livelink import livelink_packets
 from .protocols import PROTOCOLS, Options, Packets, Protocol, register
-from .send import Address, parse_address, send
+from .send import send
 from .vmc import vmc_packets
 
 register("livelink", 11111, "Live Link Face, as Unreal Engine receives it", livelink_packets)
 register("vmc", 39539, "Virtual Motion Capture (OSC), as VRM avatars receive it", vmc_packets)
-register("ifacialmocap", 49983, "iFacialMocap", ifacialmocap_packets, GREETINGS)
+register("ifacialmocap", 49983, "iFacialMocap, by datagrams", ifacialmocap_packets, GREETINGS)
+register("ifacialmocap-tcp", 49986, "iFacialMocap, as one stream", ifacialmocap_pieces, tcp=True)
 
 __all__ = [
     "PROTOCOLS",

@@ -6,20 +6,17 @@ import socket
 import time
 
 from ..errors import InputError, OutputError
-from .protocols import Greetings
-from .send import Address
+from .line import Address
+from .protocols import Asked, Greetings
 
 _LARGEST = 2048  # bytes of a greeting that are looked at
 
 
-def wait_for_greeting(
-    at: Address, greetings: Greetings, reply_port: int, seconds: float
-) -> tuple[Address, str]:
-    """Wait for a datagram that is one of `greetings`; return who is answered, and the dialect asked for.
+def wait_for_greeting(at: Address, greetings: Greetings, seconds: float) -> tuple[str, Asked]:
+    """Wait for a datagram that is one of `greetings`; return who said it, and what they ask for.
 
-    Listens at `at` and answers the greeter's address at `reply_port`, not where it sent from. What is no
-    greeting is passed over. Raises InputError where `at` is no place of this machine or taken, OutputError
-    where nobody has greeted within `seconds`.
+    Listens at `at`. What is no greeting is passed over. Raises InputError where `at` is no place of this
+    machine or taken, OutputError where nobody has greeted within `seconds`.
     """
     end = time.monotonic() + seconds
     with _listening(at) as line:
@@ -31,9 +28,9 @@ def wait_for_greeting(
                 break
             except ConnectionResetError:  # some systems tell of an earlier answer that did not arrive
                 continue
-            dialect = greetings.get(data.strip(b"\0\r\n "))
-            if dialect is not None:
-                return Address(str(who[0]), reply_port), dialect
+            asked = greetings.get(data.strip(b"\0\r\n "))
+            if asked is not None:
+                return str(who[0]), asked
     raise OutputError(f"no receiver has sent its greeting to {at} within {seconds:g} s; expected one")
 
 

@@ -1,10 +1,12 @@
-"""iFacialMocap: text datagrams of `name-value` pairs, 0 to 100, then head and eyes in degrees.
+"""iFacialMocap: text of `name-value` pairs, 0 to 100, then head and eyes in degrees.
 
 Names end in `_L` and `_R` but for jaw and mouth as a whole (the app's documentation). Lost: fractions of a
 hundredth, what 52 shapes cannot show.
 
-A receiver sends its greeting to the app's port 49983 and is answered at its own port 49983 (the app's page
-for developers). Some ask for version 2 by that, which writes `name&value` in place of `name-value`.
+A receiver sends its greeting to the app's port 49983, and the app answers with a datagram per frame to the
+receiver's port 49983, or, where the greeting says so, connects to its port 49986 by TCP and marks the end of
+each frame (the app's page for developers). Some ask for version 2 by that, which writes `name&value` in place
+of `name-value`.
 """
 
 from __future__ import annotations
@@ -15,11 +17,20 @@ import numpy as np
 
 from ..core.arkit import SHAPES
 from ..face.arkit_fit import ArkitTrack
-from .protocols import Options, Packets
+from .protocols import Asked, Options, Packets
 
-_GREETING = b"iFacialMocap_sahuasouryya9218sauhuiayeta91555dy3719"
-GREETINGS = {_GREETING: "v1", _GREETING + b"|sendDataVersion=v2": "v2"}
+_SECRET = b"_sahuasouryya9218sauhuiayeta91555dy3719"
+_ASKS = {b"iFacialMocap": "ifacialmocap", b"iFacialMocap_UDPTCP": "ifacialmocap-tcp"}
+_VERSIONS = {b"": "v1", b"|sendDataVersion=v2": "v2"}
+GREETINGS = {
+    asks + _SECRET + version: Asked(protocol, dialect)
+    for asks, protocol in _ASKS.items()
+    for version, dialect in _VERSIONS.items()
+}
 """What receivers send before anything is sent to them."""
+
+_END = b"___iFacialMocap"
+"""Ends each frame in a stream."""
 
 _WHOLE = ("jawLeft", "jawRight", "mouthLeft", "mouthRight")
 
@@ -45,6 +56,12 @@ def ifacialmocap_packets(track: ArkitTrack, fps: Fraction, options: Options) -> 
         return [f"{pairs}|=head#{head}|rightEye#{right}|leftEye#{left}|".encode()]
 
     return packets
+
+
+def ifacialmocap_pieces(track: ArkitTrack, fps: Fraction, options: Options) -> Packets:
+    """Return the same as pieces of one stream, the end of each frame marked."""
+    packets = ifacialmocap_packets(track, fps, options)
+    return lambda frame: [packet + _END for packet in packets(frame)]
 
 
 def _angles(angles: np.ndarray[tuple[int], np.dtype[np.float64]]) -> list[str]:

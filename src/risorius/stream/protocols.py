@@ -11,8 +11,18 @@ from ..face.arkit_fit import ArkitTrack
 from ..registry import Registry
 
 NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
-Greetings = Mapping[bytes, str]
-"""What a receiver may say to be sent something, and the dialect that it asks for by that."""
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What a receiver's greeting asks for: a protocol, at its usual port, and the protocol's dialect."""
+
+    protocol: str
+    dialect: str
+
+
+Greetings = Mapping[bytes, Asked]
+"""What a receiver may say to be sent something."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,15 +49,17 @@ Packets = Callable[[int], Sequence[bytes]]
 
 @dataclass(frozen=True, slots=True)
 class Protocol:
-    """A protocol: its usual port, and `make(track, fps, options)`, which returns its packets.
+    """A protocol: its receivers' usual port, and `make(track, fps, options)`, which returns its packets.
 
-    `greetings`: what a receiver says first, where the protocol has that.
+    `greetings`: what a receiver says first to that port of ours, where the protocol has that. `tcp`: the
+    packets are pieces of one stream, not datagrams.
     """
 
     port: int
     description: str
     make: Callable[[ArkitTrack, Fraction, Options], Packets]
     greetings: Greetings = field(default_factory=dict)
+    tcp: bool = False
 
 
 PROTOCOLS: Registry[Protocol] = Registry("protocol")
@@ -59,6 +71,8 @@ def register(
     description: str,
     make: Callable[[ArkitTrack, Fraction, Options], Packets],
     greetings: Greetings | None = None,
+    *,
+    tcp: bool = False,
 ) -> None:
     """Add a protocol."""
-    PROTOCOLS.register(name)(Protocol(port, description, make, greetings or {}))
+    PROTOCOLS.register(name)(Protocol(port, description, make, greetings or {}, tcp))

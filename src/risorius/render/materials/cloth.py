@@ -18,15 +18,13 @@ _UP = (f4(0), f4(1), f4(0))
 
 
 @device
-def shade_cloth(
-    turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables
-) -> None:
+def shade_cloth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables) -> None:
     """Colour the patches of cloth among the first n of a row, and blend its edge into the skin's."""
     for k in range(n):
-        t = batch.triangle[turn, k]
+        t = batch.triangle[k]
         if mesh.surfaces[t] != SKIN:
             continue
-        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k)
+        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
         depth = weigh(mesh.attributes, corners, weights, CURVATURE)[2]
         if depth < -sight.pixel:
             continue
@@ -34,10 +32,10 @@ def shade_cloth(
         normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
         r, g, b = _cloth(mesh, light, tables, corners, weights, p, normal, view, depth)
         share = smooth(-sight.pixel, sight.pixel, depth)
-        r = batch.colour[turn, k, 0] * (f4(1) - share) + r * share if share < f4(1) else r
-        g = batch.colour[turn, k, 1] * (f4(1) - share) + g * share if share < f4(1) else g
-        b = batch.colour[turn, k, 2] * (f4(1) - share) + b * share if share < f4(1) else b
-        put(batch.colour, turn, k, (r, g, b))
+        r = batch.colour[k, 0] * (f4(1) - share) + r * share if share < f4(1) else r
+        g = batch.colour[k, 1] * (f4(1) - share) + g * share if share < f4(1) else g
+        b = batch.colour[k, 2] * (f4(1) - share) + b * share if share < f4(1) else b
+        put(batch.colour, k, (r, g, b))
 
 
 @inlined

@@ -43,16 +43,16 @@ _FLESH = (f4(0.50), f4(0.185), f4(0.155))  # the caruncle, in the inner corner
 
 @device
 def shade_eyes(
-    turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+    n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of the eyes among the first n of a row."""
     for k in range(n):
-        t = batch.triangle[turn, k]
+        t = batch.triangle[k]
         side = mesh.surfaces[t] - EYE_LEFT
         if side == 0 or side == 1:
             corners = corners_of(mesh.triangles, t)
-            p = weigh(mesh.positions, corners, weights_of(batch.weights, turn, k), 0)
-            put(batch.colour, turn, k, _eye(light, pose, tables, side, p, towards(sight.eye, p)))
+            p = weigh(mesh.positions, corners, weights_of(batch.weights, k), 0)
+            put(batch.colour, k, _eye(light, pose, tables, side, p, towards(sight.eye, p)))
 
 
 @inlined

@@ -8,29 +8,18 @@ from __future__ import annotations
 import math
 
 from ..inputs import EXTRA, HAIR, OCCLUSION, SPECULAR, Batch, Light, Mesh
-from ..jit import device, f4, inlined, kernel, prange
+from ..jit import device, f4, inlined, kernel
 from ..raster import FloatArray
 from ..vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from .lit import key_share, lamp_colour, lamp_direction, room_light
 from .patch import corners_of, put, weights_of
 
-_BLOCK = 512
-
 
 @kernel
 def light_hairs(mesh: Mesh, light: Light, eye: FloatArray, first: int) -> None:
     """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.hair_light`."""
-    pairs = (len(mesh.positions) - first) // 2
-    for block in prange((pairs + _BLOCK - 1) // _BLOCK):
-        _light_pairs(
-            mesh, light, eye, first + 2 * block * _BLOCK, first + 2 * min((block + 1) * _BLOCK, pairs)
-        )
-
-
-@device
-def _light_pairs(mesh: Mesh, light: Light, eye: FloatArray, first: int, end: int) -> None:
     camera = (eye[0], eye[1], eye[2])
-    for i in range(first, end, 2):
+    for i in range(first, len(mesh.positions), 2):
         direction = at(mesh.normals, i)
         if dot(direction, direction) == f4(0):
             continue  # a hair behind the head
@@ -41,16 +30,15 @@ def _light_pairs(mesh: Mesh, light: Light, eye: FloatArray, first: int, end: int
 
 
 @device
-def shade_hairs(turn: int, n: int, batch: Batch, mesh: Mesh) -> None:
+def shade_hairs(n: int, batch: Batch, mesh: Mesh) -> None:
     """Colour the patches of hair among the first n of a row."""
     for k in range(n):
-        t = batch.triangle[turn, k]
+        t = batch.triangle[k]
         if mesh.surfaces[t] >= HAIR:
             put(
                 batch.colour,
-                turn,
                 k,
-                weigh(mesh.hair_light, corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k), 0),
+                weigh(mesh.hair_light, corners_of(mesh.triangles, t), weights_of(batch.weights, k), 0),
             )
 
 

@@ -8,22 +8,33 @@ from ..raster import FloatArray
 from ..shadow import lit
 from ..vec import Vec, mix
 
+Room = tuple[Vec, Vec]
+
+
+@device
+def room_of(room: FloatArray) -> Room:
+    """Return the room's light from below and from above."""
+    return (room[1, 0], room[1, 1], room[1, 2]), (room[0, 0], room[0, 1], room[0, 2])
+
+
+@device
+def glow(room: Room, normal: Vec, free: float) -> Vec:
+    """Return the room's light on a surface that sees the share `free` of it; creases glow warm."""
+    r, g, b = mix(room[0], room[1], normal[1] * f4(0.5) + f4(0.5))
+    warm = free * (f4(1) - free)
+    return r * (free + f4(0.35) * warm), g * (free + f4(0.08) * warm), b * free
+
 
 @device
 def room_light(room: FloatArray, normal: Vec, free: float) -> Vec:
-    """Return the room's light on a surface that sees the share `free` of it; creases glow warm."""
-    up = normal[1] * f4(0.5) + f4(0.5)
-    low = (room[1, 0], room[1, 1], room[1, 2])
-    high = (room[0, 0], room[0, 1], room[0, 2])
-    r, g, b = mix(low, high, up)
-    warm = free * (f4(1) - free)
-    return r * (free + f4(0.35) * warm), g * (free + f4(0.08) * warm), b * free
+    """Return `glow` of the room (2, 3)."""
+    return glow(room_of(room), normal, free)
 
 
 @inlined
 def key_share(light: Light, p: Vec) -> float:
     """Return the share of the key lamp that reaches p."""
-    return lit(light.shadow, light.shadow_tiles, light.shadow_matrix, p, light.bias)
+    return lit(light.shadow, light.shadow_low, light.shadow_high, light.shadow_matrix, p, light.bias)
 
 
 @device

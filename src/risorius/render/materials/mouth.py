@@ -60,17 +60,16 @@ def _edge(lips: FloatArray, i: int, s: float, column: int) -> tuple[float, float
 
 
 @device
-def shade_mouth(turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose) -> None:
+def shade_mouth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose) -> None:
     """Colour the patches of teeth, gums and tongue among the first n of a row."""
     for k in range(n):
-        t = batch.triangle[turn, k]
+        t = batch.triangle[k]
         if mesh.surfaces[t] == TEETH or mesh.surfaces[t] == TONGUE:
-            corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k)
+            corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
             p = weigh(mesh.positions, corners, weights, 0)
             normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
             put(
                 batch.colour,
-                turn,
                 k,
                 _wet(mesh, light, pose, mesh.surfaces[t], corners, weights, p, normal, view),
             )

@@ -16,9 +16,9 @@ def corners_of(triangles: IntArray, t: int) -> Corners:
 
 
 @device
-def weights_of(weights: FloatArray, turn: int, k: int) -> Vec:
+def weights_of(weights: FloatArray, k: int) -> Vec:
     """Return the place of patch k in its triangle."""
-    return weights[turn, k, 0], weights[turn, k, 1], weights[turn, k, 2]
+    return weights[k, 0], weights[k, 1], weights[k, 2]
 
 
 @device
@@ -28,6 +28,6 @@ def towards(eye: FloatArray, p: Vec) -> Vec:
 
 
 @device
-def put(colours: FloatArray, turn: int, k: int, colour: Vec) -> None:
+def put(colours: FloatArray, k: int, colour: Vec) -> None:
     """Set the colour of patch k."""
-    colours[turn, k, 0], colours[turn, k, 1], colours[turn, k, 2] = colour
+    colours[k, 0], colours[k, 1], colours[k, 2] = colour

@@ -43,7 +43,6 @@ _LINE = f4(0.55)  # half a line's width in pixels
 
 @device
 def shade_plain(
-    turn: int,
     n: int,
     batch: Batch,
     mesh: Mesh,
@@ -55,11 +54,11 @@ def shade_plain(
 ) -> None:
     """Colour the patches of skin, eyes, teeth and tongue among the first n of a row."""
     for k in range(n):
-        t = batch.triangle[turn, k]
+        t = batch.triangle[k]
         surface = mesh.surfaces[t]
         if surface > TONGUE:
             continue
-        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k)
+        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
         p = weigh(mesh.positions, corners, weights, 0)
         normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
         if surface == SKIN:
@@ -74,7 +73,7 @@ def shade_plain(
             colour = _matt(mesh, light, corners, weights, p, normal, view, albedo, deep, deep)
         else:
             colour = _ball(mesh, light, pose, surface - EYE_LEFT, corners, weights, p, view)
-        put(batch.colour, turn, k, colour)
+        put(batch.colour, k, colour)
 
 
 @inlined

@@ -1,133 +1,191 @@
-"""Skin."""
+"""Skin: scattered light from below the surface, gloss on it, dark within the mouth.
+
+Its patches are shaded in blocks (`lanes`), each step for all patches of a block.
+"""
 
 from __future__ import annotations
 
-from ..brdf import mirrored, schlick
-from ..inputs import ALBEDO, CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Pose, Sight, Tables
+from .. import inputs
+from ..inputs import SKIN, Batch, Light, Mesh, Pose, Sight, Tables
 from ..jit import device, f4, inlined
-from ..noise import grain
+from ..lanes import (
+    ALBEDO,
+    BUMPY,
+    CLOTH,
+    CURVATURE,
+    FREE,
+    GRAIN,
+    INNER,
+    LANES,
+    NORMAL,
+    OPENED,
+    POSITION,
+    REST,
+    ROUGHNESS,
+    SHADOW,
+    SHINE,
+    SOFT,
+    STRENGTH,
+    TOTAL,
+    VIEW,
+    WAY,
+    get,
+    put,
+)
+from ..noise import between, cell_of, heights_about
 from ..raster import FloatArray
-from ..subsurface import scattered
-from ..vec import Vec, add, along, dot, rotate, scale, smooth, tilted, times, unit, weigh
+from ..vec import Vec, add, along, dot, rows_of, scale, smooth, sub, tilted, times, turned, unit, weigh
 from .folds import bent, creased
-from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light, warm_edge
+from .lit import glow, key_share, room_of
 from .mouth import past_lips
-from .patch import Corners, corners_of, put, towards, weights_of
+from .patch import corners_of, weights_of
+from .patch import put as put_colour
+from .skin_lamps import edge_light, lamp_light
 
-_DARK = f4(0.004)  # a lamp of which less arrives is left out
-_FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
-_FRONT = 2  # lamps: those further on stand behind the head
 _FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
 _PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 
 @device
 def shade_skin(
-    turn: int, n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+    n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of bare skin among the first n of a row."""
+    count = 0
     for k in range(n):
-        t = batch.triangle[turn, k]
-        if mesh.surfaces[t] != SKIN:
-            continue
-        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, turn, k)
-        curvature, inner, cloth = weigh(mesh.attributes, corners, weights, CURVATURE)
-        if cloth > sight.pixel:
-            continue
-        p = weigh(mesh.positions, corners, weights, 0)
-        normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
-        colour = _skin(
-            mesh,
-            light,
-            pose,
-            tables,
-            t,
-            corners,
-            weights,
-            p,
-            normal,
-            view,
-            sight.pixel,
-            curvature,
-            inner,
-            cloth,
-        )
-        put(batch.colour, turn, k, colour)
-
-
-@inlined
-def _skin(
-    mesh: Mesh,
-    light: Light,
-    pose: Pose,
-    tables: Tables,
-    t: int,
-    corners: Corners,
-    weights: Vec,
-    p: Vec,
-    normal: Vec,
-    view: Vec,
-    pixel: float,
-    curvature: float,
-    inner: float,
-    cloth: float,
-) -> Vec:
-    """Return the light from skin: scattered below the surface, glossy on it, dark within the mouth."""
-    albedo = weigh(mesh.attributes, corners, weights, ALBEDO)
-    free, roughness, strength = weigh(mesh.attributes, corners, weights, OCCLUSION)
-    rest = weigh(mesh.rest, corners, weights, 0)
-    # Close above the collar its edge takes the light away.
-    free *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), cloth)
-    fine, pores = _relief(tables.grain, pose.rotation, rest, normal, pixel, f4(1) - inner)
-    soft, bumpy = tilted(normal, scale(pores, f4(0.5))), tilted(normal, pores)
-    albedo = scale(albedo, f4(1) + f4(0.025) * fine)
-    strength *= f4(1) + f4(0.2) * min(fine, f4(1))
-    if mesh.crease_regions[t]:
-        folds, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, dot(normal, view), pixel)
-        if deep > f4(0) or dot(folds, folds) > f4(0):
-            soft, bumpy = bent(soft, folds, _FLESH), bent(bumpy, folds, f4(1))
-        free *= f4(1) - f4(0.7) * deep
-        strength *= f4(1) - f4(0.6) * deep
-        albedo = times(albedo, (f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep))
-    shadow = key_share(light, p)
-    opened = free
-    if inner > f4(0.02):
-        seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
-        opened = free + (seen - free) * inner
-        shadow *= f4(1) + (seen - f4(1)) * inner
-    total = times(albedo, room_light(light.room, soft, opened))
-    shine = (f4(0), f4(0), f4(0))
-    for k in range(len(light.lamps)):
-        direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
-        share = lamp_share(mesh.reach, corners, weights, k, shadow)
-        if k >= _FRONT:
-            share *= share  # between vertices that see the lamp and such that don't, light leaks
-        if share < _DARK:
-            continue
-        below = scattered(tables.diffuse, dot(soft, direction), curvature)
-        total = add(total, times(times(albedo, colour), times(below, warm_edge(share))))
-        wide = roughness + light.lamps[k, 6]
-        half = add(view, direction)
-        at_light, at_half, apart = dot(bumpy, direction), dot(bumpy, half), dot(half, half)
-        glint = mirrored(at_light, at_half, apart, wide, _FACING)
-        if k >= _FRONT:
-            glint *= f4(0.4)  # a lamp behind the head grazes it, where a mirror would outshine all
-        elif k == 0:
-            glint = f4(0.7) * glint + f4(0.3) * mirrored(at_light, at_half, apart, wide * f4(2.2), _FACING)
-        shine = along(shine, colour, glint * share * strength)
-    # A rough surface mirrors less along its outline than a smooth one.
-    edge = min(schlick(dot(soft, view), _FACING), f4(0.16)) * opened * strength
-    shine = along(shine, room_light(light.room, soft, f4(1)), edge * f4(0.8))
-    return add(total, shine)
+        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, sight.pixel):
+            count += 1
+            if count == LANES:
+                _shade_block(count, batch, mesh, sight, light, pose, tables)
+                count = 0
+    if count:
+        _shade_block(count, batch, mesh, sight, light, pose, tables)
 
 
 @device
-def _relief(
-    tile: FloatArray, rotation: FloatArray, rest: Vec, normal: Vec, pixel: float, amount: float
-) -> tuple[float, Vec]:
-    """Return the pores' height, and how they turn the normal."""
-    height, gx, gy, gz = grain(tile, rest, _PORES)
+def _shade_block(
+    count: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+) -> None:
+    block = batch.block
+    _face(block, (sight.eye[0], sight.eye[1], sight.eye[2]))
+    _find_grain(count, block, tables.grain)
+    _roughen(block, pose, sight.pixel)
+    _fold(count, batch, mesh, pose, tables, sight.pixel)
+    _shadow(count, block, light, pose)
+    _fill(block, light)
+    for lamp in range(len(light.lamps)):
+        lamp_light(count, lamp, batch, mesh, light.lamps, tables.diffuse)
+    edge_light(block, light.room)
+    for k in range(count):
+        put_colour(batch.colour, batch.chosen[k], add(get(block, TOTAL, k), get(block, SHINE, k)))
+
+
+@inlined
+def _read(k: int, lane: int, batch: Batch, mesh: Mesh, pixel: float) -> bool:
+    """Read patch k of the mesh into a lane; return whether its skin is bare."""
+    corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
+    bent_by, inner, cloth = weigh(mesh.attributes, corners, weights, inputs.CURVATURE)
+    if cloth > pixel:
+        return False
+    block = batch.block
+    batch.chosen[lane] = k
+    block[CURVATURE + lane], block[INNER + lane], block[CLOTH + lane] = bent_by, inner, cloth
+    free, roughness, strength = weigh(mesh.attributes, corners, weights, inputs.OCCLUSION)
+    block[FREE + lane], block[ROUGHNESS + lane], block[STRENGTH + lane] = free, roughness, strength
+    put(block, ALBEDO, lane, weigh(mesh.attributes, corners, weights, inputs.ALBEDO))
+    put(block, POSITION, lane, weigh(mesh.positions, corners, weights, 0))
+    put(block, NORMAL, lane, weigh(mesh.normals, corners, weights, 0))
+    put(block, REST, lane, weigh(mesh.rest, corners, weights, 0))
+    return True
+
+
+@device
+def _face(block: FloatArray, eye: Vec) -> None:
+    """Find the normal and the direction to the camera."""
+    for k in range(LANES):
+        put(block, NORMAL, k, unit(get(block, NORMAL, k)))
+        put(block, VIEW, k, unit(sub(eye, get(block, POSITION, k))))
+
+
+@device
+def _find_grain(count: int, block: FloatArray, tile: FloatArray) -> None:
+    """Look the pores up."""
+    for k in range(count):
+        cell, way = cell_of(get(block, REST, k), _PORES)
+        put(block, WAY, k, way)
+        heights = heights_about(tile, cell)
+        for corner in range(8):
+            block[GRAIN + corner * LANES + k] = heights[corner]
+
+
+@device
+def _roughen(block: FloatArray, pose: Pose, pixel: float) -> None:
+    """Let the pores turn the normal and vary colour and gloss."""
+    rotation = rows_of(pose.rotation)
     # Pores smaller than two pixels would flicker as the head moves.
-    depth = f4(0.0075) * amount * (f4(1) - smooth(f4(0.22), f4(0.7), pixel))
-    slope = rotate(rotation, (gx, gy, gz))
-    return height, scale(along(slope, normal, -dot(slope, normal)), -depth)
+    depth = f4(0.0075) * (f4(1) - smooth(f4(0.22), f4(0.7), pixel))
+    for k in range(LANES):
+        heights = (
+            block[GRAIN + k],
+            block[GRAIN + LANES + k],
+            block[GRAIN + 2 * LANES + k],
+            block[GRAIN + 3 * LANES + k],
+            block[GRAIN + 4 * LANES + k],
+            block[GRAIN + 5 * LANES + k],
+            block[GRAIN + 6 * LANES + k],
+            block[GRAIN + 7 * LANES + k],
+        )
+        fine, gx, gy, gz = between(heights, get(block, WAY, k), _PORES)
+        normal, slope = get(block, NORMAL, k), turned(rotation, (gx, gy, gz))
+        pores = scale(along(slope, normal, -dot(slope, normal)), depth * (block[INNER + k] - f4(1)))
+        put(block, SOFT, k, tilted(normal, scale(pores, f4(0.5))))
+        put(block, BUMPY, k, tilted(normal, pores))
+        put(block, ALBEDO, k, scale(get(block, ALBEDO, k), f4(1) + f4(0.025) * fine))
+        block[STRENGTH + k] *= f4(1) + f4(0.2) * min(fine, f4(1))
+        # Close above the collar its edge takes the light away.
+        block[FREE + k] *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), block[CLOTH + k])
+
+
+@device
+def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixel: float) -> None:
+    """Let wrinkles turn the normal and darken the skin."""
+    block = batch.block
+    for k in range(count):
+        patch = batch.chosen[k]
+        t = batch.triangle[patch]
+        if mesh.crease_regions[t] == 0:
+            continue
+        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, patch)
+        normal, rest = get(block, NORMAL, k), get(block, REST, k)
+        facing = dot(normal, get(block, VIEW, k))
+        slope, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, facing, pixel)
+        if deep > f4(0) or dot(slope, slope) > f4(0):
+            put(block, SOFT, k, bent(get(block, SOFT, k), slope, _FLESH))
+            put(block, BUMPY, k, bent(get(block, BUMPY, k), slope, f4(1)))
+            block[FREE + k] *= f4(1) - f4(0.7) * deep
+            block[STRENGTH + k] *= f4(1) - f4(0.6) * deep
+            dark = f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep
+            put(block, ALBEDO, k, times(get(block, ALBEDO, k), dark))
+
+
+@device
+def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
+    """Find how much of the key lamp and of the room's light arrives."""
+    for k in range(count):
+        p, free, inner = get(block, POSITION, k), block[FREE + k], block[INNER + k]
+        shadow = key_share(light, p)
+        if inner > f4(0.02):
+            seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
+            free += (seen - free) * inner
+            shadow *= f4(1) + (seen - f4(1)) * inner
+        block[OPENED + k], block[SHADOW + k] = free, shadow
+
+
+@device
+def _fill(block: FloatArray, light: Light) -> None:
+    """Begin with the room's light."""
+    room = room_of(light.room)
+    for k in range(LANES):
+        arriving = glow(room, get(block, SOFT, k), block[OPENED + k])
+        put(block, TOTAL, k, times(get(block, ALBEDO, k), arriving))
+        put(block, SHINE, k, (f4(0), f4(0), f4(0)))

@@ -1,0 +1,68 @@
+"""Several renderers at work at once, each on a picture of its own."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from queue import SimpleQueue
+
+from ..face.frame import FaceFrame
+from .raster import ByteArray
+from .renderer import Array, Renderer
+
+MOST = 4
+"""Pictures at once; faces are solved one after the other, and would not keep more renderers busy."""
+_MEMORY = 400_000_000
+"""Bytes that the renderers' buffers may take in all, unless one alone takes more."""
+
+Job = tuple[FaceFrame, Array | None]
+
+
+class Crew:
+    """Draws a sequence of pictures by as many threads as the machine has processors, or `threads` of them.
+
+    Each picture is drawn by one renderer from its frame alone, so that the bytes do not depend on how many
+    there are.
+    """
+
+    def __init__(self, renderer: Renderer, threads: int | None = None) -> None:
+        afforded = max(1, _MEMORY // renderer.buffer_bytes)
+        self.threads = threads or min(_processors(), MOST, afforded)
+        self._idle: SimpleQueue[Renderer] = SimpleQueue()
+        self._idle.put(renderer)
+        for _ in range(self.threads - 1):
+            self._idle.put(renderer.twin())
+
+    def draw(self, jobs: Iterable[Job]) -> Iterator[ByteArray]:
+        """Yield the picture of each job in turn: a frame, and how much of each parameter is kept down.
+
+        Jobs are asked for in the caller's thread, at most `threads` + 1 ahead of the pictures; a frame may
+        change once the next is asked for. Raises what `jobs` and `Renderer.render` do.
+        """
+        at_work: deque[Future[ByteArray]] = deque()
+        pool = ThreadPoolExecutor(self.threads, "picture")
+        try:
+            for frame, kept_down in jobs:
+                at_work.append(pool.submit(self._draw, frame.copy(), kept_down))
+                if len(at_work) > self.threads:
+                    yield at_work.popleft().result()
+            while at_work:
+                yield at_work.popleft().result()
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
+
+    def _draw(self, frame: FaceFrame, kept_down: Array | None) -> ByteArray:
+        renderer = self._idle.get()
+        try:
+            return renderer.render(frame, kept_down=kept_down)
+        finally:
+            self._idle.put(renderer)
+
+
+def _processors() -> int:
+    """Return how many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

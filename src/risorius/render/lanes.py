@@ -1,0 +1,43 @@
+"""Blocks of patches that are shaded side by side, as the processor's vector units like it.
+
+A block is one array in which each quantity has LANES numbers in a row, one for each patch; `POSITION + k` is
+where that of patch k stands, and x, y and z of a vector lie LANES apart. Because all loops run over the same
+LANES, at constant distances within one array, the compiler can do several patches in one instruction; it
+cannot where a loop looks something up in another array, so that those loops do nothing else.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .jit import device
+from .raster import FloatArray
+from .vec import Vec
+
+LANES = 64
+_THREE = 3 * LANES
+
+# Vectors: what is read of the mesh, and what follows from it.
+POSITION, NORMAL, REST, ALBEDO, VIEW, SOFT, BUMPY, WAY, BELOW, TOTAL, SHINE = range(0, 11 * _THREE, _THREE)
+# Numbers; of the grain, the first of eight.
+FREE, ROUGHNESS, STRENGTH, CURVATURE, INNER, CLOTH, OPENED, SHADOW, SHARE, ANGLE, GRAIN = range(
+    11 * _THREE, 11 * _THREE + 11 * LANES, LANES
+)
+_SIZE = GRAIN + 8 * LANES
+
+
+def empty_block() -> FloatArray:
+    """Return room for one block, full of ones: lanes without a patch are calculated, too."""
+    return np.ones(_SIZE, np.float32)
+
+
+@device
+def get(block: FloatArray, first: int, k: int) -> Vec:
+    """Return the vector of patch k."""
+    return block[first + k], block[first + LANES + k], block[first + 2 * LANES + k]
+
+
+@device
+def put(block: FloatArray, first: int, k: int, vector: Vec) -> None:
+    """Set the vector of patch k."""
+    block[first + k], block[first + LANES + k], block[first + 2 * LANES + k] = vector

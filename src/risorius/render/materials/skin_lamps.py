@@ -1,0 +1,117 @@
+"""What a lamp gives to a block of skin: light scattered below the surface, and gloss."""
+
+from __future__ import annotations
+
+from ..brdf import mirrored, schlick
+from ..inputs import Batch, Mesh
+from ..jit import device, f4
+from ..lanes import (
+    ALBEDO,
+    ANGLE,
+    BELOW,
+    BUMPY,
+    CURVATURE,
+    LANES,
+    OPENED,
+    ROUGHNESS,
+    SHADOW,
+    SHARE,
+    SHINE,
+    SOFT,
+    STRENGTH,
+    TOTAL,
+    VIEW,
+    get,
+    put,
+)
+from ..raster import FloatArray
+from ..subsurface import angle_place, curvature_place, scattered
+from ..vec import Vec, add, along, dot, times
+from .lit import glow, lamp_colour, lamp_direction, lamp_share, room_of, warm_edge
+from .patch import corners_of, weights_of
+
+_DARK = f4(0.004)  # a lamp of which less arrives is left out
+_FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
+_FRONT = 2  # lamps: those further on stand behind the head
+
+
+@device
+def lamp_light(
+    count: int, lamp: int, batch: Batch, mesh: Mesh, lamps: FloatArray, diffuse: FloatArray
+) -> None:
+    """Add the light of one lamp."""
+    block = batch.block
+    direction, colour, softness = lamp_direction(lamps, lamp), lamp_colour(lamps, lamp), lamps[lamp, 6]
+    for k in range(LANES):
+        block[ANGLE + k] = angle_place(dot(get(block, SOFT, k), direction))
+    if _look_up(count, lamp, batch, mesh, diffuse):
+        _add_scattered(block, colour)
+        if lamp == 0:
+            _add_key_gloss(block, direction, colour, softness)
+        else:
+            # A lamp behind the head grazes it, where a mirror would outshine all.
+            _add_gloss(block, direction, colour, softness, f4(0.4) if lamp >= _FRONT else f4(1))
+
+
+@device
+def _look_up(count: int, lamp: int, batch: Batch, mesh: Mesh, diffuse: FloatArray) -> bool:
+    """Find how much of a lamp arrives, and what of it the skin scatters; return whether any does."""
+    block, any_light = batch.block, False
+    for k in range(count):
+        patch = batch.chosen[k]
+        corners = corners_of(mesh.triangles, batch.triangle[patch])
+        share = lamp_share(mesh.reach, corners, weights_of(batch.weights, patch), lamp, block[SHADOW + k])
+        if lamp >= _FRONT:
+            share *= share  # between vertices that see the lamp and such that don't, light leaks
+        if share < _DARK:
+            block[SHARE + k] = f4(0)
+            continue
+        any_light = True
+        block[SHARE + k] = share
+        put(block, BELOW, k, scattered(diffuse, block[ANGLE + k], curvature_place(block[CURVATURE + k])))
+    return any_light
+
+
+@device
+def _add_scattered(block: FloatArray, colour: Vec) -> None:
+    for k in range(LANES):
+        below = times(get(block, BELOW, k), warm_edge(block[SHARE + k]))
+        lit = times(times(get(block, ALBEDO, k), colour), below)
+        put(block, TOTAL, k, add(get(block, TOTAL, k), lit))
+
+
+@device
+def _add_gloss(block: FloatArray, direction: Vec, colour: Vec, softness: float, part: float) -> None:
+    for k in range(LANES):
+        glint = _mirrored(block, k, direction, block[ROUGHNESS + k] + softness)
+        amount = part * glint * block[SHARE + k] * block[STRENGTH + k]
+        put(block, SHINE, k, along(get(block, SHINE, k), colour, amount))
+
+
+@device
+def _add_key_gloss(block: FloatArray, direction: Vec, colour: Vec, softness: float) -> None:
+    """Add the key lamp's gloss: a sharp one and, of the oil's uneven film, a broad one."""
+    for k in range(LANES):
+        wide = block[ROUGHNESS + k] + softness
+        sharp = _mirrored(block, k, direction, wide)
+        glint = f4(0.7) * sharp + f4(0.3) * _mirrored(block, k, direction, wide * f4(2.2))
+        amount = glint * block[SHARE + k] * block[STRENGTH + k]
+        put(block, SHINE, k, along(get(block, SHINE, k), colour, amount))
+
+
+@device
+def _mirrored(block: FloatArray, k: int, direction: Vec, wide: float) -> float:
+    bumpy, half = get(block, BUMPY, k), add(get(block, VIEW, k), direction)
+    return mirrored(dot(bumpy, direction), dot(bumpy, half), dot(half, half), wide, _FACING)
+
+
+@device
+def edge_light(block: FloatArray, room: FloatArray) -> None:
+    """Add what the skin mirrors of the room along its outline."""
+    around = room_of(room)
+    for k in range(LANES):
+        soft = get(block, SOFT, k)
+        # A rough surface mirrors less along its outline than a smooth one.
+        edge = min(schlick(dot(soft, get(block, VIEW, k)), _FACING), f4(0.16))
+        edge *= block[OPENED + k] * block[STRENGTH + k]
+        put(block, SHINE, k, along(get(block, SHINE, k), glow(around, soft, f4(1)), edge * f4(0.8)))
