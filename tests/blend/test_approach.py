@@ -19,7 +19,8 @@ from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError
-from risorius.face.lip_fit import load_lip_rig
+from risorius.face.head import load_head
+from risorius.face.lip_fit import MeasuredMouth, load_lip_rig
 from risorius.rules.lips import lip_table
 
 FASTEST = sacrifice().opening.fastest
@@ -116,3 +117,13 @@ def test_the_gap_is_no_faster_than_people_are(
     closed = [s for s in score.lips if SEAL in s.targets]
     middles = blend.at(score, np.array([(s.start + s.end) / 2.0 for s in closed]), rig)
     assert (middles[:, INDEX[SEAL]] == 1.0).all()
+
+
+@pytest.mark.parametrize(("model", "most"), [("dominance", ASKED), ("lookahead", 400.0)])
+@pytest.mark.parametrize("phones", ["AA V M AA", "AA V P AO"])
+def test_a_lip_goes_evenly_from_the_teeth_to_a_closure(phones: str, model: str, most: float) -> None:
+    score = said(phones, 0.05, model)
+    mouth = MeasuredMouth(load_head())
+    times = np.arange(0.5, 0.65, 0.005)
+    gap = [mouth.measure_values(v)[1] for v in blend.at(score, times, load_lip_rig())]
+    assert np.abs(np.diff(gap)).max() / 0.005 <= most

@@ -84,12 +84,19 @@ class TestJaw:
     def test_others_add_a_share_while_the_mouth_speaks(self) -> None:
         speech = LipSegment("AA", 1.0, 3.0, {JAW: 0.3})
         values = curve(Score(4.0, (held(JAW, 0.6),), (speech,)), JAW)
-        assert values[2000] == pytest.approx(0.3 + 0.6 * JAW_SHARE, abs=0.01)
+        assert values[2000] == pytest.approx(0.3 + 0.6 * JAW_SHARE * 0.7, abs=0.01)
         assert values[200] == pytest.approx(0.6)
 
     def test_limits_hold_for_the_total(self) -> None:
         speech = LipSegment("AA", 1.0, 3.0, {JAW: 0.3}, {JAW: (0.0, 0.4)})
         assert curve(Score(4.0, (held(JAW, 1.0),), (speech,)), JAW)[2000] == pytest.approx(0.4, abs=0.01)
+
+    def test_what_is_left_between_closures_has_no_corner(self) -> None:
+        closed = [LipSegment("M", t, t + 0.08, {"lip_seal": 1.0}, {JAW: (0.0, 0.1)}) for t in (1.0, 1.3, 1.6)]
+        values = curve(Score(4.0, (held(JAW, 0.35),), tuple(closed)), JAW)[900:1800]
+        speed = np.diff(values)
+        assert values.max() > 0.2 > 0.1 + 1e-9 > values.min()
+        assert np.abs(np.diff(speed)).max() < 0.35 * np.abs(speed).max()
 
     def test_silence_leaves_them_all(self) -> None:
         silence = LipSegment("", 1.0, 3.0, {}, {}, {"*": Dominance(1.0, 0.08, 0.08)})

@@ -54,7 +54,7 @@ def test_labials_close_and_keep_the_others_from_opening(phone: str, utterance_of
 def test_labiodentals_bring_the_lip_to_the_teeth(phone: str, utterance_of) -> None:
     (segment,) = (s for s in segments(utterance_of(f"AA {phone} AA")) if s.phone == phone)
     assert segment.targets["lip_tuck"] >= 0.9
-    assert segment.limits["masseter"][1] <= 0.05
+    assert segment.limits["masseter"][1] <= 0.15
 
 
 @pytest.mark.parametrize("phone", ["IY", "IH", "EH", "AE", "AA", "AH", "S", "T", "K", "N", "TH"])

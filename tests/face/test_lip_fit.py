@@ -73,6 +73,17 @@ def test_unrounded_phones_have_no_funneler_and_inhibit_no_smile(phone: str) -> N
         assert made.get(rival, 0.0) < DEFAULT_THRESHOLD
 
 
+def test_a_vowel_keeps_its_width_beside_lowered_corners() -> None:
+    mouth, sad = MeasuredMouth(load_head()), {"triangularis.left": 0.85, "triangularis.right": 0.85}
+    vowel = muscles(load_lip_rig(), lip_table().shape("IY").targets)
+    open_alone = {name: value for name, value in vowel.items() if not name.startswith(("zygo", "riso"))}
+    wide = MEASURES.index("lip_width")
+    shown = [mouth.measure_values(values(made | sad))[wide] for made in (vowel, open_alone)]
+    alone = [mouth.measure_values(values(made))[wide] for made in (vowel, open_alone)]
+    assert alone[0] - alone[1] > 1.5
+    assert shown[0] - shown[1] == pytest.approx(alone[0] - alone[1], abs=0.3)
+
+
 def test_a_closed_mouth_is_sealed_and_pressed() -> None:
     made = muscles(load_lip_rig(), {"jaw_drop": 1.2, "lip_aperture": -2.0})
     assert made["lip_seal"] == 1.0

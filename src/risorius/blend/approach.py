@@ -24,7 +24,7 @@ from .sacrifice import sacrifice
 LEAST_GAP = 0.5
 """mm; a gap that is closed counts as at least so wide, so that a seal comes gently there too."""
 
-ADDED = 0.6
+ADDED = 0.5
 """The most that a display adds to the opening of speech, as a share of it; ours."""
 
 

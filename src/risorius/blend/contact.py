@@ -14,11 +14,13 @@ import numpy as np
 
 from ..core.movement import LipSegment
 from .intervals import Array, ranges
-from .knots import smoothstep
+from .knots import ramp
 from .sacrifice import sacrifice
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
+SOFTENED = 0.02
+"""The root of a tuck from which on `beside_tuck` is nearly a root."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +117,17 @@ class GoalCurve:
         t = times[index]
         early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
         late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
-        values = self._value[goal] * smoothstep(1.0 - np.minimum(np.maximum(early, late), 1.0))
+        values = self._value[goal] * ramp(1.0 - np.minimum(np.maximum(early, late), 1.0))
         left = np.ones(len(times))
         np.multiply.at(left, index, 1.0 - values)
         return np.asarray(1.0 - left)
+
+
+def beside_tuck(tuck: Array) -> Array:
+    """Return what a tuck, 0..1, leaves of the lips' seal, shape (n,): 1 − √tuck, but with a slope at 0.
+
+    A lower lip that leaves the teeth leaves the gap as wide at first. So that the gap falls evenly, the seal
+    must come sooner than the tuck goes.
+    """
+    least, most = SOFTENED, float(np.sqrt(1.0 + SOFTENED**2))
+    return np.asarray(1.0 - (np.sqrt(tuck + SOFTENED**2) - least) / (most - least))

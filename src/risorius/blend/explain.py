@@ -107,7 +107,7 @@ def _parts(plan: Plan, time: float, name: str) -> list[Part]:
             kept = moment.settle(channel, name, moment.times, np.array([asked]))
             shared = limited = kept
             if channel.name != LIPS:
-                shared = moment.shared(channel, name, _FIRST, kept)
+                shared = moment.shared(channel, name, _FIRST, kept, own)
                 limited = moment.limited(channel, name, _FIRST, shared, own)
             levels = (asked, float(kept[0]), float(shared[0]), float(limited[0]))
             part = _part(channel.name, curve.origin(time))

@@ -50,27 +50,74 @@ class Knots:
         return np.append(np.repeat(edges[:-1], counts) + part * width, edges[-1])
 
 
-STEEPEST = 1.5
-"""The greatest slope of the smoothstep."""
-
-
 def smoothstep(x: Array) -> Array:
     """Return 3x² - 2x³ for x in [0, 1]: 0 and 1 at the ends, without slope there."""
     return x * x * (3.0 - 2.0 * x)
 
 
-def inverse_smoothstep(y: Array) -> Array:
-    """Return x in [0, 1] for which the smoothstep is y; exactly 1 for 1."""
-    return np.where(y < 1.0, np.clip(0.5 - np.sin(np.arcsin(1.0 - 2.0 * y) / 3.0), 0.0, 1.0), 1.0)
+_INSTANT = 1e-9
+SOFT = 0.2
+"""The share of a ramp's time in which it comes up to its speed; as much again brings it to rest."""
+STEEPEST = 1.0 / (1.0 - SOFT)
+"""The greatest slope of a ramp: it is held for most of it, so that it lasts little longer than it must."""
 
 
-def eased(times: Array, position: Array, rise: float, fall: float) -> Array:
-    """Return the smoothstep of a curve below `position`, 0..1, that changes no faster than given, (n,).
+def ramp(x: Array) -> Array:
+    """Return for x in [0, 1] what rises from 0 to 1 at an even pace, but without slope at both ends."""
+    near = np.minimum(x, 1.0 - x)
+    risen = STEEPEST * np.where(near < SOFT, near * near * (0.5 / SOFT), near - 0.5 * SOFT)
+    return np.where(x < 0.5, risen, 1.0 - risen)
+
+
+def inverse_ramp(y: Array) -> Array:
+    """Return x in [0, 1] for which the ramp is y in [0, 1]; exactly 1 for 1."""
+    risen = np.minimum(y, 1.0 - y) / STEEPEST
+    near = np.where(risen < 0.5 * SOFT, np.sqrt(2.0 * SOFT * np.maximum(risen, 0.0)), risen + 0.5 * SOFT)
+    return np.where(y < 0.5, near, 1.0 - near)
+
+
+def eased(times: Array, share: Array, rise: float, fall: float) -> Array:
+    """Return a curve not above `share`, 0..1, that changes no faster than given, shape (n,).
 
     It rises by at most 1 in `rise` seconds, falls by at most 1 in `fall` seconds, and has no kinks where it
     leaves 0 and reaches 1.
     """
-    return smoothstep(envelope(times, position, STEEPEST * rise, STEEPEST * fall))
+    return ramp(envelope(times, inverse_ramp(share), STEEPEST * rise, STEEPEST * fall))
+
+
+def rounded(times: Array, share: Array, width: float) -> Array:
+    """Return the average of a curve over `width` seconds around each time, shape (n,): it has no corners.
+
+    Exactly the curve where it is even.
+    """
+    area = np.append(0.0, np.cumsum(0.5 * (share[1:] + share[:-1]) * np.diff(times)))
+    first, last = _around(times, width)
+    spread = np.interp(last, times, area) - np.interp(first, times, area)
+    average = spread / np.maximum(last - first, _INSTANT)
+    least, most = lowest(times, share, width), -lowest(times, -share, width)
+    return np.asarray(np.clip(average, least, most))
+
+
+def lowest(times: Array, share: Array, width: float) -> Array:
+    """Return the least of a curve within `width` seconds around each time, shape (n,)."""
+    first, last = _around(times, width)
+    # A time at the very end of a stretch is in it, however the numbers are rounded.
+    low = np.searchsorted(times, first - _INSTANT, side="left")
+    count = np.searchsorted(times, last + _INSTANT, side="right") - low
+    # The least of a range is that of two ranges as long as powers of two that cover it.
+    powers = np.frexp(count.astype(np.float64))[1] - 1
+    found, least = np.empty(len(times)), share
+    for power in range(int(powers.max()) + 1):
+        here = np.flatnonzero(powers == power)
+        found[here] = np.minimum(least[low[here]], least[low[here] + count[here] - 2**power])
+        least = np.minimum(least[: -(2**power)], least[2**power :])
+    return found
+
+
+def _around(times: Array, width: float) -> tuple[Array, Array]:
+    """Return the ends of the stretches of `width` seconds around the times that lie between the times."""
+    half = 0.5 * width
+    return np.maximum(times - half, times[0]), np.minimum(times + half, times[-1])
 
 
 def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:

@@ -11,13 +11,17 @@ import numpy as np
 
 from .channels import Channel
 from .intervals import EMPTY, Array, Spans
-from .knots import eased, inverse_smoothstep
+from .knots import eased, lowest, rounded
 from .levels import Levels, outranking, outranks
 from .mouth import JAW, Block, Mouth
 
 LIPS = "lips"
-JAW_SHARE = 0.35
-"""The share of another channel's jaw that is added to the lips' own while the mouth speaks."""
+JAW_SHARE = 0.85
+"""The share of another channel's jaw that is added to a jaw of the lips' own that is up."""
+
+
+ROUNDED = 0.04
+"""Seconds over which what a channel keeps turns from falling to rising: no corner is seen in a jaw."""
 
 
 class Limits:
@@ -33,10 +37,15 @@ class Limits:
         """Return whether a channel's parameter is limited at some time."""
         return channel.name != LIPS and name in self.mouth.limited
 
-    def jaw_share(self, channel: Channel, times: Array) -> Array:
-        """Return the share of a channel's jaw that is added to the lips' at sorted times, shape (n,)."""
+    def jaw_share(self, channel: Channel, times: Array, own: Array) -> Array:
+        """Return the share of a channel's jaw that is added to the lips' `own` at sorted times, shape (n,).
+
+        It opens the jaw by its part of the way that speech leaves, so that it lowers a high jaw nearly as far
+        as in silence and a low one less.
+        """
         free = outranks(channel.levels, self._lips, times)
-        return 1.0 - (1.0 - JAW_SHARE) * self.mouth.speaking_at(times) * (1.0 - free)
+        less = 1.0 - JAW_SHARE * (1.0 - own)
+        return 1.0 - less * self.mouth.speaking_at(times) * (1.0 - free)
 
     def applied(self, channel: Channel, name: str, times: Array, values: Array, own: Array) -> Array:
         """Return what is left of a channel's values at sorted times, all shape (n,).
@@ -75,10 +84,13 @@ class Limits:
             asked[index] = values
             limit = self._freed(channel, knots, block.limit(name), block.closures(name))
             if name == JAW:
-                asked *= self.jaw_share(channel, knots)
-                limit = np.maximum(limit - block.own(name), 0.0)
+                own = block.own(name)
+                asked *= self.jaw_share(channel, knots, own)
+                limit = np.maximum(limit - own, 0.0)
             share = np.divide(limit, asked, out=np.ones(len(knots)), where=asked > limit)
-            block.kept[key] = eased(
-                knots, inverse_smoothstep(share), tuning.min_onset[name], tuning.min_offset[name]
-            )
+            if (share < 1.0).any():
+                share = lowest(knots, share, ROUNDED)
+                share = eased(knots, share, tuning.min_onset[name], tuning.min_offset[name])
+                share = rounded(knots, share, ROUNDED)
+            block.kept[key] = share
         return block.kept[key]

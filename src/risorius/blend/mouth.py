@@ -211,8 +211,9 @@ class Block:
         return self._curve("limit", name, make)
 
     def own(self, name: str) -> Array:
-        """Return the segments' own curve of a parameter at the knots."""
-        return self._spoken[name]
+        """Return the segments' own curve of a parameter at the knots: 0 where none of them moves it."""
+        found = self._spoken.get(name)
+        return np.zeros(len(self.knots)) if found is None else found
 
     @cached_property
     def _spoken(self) -> Mapping[str, Array]:

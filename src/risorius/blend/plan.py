@@ -24,7 +24,7 @@ from .channels import Channel, Curve, compile_channels
 from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
 from .conflict import POLICIES, Field, Join
-from .contact import CONTACTS, SEAL, TUCK
+from .contact import CONTACTS, SEAL, TUCK, beside_tuck
 from .directions import combine_directions
 from .intervals import Array, Indices
 from .knots import BLOCK
@@ -159,13 +159,13 @@ class Moment:
 
     def bounded(self, channel: Channel, name: str, index: Indices, settled: Array, own: Array) -> Array:
         """Return what is left of another channel's settled values, at the indices, under speech, (m,)."""
-        return self.limited(channel, name, index, self.shared(channel, name, index, settled), own)
+        return self.limited(channel, name, index, self.shared(channel, name, index, settled, own), own)
 
-    def shared(self, channel: Channel, name: str, index: Indices, values: Array) -> Array:
+    def shared(self, channel: Channel, name: str, index: Indices, values: Array, own: Array) -> Array:
         """Return another channel's values, the jaw's as what it adds to the jaw of speech, shape (m,)."""
         if name != JAW or self._limits is None:
             return values
-        return values * self._limits.jaw_share(channel, self.times[index])
+        return values * self._limits.jaw_share(channel, self.times[index], own[index])
 
     def limited(self, channel: Channel, name: str, index: Indices, values: Array, own: Array) -> Array:
         """Return another channel's values within the limits of speech, shape (m,)."""
@@ -192,7 +192,7 @@ class Moment:
         """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside.
 
         A seal's goal closes what is left open beyond the way to the closure (`approach`), so that the gap
-        goes no faster where it sets in. Beside a tuck it comes late: the gap falls evenly so.
+        goes no faster where it sets in. A tuck leaves it `beside_tuck`.
         """
         lips = self.plan.lips
         if lips is None:
@@ -206,7 +206,7 @@ class Moment:
         own, seal = self.sealed(lips, rig)
         # What other channels seal besides.
         kept = np.divide(1.0 - value, 1.0 - own, out=np.ones(len(own)), where=own < value)
-        return (1.0 - (1.0 - seal) * kept) * (1.0 - tuck) ** 1.5
+        return (1.0 - (1.0 - seal) * kept) * beside_tuck(tuck)
 
     def sealed(self, lips: Lips, rig: LipRig) -> tuple[Array, Array]:
         """Return the seal that the segments ask for, and with what brings the gap to it, shape (n,) both."""

@@ -61,8 +61,9 @@ CONTROLS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "open": {"depressor_labii": 1.0, "levator_labii_superioris": 0.14},
         "upper": {"levator_labii_superioris": 1.0},
         "round": {"orbicularis_oris_funneler": 1.0},
-        # Two muscles by half, so that the width of a vowel needs less of each than would inhibit a smile.
-        "spread": {"zygomatic_major": 0.5, "risorius": 0.5},
+        # Not the risorius: beside a triangularis, which pulls nearly the same way, it widens nothing, so that
+        # vowels lost their width in sadness. And no smile is a rival of this one.
+        "spread": {"zygomatic_major": 1.0},
         "lift": {"zygomatic_major": 1.0},
         "lower": {"triangularis": 1.0},
     }

@@ -25,7 +25,7 @@ Array = npt.NDArray[np.float64]
 FILE = "lips.npz"
 SAMPLES = 1200
 # The largest activation of each control that speech comes to.
-LARGEST = {"jaw": 0.5, "open": 1.0, "upper": 0.6, "round": 0.95, "spread": 0.5, "lift": 0.3, "lower": 0.3}
+LARGEST = {"jaw": 0.5, "open": 1.0, "upper": 0.6, "round": 0.95, "spread": 0.4, "lift": 0.3, "lower": 0.3}
 # Share of the samples in which a control is at rest, as most are most of the time.
 AT_REST = 0.35
 OPEN_MM = 0.3

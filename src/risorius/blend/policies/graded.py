@@ -17,7 +17,7 @@ from ...core.parameters import RIVALS
 from ..channels import Channel
 from ..conflict import POLICIES, Field, Hindrance, Join, Settle
 from ..intervals import Array
-from ..knots import STEEPEST, Knots, eased
+from ..knots import STEEPEST, Knots, eased, smoothstep
 from .strength import Strengths
 
 WIDTH = 0.4
@@ -56,7 +56,7 @@ class Graded:
 
         def kept(parameter: str, strongest: Array) -> Array:
             onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
-            return eased(knots, 1.0 - strongest, onset, offset)
+            return eased(knots, smoothstep(1.0 - strongest), onset, offset)
 
         return Strengths(self._field, knots, strength, kept)
 

@@ -1,0 +1,67 @@
+"""Curves on knots: ramps at an even pace, curves that change no faster than they may, and without corners."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from risorius.blend.knots import STEEPEST, eased, inverse_ramp, lowest, ramp, rounded
+
+SHARES = arrays(np.float64, 60, elements=st.floats(0.0, 1.0))
+STEPS = arrays(np.float64, 60, elements=st.floats(0.001, 0.01))
+WIDTH = 0.04
+
+
+def test_a_ramp_goes_from_0_to_1_and_rests_at_both_ends() -> None:
+    values = ramp(np.linspace(0.0, 1.0, 1001))
+    speed = np.diff(values) * 1000.0
+    assert (values[0], values[500], values[-1]) == (0.0, 0.5, 1.0)
+    assert speed.max() == pytest.approx(STEEPEST)
+    assert max(speed[0], speed[-1]) < 0.01
+
+
+@given(share=SHARES)
+def test_a_ramp_is_undone_and_what_is_whole_stays_whole(share: np.ndarray) -> None:
+    assert ramp(inverse_ramp(share)) == pytest.approx(share, abs=1e-12)
+    assert ramp(inverse_ramp(np.array([0.0, 1.0]))).tolist() == [0.0, 1.0]
+
+
+@given(share=SHARES, steps=STEPS)
+def test_an_eased_curve_keeps_below_and_within_its_pace(share: np.ndarray, steps: np.ndarray) -> None:
+    times = np.cumsum(steps)
+    found = eased(times, share, 0.2, 0.1)
+    speed = np.diff(found) / np.diff(times)
+    assert (found <= share + 1e-9).all()
+    assert speed.max() <= 1.0 / 0.2 + 1e-6
+    assert speed.min() >= -1.0 / 0.1 - 1e-6
+
+
+def test_a_change_takes_little_longer_than_the_minimum() -> None:
+    times = np.linspace(0.0, 1.0, 1001)
+    found = eased(times, np.where(times < 0.5, 0.0, 1.0), 0.2, 0.1)
+    assert found[500] == pytest.approx(0.0, abs=1e-3)
+    assert found[500 + round(200 * STEEPEST) + 1] == pytest.approx(1.0, abs=1e-6)
+
+
+@given(share=SHARES, steps=STEPS)
+def test_the_lowest_of_all_times_around(share: np.ndarray, steps: np.ndarray) -> None:
+    times = np.cumsum(steps)
+    near = np.abs(times[:, None] - times) <= WIDTH / 2.0 + 1e-9
+    assert (lowest(times, share, WIDTH) == np.where(near, share, np.inf).min(axis=1)).all()
+
+
+def test_a_rounded_curve_has_no_corner_and_is_exact_where_it_is_even() -> None:
+    times = np.linspace(0.0, 1.0, 501)
+    corner = 0.9 - np.abs(times - 0.5).clip(0.0, 0.3)
+    found = rounded(times, corner, WIDTH)
+    assert (found[times < 0.17] == corner[times < 0.17]).all()
+    assert np.abs(np.diff(found, 2)).max() < 0.2 * np.abs(np.diff(corner, 2)).max()
+
+
+@given(share=SHARES, steps=STEPS)
+def test_rounded_after_the_lowest_is_not_above_the_curve(share: np.ndarray, steps: np.ndarray) -> None:
+    times = np.cumsum(steps)
+    assert (rounded(times, lowest(times, share, WIDTH), WIDTH) <= share + 1e-12).all()
