@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import compile_cache
+from .core.npz import read_arrays
 
 MOST_FILES = 64  # a head at one age needs five
 
@@ -57,8 +58,9 @@ def _digest(given: Sequence[npt.ArrayLike]) -> str:
 
 def _read(path: Path) -> tuple[AnyArray, ...] | None:
     try:
-        with path.open("rb") as whole, np.load(whole, allow_pickle=False) as file:
-            return tuple(file[f"arr_{k}"] for k in range(len(file.files)))
+        with path.open("rb") as whole:
+            arrays = read_arrays(whole)
+        return tuple(arrays[f"arr_{k}"] for k in range(len(arrays)))
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
         return None
 

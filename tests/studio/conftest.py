@@ -8,14 +8,16 @@ import struct
 import threading
 from contextlib import contextmanager
 
-# Loaded here: pytest rewrites it, for which the server's thread is too deep (Python 3.11).
-import anyio._backends._asyncio  # noqa: F401
+# Loaded here: pytest rewrites them, and must not while another thread makes syntax trees (see `compiled`).
+import hypothesis  # noqa: F401
 import pytest
 import uvicorn
 from websockets.sync.client import connect
 
 from risorius.studio.app import Studio
 from risorius.studio.server import bound, configured
+
+from .compiled import compile_faces
 
 LINE = "Oh really? I like it very much."
 
@@ -96,6 +98,7 @@ class Server:
 @contextmanager
 def serving(folder):
     """Run a server in a thread."""
+    compile_faces()
     listening = bound(0)
     studio = Studio(folder)
     server = uvicorn.Server(configured(studio))

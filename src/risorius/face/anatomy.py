@@ -18,6 +18,7 @@ import numpy.typing as npt
 from scipy.sparse.linalg import splu
 from scipy.spatial.distance import cdist
 
+from ..core.npz import read_arrays
 from ..errors import HeadError, Place
 from .muscle_table import ForceType, Muscle
 from .stiffness import spring_stiffness
@@ -140,11 +141,11 @@ def load_pulls(folder: Path, names: tuple[str, ...]) -> dict[str, Pull]:
     """
     path = folder / FILE
     try:
-        with np.load(path, allow_pickle=False) as archive:
-            return {
-                name: Pull(*(archive[f"{name}/{part}"].astype(np.float64) for part in ("places", "weights")))
-                for name in names
-            }
+        arrays = read_arrays(path)
+        return {
+            name: Pull(*(arrays[f"{name}/{part}"].astype(np.float64) for part in ("places", "weights")))
+            for name in names
+        }
     except (OSError, ValueError, KeyError) as error:
         raise HeadError(f"not a file of muscle weights: {error}", Place(str(path))) from error
 

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ..core.npz import read_arrays
 from ..errors import HeadError, Place
 from .subdivide import FloatArray, IntArray
 
@@ -30,8 +31,7 @@ class HeadFile:
     def read(cls, path: Path) -> HeadFile:
         """Read all arrays; raise HeadError where the file is no head file of this format."""
         try:
-            with np.load(path, allow_pickle=False) as archive:
-                arrays = {name: archive[name] for name in archive.files}
+            arrays = read_arrays(path)
         except (OSError, ValueError, zipfile.BadZipFile) as error:
             raise HeadError(f"not a head file: {error}", Place(str(path))) from error
         file = cls(path, arrays)

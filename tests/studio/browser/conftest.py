@@ -12,6 +12,7 @@ import uvicorn
 from risorius.studio.app import Studio
 from risorius.studio.server import bound, configured
 
+from ..compiled import compile_faces
 from .driving import CHROMIUM, DRIVER, Page, open_browser, waited
 
 
@@ -27,6 +28,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(scope="session")
 def studio_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    compile_faces()
     listening = bound(0)
     server = uvicorn.Server(configured(Studio(tmp_path_factory.mktemp("studio"))))
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
