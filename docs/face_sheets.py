@@ -40,6 +40,7 @@ COLOURS = 256
 STRENGTHS = (0.5, 1.0)
 HEAD_UNITS = range(51, 57)
 INTENSITIES = (0.35, 0.7, 1.0)
+SIX = ("anger", "disgust", "fear", "happiness", "sadness", "surprise")
 AGES = (25.0, 45.0, 70.0)
 # One phone for each of the twelve mouth shapes that speech shows.
 VISEMES = ("M", "F", "TH", "T", "L", "S", "SH", "K", "R", "UW", "IY", "AA")
@@ -124,7 +125,7 @@ def emotion_intensities() -> Image.Image:
     return sheet(
         {
             f"{name} {strength:g}, {age:g}": studio.take(emotion(name).targets(strength))
-            for name in emotions()
+            for name in SIX
             for age, studio in studios.items()
             for strength in INTENSITIES
         },

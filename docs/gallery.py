@@ -18,7 +18,6 @@ from PIL import Image
 
 from risorius.core.look import FRAMINGS, HAIR_STYLES, LIGHTS, STYLES, Look
 from risorius.pipeline import pose, speak
-from risorius.rules.emotions import emotions
 from risorius.settings import Settings
 
 Picture = npt.NDArray[np.uint8]
@@ -26,6 +25,7 @@ Picture = npt.NDArray[np.uint8]
 ROOT = Path(__file__).parent.parent
 PICTURES = ROOT / "docs" / "pictures"
 SIZE = 360
+SIX = ("anger", "disgust", "fear", "happiness", "sadness", "surprise")
 HEADS = ("amara", "mei", "kenji", "ines", "kwame", "olaf")
 SMILE = {"AU6": 0.7, "AU12": 0.75, "AU25": 0.3, "masseter": 0.08}
 QUALITY = 88
@@ -57,7 +57,7 @@ def six_heads(path: Path) -> None:
 
 def six_emotions(path: Path) -> None:
     """The six emotions, one on each head."""
-    sheet([shown(name, head) for name, head in zip(emotions(), HEADS, strict=True)], 3, path)
+    sheet([shown(name, head) for name, head in zip(SIX, HEADS, strict=True)], 3, path)
 
 
 def styles(path: Path) -> None:

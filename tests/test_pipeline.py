@@ -52,7 +52,10 @@ def test_the_smile_yields_before_the_rounded_lips_of_very_and_returns(demo: riso
     smile, rounded = demo.curves[SMILE], demo.curves[FUNNELER] > 0.1
     during = (demo.times > very.start) & (demo.times < very.end) & rounded
     assert during.any()
-    assert (smile[during] < 0.1).all()
+    # What is left there is the lips' own: an /EH/ is a little spread.
+    (shown,) = (trace.given for trace in demo.traces(SMILE) if trace.channel == "emotion")
+    assert (shown[during] < 0.05).all()
+    assert (smile[during] < 0.15).all()
     first = np.flatnonzero(during)[0]
     assert smile[first - 3] > smile[first - 1], "the smile gives way over several frames"
     assert smile[demo.times > 2.9].max() > 0.85
