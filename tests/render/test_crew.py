@@ -65,3 +65,8 @@ def test_buffers_bound_the_crew(head, monkeypatch):
     renderer = Renderer(head, (64, 64))
     monkeypatch.setattr(Renderer, "buffer_bytes", 10**12)
     assert Crew(renderer).threads == 1
+
+
+def test_a_single_picture_makes_no_twin(head, face, monkeypatch):
+    monkeypatch.setattr(Renderer, "twin", lambda self: pytest.fail("a twin was made"))
+    assert len(list(Crew(Renderer(head, (64, 64)), 4).draw([(face(), None)]))) == 1

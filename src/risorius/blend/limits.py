@@ -19,7 +19,6 @@ LIPS = "lips"
 JAW_SHARE = 0.85
 """The share of another channel's jaw that is added to a jaw of the lips' own that is up."""
 
-
 ROUNDED = 0.04
 """Seconds over which what a channel keeps turns from falling to rising: no corner is seen in a jaw."""
 

@@ -30,10 +30,9 @@ class Crew:
     def __init__(self, renderer: Renderer, threads: int | None = None) -> None:
         afforded = max(1, _MEMORY // renderer.buffer_bytes)
         self.threads = threads or min(_processors(), MOST, afforded)
+        self._first, self._count = renderer, 1
         self._idle: SimpleQueue[Renderer] = SimpleQueue()
         self._idle.put(renderer)
-        for _ in range(self.threads - 1):
-            self._idle.put(renderer.twin())
 
     def draw(self, jobs: Iterable[Job]) -> Iterator[ByteArray]:
         """Yield the picture of each job in turn: a frame, and how much of each parameter is kept down.
@@ -45,6 +44,7 @@ class Crew:
         pool = ThreadPoolExecutor(self.threads, "picture")
         try:
             for frame, kept_down in jobs:
+                self._enlarge(len(at_work) + 1)
                 at_work.append(pool.submit(self._draw, frame.copy(), kept_down))
                 if len(at_work) > self.threads:
                     yield at_work.popleft().result()
@@ -52,6 +52,15 @@ class Crew:
                 yield at_work.popleft().result()
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
+
+    def _enlarge(self, wanted: int) -> None:
+        """Have as many renderers as are `wanted`, up to `threads`: one for a single picture.
+
+        A twin may be made of one at work, since each picture writes anew all that is not shared.
+        """
+        while self._count < min(wanted, self.threads):
+            self._idle.put(self._first.twin())
+            self._count += 1
 
     def _draw(self, frame: FaceFrame, kept_down: Array | None) -> ByteArray:
         renderer = self._idle.get()

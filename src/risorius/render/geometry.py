@@ -1,7 +1,4 @@
-"""What happens to the vertices of a frame: the head's rotation, and the normals of the moved surface.
-
-A fraction of a millisecond each: not worth the time that parallel kernels take to compile.
-"""
+"""What happens to the vertices of a frame: the head's rotation, and the normals of the moved surface."""
 
 from __future__ import annotations
 
@@ -10,12 +7,12 @@ from copy import copy
 import numpy as np
 import numpy.typing as npt
 
-from .jit import exact, f4
+from .jit import exact_kernel, f4
 from .raster import FloatArray, IntArray
 from .vec import at, cross, sub, unit
 
 
-@exact
+@exact_kernel
 def turn(
     points: FloatArray, weight: FloatArray, rotation: FloatArray, pivot: FloatArray, out: FloatArray
 ) -> None:
@@ -27,7 +24,7 @@ def turn(
             out[i, row] = points[i, row] + weight[i] * (moved - points[i, row])
 
 
-@exact
+@exact_kernel
 def face_normals(points: FloatArray, faces: IntArray, out: FloatArray) -> None:
     """Write the normals of `faces` (m, 4), twice their areas long; a triangle repeats its last corner."""
     for f in range(len(faces)):
@@ -36,7 +33,7 @@ def face_normals(points: FloatArray, faces: IntArray, out: FloatArray) -> None:
         out[f, 0], out[f, 1], out[f, 2] = cross(first, second)
 
 
-@exact
+@exact_kernel
 def vertex_normals(normals: FloatArray, starts: IntArray, around: IntArray, out: FloatArray) -> None:
     """Write unit normals of vertices from those of the faces at each, `around[starts[i]:starts[i + 1]]`."""
     for i in range(len(starts) - 1):

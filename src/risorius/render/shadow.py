@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .camera import snap
-from .jit import device, exact, f4, index, summing
+from .jit import device, exact, exact_kernel, f4, index, summing
 from .raster import ByteArray, FloatArray, IntArray, Visibility
 from .vec import Vec, at
 
@@ -76,7 +76,7 @@ def transform(matrix: FloatArray, p: Vec) -> Vec:
     )
 
 
-@exact
+@exact_kernel
 def flatten(points: FloatArray, matrix: FloatArray, xy: IntArray, key: FloatArray) -> None:
     """Write positions in 1/256 texel and depths of points (n, 3) for `light_matrix`."""
     for i in range(len(points)):
@@ -86,34 +86,27 @@ def flatten(points: FloatArray, matrix: FloatArray, xy: IntArray, key: FloatArra
         key[i] = max(d, f4(0.001))
 
 
-@exact
+@exact_kernel
 def find_bounds(depth: FloatArray, rows: FloatArray, low: FloatArray, high: FloatArray) -> None:
     """Write the least and the greatest depth among _TAPS texels from each on, across and down."""
-    last = depth.shape[0] - _TAPS + 1
-    _greatest(depth, rows, depth.shape[0], last, 0, 1)
-    _greatest(rows, high, last, last, 1, 0)
-    _least(depth, rows, depth.shape[0], last, 0, 1)
-    _least(rows, low, last, last, 1, 0)
+    size = depth.shape[0]
+    last = size - _TAPS + 1
+    for bound, sign in ((high, f4(1)), (low, f4(-1))):
+        _greatest(depth, rows, size, last, 0, 1, sign)
+        _greatest(rows, bound, last, last, 1, 0, sign)
 
 
 @exact
-def _greatest(of: FloatArray, out: FloatArray, height: int, width: int, down: int, right: int) -> None:
+def _greatest(
+    of: FloatArray, out: FloatArray, height: int, width: int, down: int, right: int, sign: float
+) -> None:
+    """Write the greatest of _TAPS values from each on, `down` or `right`; for a sign of −1 the least."""
     for j in range(height):
         for i in range(width):
-            found = of[j, i]
+            found = sign * of[j, i]
             for k in range(1, _TAPS):
-                found = max(found, of[j + k * down, i + k * right])
-            out[j, i] = found
-
-
-@exact
-def _least(of: FloatArray, out: FloatArray, height: int, width: int, down: int, right: int) -> None:
-    for j in range(height):
-        for i in range(width):
-            found = of[j, i]
-            for k in range(1, _TAPS):
-                found = min(found, of[j + k * down, i + k * right])
-            out[j, i] = found
+                found = max(found, sign * of[j + k * down, i + k * right])
+            out[j, i] = sign * found
 
 
 @device
