@@ -43,6 +43,7 @@ from .patch import put as put_colour
 from .skin_lamps import edge_light, lamp_light
 
 _FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
+_NEAR = f4(1.5)  # mm within which a shadow's soft edge, some 6 mm wide, is as good as straight
 _PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 
@@ -171,14 +172,27 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 @device
 def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
     """Find how much of the key lamp and of the room's light arrives."""
+    for k in range(0, count, 2):
+        block[SHADOW + k] = key_share(light, get(block, POSITION, k))
+    for k in range(1, count, 2):
+        if k + 1 < count and _near(block, k - 1) and _near(block, k):
+            block[SHADOW + k] = f4(0.5) * (block[SHADOW + k - 1] + block[SHADOW + k + 1])
+        else:
+            block[SHADOW + k] = key_share(light, get(block, POSITION, k))
     for k in range(count):
-        p, free, inner = get(block, POSITION, k), block[FREE + k], block[INNER + k]
-        shadow = key_share(light, p)
+        free, inner = block[FREE + k], block[INNER + k]
         if inner > f4(0.02):
-            seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
+            seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, get(block, POSITION, k))
             free += (seen - free) * inner
-            shadow *= f4(1) + (seen - f4(1)) * inner
-        block[OPENED + k], block[SHADOW + k] = free, shadow
+            block[SHADOW + k] *= f4(1) + (seen - f4(1)) * inner
+        block[OPENED + k] = free
+
+
+@device
+def _near(block: FloatArray, k: int) -> bool:
+    """Return whether so little lies between patch k and the next that the edge of a shadow is straight."""
+    way = sub(get(block, POSITION, k + 1), get(block, POSITION, k))
+    return dot(way, way) < _NEAR * _NEAR
 
 
 @device
