@@ -22,6 +22,7 @@ from .garment import neckline, standing_off
 from .geometry import Normals, turn
 from .inputs import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR, Pose
 from .jit import f4
+from .lanes import LAMPS
 from .lashes import grow_lashes
 from .occlusion import Occluder, bake
 from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
@@ -108,8 +109,8 @@ class HeadScene:
         mesh = Occluder(self._local, normals, self.triangles[solid], self.two_sided[solid])
         free, reach = bake(mesh, *self.anatomy.sphere(), lamps)
         self.attributes[:count, OCCLUSION] = free[:count] ** _SOFTENED
-        self.reach: FloatArray = np.ones((len(self.rest), len(lamps)), np.float32)
-        self.reach[:count, 1:] = reach[:count]
+        self.reach: FloatArray = np.ones((len(self.rest), LAMPS), np.float32)
+        self.reach[:count, 1 : len(lamps)] = reach[:count]
         covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast

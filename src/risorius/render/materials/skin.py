@@ -16,10 +16,12 @@ from ..lanes import (
     FREE,
     GRAIN,
     INNER,
+    LAMPS,
     LANES,
     NORMAL,
     OPENED,
     POSITION,
+    REACH,
     REST,
     ROUGHNESS,
     SHADOW,
@@ -44,6 +46,7 @@ from .skin_lamps import edge_light, lamp_light
 
 _FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
 _NEAR = f4(1.5)  # mm within which a shadow's soft edge, some 6 mm wide, is as good as straight
+_EVEN = f4(0.06)  # shares of the key lamp that differ by less have nothing between them
 _PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 
@@ -75,7 +78,7 @@ def _shade_block(
     _shadow(count, block, light, pose)
     _fill(block, light)
     for lamp in range(len(light.lamps)):
-        lamp_light(count, lamp, batch, mesh, light.lamps, tables.diffuse)
+        lamp_light(count, lamp, block, light.lamps, tables.diffuse)
     edge_light(block, light.room)
     for k in range(count):
         put_colour(batch.colour, batch.chosen[k], add(get(block, TOTAL, k), get(block, SHINE, k)))
@@ -97,6 +100,10 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh, pixel: float) -> bool:
     put(block, POSITION, lane, weigh(mesh.positions, corners, weights, 0))
     put(block, NORMAL, lane, weigh(mesh.normals, corners, weights, 0))
     put(block, REST, lane, weigh(mesh.rest, corners, weights, 0))
+    (a, b, c), (u, v, w) = corners, weights
+    for lamp in range(LAMPS):
+        reach: float = u * mesh.reach[a, lamp] + v * mesh.reach[b, lamp] + w * mesh.reach[c, lamp]
+        block[REACH + lamp * LANES + lane] = reach
     return True
 
 
@@ -172,13 +179,14 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 @device
 def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
     """Find how much of the key lamp and of the room's light arrives."""
-    for k in range(0, count, 2):
+    for k in range(0, count, 4):
         block[SHADOW + k] = key_share(light, get(block, POSITION, k))
-    for k in range(1, count, 2):
-        if k + 1 < count and _near(block, k - 1) and _near(block, k):
-            block[SHADOW + k] = f4(0.5) * (block[SHADOW + k - 1] + block[SHADOW + k + 1])
-        else:
-            block[SHADOW + k] = key_share(light, get(block, POSITION, k))
+    for step in (2, 1):
+        for k in range(step, count, 2 * step):
+            if k + step < count and _smooth(block, k, step):
+                block[SHADOW + k] = f4(0.5) * (block[SHADOW + k - step] + block[SHADOW + k + step])
+            else:
+                block[SHADOW + k] = key_share(light, get(block, POSITION, k))
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
         if inner > f4(0.02):
@@ -189,10 +197,13 @@ def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
 
 
 @device
-def _near(block: FloatArray, k: int) -> bool:
-    """Return whether so little lies between patch k and the next that the edge of a shadow is straight."""
-    way = sub(get(block, POSITION, k + 1), get(block, POSITION, k))
-    return dot(way, way) < _NEAR * _NEAR
+def _smooth(block: FloatArray, k: int, step: int) -> bool:
+    """Return whether patch k lies near those `step` before and after, and the shadow's edge is straight."""
+    p, before, after = get(block, POSITION, k), block[SHADOW + k - step], block[SHADOW + k + step]
+    back, on = sub(p, get(block, POSITION, k - step)), sub(get(block, POSITION, k + step), p)
+    near = _NEAR * f4(step)
+    close = dot(back, back) < near * near and dot(on, on) < near * near
+    return close and (step == 1 or abs(after - before) < _EVEN)
 
 
 @device
