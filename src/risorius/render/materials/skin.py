@@ -38,15 +38,14 @@ from ..noise import between, cell_of, heights_about
 from ..raster import FloatArray
 from ..vec import Vec, add, along, dot, rows_of, scale, smooth, sub, tilted, times, turned, unit, weigh
 from .folds import bent, creased
-from .lit import glow, key_share, room_of
+from .lit import glow, room_of
 from .mouth import past_lips
 from .patch import corners_of, weights_of
 from .patch import put as put_colour
+from .shadows import find_shadows
 from .skin_lamps import edge_light, lamp_light
 
 _FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
-_NEAR = f4(1.5)  # mm within which a shadow's soft edge, some 6 mm wide, is as good as straight
-_EVEN = f4(0.06)  # shares of the key lamp that differ by less have nothing between them
 _PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 
@@ -179,14 +178,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 @device
 def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
     """Find how much of the key lamp and of the room's light arrives."""
-    for k in range(0, count, 4):
-        block[SHADOW + k] = key_share(light, get(block, POSITION, k))
-    for step in (2, 1):
-        for k in range(step, count, 2 * step):
-            if k + step < count and _smooth(block, k, step):
-                block[SHADOW + k] = f4(0.5) * (block[SHADOW + k - step] + block[SHADOW + k + step])
-            else:
-                block[SHADOW + k] = key_share(light, get(block, POSITION, k))
+    find_shadows(count, block, light)
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
         if inner > f4(0.02):
@@ -194,16 +186,6 @@ def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
             free += (seen - free) * inner
             block[SHADOW + k] *= f4(1) + (seen - f4(1)) * inner
         block[OPENED + k] = free
-
-
-@device
-def _smooth(block: FloatArray, k: int, step: int) -> bool:
-    """Return whether patch k lies near those `step` before and after, and the shadow's edge is straight."""
-    p, before, after = get(block, POSITION, k), block[SHADOW + k - step], block[SHADOW + k + step]
-    back, on = sub(p, get(block, POSITION, k - step)), sub(get(block, POSITION, k + step), p)
-    near = _NEAR * f4(step)
-    close = dot(back, back) < near * near and dot(on, on) < near * near
-    return close and (step == 1 or abs(after - before) < _EVEN)
 
 
 @device
