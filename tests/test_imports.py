@@ -20,7 +20,7 @@ ALLOWED: dict[str, set[str]] = {
     "render": {"core", "face"},
     "out": {"core", "face", "render"},
 }
-BASE = {"errors", "registry", "compile_cache", "kept"}
+BASE = {"errors", "registry", "compile_cache", "kept", "workers"}
 
 
 def _packages_imported(path: Path) -> set[str]:

@@ -158,15 +158,17 @@ class Take:
         They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
         """
         from .out.overlay import Overlays, Subject
-        from .render import Crew, picture_renderer
+        from .render import Crew, compiled_ahead, picture_renderer
 
         chosen = range(len(self.performance.values)) if indices is None else indices
         look = self.settings.look
         subject = Subject(self.performance, self.utterance)
         overlays = Overlays(look.overlay, subject, size or self.settings.size)
         with _announced_if_slow(progress):
+            with compiled_ahead(look.style):
+                first = next(self.faces([0]))
             renderer = picture_renderer(self.head, overlays.picture_size, look)
-            renderer.render(next(self.faces([0])))
+            renderer.render(first)
         kept_down = self._kept_down(chosen) if look.style == "muscles" else repeat(None)
         pictures = Crew(renderer).draw(zip(self.faces(chosen, reuse=True), kept_down, strict=False))
         for done, (frame, picture) in enumerate(zip(chosen, pictures, strict=True)):

@@ -20,6 +20,7 @@ from typing import cast
 import numpy as np
 import numpy.typing as npt
 
+from .. import workers
 from ..errors import OutputError
 from . import wire
 
@@ -51,7 +52,13 @@ class VideoEncoder:
         self._patience = patience
         self._silent_too_long = False
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
-        self._process = _start(self._complaints.fileno())
+        self._process = workers.start(
+            "risorius.out.video_worker",
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=self._complaints.fileno(),
+            bufsize=0,
+        )
         # Without buffering, pipes are raw files.
         self._input = cast(io.FileIO, self._process.stdin)
         self._answer = cast(io.FileIO, self._process.stdout)
@@ -150,20 +157,6 @@ class VideoEncoder:
                 self.finish()
         finally:
             self._stop()
-
-
-def _start(complaints: int) -> subprocess.Popen[bytes]:
-    """Start a worker that finds the same modules as this process does, but none in the current folder."""
-    # Our own package may have been found in the current folder.
-    paths = os.pathsep.join([*(entry for entry in sys.path if entry), str(Path(__file__).parents[2])])
-    return subprocess.Popen(
-        [sys.executable, "-P", "-m", "risorius.out.video_worker"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=complaints,
-        env={**os.environ, "PYTHONPATH": paths},
-        bufsize=0,
-    )
 
 
 def _widen(descriptor: int) -> None:

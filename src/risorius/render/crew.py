@@ -29,7 +29,7 @@ class Crew:
 
     def __init__(self, renderer: Renderer, threads: int | None = None) -> None:
         afforded = max(1, _MEMORY // renderer.buffer_bytes)
-        self.threads = threads or min(_processors(), MOST, afforded)
+        self.threads = threads or min(processors(), MOST, afforded)
         self._first, self._count = renderer, 1
         self._idle: SimpleQueue[Renderer] = SimpleQueue()
         self._idle.put(renderer)
@@ -70,7 +70,7 @@ class Crew:
             self._idle.put(renderer)
 
 
-def _processors() -> int:
+def processors() -> int:
     """Return how many processors this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ..inputs import CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Sight, Tables
-from ..jit import device, f4, inlined
+from ..jit import device, f4, i8, inlined
 from ..lanes import CLOTH, LANES, POSITION, SHADOW, get
 from ..lanes import put as put_lane
 from ..noise import grain
@@ -24,13 +24,13 @@ _UP = (f4(0), f4(1), f4(0))
 @device
 def shade_cloth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables) -> None:
     """Colour the patches of cloth among the first n of a row, and blend its edge into the skin's."""
-    count = 0
+    count = i8(0)
     for k in range(n):
         if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, sight.pixel):
             count += 1
             if count == LANES:
                 _shade_block(count, batch, mesh, sight, light, tables)
-                count = 0
+                count = i8(0)
     if count:
         _shade_block(count, batch, mesh, sight, light, tables)
 

@@ -6,7 +6,7 @@ import math
 
 from ..creases import DIMPLES, FOLD, FURROW, KIND, SHADOW, SHARE
 from ..inputs import Mesh, Pose, Tables
-from ..jit import device, f4
+from ..jit import device, f4, i8
 from ..noise import grain
 from ..vec import Vec, along, dot, rotate, saturate, unit
 from .patch import Corners
@@ -33,7 +33,7 @@ def creased(
     total, dark = (f4(0), f4(0), f4(0)), f4(0)
     # One pixel covers more of the skin where it turns away.
     blur = pixel / max(facing, f4(0.25))
-    bits, r = mesh.crease_regions[t], 0
+    bits, r = mesh.crease_regions[t], i8(0)
     while bits:
         if bits & 1:
             height = _height(mesh, corners, weights, r)

@@ -21,7 +21,7 @@ from ..inputs import (
     Sight,
     Tables,
 )
-from ..jit import device, f4, inlined
+from ..jit import device, f4, i8, inlined
 from ..lanes import LANES, POSITION, SHADOW, get
 from ..lanes import put as put_lane
 from ..vec import Vec, along, dot, mix, saturate, scale, smooth, sub, times, unit, unrotate, weigh
@@ -53,7 +53,7 @@ def shade_plain(
     paint: Paint,
 ) -> None:
     """Colour the patches of skin, eyes, teeth and tongue among the first n of a row."""
-    count = 0
+    count = i8(0)
     for k in range(n):
         t = batch.triangle[k]
         if mesh.surfaces[t] <= TONGUE:
@@ -63,7 +63,7 @@ def shade_plain(
             count += 1
             if count == LANES:
                 _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
-                count = 0
+                count = i8(0)
     if count:
         _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
 

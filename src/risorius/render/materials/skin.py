@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from .. import inputs
 from ..inputs import SKIN, Batch, Light, Mesh, Pose, Sight, Tables
-from ..jit import device, f4, inlined
+from ..jit import device, f4, i8, inlined
 from ..lanes import (
     ALBEDO,
     BUMPY,
@@ -54,13 +54,13 @@ def shade_skin(
     n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of bare skin among the first n of a row."""
-    count = 0
+    count = i8(0)
     for k in range(n):
         if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, sight.pixel):
             count += 1
             if count == LANES:
                 _shade_block(count, batch, mesh, sight, light, pose, tables)
-                count = 0
+                count = i8(0)
     if count:
         _shade_block(count, batch, mesh, sight, light, pose, tables)
 
