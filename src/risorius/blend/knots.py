@@ -91,7 +91,7 @@ of the minimum durations, and not at once."""
 
 
 def paced(times: Array, asked: Array) -> Array:
-    """Return a clock by which a share, 0..1, of what is `asked` may go as fast as by `times` of 1, shape (n,).
+    """Return a clock by which a share of what is `asked`, 0..1, may go as by `times` of 1, shape (n,).
 
     Minimum durations are those of a muscle from rest to full: half of it comes and goes in half the time.
     """
@@ -146,7 +146,7 @@ def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:
 def _slowed(times: Array, limit: Array, duration: float) -> Array:
     if duration <= 0.0:
         return limit
-    # A step of more than 1 hinders nothing; sums of grains are exact, so that what lies far off leaves no trace.
+    # More than 1 hinders nothing. Sums of grains are exact, so that what lies far off leaves no trace.
     steps = np.minimum(np.diff(times) / duration, _FAR)
     slope = np.append(0.0, np.cumsum(_grains(steps)))
     grains = _grains(limit)
