@@ -76,10 +76,10 @@ def _late(tuck: Goal, segments: Sequence[LipSegment]) -> tuple[float, float]:
     table = sacrifice().tuck
     spared = table.waits * (tuck.end - tuck.start)
     start, end = tuck.start, tuck.end
-    for before in segments[: tuck.segment][-1:]:
+    for before in segments[max(tuck.segment - 1, 0) : tuck.segment]:
         if _is_rounded(before):
             start = max(start, min((before.start + before.end) / 2.0 + table.ramp, start + spared))
-    for after in segments[tuck.segment + 1 :][:1]:
+    for after in segments[tuck.segment + 1 : tuck.segment + 2]:
         if _is_rounded(after):
             end = min(end, max((after.start + after.end) / 2.0 - table.ramp, end - spared))
     return start, end
