@@ -56,6 +56,8 @@ class Graded:
 
         def kept(channel: Channel, parameter: str, strongest: Array) -> Array:
             onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
+            if not strongest.any():
+                return np.ones(len(knots))
             clock = paced(knots, channel.lines(parameter, knots))
             return eased(clock, smoothstep(1.0 - strongest), onset, offset)
 
