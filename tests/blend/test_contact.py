@@ -74,6 +74,24 @@ class TestGoals:
         _, tuck = curves(sealed(1.0, 1.1), tucked(1.1, 1.12), sealed(1.12, 1.2))
         assert not tuck.any()
 
+    def test_a_tuck_waits_for_a_rounded_phone_on_either_side(self) -> None:
+        free, waits = tuck_ramp(), sacrifice().tuck.waits
+        round_before, round_after = rounded(0.9, 1.0), rounded(1.1, 1.2)
+        _, tuck = curves(round_before, tucked(1.0, 1.1), round_after)
+        assert (tuck[~between(0.95, 1.15)] == 0).all()
+        assert (tuck[between(0.951 + free, 1.149 - free)] == 1).all()
+        _, tuck = curves(rounded(0.98, 1.0), tucked(1.0, 1.1), rounded(1.1, 1.12))
+        assert (tuck[between(1.0 + waits * 0.1, 1.1 - waits * 0.1)] == 1).all()
+        assert tuck[between(0.989, 0.991)].max() < 0.5
+
+
+def tuck_ramp() -> float:
+    return sacrifice().tuck.ramp
+
+
+def rounded(start: float, end: float) -> LipSegment:
+    return LipSegment("UW", start, end, {"lip_protrusion": 3.0})
+
 
 class TestCombined:
     """DESIGN, section 3: goals hold under every emotion, policy and model."""

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from risorius.blend.knots import STEEPEST, eased, inverse_ramp, lowest, ramp, rounded
+from risorius.blend.knots import STEEPEST, eased, inverse_ramp, lowest, paced, ramp, rounded
 
 SHARES = arrays(np.float64, 60, elements=st.floats(0.0, 1.0))
 STEPS = arrays(np.float64, 60, elements=st.floats(0.001, 0.01))
@@ -44,6 +44,24 @@ def test_a_change_takes_little_longer_than_the_minimum() -> None:
     found = eased(times, np.where(times < 0.5, 0.0, 1.0), 0.2, 0.1)
     assert found[500] == pytest.approx(0.0, abs=1e-3)
     assert found[500 + round(200 * STEEPEST) + 1] == pytest.approx(1.0, abs=1e-6)
+
+
+@given(share=SHARES, asked=SHARES, steps=STEPS)
+def test_what_is_asked_comes_and_goes_within_its_pace(
+    share: np.ndarray, asked: np.ndarray, steps: np.ndarray
+) -> None:
+    times = np.cumsum(steps)
+    change = np.diff(eased(paced(times, asked), share, 0.2, 0.1)) / np.diff(times)
+    most = np.maximum(asked[1:], asked[:-1])
+    assert (most * change <= 1.0 / 0.2 + 1e-6).all()
+    assert (most * change >= -1.0 / 0.1 - 1e-6).all()
+
+
+def test_a_share_of_half_changes_in_half_the_time_and_of_nothing_not_at_once() -> None:
+    times = np.linspace(0.0, 1.0, 11)
+    assert paced(times, np.full(11, 0.5)) == pytest.approx(2.0 * times)
+    assert paced(times, np.zeros(11)) == pytest.approx(4.0 * times)
+    assert paced(times, np.ones(11)) == pytest.approx(times)
 
 
 @given(share=SHARES, steps=STEPS)

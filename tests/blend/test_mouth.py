@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from risorius import blend
-from risorius.blend.limits import JAW_SHARE
 from risorius.core.movement import Dominance, LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
@@ -81,15 +80,23 @@ class TestLimits:
 
 
 class TestJaw:
-    def test_others_add_a_share_while_the_mouth_speaks(self) -> None:
+    def test_others_open_their_part_of_the_way_that_speech_leaves(self) -> None:
         speech = LipSegment("AA", 1.0, 3.0, {JAW: 0.3})
         values = curve(Score(4.0, (held(JAW, 0.6),), (speech,)), JAW)
-        assert values[2000] == pytest.approx(0.3 + 0.6 * JAW_SHARE * 0.7, abs=0.01)
+        assert values[2000] == pytest.approx(0.3 + 0.6 * 0.7, abs=0.01)
         assert values[200] == pytest.approx(0.6)
 
     def test_limits_hold_for_the_total(self) -> None:
         speech = LipSegment("AA", 1.0, 3.0, {JAW: 0.3}, {JAW: (0.0, 0.4)})
         assert curve(Score(4.0, (held(JAW, 1.0),), (speech,)), JAW)[2000] == pytest.approx(0.4, abs=0.01)
+
+    def test_half_a_drop_comes_back_in_half_the_time(self) -> None:
+        closed = LipSegment("M", 1.0, 1.1, {"lip_seal": 1.0}, {JAW: (0.0, 0.0)})
+        risen = []
+        for asked in (0.5, 1.0):
+            values = curve(Score(4.0, (held(JAW, asked),), (closed,)), JAW)[1100:]
+            risen.append(int(np.argmax(values >= 0.98 * asked)))
+        assert risen[0] == pytest.approx(risen[1] / 2.0, abs=15)
 
     def test_what_is_left_between_closures_has_no_corner(self) -> None:
         closed = [LipSegment("M", t, t + 0.08, {"lip_seal": 1.0}, {JAW: (0.0, 0.1)}) for t in (1.0, 1.3, 1.6)]

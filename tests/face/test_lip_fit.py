@@ -65,6 +65,13 @@ def test_targets_are_what_the_mesh_measures(name: str) -> None:
                 assert measured[articulator] == pytest.approx(pose[articulator], abs=CLOSE_MM), pose
 
 
+@pytest.mark.parametrize("gap", [9.0, 14.0, 20.0])
+def test_a_wide_mouth_without_a_jaw_inhibits_no_smile(gap: float) -> None:
+    made = muscles(load_lip_rig(), {"jaw_drop": 2.0, "lip_aperture": gap})
+    assert made["depressor_labii.left"] > 0.3
+    assert max(made.get(rival, 0.0) for rival in RIVALS["zygomatic_major.left"]) <= DEFAULT_THRESHOLD
+
+
 @pytest.mark.parametrize("phone", ["IY", "IH", "EH", "AE", "AA", "AH", "S", "T", "K", "N", "TH"])
 def test_unrounded_phones_have_no_funneler_and_inhibit_no_smile(phone: str) -> None:
     made = muscles(load_lip_rig(), lip_table().shape(phone).targets)

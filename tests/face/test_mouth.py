@@ -3,8 +3,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.contact import Contacts, find_contacts
+from risorius.face.head import load_head, shipped_heads
 from risorius.face.mouth import OVERLAP, STATIONS, Mouth, TeethEdge
+from risorius.face.solve import FaceSolver
 
 
 @pytest.fixture(scope="module")
@@ -17,6 +20,18 @@ def test_the_lips_do_not_overlap_at_rest(mouth, head):
     count = find_contacts(mouth.facing, mouth.matrix @ head.rest, np.inf, found)
     assert count > 100
     assert found.gap[:count].min() > -OVERLAP
+
+
+@pytest.mark.parametrize("name", shipped_heads())
+def test_a_jaw_that_opens_brings_nothing_together_and_the_corners_do_not_jump(name):
+    head = load_head(name)
+    solver, values = FaceSolver(head), NEUTRAL.copy()
+    lips = head.skin.matrix @ head.masks["lips"] > 0.5
+    skins = []
+    for opening in np.arange(0.02, 0.52, 0.02):
+        values[INDEX["masseter"]] = opening
+        skins.append(solver.solve(values).skin[lips].astype(np.float64))
+    assert np.abs(np.diff(skins, 2, axis=0)).max() < 0.1
 
 
 def test_the_line_runs_from_corner_to_corner_and_its_points_lie_together_at_rest(mouth, head):

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..core.articulators import PROTRUSION
 from ..core.movement import LipSegment
 from .intervals import Array, ranges
 from .knots import ramp
@@ -48,7 +49,7 @@ def contact_goals(segments: Sequence[LipSegment]) -> tuple[Goal, ...]:
     seals = _closures(segments, SEAL)
     tucks = []
     for tuck in _closures(segments, TUCK):
-        fitted = _fit(tuck, seals)
+        fitted = _fit(tuck, _late(tuck, segments), seals)
         if fitted is not None:
             tucks.append(fitted)
     return tuple(sorted((*seals, *tucks), key=lambda g: (g.start, g.end, g.contact)))
@@ -70,8 +71,26 @@ def _middle(goal: Goal) -> float:
     return (goal.start + goal.end) / 2.0
 
 
-def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
-    """Place a tuck between the seals around it, shortening their ramps towards it in place."""
+def _late(tuck: Goal, segments: Sequence[LipSegment]) -> tuple[float, float]:
+    """Return from when to when a tuck holds so that rounded segments beside it are round at their middles."""
+    table = sacrifice().tuck
+    spared = table.waits * (tuck.end - tuck.start)
+    start, end = tuck.start, tuck.end
+    for before in segments[max(tuck.segment - 1, 0) : tuck.segment]:
+        if _is_rounded(before):
+            start = max(start, min((before.start + before.end) / 2.0 + table.ramp, start + spared))
+    for after in segments[tuck.segment + 1 : tuck.segment + 2]:
+        if _is_rounded(after):
+            end = min(end, max((after.start + after.end) / 2.0 - table.ramp, end - spared))
+    return start, end
+
+
+def _is_rounded(segment: LipSegment) -> bool:
+    return segment.targets.get(PROTRUSION, 0.0) > 0.0
+
+
+def _fit(tuck: Goal, held: tuple[float, float], seals: list[Goal]) -> Goal | None:
+    """Place a tuck that is to be `held` between the seals around it, shortening their ramps in place."""
     table = sacrifice().tuck
     right = bisect_right(seals, _middle(tuck), key=_middle)
     left = right - 1
@@ -81,8 +100,8 @@ def _fit(tuck: Goal, seals: list[Goal]) -> Goal | None:
     if room < 2.0 * table.least_room:
         return None
     middle = min(max(_middle(tuck), free_from + table.least_room), free_to - table.least_room)
-    start = min(max(tuck.start, free_from + table.ramp), middle)
-    end = max(min(tuck.end, free_to - table.ramp), middle)
+    start = min(max(held[0], free_from + table.ramp), middle)
+    end = max(min(held[1], free_to - table.ramp), middle)
     if left >= 0:
         seals[left] = replace(seals[left], ramp_out=min(seals[left].ramp_out, start - free_from))
     if right < len(seals):

@@ -56,7 +56,7 @@ def smoothstep(x: Array) -> Array:
 
 
 _INSTANT = 1e-9
-SOFT = 0.2
+SOFT = 0.07
 """The share of a ramp's time in which it comes up to its speed; as much again brings it to rest."""
 STEEPEST = 1.0 / (1.0 - SOFT)
 """The greatest slope of a ramp: it is held for most of it, so that it lasts little longer than it must."""
@@ -83,6 +83,20 @@ def eased(times: Array, share: Array, rise: float, fall: float) -> Array:
     leaves 0 and reaches 1.
     """
     return ramp(envelope(times, inverse_ramp(share), STEEPEST * rise, STEEPEST * fall))
+
+
+LEAST_ASKED = 0.25
+"""What is asked counts as at least so much: a small share of little comes and goes in no less than this part
+of the minimum durations, and not at once."""
+
+
+def paced(times: Array, asked: Array) -> Array:
+    """Return a clock by which a share of what is `asked`, 0..1, may go as by `times` of 1, shape (n,).
+
+    Minimum durations are those of a muscle from rest to full: half of it comes and goes in half the time.
+    """
+    most = np.maximum(np.maximum(asked[1:], asked[:-1]), LEAST_ASKED)
+    return np.append(0.0, np.cumsum(_grains(np.diff(times) / most)))
 
 
 def rounded(times: Array, share: Array, width: float) -> Array:
@@ -132,5 +146,18 @@ def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:
 def _slowed(times: Array, limit: Array, duration: float) -> Array:
     if duration <= 0.0:
         return limit
-    slope = times / duration
-    return np.minimum(limit, slope + np.minimum.accumulate(limit - slope))
+    # More than 1 hinders nothing. Sums of grains are exact, so that what lies far off leaves no trace.
+    steps = np.minimum(np.diff(times) / duration, _FAR)
+    slope = np.append(0.0, np.cumsum(_grains(steps)))
+    grains = _grains(limit)
+    slowed = slope + np.minimum.accumulate(grains - slope)
+    return np.where(slowed < grains, slowed, limit)
+
+
+_GRAIN = 2.0**-36
+_FAR = 2.0
+
+
+def _grains(values: Array) -> Array:
+    """Return values as whole multiples of a grain: their sums do not depend on the order, to the last bit."""
+    return np.floor(values / _GRAIN) * _GRAIN

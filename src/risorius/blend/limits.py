@@ -1,8 +1,8 @@
 """How other channels keep within the limits of speech.
 
 "While lips speak they own the mouth's opening" (DESIGN, section 3). A channel that asks for more than a limit
-keeps only a share of what it asks; that share falls before the limit binds and rises after it as smoothly
-as the minimum durations allow, so that a small contribution goes as gently as a large one.
+keeps only a share of what it asks; that share falls before the limit binds and rises after it as fast as the
+minimum durations let a muscle go from full to rest: half a contribution goes in half the time.
 """
 
 from __future__ import annotations
@@ -11,14 +11,11 @@ import numpy as np
 
 from .channels import Channel
 from .intervals import EMPTY, Array, Spans
-from .knots import eased, lowest, rounded
+from .knots import eased, lowest, paced, rounded
 from .levels import Levels, outranking, outranks
 from .mouth import JAW, Block, Mouth
 
 LIPS = "lips"
-JAW_SHARE = 0.85
-"""The share of another channel's jaw that is added to a jaw of the lips' own that is up."""
-
 ROUNDED = 0.04
 """Seconds over which what a channel keeps turns from falling to rising: no corner is seen in a jaw."""
 
@@ -43,8 +40,7 @@ class Limits:
         as in silence and a low one less.
         """
         free = outranks(channel.levels, self._lips, times)
-        less = 1.0 - JAW_SHARE * (1.0 - own)
-        return 1.0 - less * self.mouth.speaking_at(times) * (1.0 - free)
+        return 1.0 - own * self.mouth.speaking_at(times) * (1.0 - free)
 
     def applied(self, channel: Channel, name: str, times: Array, values: Array, own: Array) -> Array:
         """Return what is left of a channel's values at sorted times, all shape (n,).
@@ -89,7 +85,8 @@ class Limits:
             share = np.divide(limit, asked, out=np.ones(len(knots)), where=asked > limit)
             if (share < 1.0).any():
                 share = lowest(knots, share, ROUNDED)
-                share = eased(knots, share, tuning.min_onset[name], tuning.min_offset[name])
+                clock = paced(knots, asked)
+                share = eased(clock, share, tuning.min_onset[name], tuning.min_offset[name])
                 share = rounded(knots, share, ROUNDED)
             block.kept[key] = share
         return block.kept[key]

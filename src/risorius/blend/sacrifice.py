@@ -37,11 +37,15 @@ class Rounding:
 
 @dataclass(frozen=True, slots=True)
 class Tuck:
-    """How the lower lip makes room for closures, seconds; the lips' `gap` while it is at the teeth, mm."""
+    """How the lower lip makes room for closures, seconds; the lips' `gap` while it is at the teeth, mm.
+
+    `waits`: the share of its contact that it leaves to a rounded phone beside it, on either side.
+    """
 
     source: str
     gap: Millimetres
     ramp: Seconds
+    waits: Annotated[float, Range(0.0, 0.5)]
     least_room: Seconds
 
 

@@ -32,7 +32,7 @@ from .articulators import (
     UPPER,
     WIDTH,
 )
-from .parameters import BASES
+from .parameters import BASES, DEFAULT_THRESHOLD
 
 Array = npt.NDArray[np.float64]
 Averages = Callable[[str], Array]
@@ -118,9 +118,11 @@ class LipRig:
         values: dict[str, Array] = {SEAL: controls.pop(SEAL)}
         pressed = np.maximum(-average(APERTURE), 0.0)
         for moved, amount in [*((CONTROLS[n], controls[n]) for n in controls), (PRESSING, pressed)]:
-            for base, factor in moved.items():
+            for number, (base, factor) in enumerate(moved.items()):
+                # What goes along with a first muscle stays at its threshold: above, it would be a rival.
+                moves = factor * amount if number == 0 else np.minimum(factor * amount, DEFAULT_THRESHOLD)
                 for p in BASES[base]:
-                    values[p.name] = values.get(p.name, 0.0) + factor * amount
+                    values[p.name] = values.get(p.name, 0.0) + moves
         return {name: np.minimum(value, 1.0) for name, value in values.items()}
 
     def controls(self, average: Averages, articulators: Collection[str]) -> dict[str, Array]:

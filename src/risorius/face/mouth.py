@@ -11,12 +11,14 @@ from scipy.spatial import cKDTree
 
 from .contact import Contacts, Facing, find_contacts
 from .head import Head, Mesh
+from .jaw import Jaw
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int32]
 
 REACH = 5.0  # mm from the line on which the lips meet to the last point that may touch
 STATIONS = 19  # along that line; closer ones would ask for more than the mesh can bend
+OPENINGS = np.linspace(0.02, 1.0, 50)  # of the jaw, which by itself brings no lips together
 OVERLAP = 0.03  # mm by which the lips may overlap: less than the mesh's own facets
 
 
@@ -45,6 +47,10 @@ class Mouth:
         points = matrix @ head.rest
         above = matrix @ head.jaw_weight < 0.5
         facing = _without_overlap(_facing(patch, head.skin.triangles, above), points)
+        jaw, still, carried = Jaw.of(head), np.zeros_like(head.rest), np.empty_like(head.rest)
+        for opening in OPENINGS:
+            jaw.carry_skin(head.rest, still, opening, carried)
+            facing = _without_overlap(facing, matrix @ carried)
         half = float(np.abs(meeting[:, 0]).max())
         line = _line(facing, above, points, np.linspace(-half, half, STATIONS))
         return cls(patch, matrix, facing, line)
@@ -65,7 +71,10 @@ def _facing(patch: npt.NDArray[np.intp], triangles: IntArray, above: npt.NDArray
 
 
 def _without_overlap(facing: Facing, points: Array) -> Facing:
-    """Leave out vertices that overlap at rest (folds of the cheek): contact must leave the rest as it is."""
+    """Leave out vertices that overlap where lips do not touch: folds of the cheek, the crease at a corner.
+
+    Contact must leave the rest, and what the jaw alone opens, as they are.
+    """
     found = Contacts.room_for(len(facing.vertices))
     count = find_contacts(facing, points, -OVERLAP, found)
     free = ~np.isin(facing.vertices, found.points[:count, 0])

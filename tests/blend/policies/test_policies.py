@@ -132,6 +132,12 @@ class TestGraded:
         assert np.diff(values).max() <= 0.001 / 0.8 * 1.01
         assert -np.diff(values).min() <= 0.001 / 0.4 * 1.01
 
+    @pytest.mark.parametrize("asked", [0.5, 1.0])
+    def test_half_a_smile_goes_and_comes_as_fast_as_a_whole_one(self, asked: float) -> None:
+        steps = np.diff(smile("graded", np.arange(2, 7, 0.001), smile=asked, min_onset=1.2, min_offset=0.8))
+        assert steps.max() == pytest.approx(0.001 / 1.2, rel=0.01)
+        assert -steps.min() == pytest.approx(0.001 / 0.8, rel=0.01)
+
 
 class TestAttenuate:
     def test_the_formula(self) -> None:

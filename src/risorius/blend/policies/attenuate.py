@@ -24,7 +24,10 @@ class Attenuate:
 
     def _strengths(self, times: Array) -> Strengths:
         return Strengths(
-            self._field, times, lambda rival, activity: activity, lambda parameter, x: 1.0 - SHARE * x
+            self._field,
+            times,
+            lambda rival, activity: activity,
+            lambda _channel, _parameter, x: 1.0 - SHARE * x,
         )
 
     def at(self, times: Array) -> Settle:

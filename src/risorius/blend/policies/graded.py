@@ -17,7 +17,7 @@ from ...core.parameters import RIVALS
 from ..channels import Channel
 from ..conflict import POLICIES, Field, Hindrance, Join, Settle
 from ..intervals import Array
-from ..knots import STEEPEST, Knots, eased, smoothstep
+from ..knots import LEAST_ASKED, STEEPEST, Knots, eased, paced, smoothstep
 from .strength import Strengths
 
 WIDTH = 0.4
@@ -54,9 +54,12 @@ class Graded:
         def strength(rival: str, activity: Array) -> Array:
             return np.clip((activity - threshold[rival]) / WIDTH, 0.0, 1.0)
 
-        def kept(parameter: str, strongest: Array) -> Array:
+        def kept(channel: Channel, parameter: str, strongest: Array) -> Array:
             onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
-            return eased(knots, smoothstep(1.0 - strongest), onset, offset)
+            if not strongest.any():
+                return np.ones(len(knots))
+            clock = paced(knots, channel.lines(parameter, knots))
+            return eased(clock, smoothstep(1.0 - strongest), onset, offset)
 
         return Strengths(self._field, knots, strength, kept)
 
@@ -77,5 +80,7 @@ class Graded:
         """Return the rival that takes most of an activity, or None."""
         found = self._around(time, time)
         tuning = self._field.tuning
+        # What changes by its whole in this time is felt no longer than that.
+        pace = STEEPEST * max(float(channel.lines(parameter, np.array([time]))[0]), LEAST_ASKED)
         onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
-        return found.strongest(channel, parameter, time, STEEPEST * onset, STEEPEST * offset)
+        return found.strongest(channel, parameter, time, pace * onset, pace * offset)

@@ -12,8 +12,8 @@ from ..intervals import Array
 
 Strength = Callable[[str, Array], Array]
 """(rival parameter, its settled activity (n,)) -> how strong it is, 0..1 (n,)."""
-Kept = Callable[[str, Array], Array]
-"""(parameter, strength of its strongest rival (n,)) -> the share of its activity that is kept, 0..1 (n,)."""
+Kept = Callable[[Channel, str, Array], Array]
+"""(channel, parameter, strength of its strongest rival (n,)) -> the share of its activity kept, 0..1 (n,)."""
 
 
 _INSTANT = 1e-9
@@ -47,7 +47,7 @@ class Strengths:
             strongest = np.zeros(len(self.times))
             for other, above, rival in self._field.rivals(channel, parameter, level):
                 np.maximum(strongest, self._strength_of(other, above, rival), out=strongest)
-            self._gains[key] = self._kept(parameter, strongest)
+            self._gains[key] = self._kept(channel, parameter, strongest)
         return self._gains[key]
 
     def _strength_of(self, channel: Channel, level: float, parameter: str) -> Array:
