@@ -16,7 +16,7 @@ OVERLAP, SEALED, LIDS, CLEAR = 0.3, 0.05, 0.01, 0.25
 PIERCED = 0.3
 TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_out": 1.0}
 HEADS = shipped_heads()
-AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 50), ("olaf", 25)]
+AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 90), ("olaf", 25)]
 POSES = [
     {"zygomatic_major": 1.0, "levator_labii_nasi": 1.0},
     {"triangularis": 1.0, "mentalis": 1.0},
