@@ -81,8 +81,8 @@ def together(laws: Laws, step: int, poses: int) -> tuple[dict[str, float], list[
         "sealed": max(map(laws.overlap, (*shut, *closed[::OVERLAPS]))),
         "lids": max([laws.lids_apart(), *(laws.between_lids(laws.face(v).skin) for v in closed)]),
     }
-    poses_turned = (*singles, {"masseter": 1.0}, *every, *EMOTIONS.values(), *mixed, *closed)
-    return measured, [laws.turned(pose) for pose in poses_turned]
+    shown = (*singles, {"masseter": 1.0}, *every, *EMOTIONS.values(), *mixed)
+    return measured, [*map(laws.turned, shown), *map(laws.flipped, closed)]
 
 
 def row(name: str, step: int, poses: int) -> list[str]:

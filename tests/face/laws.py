@@ -154,12 +154,13 @@ class Laws:
         frame = self.face(targets)
         return self._teeth.in_lips(frame), self._teeth.lips_in(frame), max(self._teeth.tongue_in(frame))
 
-    def turned(self, pose):
-        """How many visible faces are folded over, or of the outer skin turned by more than a right angle."""
-        return self.turned_over(self.face(pose).skin)
+    def flipped(self, pose):
+        """How many visible faces are folded over."""
+        return self._flips.count(self.face(pose).skin)
 
-    def turned_over(self, skin):
-        """The same of a level-1 `skin` (N1, 3)."""
+    def turned(self, pose):
+        """How many are, or have, where the skin is neither lip nor lid, turned by more than a right angle."""
+        skin = self.face(pose).skin
         before, area = self._normals(self.rest)
         now, _ = self._normals(skin)
         seen = self._seen() & (np.linalg.norm(now, axis=1) > FLAT * area)
