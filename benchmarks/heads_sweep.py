@@ -1,11 +1,14 @@
-"""The laws of the face: `python benchmarks/heads_sweep.py [HEAD[@AGE][+SLIDER:VALUE] ...]`.
+"""The laws of the face on every head: `python benchmarks/heads_sweep.py [HEAD[@AGE][+SLIDER:VALUE] ...]`.
 
 Without heads every one that is shipped, at three ages beside its own; `--sliders` adds the ends of sliders.
 
-Columns: lips' gap at rest (mm, widest), lips' overlap for all mouth muscles, their pairs (every `--step`-th)
-and random poses; opening left by a full seal at jaw 0, 0.1, 0.2 under six emotions and overlap there; gap of
-closed lids and least clearance over the eyeball in blinks; the tucked lip's distance from the teeth's edge;
-turned faces (poses with any, and the most in one); the deepest tooth in the lips' skin at rest.
+Columns, in mm: least R² and greatest error of a muscle alone, lips' contact included; overshoot of two
+muscles together beyond the larger; lips' widest gap at rest; lips' overlap for all mouth muscles and their
+pairs (every `--step`-th), and for every fifth random combination free of conflicts; opening left by a full
+seal at jaw 0 to 0.2 under six emotions and all random combinations, and overlap there; gap of closed lids
+under these, and their least clearance over the eyeball in blinks; the tucked lip's distance from the teeth's
+edge; the deepest tooth in the lips' skin at rest; poses with turned faces (of muscles, their pairs, emotions,
+and the random combinations open and sealed), and the most in one.
 """
 
 from __future__ import annotations
@@ -22,72 +25,95 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
 from face.conftest import EMOTIONS, MOUTH_MUSCLES  # noqa: E402
-from face.laws import Laws  # noqa: E402
+from face.laws import BLINK, Laws  # noqa: E402
+from face.poses import BASES, contracted, random_values  # noqa: E402
+from risorius.core.parameters import INDEX  # noqa: E402
 from risorius.face.head import load_head, shipped_heads  # noqa: E402
 from risorius.face.sliders import parse_slider, slider_names  # noqa: E402
 
 AGES = (25, 50, 75)
-HEADER = (
-    "head",
-    "rest",
-    "single",
-    "pairs",
-    "random",
-    "seal",
-    "sealed",
-    "lids",
-    "clear",
-    "tuck y",
-    "tuck z",
-    "turned",
-    "most",
-    "teeth",
-    "s",
-)
+JAWS = (0.0, 0.1, 0.2)
+TUCKED = ("none", "happiness", "disgust", "fear")
+OVERLAPS = 5  # overlap takes long: of so many random combinations one is looked at
+WIDTH = 8
+COLUMNS = {  # of what is measured, and how many decimals are told
+    "R2": 4,
+    "error": 3,
+    "over": 2,
+    "rest": 2,
+    "lips": 3,
+    "random": 3,
+    "seal": 3,
+    "sealed": 3,
+    "lids": 3,
+    "clear": 2,
+    "tuck y": 2,
+    "tuck z": 2,
+    "teeth": 2,
+}
+
+
+def sealed(values: np.ndarray, draw: np.random.Generator) -> np.ndarray:
+    """Return values (46,) with lips and lids closed and the jaw at most at 0.2."""
+    closed = values.copy()
+    closed[INDEX["masseter"]] = draw.choice(JAWS)
+    closed[INDEX["lip_seal"]] = 1.0
+    closed[[INDEX[f"{BLINK}.{side}"] for side in ("left", "right")]] = 1.0
+    return closed
+
+
+def together(laws: Laws, step: int, poses: int) -> tuple[dict[str, float], list[int]]:
+    """Return what lips and lids do in many poses, and how many faces are turned over in each."""
+    draw = np.random.default_rng(4)
+    mixed = [random_values(draw) for _ in range(poses)]
+    closed = [sealed(values, draw) for values in mixed]
+    singles = [{m: 1.0} for m in MOUTH_MUSCLES]
+    pairs = [{a: 1.0, b: 1.0} for a, b in itertools.combinations(MOUTH_MUSCLES, 2)][::step]
+    shut = [
+        emotion | {"masseter": jaw, "lip_seal": 1.0}
+        for emotion, jaw in itertools.product(EMOTIONS.values(), JAWS)
+    ]
+    every = [contracted(pair) for pair in itertools.combinations(BASES, 2)][::step]
+    measured = {
+        "lips": max(map(laws.overlap, (*singles, *pairs))),
+        "random": max(map(laws.overlap, mixed[::OVERLAPS]), default=0.0),
+        "seal": max(map(laws.opening, (*shut, *closed))),
+        "sealed": max(map(laws.overlap, (*shut, *closed[::OVERLAPS]))),
+        "lids": max([laws.lids_apart(), *(laws.between_lids(laws.face(v).skin) for v in closed)]),
+    }
+    shown = (*singles, {"masseter": 1.0}, *every, *EMOTIONS.values(), *mixed)
+    return measured, [*map(laws.turned, shown), *map(laws.flipped, closed)]
 
 
 def row(name: str, step: int, poses: int) -> list[str]:
+    """Return the cells of one head's row."""
     start = time.perf_counter()
     whole, *sliders = name.split("+")
     base, _, age = whole.partition("@")
     shape = dict(map(parse_slider, sliders))
     laws = Laws(load_head(base, age=float(age) if age else None, shape=shape))
-    singles = [{m: 1.0} for m in MOUTH_MUSCLES]
-    pairs = [{a: 1.0, b: 1.0} for a, b in itertools.combinations(MOUTH_MUSCLES, 2)][::step]
-    rng = np.random.default_rng(4)
-    mixed = []
-    for _ in range(poses):
-        chosen = rng.choice(MOUTH_MUSCLES, 4, replace=False)
-        targets = dict(zip(chosen.tolist(), rng.uniform(0.0, 1.0, 4), strict=True))
-        mixed.append(targets | {"masseter": rng.uniform(0.0, 0.2), "lip_seal": rng.choice([0.0, 0.5, 1.0])})
-    sealed = [
-        t | {"masseter": jaw, "lip_seal": 1.0}
-        for t, jaw in itertools.product(EMOTIONS.values(), (0.0, 0.1, 0.2))
-    ]
-    y, z = np.max([laws.tuck(EMOTIONS.get(e, {})) for e in ("none", "happiness", "disgust", "fear")], axis=0)
-    turned = [laws.turned(t) for t in (*singles, *pairs, *EMOTIONS.values(), {"masseter": 1.0})]
-    cells = [
-        laws.rest_gap(),
-        max(map(laws.overlap, singles)),
-        max(map(laws.overlap, pairs)),
-        max(map(laws.overlap, mixed), default=0.0),
-        max(map(laws.opening, sealed)),
-        max(map(laws.overlap, sealed)),
-        laws.lids_apart(),
-        laws.lid_clearance(),
-        y,
-        z,
-    ]
-    numbers = [f"{cell:.3f}" for cell in cells]
+    measured, turned = together(laws, step, poses)
+    measured["R2"], measured["error"] = laws.alone()
+    measured["over"], measured["rest"] = laws.overshoot(), laws.rest_gap()
+    measured["clear"], measured["teeth"] = laws.lid_clearance(), laws.teeth_in_lips()
+    tucks = [laws.tuck(EMOTIONS.get(emotion, {})) for emotion in TUCKED]
+    measured["tuck y"], measured["tuck z"] = np.max(tucks, axis=0)
+    numbers = [f"{measured[column]:.{decimals}f}" for column, decimals in COLUMNS.items()]
     counts = [f"{sum(t > 0 for t in turned)}/{len(turned)}", str(max(turned))]
-    return [name, *numbers, *counts, f"{laws.teeth_in_lips():.2f}", f"{time.perf_counter() - start:.0f}"]
+    return [name, *numbers, *counts, f"{time.perf_counter() - start:.0f}"]
+
+
+def line(cells: list[str]) -> str:
+    """Return a line of the table."""
+    return "".join(f"{c:26}" if k == 0 else f"{c:>{WIDTH}}" for k, c in enumerate(cells))
 
 
 def main() -> None:
+    """Print a row for each head."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("heads", nargs="*")
     parser.add_argument("--step", type=int, default=1, help="take every n-th pair of muscles")
-    parser.add_argument("--poses", type=int, default=60, help="random poses for each head")
+    parser.add_argument("--poses", type=int, default=60, help="random combinations for each head")
     parser.add_argument(
         "--sliders", action="store_true", help="every slider at -1 and 1 on the standard head"
     )
@@ -95,10 +121,9 @@ def main() -> None:
     if options.sliders:
         options.heads += [f"standard+{name}:{end}" for name in slider_names() for end in (-1, 1)]
     every = [name + at for name in shipped_heads() for at in ("", *(f"@{age}" for age in AGES))]
-    print("  ".join(f"{cell:>28}" if k == 0 else f"{cell:>7}" for k, cell in enumerate(HEADER)))
+    print(line(["head", *COLUMNS, "turned", "most", "s"]))
     for name in options.heads or every:
-        cells = row(name, options.step, options.poses)
-        print("  ".join(f"{c:>28}" if k == 0 else f"{c:>7}" for k, c in enumerate(cells)), flush=True)
+        print(line(row(name, options.step, options.poses)), flush=True)
 
 
 if __name__ == "__main__":

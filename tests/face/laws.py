@@ -8,10 +8,14 @@ import numpy as np
 
 from risorius.face.contact import Contacts, find_contacts
 from risorius.face.lids import FRONT
+from risorius.face.links import NO_LINKS
 from risorius.face.mouth import Mouth, TeethEdge
+from risorius.face.muscles import ELSEWHERE
 from risorius.face.solve import FaceSolver
 
 from .conftest import values_of
+from .flips import Flips, visible
+from .poses import BASES, JAW, contracted
 from .teeth import TeethTester
 from .winding import LipTester
 
@@ -31,7 +35,7 @@ FLAT = 0.05  # of a face's area at rest: thinner slivers have no side
 
 
 class Laws:
-    """Measures one head; poses are targets by action unit, muscle or parameter."""
+    """Measures one head; poses are targets by action unit, muscle or parameter, or all values (46,)."""
 
     def __init__(self, head):
         self.head = head
@@ -42,9 +46,39 @@ class Laws:
         self._mouth = Mouth.of(head)
         self._found = Contacts.room_for(len(self._mouth.facing.vertices))
         self._margins = [margins(head, eye) for eye in (0, 1)]
+        self._flips = Flips(head)
 
-    def face(self, targets):
-        return self.solver.solve(values_of(targets))
+    def face(self, pose):
+        return self.solver.solve(pose if isinstance(pose, np.ndarray) else values_of(pose))
+
+    def alone(self):
+        """The least R² and the greatest error in mm of muscles alone at 1 against their fields."""
+        solver, shares, errors = FaceSolver(self.head, NO_LINKS), [], []
+        for base in BASES:
+            if base in ELSEWHERE:
+                continue
+            field = np.zeros_like(self.head.rest)
+            for name in (base, f"{base}.left", f"{base}.right"):
+                if name in self.head.fields:
+                    field[self.head.fields[name].vertices] += self.head.fields[name].displacement
+            solver.solve(contracted([base]))
+            off = solver._skin - self.head.rest - field
+            shares.append(1.0 - (off**2).sum() / (field**2).sum())
+            errors.append(np.linalg.norm(off, axis=1).max())
+        return min(shares), max(errors)
+
+    def overshoot(self):
+        """How many mm any two muscles, the jaw apart, move the seen skin further than the larger alone."""
+        seen = visible(self.head)
+        bases = [base for base in BASES if base != JAW]
+        alone = {base: self._moved(contracted([base])) for base in bases}
+        return max(
+            (self._moved(contracted(pair)) - np.maximum(*(alone[base] for base in pair)))[seen].max()
+            for pair in itertools.combinations(bases, 2)
+        )
+
+    def _moved(self, values):
+        return np.linalg.norm(self.face(values).skin - self.rest, axis=1)
 
     def overlap(self, targets):
         """Greatest depth of one lip in the other."""
@@ -68,13 +102,11 @@ class Laws:
 
     def lids_apart(self):
         """Greatest distance between closed lids, whatever else acts."""
-        apart = []
-        for company in COMPANY:
-            skin = self.face(company | {BLINK: 1.0}).skin
-            apart += [
-                np.linalg.norm(skin[upper] - skin[lower], axis=1).max() for upper, lower in self._margins
-            ]
-        return max(apart)
+        return max(self.between_lids(self.face(company | {BLINK: 1.0}).skin) for company in COMPANY)
+
+    def between_lids(self, skin):
+        """Greatest distance between the margins of the lids."""
+        return max(np.linalg.norm(skin[a] - skin[b], axis=1).max() for a, b in self._margins)
 
     def lid_clearance(self):
         """Least height of the lids' skin above the eyeball on the way of a blink."""
@@ -122,12 +154,18 @@ class Laws:
         frame = self.face(targets)
         return self._teeth.in_lips(frame), self._teeth.lips_in(frame), max(self._teeth.tongue_in(frame))
 
-    def turned(self, targets):
-        """How many faces outside the mouth and the eyes' sockets turn over by more than a right angle."""
+    def flipped(self, pose):
+        """How many visible faces are folded over."""
+        return self._flips.count(self.face(pose).skin)
+
+    def turned(self, pose):
+        """How many are, or have, where the skin is neither lip nor lid, turned by more than a right angle."""
+        skin = self.face(pose).skin
         before, area = self._normals(self.rest)
-        now, _ = self._normals(self.face(targets).skin)
+        now, _ = self._normals(skin)
         seen = self._seen() & (np.linalg.norm(now, axis=1) > FLAT * area)
-        return int((((before * now).sum(axis=1) < 0.0) & seen).sum())
+        turned = np.flatnonzero(((before * now).sum(axis=1) < 0.0) & seen)
+        return len(np.union1d(turned, self._flips.find(skin)))
 
     def _normals(self, skin):
         corners = np.asarray(skin, np.float64)[self.head.skin.quads]

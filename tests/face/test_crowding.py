@@ -3,11 +3,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.crowding import LEAST, Crowding, Distances, altitudes, relieve, struts
+from risorius.face.crowding import LEAST, STEEPEST, Crowding, Distances, altitudes, relieve, struts
+from risorius.face.head import load_head
 from risorius.face.links import NO_LINKS
 from risorius.face.solve import FaceSolver
 
 from .conftest import MOUTH_MUSCLES, values_of
+from .flips import Flips
 
 
 @pytest.fixture(scope="module")
@@ -64,3 +66,28 @@ def test_a_narrow_face_is_kept_from_turning_over():
     relieve(widths.points, widths.foot, widths.way, room, 40, moved)
     assert (widths.shortened(moved) - room).max() < 0.05
     assert (rest + moved)[3, 1] > (rest + moved)[0, 1]
+
+
+# An upper lid between the brow, drawn down and in, and the lid's levator: it was laid over, or very nearly.
+CREASED = [
+    ("mei", None, {"frontalis_medialis": 0.69, "depressor_supercilii": 1.0, "levator_palpebrae": 0.93}),
+    ("olaf", 75, {"depressor_supercilii": 0.97, "corrugator_supercilii": 0.9, "levator_palpebrae": 0.7}),
+]
+
+
+@pytest.mark.parametrize(("name", "age", "pose"), CREASED)
+def test_a_lid_below_a_lowered_brow_is_not_laid_over(name, age, pose):
+    head = load_head(name, age=age)
+    one_sided = {f"{muscle}.right": value for muscle, value in pose.items()}
+    assert Flips(head).count(FaceSolver(head).solve(values_of(one_sided)).skin) == 0
+
+
+def test_no_corner_leaves_its_face_steeply(crowding, head):
+    """Corners that come near the edge across are kept in their face's plane too, to either side."""
+    found = crowding.distances
+    first, second, third = (head.rest[found.points[:, k]] for k in range(3))
+    out = np.abs((found.way * np.cross(third - second, first - second)).sum(axis=1)) > 1e-9
+    flat = np.abs((found.way * (third - second)).sum(axis=1)) < 1e-9
+    tilts = out & flat
+    assert tilts.sum() > 100
+    assert (crowding.room[tilts] >= STEEPEST * found.length[tilts] - 1e-9).all()

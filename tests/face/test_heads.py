@@ -14,9 +14,12 @@ from .laws import Laws
 
 OVERLAP, SEALED, LIDS, CLEAR = 0.3, 0.05, 0.01, 0.25
 PIERCED = 0.3
+OVERSHOOT, EXACT = 2.5, 0.999
+# One corner of the mouth up, the other side of the lower lip down: the last places to close.
+ASKEW = {"zygomatic_major.left": 0.93, "zygomatic_major.right": 0.5, "depressor_labii.left": 0.96}
 TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_out": 1.0}
 HEADS = shipped_heads()
-AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 50), ("olaf", 25)]
+AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 90), ("olaf", 25), ("kenji", 25)]
 POSES = [
     {"zygomatic_major": 1.0, "levator_labii_nasi": 1.0},
     {"triangularis": 1.0, "mentalis": 1.0},
@@ -46,6 +49,16 @@ def test_a_seal_closes_the_mouth(laws):
         pose = EMOTIONS[emotion] | {"masseter": jaw, "lip_seal": 1.0}
         assert laws.opening(pose) < SEALED
         assert laws.overlap(pose) < OVERLAP
+
+
+def test_a_seal_closes_a_mouth_that_is_askew(laws):
+    assert laws.opening(ASKEW | {"masseter": 0.2, "lip_seal": 1.0}) < SEALED
+
+
+def test_a_muscle_alone_gives_its_field_and_two_little_more_than_the_larger(laws):
+    share, _ = laws.alone()
+    assert share >= EXACT
+    assert laws.overshoot() <= OVERSHOOT
 
 
 def test_lids_meet_and_clear_the_eyeball(laws):

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from risorius.face.rotations import about_axis, direction, forward_to, head_rotation
+from risorius.face.rotations import about_axis, direction, forward_to, head_rotation, turned
 
 degrees = st.floats(-60.0, 60.0)
 
@@ -52,3 +52,12 @@ def test_rotation_about_an_axis_keeps_the_axis_and_turns_by_the_angle():
     rotation = about_axis(axis, 0.3)
     np.testing.assert_allclose(rotation @ axis, axis, atol=1e-15)
     assert np.trace(rotation) == pytest.approx(1.0 + 2.0 * np.cos(0.3))
+
+
+def test_vectors_are_turned_each_by_its_own_angle():
+    vectors = np.array([[1.0, 2.0, 3.0], [0.5, -1.0, 2.0]])
+    axis = np.array([0.6, 0.0, 0.8])
+    found = turned(vectors, axis, np.array([0.4, -1.1]))
+    np.testing.assert_allclose(found[0], about_axis(axis, 0.4) @ vectors[0])
+    np.testing.assert_allclose(found[1], about_axis(axis, -1.1) @ vectors[1])
+    np.testing.assert_allclose(turned(vectors, axis, 0.0), vectors)

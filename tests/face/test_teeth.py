@@ -7,8 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from risorius.face.head import load_head
 from risorius.face.jaw import Jaw
-from risorius.face.teeth import Row, Teeth
+from risorius.face.solve import FaceSolver
+from risorius.face.teeth import LONG, SHORT, Teeth
+from risorius.face.tooth_row import Row
 from risorius.rules.emotions import emotion
 
 from .conftest import values_of
@@ -41,6 +44,11 @@ def foremost(mesh):
     """The foremost vertex (3,) of a row's crowns."""
     crowns = mesh.vertices[mesh.material < 0.5]
     return crowns[crowns[:, 2].argmax()]
+
+
+def alone(count):
+    """Vertices (count, 2) that are kept out of the teeth each by itself."""
+    return np.repeat(np.arange(count, dtype=np.uint32), 2).reshape(-1, 2)
 
 
 def under(name, phone):
@@ -82,9 +90,30 @@ def test_the_tongue_rises_to_the_ridge_for_l(solver, head):
 def test_what_is_far_from_the_teeth_stays(teeth, opening):
     far = np.array([[0.0, -65.0, 60.0], [50.0, -65.0, 0.0], [0.0, 40.0, 0.0], [0.0, -66.0, -60.0]])
     moved = far.copy()
-    whole = replace(teeth, lining=np.arange(len(far), dtype=np.int32))
+    whole = replace(teeth, places=alone(len(far)))
     whole.keep_out(moved, opening)
     np.testing.assert_array_equal(moved, far)
+
+
+@pytest.mark.parametrize("muscle", ["orbicularis_oris_funneler", "zygomatic_major"])
+def test_long_faces_of_a_cheek_do_not_cut_the_teeth_of_a_wide_jaw(muscle):
+    head = load_head("olaf")
+    frame = FaceSolver(head).solve(values_of({muscle: 1.0, "masseter": 1.0}))
+    assert TeethTester(head).in_lips(frame) <= PIERCED
+
+
+def test_a_long_edge_is_kept_out_by_its_middle_evenly_as_it_grows(teeth, head):
+    """Both ends stand before a tooth and the middle lies in it; what is shorter has no middle."""
+    middle = foremost(head.teeth_upper) - [0.0, -2.0, 1.0]
+    pushed = []
+    for length in np.linspace(SHORT - 0.5, LONG + 1.0, 30):
+        ends = middle + length * np.array([[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]])
+        moved = ends.copy()
+        replace(teeth, places=np.array([[0, 1]], np.uint32)).keep_out(moved, 0.0)
+        pushed.append(np.linalg.norm(moved - ends, axis=1).max())
+    assert pushed[0] == 0.0
+    assert pushed[-1] > 0.5
+    assert np.abs(np.diff(pushed)).max() < 0.15
 
 
 def test_a_tongue_behind_the_teeth_stays_and_one_in_them_does_not(teeth, head):
@@ -106,10 +135,10 @@ def test_the_lower_row_goes_with_the_jaw(teeth, head):
     front = foremost(head.teeth_lower)
     inside = front - [0.0, 0.0, 1.0]
     turned = Jaw.of(head).carry(inside[None], 0.5)
-    alone = replace(teeth, lining=np.zeros(1, np.int32))
+    single = replace(teeth, places=alone(1))
     closed, opened = inside[None].copy(), turned.copy()
-    alone.keep_out(closed, 0.0)
-    alone.keep_out(opened, 0.5)
+    single.keep_out(closed, 0.0)
+    single.keep_out(opened, 0.5)
     assert closed[0, 2] > front[2]
     np.testing.assert_allclose(Jaw.of(head).carry(closed, 0.5), opened, atol=1e-9)
 
@@ -128,9 +157,9 @@ def test_the_coarse_table_leaves_nothing_out(teeth):
         anywhere = replace(row, around=np.array([-np.inf, np.inf, 0.0]) + np.zeros_like(row.around))
         points = draw.uniform([-40.0, -85.0, -40.0], [40.0, -45.0, 35.0], (20_000, 3))
         fast, slow = points.copy(), points.copy()
-        lining = np.arange(len(points), dtype=np.uint32)
+        places = alone(len(points))
         for r, skin in ((row, fast), (anywhere, slow)):
-            both = replace(teeth, upper=r, lower=r, lining=lining)
+            both = replace(teeth, upper=r, lower=r, places=places)
             both.keep_out(skin, 0.4)
         np.testing.assert_array_equal(fast, slow)
         fast, slow = points.copy(), points.copy()

@@ -11,6 +11,7 @@ import numpy as np
 MOUTH_REACH = 55.0
 LIP_REACH = 7.0
 LIFT = 0.02
+HUGE = 1e100
 APEX = (0.0, -60.0, -120.0)
 
 
@@ -57,25 +58,49 @@ class LipTester:
         return depth
 
 
-@nb.njit(cache=True, parallel=True)
 def winding_numbers(points, vertices, triangles):
     """Winding number (n,) of `points` (n, 3) about the closed mesh; 1 inside, 0 outside."""
+    used, corners = np.unique(triangles, return_inverse=True)
+    return _winding_numbers(points, vertices[used], corners.reshape(-1, 3).astype(np.int32))
+
+
+@nb.njit(cache=True, parallel=True)
+def _winding_numbers(points, vertices, triangles):
+    """Half the solid angle of a triangle is that of a complex number; those of all are multiplied, and
+    the times counted that the product passes the negative axis: far quicker than as many arctangents.
+    """
     result = np.zeros(len(points))
     for i in nb.prange(len(points)):
-        x, y, z = points[i, 0], points[i, 1], points[i, 2]
-        total = 0.0
+        arm, length = np.empty((len(vertices), 3)), np.empty(len(vertices))
+        for v in range(len(vertices)):
+            x, y, z = (
+                vertices[v, 0] - points[i, 0],
+                vertices[v, 1] - points[i, 1],
+                vertices[v, 2] - points[i, 2],
+            )
+            arm[v, 0], arm[v, 1], arm[v, 2], length[v] = x, y, z, math.sqrt(x * x + y * y + z * z)
+        real, imaginary, turns = 1.0, 0.0, 0
         for t in range(len(triangles)):
             a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-            ax, ay, az = vertices[a, 0] - x, vertices[a, 1] - y, vertices[a, 2] - z
-            bx, by, bz = vertices[b, 0] - x, vertices[b, 1] - y, vertices[b, 2] - z
-            cx, cy, cz = vertices[c, 0] - x, vertices[c, 1] - y, vertices[c, 2] - z
-            la = math.sqrt(ax * ax + ay * ay + az * az)
-            lb = math.sqrt(bx * bx + by * by + bz * bz)
-            lc = math.sqrt(cx * cx + cy * cy + cz * cz)
+            ax, ay, az, la = arm[a, 0], arm[a, 1], arm[a, 2], length[a]
+            bx, by, bz, lb = arm[b, 0], arm[b, 1], arm[b, 2], length[b]
+            cx, cy, cz, lc = arm[c, 0], arm[c, 1], arm[c, 2], length[c]
             volume = ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)
             ab, bc, ca = ax * bx + ay * by + az * bz, bx * cx + by * cy + bz * cz, cx * ax + cy * ay + cz * az
-            total += math.atan2(volume, la * lb * lc + ab * lc + bc * la + ca * lb)
-        result[i] = total / (2.0 * math.pi)
+            plain = la * lb * lc + ab * lc + bc * la + ca * lb
+            before, real, imaginary = (
+                imaginary,
+                real * plain - imaginary * volume,
+                real * volume + imaginary * plain,
+            )
+            if before >= 0.0 and volume >= 0.0:
+                turns += imaginary < 0.0
+            elif before < 0.0 and volume < 0.0:
+                turns -= imaginary >= 0.0
+            size = abs(real) + abs(imaginary)
+            if size > HUGE or size < 1.0 / HUGE:
+                real, imaginary = real / size, imaginary / size
+        result[i] = turns + math.atan2(imaginary, real) / (2.0 * math.pi)
     return result
 
 

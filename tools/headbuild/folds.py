@@ -12,7 +12,7 @@ from .bust import Bust
 _LEFT = 0.5  # of an edge and of a face's width that a muscle alone leaves
 _SWEEPS = 60
 _INSIDE = 0.2  # of the masks of lips and mouth: there skin does fold, and meets
-_MARGIN = 2.0  # mm from the eyeball: the lids' margins turn on it
+_MARGIN = 1.0  # mm from the eyeball: the lids' margins turn on it
 
 
 def unfolded(bust: Bust, rest: Array, field: Array) -> Array:

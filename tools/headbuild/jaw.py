@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from risorius.face.crowding import relieve, struts
+from risorius.face.rotations import turned
+from risorius.face.throat import uncrowd
 
 from .arrays import Array
 from .bust import Bust
 from .mouth import lip_rings
-
-_LEAST = 0.35  # of an edge's length along its direction that the open jaw leaves to the throat
-_SWEEPS = 200
 
 
 @dataclass(frozen=True)
@@ -28,11 +26,7 @@ class Jaw:
 
     def turn(self, points: Array, angles: Array | float) -> Array:
         """Rotate points (n, 3) about the jaw's axis by `angles` (n,) radians."""
-        arm = points - self.point
-        angle: Array = np.broadcast_to(angles, len(points))[:, None]
-        along = (arm @ self.axis)[:, None] * self.axis
-        turned = (arm - along) * np.cos(angle) + np.cross(self.axis, arm) * np.sin(angle)
-        return np.asarray(self.point + along + turned)
+        return self.point + turned(points - self.point, self.axis, angles)
 
 
 def fit_jaw(bust: Bust, rest: Array) -> Jaw:
@@ -50,22 +44,9 @@ def fit_jaw(bust: Bust, rest: Array) -> Jaw:
     opened = rest + shape
     weight = _weights(bare, rest, opened)
     weight = 0.5 * (weight + weight[bust.mirror])
-    _uncrowd(bust, bare, weight, rest, opened)
+    uncrowd(bust.quads, rest, float(rest[lip_rings(bust), 1].min()), axis, weight * angle, opened)
     corrective = opened - bare.turn(rest, weight * angle)
     return Jaw(point, axis, angle, weight, corrective)
-
-
-def _uncrowd(bust: Bust, jaw: Jaw, weight: Array, rest: Array, opened: Array) -> None:
-    """Push the skin `opened` (N0, 3) of the throat apart where the sculpt, on this face, folds it over."""
-    edges = struts(bust.quads)
-    throat = rest[:, 1] < rest[lip_rings(bust), 1].min()
-    edges = edges[throat[edges].all(axis=1)]
-    vector = rest[edges[:, 1]] - rest[edges[:, 0]]
-    length = np.linalg.norm(vector, axis=1)
-    bare = replace(jaw, point=np.zeros(3))
-    way = bare.turn(vector / length[:, None], weight[edges].mean(axis=1) * jaw.angle)
-    points = edges[:, [0, 1, 1]].astype(np.int32)
-    relieve(points, np.zeros(len(points)), way, -_LEAST * length, _SWEEPS, opened)
 
 
 def _weights(jaw: Jaw, rest: Array, opened: Array) -> Array:

@@ -10,7 +10,7 @@ activation.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -25,6 +25,8 @@ IntArray = npt.NDArray[np.int32]
 
 LEAST = 0.6  # of an edge's length at rest that is left to it along its direction
 LEAST_WIDTH = 0.5  # of a face's width at rest that is left to it
+STEEPEST = 0.5  # of a face's width at rest, by which a corner may leave its plane
+LAID_OVER = 1.2  # of a face's width: lost and risen by all muscles together where they could lay it over
 TURNING = 0.9  # of a face's width: lost by all muscles together where they could turn it over
 SWEEPS = 20
 NEAR = 1e-2  # mm: distances at rest are longer
@@ -55,6 +57,10 @@ class Distances:
         way = vector[long] / length[long, None]
         return cls(points[long].astype(np.int32), foot[long], way, length[long])
 
+    def only(self, chosen: npt.NDArray[np.bool_]) -> Distances:
+        """Return those that are `chosen` (d,)."""
+        return Distances(self.points[chosen], self.foot[chosen], self.way[chosen], self.length[chosen])
+
     def shortened(self, displacement: Array) -> Array:
         """Return by how many mm (d,) a displacement (n, 3) shortens them; below 0 where it lengthens them."""
         first, second, third = (displacement[self.points[:, k]] for k in range(3))
@@ -76,9 +82,11 @@ class Crowding:
         """Find what all muscles of `head` together could shorten to less than is left to it."""
         fields = _fields(head)
         edges, widths = struts(head.quads), altitudes(head.quads)
+        across = Distances.of(widths, head.rest)
         limits = [
-            _limits(Distances.of(edges[:, [0, 1, 1]], head.rest), fields, LEAST, 1.0 - LEAST),
-            _limits(Distances.of(widths, head.rest), fields, LEAST_WIDTH, TURNING),
+            _limits(Distances.of(edges[:, [0, 1, 1]], head.rest), fields, 1.0 - LEAST, 1.0 - LEAST),
+            _limits(across, fields, 1.0 - LEAST_WIDTH, TURNING),
+            *(_tilts(across, fields, head.rest, side) for side in (1.0, -1.0)),
         ]
         tables = [(d.points, d.foot, d.way, d.length, room) for d, room in limits]
         *found, room = (np.concatenate(parts) for parts in zip(*tables, strict=True))
@@ -102,15 +110,32 @@ def altitudes(quads: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
     return np.vstack([t[:, order] for t in turned for order in ([0, 3, 2], [1, 2, 3])])
 
 
-def _limits(found: Distances, fields: list[Array], least: float, turning: float) -> tuple[Distances, Array]:
+def _limits(found: Distances, fields: list[Array], most: float, turning: float) -> tuple[Distances, Array]:
     """Return those of the distances `found` that all `fields` together shorten by more than their share
-    `turning` and than they may, and by how much each may: to the share `least`, or as one field alone does.
+    `turning` and than they may, and by how much each may: by the share `most`, or as one field alone does.
     """
-    shortened = [np.maximum(found.shortened(field), 0.0) for field in fields]
-    room = np.maximum((1.0 - least) * found.length, np.max(shortened, axis=0))
+    shortened = _shortened(found, fields)
+    room = np.maximum(most * found.length, np.max(shortened, axis=0))
     risky = np.sum(shortened, axis=0) > np.maximum(room, turning * found.length)
-    chosen = (table[risky] for table in (found.points, found.foot, found.way, found.length))
-    return Distances(*chosen), room[risky]
+    return found.only(risky), room[risky]
+
+
+def _tilts(widths: Distances, fields: list[Array], rest: Array, side: float) -> tuple[Distances, Array]:
+    """Return those of `widths` that all `fields` together could halve and lay over, measured out of the plane
+    of their three points at `rest` (N0, 3), to the `side` 1 or -1, and how far each corner may go.
+    """
+    crowded = np.sum(_shortened(widths, fields), axis=0)
+    base = rest[widths.points[:, 2]] - rest[widths.points[:, 1]]
+    normal = np.cross(base, widths.way)
+    found = replace(widths, way=side * normal / np.linalg.norm(normal, axis=1, keepdims=True))
+    left = _shortened(found, fields)
+    risky = crowded + np.sum(left, axis=0) > LAID_OVER * widths.length
+    risky &= crowded > (1.0 - LEAST_WIDTH) * widths.length
+    return found.only(risky), np.maximum(STEEPEST * widths.length, np.max(left, axis=0))[risky]
+
+
+def _shortened(found: Distances, fields: list[Array]) -> list[Array]:
+    return [np.maximum(found.shortened(field), 0.0) for field in fields]
 
 
 def _fields(head: Head) -> list[Array]:

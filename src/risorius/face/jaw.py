@@ -14,7 +14,8 @@ import numpy.typing as npt
 from ..core.parameters import INDEX
 from .head import Head
 from .jit import compiled
-from .rotations import about_axis
+from .rotations import about_axis, turned
+from .throat import uncrowd
 
 Array = npt.NDArray[np.float64]
 MASSETER = INDEX["masseter"]
@@ -35,10 +36,15 @@ class Jaw:
 
     @classmethod
     def of(cls, head: Head) -> Jaw:
-        """Take the jaw of `head`."""
+        """Take the jaw of `head`, with room for its throat, which age and sliders change."""
         corrective = np.zeros_like(head.rest)
         corrective[head.jaw_corrective.vertices] = head.jaw_corrective.displacement
-        return cls(head.jaw_point, head.jaw_axis, head.jaw_angle, head.jaw_weight, corrective)
+        angle = head.jaw_weight * head.jaw_angle
+        rigid = head.jaw_point + turned(head.rest - head.jaw_point, head.jaw_axis, angle)
+        opened = rigid + corrective
+        below = float(head.rest[head.masks["lips"] > 0.5, 1].min())
+        uncrowd(head.quads, head.rest, below, head.jaw_axis, angle, opened)
+        return cls(head.jaw_point, head.jaw_axis, head.jaw_angle, head.jaw_weight, opened - rigid)
 
     def carry_skin(self, rest: Array, displacement: Array, opening: float, out: Array) -> None:
         """Write the skin (N0, 3) that muscles displaced by `displacement`, with the jaw at `opening` 0..1."""

@@ -20,13 +20,13 @@ from .products import Rows, carry, carry_upwards
 Array = npt.NDArray[np.float64]
 
 NEAR = 0.12  # mm; after closing, wider gaps are left out of the solution
-SHUT = 0.01  # mm that a full seal may leave open
+SHUT = 0.005  # mm that a full seal may leave open
 WIDEST = 80.0  # mm: no narrowest gap is wider, so that a seal that sets in changes nothing at once
 PRESS = 0.05  # mm by which a seal presses the lips together, so that facets do not hold them apart
 SLACK = 0.005  # mm outside its bounds at which a gap is left alone
 PASSES = 3
 PLACES, WIDTH = 61, 0.05  # at which a seal closes the lips, and how wide each is as a share of the mouth
-SWEEPS = 60
+SWEEPS = 300  # at most: most faces are settled after a few
 TUCK_WIDTH = 11.0  # mm to either side of the midline over which the lip meets the teeth
 TUCK_ABOVE, TUCK_BEFORE = 0.7, 1.2  # mm that the tucked lip stands above and before the teeth's edge
 TUCK_ROOM = 1.2  # mm that the upper lip stays above the teeth's edge, out of the tucked lip's way

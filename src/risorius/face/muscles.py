@@ -131,7 +131,7 @@ class Displaced:
 
 MOST = 32  # entries of one vertex, at least
 # mm by which two muscles together may move a vertex further than the larger alone, and up to which freely.
-EXCESS, FREE_EXCESS = 2.1, 1.4
+EXCESS, FREE_EXCESS = 1.75, 1.3
 NOTHING = 1e-9  # mm: a pull this small is as long as none, and its cube would be too small a number
 _EVERY = np.uint64(2**64 - 1)
 

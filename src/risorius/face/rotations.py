@@ -28,6 +28,13 @@ def about_axis(axis: Array, angle: float) -> Array:
 _LEFT, _UP, _FORWARD = np.eye(3)
 
 
+def turned(vectors: Array, axis: Array, angles: Array | float) -> Array:
+    """Return `vectors` (n, 3) turned about the unit `axis` (3,) by `angles` (n,) radians."""
+    angle: Array = np.broadcast_to(angles, len(vectors))[:, None]
+    along = (vectors @ axis)[:, None] * axis
+    return np.asarray(along + (vectors - along) * np.cos(angle) + np.cross(axis, vectors) * np.sin(angle))
+
+
 def head_rotation(pitch: float, yaw: float, roll: float) -> Array:
     """Return the (3, 3) rotation of the head; degrees, up, to the subject's left and tilted left positive.
 
