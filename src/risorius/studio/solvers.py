@@ -50,8 +50,8 @@ class Solvers:
         return None
 
     def warm(self) -> None:
-        """Compile and build what the first face needs."""
-        with self.lent(Settings()) as solver:
+        """Compile and build what the first face needs: a solver for a take and one for the dials beside it."""
+        with self.lent(Settings()) as solver, self.lent(Settings()):
             solver.solve(NEUTRAL)
             springs = solver.springs()
             springs.settle(NEUTRAL)

@@ -1,8 +1,15 @@
 /**
  * Hairs as ribbons: strands that follow one another, each of as many pairs of vertices, its left and its right
  * edge from root to tip. A machine without a graphics card draws fewer and straighter ones in motion.
+ *
+ * Ribbons are drawn with soft edges over what is behind them (`HAIR` in materials.js), so that those far away
+ * come first.
  */
 
+import * as THREE from "../vendor/three/three.module.min.js";
+
+const ALIKE = Math.cos((5 * Math.PI) / 180); // between directions of sight for which one order does
+const DEPTHS = 1024; // that are told apart
 const GOLDEN = 0.6180339887498949;
 const QUAD = [0, 1, 2, 1, 3, 2];
 
@@ -31,6 +38,71 @@ export function widen(points, wide) {
       const [middle, half] = [(left + right) / 2, (wide * (right - left)) / 2];
       [points[axis], points[axis + 3]] = [middle - half, middle + half];
     }
+  }
+}
+
+/** Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`. */
+export function asStrands(mesh) {
+  const { array } = mesh.geometry.attributes.position;
+  const across = new Float32Array(array.length);
+  for (let k = 0; k < array.length; k += 6) {
+    for (let axis = k; axis < k + 3; axis++) {
+      across[axis] = (array[axis] - array[axis + 3]) / 2;
+      across[axis + 3] = -across[axis];
+    }
+  }
+  mesh.geometry.setAttribute("across", new THREE.BufferAttribute(across, 3));
+}
+
+/** Puts a mesh's strands in order, the farthest first, whenever it is looked at from elsewhere. */
+export class Order {
+  #geometry;
+  #index;
+  #strands;
+  #sorted = new THREE.Vector3();
+  #depths;
+
+  /** @param {THREE.BufferGeometry} geometry of strands */
+  constructor(geometry) {
+    this.#geometry = geometry;
+    this.#index = geometry.index.array.slice();
+    this.#strands = strandsOf(this.#index);
+    this.#depths = new Float32Array(this.#strands.count);
+  }
+
+  /** @param {THREE.Vector3} sight away from who looks, of unit length, in the mesh's own frame */
+  sort(sight) {
+    if (sight.dot(this.#sorted) > ALIKE) return;
+    this.#sorted.copy(sight);
+    const { index } = this.#geometry;
+    const each = this.#index.length / this.#strands.count;
+    let to = 0;
+    for (const strand of this.#farthestFirst(sight)) {
+      index.array.set(this.#index.subarray(strand * each, (strand + 1) * each), to);
+      to += each;
+    }
+    index.needsUpdate = true;
+  }
+
+  #farthestFirst({ x, y, z }) {
+    const { count, pairs } = this.#strands;
+    const points = this.#geometry.attributes.position.array;
+    const depths = this.#depths;
+    let [least, most] = [Infinity, -Infinity];
+    for (let strand = 0; strand < count; strand++) {
+      const k = 6 * (strand * pairs + (pairs >> 1));
+      depths[strand] = -(x * points[k] + y * points[k + 1] + z * points[k + 2]);
+      least = Math.min(least, depths[strand]);
+      most = Math.max(most, depths[strand]);
+    }
+    const scale = (DEPTHS - 1) / Math.max(most - least, 1e-6);
+    const place = (strand) => Math.floor((depths[strand] - least) * scale);
+    const starts = new Uint32Array(DEPTHS + 1);
+    for (let strand = 0; strand < count; strand++) starts[place(strand) + 1] += 1;
+    for (let k = 0; k < DEPTHS; k++) starts[k + 1] += starts[k];
+    const order = new Uint32Array(count);
+    for (let strand = 0; strand < count; strand++) order[starts[place(strand)]++] = strand;
+    return order;
   }
 }
 

@@ -1,0 +1,97 @@
+/** Skin, and the cloth below the neckline. */
+
+import * as THREE from "../vendor/three/three.module.min.js";
+import { patch } from "./patch.js";
+import { quickened } from "./quick.js";
+
+// Light goes round the edge of shadow in skin, red farthest: widths of that edge, by colour.
+const WRAP = "vec3( 0.30, 0.13, 0.08 )";
+
+const SKIN_LIT = THREE.ShaderChunk.lights_lambert_pars_fragment.replace(
+  "vec3 irradiance = dotNL * directLight.color;",
+  `float facing = dot( geometryNormal, directLight.direction );
+  vec3 wrapped = saturate( ( vec3( facing ) + ${WRAP} ) / ( 1.0 + ${WRAP} ) );
+  vec3 irradiance = wrapped * directLight.color;
+  vec3 between = normalize( directLight.direction + geometryViewDir );
+  float shine = max( dot( geometryNormal, between ), 0.0 );
+  float grazing = 1.0 - max( dot( geometryViewDir, between ), 0.0 );
+  float shine4 = shine * shine * shine * shine;
+  float grazing2 = grazing * grazing;
+  float gloss = shine4 * shine4 * shine4 * shine * shine * ( 0.028 + 0.30 * grazing2 * grazing2 );
+  reflectedLight.directSpecular += gloss * dotNL * directLight.color * RECIPROCAL_PI * 3.0;`,
+);
+
+const REACHED = THREE.ShaderChunk.lights_fragment_begin.replace(
+  "getDirectionalLightInfo( directionalLight, directLight );",
+  "getDirectionalLightInfo( directionalLight, directLight );\n\t\tdirectLight.color *= lampReach[ i ];",
+);
+
+const CARRIED = `#include <common>
+uniform float hemmed;
+uniform vec3 cloth;
+varying float roomFree;
+varying vec4 lampReach;
+varying vec2 worn; // mm into the cloth, and the share that the colour has of it
+`;
+const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
+
+// What is left of the colour without the cloth's share is the skin's; skin is shaded where the collar begins.
+const BARE = `
+  vec3 bare = vColor.rgb;
+  if ( hemmed > 0.5 && worn.x > - 30.0 ) {
+    bare = max( ( bare - worn.y * cloth ) / max( 1.0 - worn.y, 0.1 ), vec3( 0.0 ) );
+    bare *= 1.0 - 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
+  }`;
+
+// The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's.
+const CUT = `
+  float width = clamp( fwidth( worn.x ), 0.15, 3.0 );
+  float covered = hemmed * smoothstep( - width, width, worn.x );
+  float seam = worn.x - 9.0;
+  float knit = 1.0 - 0.3 * exp( - seam * seam * 0.6 );`;
+
+const SKIN = {
+  vertex: [
+    ["#include <common>", `attribute float free;\nattribute vec4 reach;\nattribute float hem;\n${CARRIED}`],
+    [
+      "#include <begin_vertex>",
+      `#include <begin_vertex>
+      roomFree = free;
+      lampReach = reach;
+      worn = vec2( hem, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) );`,
+    ],
+  ],
+  fragment: [
+    ["#include <common>", CARRIED],
+    ["#include <color_fragment>", `${BARE}${CUT}\ndiffuseColor.rgb = mix( bare, cloth * knit, covered );`],
+    ["vec3 outgoingLight = ", "vec3 outgoingLight = ( 1.0 - covered ) * reflectedLight.directSpecular + "],
+  ],
+  light: [
+    ["#include <lights_lambert_pars_fragment>", SKIN_LIT],
+    ["#include <lights_fragment_begin>", REACHED],
+    ["#include <lights_fragment_end>", "irradiance *= roomFree;\n#include <lights_fragment_end>"],
+  ],
+};
+
+const QUICK = {
+  made: "varying vec3 skin;\nvarying vec3 dressed;\n",
+  develop: `${BARE}\nskin = developed( bare * light + gloss );\ndressed = developed( cloth * light );`,
+  pixel: `
+uniform float hemmed;
+varying vec2 worn;
+void main() {
+  ${CUT}
+  gl_FragColor = vec4( mix( skin, dressed * knit, covered ), 1.0 );
+}`,
+};
+
+/** @param {number[]} cloth its linear colour @returns {THREE.Material} with the one for motion as `userData.quick` */
+export function skinMaterial(cloth) {
+  const material = new THREE.MeshLambertMaterial({ vertexColors: true });
+  material.userData.hemmed = { value: 0 };
+  const uniforms = { hemmed: material.userData.hemmed, cloth: { value: new THREE.Color(...cloth) } };
+  patch(material, SKIN, uniforms);
+  material.userData.quick = quickened(material, SKIN, QUICK, uniforms);
+  return material;
+}
+
