@@ -2,9 +2,9 @@
 
 A real server and a real browser on this machine. Prints pictures per second while a line plays whose faces
 are there, milliseconds from pressing play on a new line to its sound, and from turning a dial to the picture
-of that face (medians, the slowest in brackets): until the face has come, until the picture is handed over to be
-drawn, until it is drawn, and how long drawing takes, which a graphics card does in a millisecond; and what else
-the machine was doing. Needs Chromium and its driver (`scripts/test --browser` installs them). Run from the repository:
+of that face (medians, the slowest in brackets): until the face has come, until the picture is handed over to
+be drawn, until it is drawn, and how long drawing by software takes of that; and what else the machine was
+doing. Needs Chromium and its driver (`scripts/test --browser` installs them). Run from the repository:
     PYTHONPATH=src:tests/studio python benchmarks/studio_page.py
 """
 
@@ -27,7 +27,7 @@ LINE = (
     "but not today, because there is so much left to do before the evening."
 )
 TIMES = 20
-STAGES = ("to its face in the page", "to the picture handed over", "to the picture drawn", "drawing by software alone")
+STAGES = ("to its face in the page", "to the picture handed over", "to the picture drawn", "drawing alone")
 WRITE = """
 const box = document.getElementById("script");
 box.value = arguments[0];

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..errors import OutputError, RisoriusError
-from ..take import Progress
+from ..take import Progress, Take
 from . import exports, looking, wire
 from .autosave import Autosave
 from .exports import Exports
@@ -28,7 +28,6 @@ HANDLERS: dict[type, Handler] = {
     wire.Choose: Session.choose,
     wire.Compare: Session.compare,
     **dict.fromkeys(wire.EDITS.values(), Session.edit),
-    wire.Preview: Session.preview,
     wire.Undo: Session.undo,
     wire.Redo: Session.redo,
     wire.View: Session.keep_view,
@@ -64,6 +63,10 @@ class Room:
         if isinstance(asked, SAVING):
             await self.save()
         return answered
+
+    async def preview(self, edit: wire.Edit) -> tuple[Take, wire.Previewed]:
+        """Return the take that an edit would make, and what the page is told of it."""
+        return await self._run(lambda: self.session.preview(edit))
 
     async def save(self) -> None:
         """Save the session; tell its pages that it is, or why it is not."""
