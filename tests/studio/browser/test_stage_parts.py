@@ -117,7 +117,7 @@ def test_who_scrubs_sees_one_face_after_another_and_all_where_the_hand_rests(pag
       send(6000, KINDS.moment);
       answers[2]();
       send(0); // of the stretch that the take begins with: it is not where the playhead is
-      await wait(400);
+      await wait(700);
       send(6000);
       return [asked, shown];
     """)

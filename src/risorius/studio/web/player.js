@@ -8,7 +8,7 @@ import { KINDS } from "./stage/faces.js";
 const BEHIND = 2; // s of faces kept before the playhead
 const AHEAD = 8; // s of faces asked for beyond it
 const REFILL = 4; // s left ahead at which more is asked for
-const SETTLED = 150; // ms in which nobody scrubs after which faces are asked for: each stretch costs the server much
+const SETTLED = 300; // ms in which nobody scrubs after which faces are asked for: each stretch costs the server much
 const SOON = 0.5; // s after what has arrived within which a frame is waited for
 const AGAIN = 400; // ms after which a request that failed is made again
 

@@ -13,6 +13,7 @@ const STEPS = [
   { ratio: 0.5, fine: false },
 ];
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
+const MOST = 2e6; // pixels of a picture at rest that is finer than the screen
 const REST = 800; // ms in which nobody moves anything after which the head is at rest
 
 export class Sharpness {
@@ -39,10 +40,11 @@ export class Sharpness {
     }
   }
 
-  /** Pixels drawn per CSS pixel. */
-  get ratio() {
+  /** Pixels drawn per CSS pixel of a side. @param {number} area of the picture, in CSS pixels */
+  ratio(area) {
     const screen = Math.min(window.devicePixelRatio, 2);
-    return this.#atRest ? Math.max(this.#still, screen) : STEPS[this.#step].ratio * screen;
+    if (!this.#atRest) return STEPS[this.#step].ratio * screen;
+    return Math.max(Math.min(this.#still, Math.sqrt(MOST / area)), screen);
   }
 
   /** Whether all triangles are drawn. */

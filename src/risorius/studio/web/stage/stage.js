@@ -113,7 +113,7 @@ export class Stage {
 
   /** Take up the canvas' size, as finely as is drawn now: not before a picture, which that clears. */
   #fit(width, height) {
-    const { ratio } = this.#sharpness;
+    const ratio = this.#sharpness.ratio(width * height);
     const size = [width, height, ratio].join();
     if (size === this.#size) return;
     this.#size = size;
@@ -129,7 +129,7 @@ export class Stage {
     renderer.setScissorTest(true);
     this.#figures.forEach((shown, place) => {
       for (const figure of this.#figures) figure.group.visible = figure === shown;
-      shown.ready(this.#sharpness.fine, this.view.camera, height * this.#sharpness.ratio);
+      shown.ready(this.#sharpness.fine, this.view.camera, height * this.#renderer.getPixelRatio());
       renderer.setViewport(place * each, 0, each, height);
       this.#backdrop.paint(renderer, place * each, each, height);
       renderer.setScissor(place * each, 0, each, height);
