@@ -99,6 +99,19 @@ def test_a_window_shows_what_the_whole_would(server):
             assert np.abs(held[0, frame].astype(int) - held[20, frame]).max() <= 1
 
 
+def test_what_is_begun_is_done_and_saved_though_the_page_goes(server):
+    with server.page("gone") as page:
+        page.socket.send(json.dumps({"id": 1, "do": "perform", "source": {"script": LINE}}))
+        page.event("progress")
+    saved = server.studio.folder / "gone" / "project.json"
+    end = time.monotonic() + 60.0
+    while not saved.exists():
+        assert time.monotonic() < end
+        time.sleep(0.05)
+    with server.page("gone") as page:
+        assert page.ask("open")["take"]["made"]["source"]["script"] == LINE
+
+
 def _held(page, number, time):
     page.faces.clear()
     page.ask("face_at", take=number, time=time, still=True)

@@ -51,12 +51,20 @@ class Room:
         self.pages: set[Connection] = set()
         self._autosave = Autosave(folder)
         self._loaded = False
-        self._tasks: set[asyncio.Task[None]] = set()
+        self._tasks: set[asyncio.Task[Any]] = set()
         self._worker = ThreadPoolExecutor(1, thread_name_prefix=f"session-{name}")
         self._exporter = ThreadPoolExecutor(1, thread_name_prefix=f"export-{name}")
 
     async def done(self, asked: Any, progress: Progress, page: Connection) -> Any:
-        """Return the answer to a request of a page; save and tell other pages what it changes."""
+        """Return the answer to a request of a page; save and tell other pages what it changes.
+
+        What is begun is done and saved even if the page goes meanwhile.
+        """
+        task = asyncio.get_running_loop().create_task(self._do(asked, progress, page))
+        self._keep(task)
+        return await asyncio.shield(task)
+
+    async def _do(self, asked: Any, progress: Progress, page: Connection) -> Any:
         answered = await self._run(lambda: HANDLERS[type(asked)](self.session, asked, progress))
         if isinstance(asked, CHANGING):
             await self.tell_others(page)
@@ -148,6 +156,12 @@ class Room:
 
         return await asyncio.get_running_loop().run_in_executor(self._worker, loaded)
 
-    def _keep(self, task: asyncio.Task[None]) -> None:
+    def _keep(self, task: asyncio.Task[Any]) -> None:
         self._tasks.add(task)
-        task.add_done_callback(self._tasks.discard)
+        task.add_done_callback(self._forget)
+
+    def _forget(self, task: asyncio.Task[Any]) -> None:
+        self._tasks.discard(task)
+        if not task.cancelled():
+            # Where a page has gone nobody else asks for it, and asyncio would complain.
+            task.exception()

@@ -94,7 +94,7 @@ SCRUBBED = """
   const { KINDS } = await import("/web/stage/faces.js");
   const asked = [], shown = [], answers = [];
   const connection = { up: true, on() {}, request: (verb, { first, time }) => {
-    asked.push([verb, first ?? Math.round(30 * time)]);
+    asked.push([verb, first ?? (time === undefined ? null : Math.round(30 * time))]);
     return new Promise((go) => answers.push(go));
   } };
   const clock = { time: 0, playing: false, on() {} };
@@ -112,17 +112,17 @@ def test_who_scrubs_sees_one_face_after_another_and_all_where_the_hand_rests(pag
       {SCRUBBED}
       [100, 150, 200].forEach(seek);
       send(3000, KINDS.moment);
-      answers[1]();
+      answers[2]();
       await wait(0);
       send(6000, KINDS.moment);
-      answers[2]();
+      answers[3]();
       send(0); // of the stretch that the take begins with: it is not where the playhead is
       await wait(700);
       send(6000);
       return [asked, shown];
     """)
     stretches = [["faces", 0], ["faces", 6000]]
-    assert asked == [stretches[0], ["face_at", 3000], ["face_at", 6000], stretches[1]]
+    assert asked == [stretches[0], ["cancel", None], ["face_at", 3000], ["face_at", 6000], stretches[1]]
     assert shown == [3000, 6000, 6000]
 
 

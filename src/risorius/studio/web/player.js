@@ -98,7 +98,17 @@ export class Player {
     }
     this.#scrubbed = performance.now();
     this.#later(SETTLED);
-    if (this.behind) this.#glance();
+    if (!this.behind) return;
+    this.#giveUp();
+    this.#glance();
+  }
+
+  /** What is on its way is for another place: the server has better to do. */
+  #giveUp() {
+    const [asking, now] = [this.#asking, this.#now()];
+    if (!asking || (now >= asking.first && now < asking.last) || !this.#connection.up) return;
+    this.#asking = null;
+    this.#connection.request("cancel", { take: this.#take.take }).catch(() => {});
   }
 
   #showNow() {
