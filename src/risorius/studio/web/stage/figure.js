@@ -7,7 +7,7 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { lighterOf, shade } from "./detail.js";
-import { MM, geometryOf, irisTexture, lightOf, neckShare } from "./geometry.js";
+import { MM, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
 import { readGlb } from "./glb.js";
 import { lightBetween, slitsOf } from "./lips.js";
 import { materialOf } from "./materials.js";
@@ -68,6 +68,7 @@ export class Figure {
       this.#lighter.skin.take(name);
     }
     material.userData.hemmed.value = seen ? 1 : 0;
+    if (seen) material.userData.neck.value.copy(neckColour(geometry.attributes));
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */

@@ -29,24 +29,22 @@ const REACHED = THREE.ShaderChunk.lights_fragment_begin.replace(
 const CARRIED = `#include <common>
 uniform float hemmed;
 uniform vec3 cloth;
+uniform vec3 neck;
 varying float roomFree;
 varying vec4 lampReach;
 varying vec2 worn; // mm into the cloth, and the share that the colour has of it
 `;
 const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
 
-// What is left of the colour without the cloth's share is the skin's; skin is shaded where the collar begins.
-const BARE = `
-  vec3 bare = vColor.rgb;
-  if ( hemmed > 0.5 && worn.x > - 30.0 ) {
-    bare = max( ( bare - worn.y * cloth ) / max( 1.0 - worn.y, 0.1 ), vec3( 0.0 ) );
-    bare *= 1.0 - 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
-  }`;
+// Where the colour has the cloth's in it, skin is of the neck's.
+const BARE = "vec3 bare = mix( vColor.rgb, neck, hemmed * smoothstep( 0.0, 0.35, worn.y ) );";
 
-// The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's.
+// The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's. It is shaded
+// where the collar begins.
 const CUT = `
   float width = clamp( fwidth( worn.x ), 0.15, 3.0 );
   float covered = hemmed * smoothstep( - width, width, worn.x );
+  float collar = 1.0 - hemmed * 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
   float seam = worn.x - 9.0;
   float knit = 1.0 - 0.3 * exp( - seam * seam * 0.6 );`;
 
@@ -63,7 +61,7 @@ const SKIN = {
   ],
   fragment: [
     ["#include <common>", CARRIED],
-    ["#include <color_fragment>", `${BARE}${CUT}\ndiffuseColor.rgb = mix( bare, cloth * knit, covered );`],
+    ["#include <color_fragment>", `${BARE}${CUT}\ndiffuseColor.rgb = mix( bare * collar, cloth * knit, covered );`],
     ["vec3 outgoingLight = ", "vec3 outgoingLight = ( 1.0 - covered ) * reflectedLight.directSpecular + "],
   ],
   light: [
@@ -81,15 +79,20 @@ uniform float hemmed;
 varying vec2 worn;
 void main() {
   ${CUT}
-  gl_FragColor = vec4( mix( skin, dressed * knit, covered ), 1.0 );
+  gl_FragColor = vec4( mix( skin * sqrt( collar ), dressed * knit, covered ), 1.0 );
 }`,
 };
 
-/** @param {number[]} cloth its linear colour @returns {THREE.Material} with the one for motion as `userData.quick` */
+/**
+ * @param {number[]} cloth its linear colour
+ * @returns {THREE.Material} whose `userData` has whether it is `hemmed`, the colour of its `neck`, and as `quick` the
+ *   material for motion
+ */
 export function skinMaterial(cloth) {
   const material = new THREE.MeshLambertMaterial({ vertexColors: true });
-  material.userData.hemmed = { value: 0 };
-  const uniforms = { hemmed: material.userData.hemmed, cloth: { value: new THREE.Color(...cloth) } };
+  const uniforms = { hemmed: { value: 0 }, neck: { value: new THREE.Color() } };
+  Object.assign(material.userData, uniforms);
+  uniforms.cloth = { value: new THREE.Color(...cloth) };
   patch(material, SKIN, uniforms);
   material.userData.quick = quickened(material, SKIN, QUICK, uniforms);
   return material;
