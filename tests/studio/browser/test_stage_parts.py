@@ -54,23 +54,31 @@ def test_the_border_of_a_coarser_mesh_stays(page: Page) -> None:
     assert border == 80
 
 
-def test_fewer_strands_are_straighter_and_keep_root_and_tip(page: Page) -> None:
-    order, triangles = page.run("""
-      const { fewer } = await import("/web/stage/strands.js");
-      const [strands, pairs] = [100, 6];
-      const index = [];
-      for (let s = 0; s < strands; s++) for (let p = 0; p < pairs - 1; p++) {
-        const k = 2 * (s * pairs + p);
-        index.push(k, k + 1, k + 2, k + 1, k + 3, k + 2);
-      }
-      const found = fewer(Uint32Array.from(index), 0.25);
-      return [found.order, found.index.length / 3];
-    """)
-    strands = len(order) / 6
+@pytest.mark.parametrize(("length", "bends"), [(20, [0, 1, 6, 7, 10, 11]), (200, list(range(12)))])
+def test_fewer_strands_keep_root_and_tip_and_long_ones_their_bends(
+    page: Page, length: float, bends: list[int]
+) -> None:
+    order, triangles = page.run(
+        """
+        const { fewer } = await import("/web/stage/strands.js");
+        const [strands, pairs] = [100, 6];
+        const index = [], points = [];
+        for (let s = 0; s < strands; s++) for (let p = 0; p < pairs; p++) {
+          const [k, along] = [2 * (s * pairs + p), (arguments[0] * p) / (pairs - 1)];
+          points.push(0, along, s, 1, along, s);
+          if (p < pairs - 1) index.push(k, k + 1, k + 2, k + 1, k + 3, k + 2);
+        }
+        const found = fewer(Uint32Array.from(index), 0.25, points);
+        return [found.order, found.index.length / 3];
+        """,
+        length,
+    )
+    each = len(bends)
+    strands = len(order) / each
     assert strands == pytest.approx(25, abs=2)
-    assert triangles == 4 * strands
-    for k in range(0, len(order), 6):
-        assert [v % 12 for v in order[k : k + 6]] == [0, 1, 6, 7, 10, 11]
+    assert triangles == (each - 2) * strands
+    for k in range(0, len(order), each):
+        assert [v % 12 for v in order[k : k + each]] == bends
 
 
 @pytest.mark.parametrize(("gap", "light"), [(0.0, 0.0), (0.7, 0.0), (2.4, 0.5), (4.0, 1.0), (20.0, 1.0)])

@@ -22,7 +22,7 @@ const LIGHTER = {
   ...gathering(SMALL, GATHERED),
   ...gathering(EYES, ROUND),
   ...Object.fromEntries(
-    Object.entries(STRANDS).map(([name, { share }]) => [name, (points, index) => fewer(index, share)]),
+    Object.entries(STRANDS).map(([name, { share }]) => [name, (points, index) => fewer(index, share, points)]),
   ),
 };
 

@@ -10,17 +10,19 @@ import * as THREE from "../vendor/three/three.module.min.js";
 
 const ALIKE = Math.cos((5 * Math.PI) / 180); // between directions of sight for which one order does
 const DEPTHS = 1024; // that are told apart
+const SHORT = 40; // mm
 const GOLDEN = 0.6180339887498949;
 const QUAD = [0, 1, 2, 1, 3, 2];
 
 /**
- * Some of the strands, spread evenly, with two bends' worth of triangles instead of all.
- * @param {Uint32Array} index (3m,) @param {number} share of the strands
+ * Some of the strands, spread evenly; short ones with one bend instead of all. Long ones would cut through the head.
+ * @param {Uint32Array} index (3m,) @param {number} share of the strands @param {Float32Array} points x, y, z, x, …
  * @returns {{order: number[], index: Uint32Array}} the vertices that are kept, and the triangles between these
  */
-export function fewer(index, share) {
+export function fewer(index, share, points) {
   const { count, pairs } = strandsOf(index);
-  const kept = [0, pairs >> 1, pairs - 1];
+  const long = meanLength(points, count, pairs) > SHORT;
+  const kept = long ? Array.from({ length: pairs }, (_, k) => k) : [0, pairs >> 1, pairs - 1];
   const strands = Array.from({ length: count }, (_, k) => k).filter((k) => (k * GOLDEN) % 1 < share);
   const order = strands.flatMap((strand) =>
     kept.flatMap((pair) => [0, 1].map((edge) => 2 * (strand * pairs + pair) + edge)),
@@ -28,6 +30,18 @@ export function fewer(index, share) {
   const each = kept.length - 1;
   const quads = Array.from({ length: strands.length * each }, (_, k) => 2 * (k + Math.floor(k / each)));
   return { order, index: Uint32Array.from(quads.flatMap((from) => QUAD.map((k) => from + k))) };
+}
+
+/** How long strands are, along their left edges. */
+function meanLength(points, count, pairs) {
+  let sum = 0;
+  for (let strand = 0; strand < count; strand++) {
+    for (let pair = strand * pairs; pair < (strand + 1) * pairs - 1; pair++) {
+      const way = (axis) => points[6 * pair + 6 + axis] - points[6 * pair + axis];
+      sum += Math.hypot(way(0), way(1), way(2));
+    }
+  }
+  return sum / Math.max(count, 1);
 }
 
 /** Make ribbons wider. @param {Float32Array} points in pairs @param {number} wide times as wide */
