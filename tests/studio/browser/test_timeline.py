@@ -11,7 +11,7 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.remote.webelement import WebElement
 
-from .acts import MOVED, SHOWN, remember_face
+from .acts import MOVED, remember_face
 from .driving import Page
 
 LINE = "Oh really? I like it very much."
@@ -249,7 +249,7 @@ def test_a_drag_is_given_up_by_escape(timeline: Timeline) -> None:
     block, take = timeline.block(), timeline.take
     middle = (block["apex_start"] + block["apex_end"]) / 2
     timeline.page.run("studio.clock.seek(arguments[0])", middle)
-    timeline.page.wait(SHOWN)
+    timeline.page.wait("studio.theatre.players[0].held === studio.store.get('take').frames")
     remember_face(timeline.page)
     chain = timeline.page.actions()
     pointer = chain.w3c_actions.pointer_action

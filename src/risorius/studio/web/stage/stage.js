@@ -124,6 +124,7 @@ export class Stage {
   #draw() {
     const renderer = this.#renderer;
     const { clientWidth: width, clientHeight: height } = this.#canvas;
+    if (width === 0 || height === 0) return;
     this.#fit(width, height);
     const each = width / Math.max(this.#figures.length, 1);
     renderer.setScissorTest(true);
