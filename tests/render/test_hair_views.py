@@ -31,13 +31,16 @@ def test_leaving_out_hidden_hairs_hardly_changes_what_is_seen(drawn, face, angle
         drawn._hair_views = views
     kept = seen(drawn, frame)
     assert len(np.setdiff1d(everything, kept)) < 0.08 * len(everything)
-    assert (drawn._buffer.ids != whole).mean() < 0.004
+    assert (drawn._buffer.ids != whole).mean() < 0.006
 
 
-def test_at_least_a_third_of_the_hairs_is_left_out(drawn, face):
-    shown = drawn._hair_views.seen(drawn.camera.eye, face().head_rotation)
-    assert shown[drawn.scene.facial_hairs :].mean() < 0.67
-    assert shown[: drawn.scene.facial_hairs].all()
+def test_at_least_half_of_the_hair_is_left_out(drawn, face):
+    first, last = drawn._hair_views.seen(drawn.camera.eye, face().head_rotation).T.astype(int)
+    points = 6
+    parts = np.maximum(np.minimum(last, points - 1) - first, 0)[drawn.scene.facial_hairs :]
+    assert parts.sum() < 0.5 * (points - 1) * len(parts)
+    assert (first[: drawn.scene.facial_hairs] == 0).all()
+    assert (last[: drawn.scene.facial_hairs] >= points - 1).all()
 
 
 def test_what_is_left_out_does_not_depend_on_the_pictures_before(drawn, head, face):

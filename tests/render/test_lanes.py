@@ -17,11 +17,12 @@ def test_quantities_do_not_overlap():
         "TOTAL",
         "SHINE",
     ]
+    several = {"GRAIN": 8, "REACH": lanes.LAMPS}
     block = lanes.empty_block()
     taken = np.zeros(len(block), int)
     for name in dir(lanes):
-        if name.isupper() and not name.startswith("_") and name != "LANES":
-            count = 3 if name in vectors else 8 if name == "GRAIN" else 1
+        if name.isupper() and not name.startswith("_") and name not in ("LANES", "LAMPS"):
+            count = 3 if name in vectors else several.get(name, 1)
             first = getattr(lanes, name)
             taken[first : first + count * lanes.LANES] += 1
     assert (taken == 1).all()

@@ -33,3 +33,8 @@ def test_the_backdrop_is_brighter_behind_the_head():
     assert picture.max() <= 1
     assert picture[18:22, 28:32].mean() > 1.5 * picture[:4, :4].mean()
     assert np.array_equal(picture, gradient(60, 40, STUDIO.centre, STUDIO.edge))
+
+
+def test_a_rig_of_too_many_lamps_is_an_error():
+    with pytest.raises(InputError, match="a light rig of 5 lamps; expected at most 4"):
+        LightRig(lamps=(Lamp(0.0, 0.0, (1.0, 1.0, 1.0)),) * 5, sky=(0.0, 0.0, 0.0), ground=(0.0, 0.0, 0.0))

@@ -3,7 +3,7 @@ import pytest
 
 from risorius.face.rotations import head_rotation
 from risorius.render.attach import Surface, flat, unit
-from risorius.render.strands import join, ribbons
+from risorius.render.strands import NOTHING, WHOLE, join, ribbons
 
 EYE = np.array([0.0, 0.0, 500.0], np.float32)
 
@@ -30,7 +30,7 @@ def drawn(points, normals, hairs, eye=EYE, least=0.0, shown=None):
     positions = np.zeros((len(points) + hairs.vertices, 3), np.float32)
     directions = np.zeros_like(positions)
     positions[: len(points)], directions[: len(points)] = points, normals
-    shown = np.ones(len(hairs.roots), np.uint8) if shown is None else np.array(shown, np.uint8)
+    shown = np.array([WHOLE] * len(hairs.roots) if shown is None else shown, np.int8)
     limits = (np.float32(hairs.behind), np.float32(least))
     shape = (hairs.roots, hairs.weights, hairs.curves, hairs.widths)
     ribbons(positions, directions, *shape, shown, eye, len(points), *limits)
@@ -59,10 +59,23 @@ def test_at_rest_a_hair_lies_where_it_was_drawn(sheet, hairs):
 
 
 def test_a_hair_that_is_not_shown_has_no_width_or_length(sheet, hairs):
-    strands, directions = drawn(sheet.points, sheet.normals, hairs, shown=(0, 1))
+    strands, directions = drawn(sheet.points, sheet.normals, hairs, shown=(NOTHING, WHOLE))
     assert np.ptp(strands[0].reshape(-1, 3), axis=0) == pytest.approx(0)
     assert not directions[0].any()
     assert np.ptp(strands[1, :, 0, 1]) > 4
+
+
+def test_of_a_hair_only_what_is_shown_has_a_length(sheet, hairs):
+    whole, _ = drawn(sheet.points, sheet.normals, hairs)
+    strands, directions = drawn(sheet.points, sheet.normals, hairs, shown=((0, 1), (1, 2)))
+    assert (strands[0] == whole[0][[0, 1, 1]]).all()
+    assert (strands[1] == whole[1][[1, 1, 2]]).all()
+    assert (directions.any(axis=(2, 3)) == [[True, True, False], [False, True, True]]).all()
+
+
+def test_each_triangle_tells_which_part_of_its_hair_it_is(hairs):
+    assert hairs.parts().tolist() == [0, 0, 1, 1, 0, 0, 1, 1]
+    assert len(hairs.parts()) == len(hairs.triangles())
 
 
 def test_hairs_ride_rigidly_on_a_moved_surface(sheet, hairs):

@@ -5,19 +5,14 @@ from __future__ import annotations
 import itertools
 import json
 import struct
-import threading
 from contextlib import contextmanager
 
-# Loaded here: pytest rewrites them, and must not while another thread makes syntax trees (see `compiled`).
+# Loaded here: pytest rewrites them, and must not while another thread makes syntax trees (see `running`).
 import hypothesis  # noqa: F401
 import pytest
-import uvicorn
 from websockets.sync.client import connect
 
-from risorius.studio.app import Studio
-from risorius.studio.server import bound, configured
-
-from .compiled import compile_faces
+from .running import running
 
 LINE = "Oh really? I like it very much."
 
@@ -91,31 +86,20 @@ class Server:
 
     @contextmanager
     def page(self, session, **options):
-        with connect(f"ws://{self.address}/ws/{session}", max_size=None, **options) as socket:
+        with connect(
+            f"ws://{self.address}/ws/{session}", max_size=None, ping_interval=None, **options
+        ) as socket:
             yield Client(socket)
 
 
 @contextmanager
 def serving(folder):
     """Run a server in a thread."""
-    compile_faces()
-    listening = bound(0)
-    studio = Studio(folder)
-    server = uvicorn.Server(configured(studio))
-    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
-    thread.start()
-    while not server.started:
-        assert thread.is_alive()
-        thread.join(0.01)
-    try:
-        yield Server(listening.getsockname()[1], studio)
-    finally:
-        server.should_exit = True
-        thread.join(20)
-        listening.close()
+    with running(folder) as (studio, port):
+        yield Server(port, studio)
 
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
-    with serving(tmp_path_factory.mktemp("studio")) as running:
-        yield running
+    with serving(tmp_path_factory.mktemp("studio")) as served:
+        yield served

@@ -220,15 +220,14 @@ def _newton(first: Array, second: Array, third: Array, wanted: Array) -> Array:
     whole = first + second + third
     rising = np.sign(whole)
     x = np.minimum(np.maximum(wanted / whole, 0.0), 1.0)
-    for _ in range(_STEPS):
-        value = x * (first + x * (second + x * third))
-        beyond = (value - wanted) * rising > 0.0
-        low, high = np.where(beyond, low, x), np.where(beyond, x, high)
-        slope = first + x * (2.0 * second + 3.0 * x * third)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            newton = x + (wanted - value) / slope
-        inside = (newton >= low) & (newton <= high)
-        x = np.where(inside, newton, 0.5 * (low + high))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for _ in range(_STEPS):
+            missing = wanted - x * (first + x * (second + x * third))
+            beyond = missing * rising < 0.0
+            low, high = np.where(beyond, low, x), np.where(beyond, x, high)
+            newton = x + missing / (first + x * (2.0 * second + 3.0 * x * third))
+            inside = (newton >= low) & (newton <= high)
+            x = np.where(inside, newton, 0.5 * (low + high))
     return x
 
 

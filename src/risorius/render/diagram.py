@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from .collect import collect
 from .inputs import Batch, Light, Mesh, Paint, Pose, Sight, Tables
 from .jit import kernel
 from .materials.hair import shade_hairs
 from .materials.plain import shade_plain
 from .raster import ByteArray
-from .shade import collect, resolve, uncover
+from .shade import resolve, uncover
 
 
 @kernel

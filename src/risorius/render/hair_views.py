@@ -1,7 +1,7 @@
-"""Which hairs can be seen from where: most of a head of hair lies under its top, and need not be drawn.
+"""What of each hair can be seen from where: most of a head of hair lies under its top, and need not be drawn.
 
-From the points of a grid of directions about the head it is found, when first needed, which hairs win a
-sample; drawn are those that are seen from any corner of the cell in which the camera stands.
+From the points of a grid of directions about the head it is found, when first needed, from where to where
+each hair wins samples; drawn is what is seen from any corner of the cell in which the camera stands.
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ import numpy.typing as npt
 
 from .camera import Camera, project
 from .inputs import HAIR
-from .raster import ByteArray, FloatArray, IntArray, Visibility
+from .raster import FloatArray, IntArray, Visibility
 from .scene import HeadScene
+from .strands import NOTHING, WHOLE
 
 Array = npt.NDArray[np.float64]
 
@@ -29,14 +30,14 @@ _FINER = 0.5
 
 
 class HairViews:
-    """The hairs of a scene that can be seen from a distance of `distance` mm, at `sample` mm a sample."""
+    """What of the hairs of a scene can be seen from a distance of `distance` mm, at `sample` mm a sample."""
 
     def __init__(self, scene: HeadScene, distance: float, sample: float) -> None:
         self._scene, self._distance, self._sample = scene, distance, sample
         centre, self._radius = scene.anatomy.sphere()
         self._side = min(math.ceil(2.0 * self._radius / sample), _LARGEST)
         self._centre = (0.0, float(centre[1]), float(centre[2]))
-        self._nodes: dict[tuple[int, int], npt.NDArray[np.bool_]] = {}
+        self._nodes: dict[tuple[int, int], npt.NDArray[np.int8]] = {}
         self._buffers: _Buffers | None = None
 
     def twin(self, scene: HeadScene) -> HairViews:
@@ -50,26 +51,27 @@ class HairViews:
         """Whether the picture's samples are not much finer than those that are drawn here."""
         return self._sample * self._side >= _FINER * 2.0 * self._radius
 
-    def seen(self, eye: npt.NDArray[np.floating], rotation: Array) -> ByteArray:
-        """Return 1 for each hair (H,) that may be seen from `eye` (3,), the head being rotated (3, 3).
+    def seen(self, eye: npt.NDArray[np.floating], rotation: Array) -> npt.NDArray[np.int8]:
+        """Return the first and the last point of each hair (H, 2) that may be seen from `eye` (3,).
 
-        The scene may stand otherwise afterwards.
+        The head is rotated (3, 3). The first lies behind the last where nothing is seen of a hair. The scene
+        may stand otherwise afterwards.
         """
         x, y, z = (np.subtract(eye, self._centre) @ rotation).tolist()
         across = math.degrees(math.atan2(x, z)) / STEP
         high = math.degrees(math.atan2(y, math.hypot(x, z)))
         up = max(-_HIGHEST, min(high, _HIGHEST - 1e-6)) / STEP
         i, j = math.floor(across), math.floor(up)
-        corners = [self._node(m % _AROUND, n) for m in (i, i + 1) for n in (j, j + 1)]
-        return np.asarray(np.logical_or.reduce(corners), np.uint8)
+        corners = np.stack([self._node(m % _AROUND, n) for m in (i, i + 1) for n in (j, j + 1)])
+        return np.stack([corners[:, :, 0].min(axis=0), corners[:, :, 1].max(axis=0)], axis=1)
 
-    def _node(self, across: int, up: int) -> npt.NDArray[np.bool_]:
+    def _node(self, across: int, up: int) -> npt.NDArray[np.int8]:
         if (across, up) not in self._nodes:
             self._nodes[across, up] = self._look(math.radians(across * STEP), math.radians(up * STEP))
         return self._nodes[across, up]
 
-    def _look(self, across: float, up: float) -> npt.NDArray[np.bool_]:
-        """Draw the head at rest from a direction; return which hairs win a sample."""
+    def _look(self, across: float, up: float) -> npt.NDArray[np.int8]:
+        """Draw the head at rest from a direction; return from where to where each hair (H, 2) is seen."""
         scene, level = self._scene, math.cos(up) * self._distance
         way = (math.sin(across) * level, math.sin(up) * self._distance, math.cos(across) * level)
         x, y, z = self._centre
@@ -81,14 +83,15 @@ class HairViews:
         buffers.seen.draw(buffers.xy, buffers.key, scene.triangles, scene.two_sided)
         return self._winners(buffers.seen.ids)
 
-    def _winners(self, ids: IntArray) -> npt.NDArray[np.bool_]:
+    def _winners(self, ids: IntArray) -> npt.NDArray[np.int8]:
         scene = self._scene
-        drawn = np.zeros(len(scene.triangles), bool)
-        drawn[ids[ids >= 0]] = True
-        hairs = scene.surfaces[scene.solid :]
-        found = np.bincount(hairs[drawn[scene.solid :]] - HAIR, minlength=scene.hairs) > 0
+        drawn = np.unique(ids[ids >= scene.solid])
+        hair, part = scene.surfaces[drawn] - HAIR, scene.hair_parts[drawn - scene.solid]
+        found = np.tile(np.array([NOTHING], np.int8), (scene.hairs, 1))
+        np.minimum.at(found[:, 0], hair, part)
+        np.maximum.at(found[:, 1], hair, part + 1)
         # Brows and lashes move with the face, so that rest does not tell what of them is seen.
-        found[: scene.facial_hairs] = True
+        found[: scene.facial_hairs] = WHOLE
         return found
 
 

@@ -15,15 +15,18 @@ from .raster import FloatArray
 from .vec import Vec
 
 LANES = 64
+LAMPS = 4
+"""Lamps at most: their number is known to the compiler."""
 _THREE = 3 * LANES
 
 # Vectors: what is read of the mesh, and what follows from it.
 POSITION, NORMAL, REST, ALBEDO, VIEW, SOFT, BUMPY, WAY, BELOW, TOTAL, SHINE = range(0, 11 * _THREE, _THREE)
-# Numbers; of the grain, the first of eight.
+# Numbers; of the grain the first of eight, of the reach of lamps the first of LAMPS.
 FREE, ROUGHNESS, STRENGTH, CURVATURE, INNER, CLOTH, OPENED, SHADOW, SHARE, ANGLE, GRAIN = range(
     11 * _THREE, 11 * _THREE + 11 * LANES, LANES
 )
-_SIZE = GRAIN + 8 * LANES
+REACH = GRAIN + 8 * LANES
+_SIZE = REACH + LAMPS * LANES
 
 
 def empty_block() -> FloatArray:

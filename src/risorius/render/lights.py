@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import InputError
+from .lanes import LAMPS
 from .raster import FloatArray
 
 Colour = tuple[float, float, float]
@@ -53,6 +54,8 @@ class LightRig:
     def __post_init__(self) -> None:
         if not self.lamps:
             raise InputError("a light rig without lamps; expected at least one")
+        if len(self.lamps) > LAMPS:
+            raise InputError(f"a light rig of {len(self.lamps)} lamps; expected at most {LAMPS}")
 
     def lighting(self) -> Lighting:
         """Return the rig as arrays for the kernels."""

@@ -10,16 +10,17 @@ from scipy.spatial import cKDTree
 
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat, unit
-from .locks import gather_locks, over_skin, smoothed
+from .locks import gather_locks, over_skin, respaced, smoothed
 from .noise import noise_at
 from .scalp import grow_roots, hair_density, inside_hairline
 from .strands import Strands
 
 Array = npt.NDArray[np.float64]
-POINTS = 9
+POINTS = 11
+_STEPS = 28  # of the way that a hair goes, of which its points are chosen
 _LAYERS = 4
 _SEED = 45
-_SHARE = 0.40  # longer hairs are drawn wider and in smaller number
+_SHARE = 0.54  # longer hairs are drawn wider and in smaller number
 _PARTING = -24.0  # x of the parting, mm
 _AXIS = -72.0  # z of the axis about which hair is kept off the face, mm
 # Heights over the eyes in mm, and the angle from the front within which no hair hangs there.
@@ -32,22 +33,22 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     # Hairs alone on the forehead would look like scratches.
-    density = density * (1.0 + 0.8 * front) * smoothstep(1.0, 9.0, inside_hairline(anatomy, surface.points))
+    density = density * (1.0 + 0.8 * front) * smoothstep(4.0, 12.0, inside_hairline(anatomy, surface.points))
     # Upper layers come first: what lies under them then fails the depth test at once.
     each = round(_SHARE * count) // _LAYERS
     rounds = [grow_roots(anatomy, surface, density, each, _SEED + k) for k in range(_LAYERS)]
     triangles, weights = (np.concatenate(part) for part in zip(*rounds, strict=True))
     count = len(triangles)
     origin, normal = surface.at(triangles, weights)
-    layer = (1.0 - (np.arange(count) * _LAYERS // count + rng.random(count)) / _LAYERS) ** 0.8
-    length = _lengths(anatomy, origin) * (0.84 + 0.19 * rng.random(count) ** 0.6)
-    curves = smoothed(_hang(anatomy, surface, origin, normal, length, layer, rng), 3)
+    layer = (1.0 - (np.arange(count) * _LAYERS // count + rng.random(count)) / _LAYERS) ** 0.45
+    length = _lengths(anatomy, origin) * (0.86 + 0.14 * rng.random(count) ** 0.6)
+    curves = smoothed(_hang(anatomy, surface, origin, normal, length, layer, rng), 8)
     within = inside_hairline(anatomy, origin)
     curves, lock = gather_locks(curves, length, 0.45 * smoothstep(0.0, 18.0, within), rng)
+    curves, way = respaced(curves, POINTS)
     shade = (0.74 + 0.36 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
-    way = np.linspace(0.0, 1.0, POINTS)
     fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)
-    widths = 0.98 * fine[:, None] * (1.0 - 0.8 * way**3)
+    widths = 0.74 * fine[:, None] * (1.0 - 0.8 * way**3)
     depths = 0.6 * (1.0 - layer) * smoothstep(2.0, 14.0, within)
     hairs = surface.root(triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0)
     # Hair from the nape shows beside the neck.
@@ -73,16 +74,16 @@ def _hang(
     layer: Array,
     rng: np.random.Generator,
 ) -> Array:
-    """Return curves (S, POINTS, 3) that run over the skull from the parting and then hang."""
+    """Return curves (S, _STEPS + 1, 3) that run over the skull from the parting and then hang."""
     skull = anatomy.masks["ears"] < 0.05
     smooth = Surface(surface.points[skull], surface.normals[skull], surface.triangles)
     tree = cKDTree(smooth.points)
-    stray = rng.normal(0.0, 0.07, origin.shape)
+    stray = rng.normal(0.0, 0.05, origin.shape)
     volume = (5.0 + 11.0 * layer) * anatomy.unit * (0.35 + 0.65 * smoothstep(0.0, 20.0, length))
     volume *= 0.5 + 0.5 * smoothstep(-2.0, 16.0, inside_hairline(anatomy, origin))
-    curves, step = [origin], (length / (POINTS - 1))[:, None]
-    for k in range(1, POINTS):
-        way = k / (POINTS - 1)
+    curves, step = [origin], (length / _STEPS)[:, None]
+    for k in range(1, _STEPS + 1):
+        way = k / _STEPS
         place = curves[-1] + step * unit(_ahead(anatomy, curves[-1], normal) + stray)
         above, normal = over_skin(tree, smooth, place)
         wanted = volume * np.sin(np.pi / 2 * min(1.0, 3.2 * way)) + 0.3

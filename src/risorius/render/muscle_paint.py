@@ -14,7 +14,7 @@ from ..face.muscle_table import Muscle
 from .anatomy import Anatomy, find_anatomy
 from .attach import unit
 from .inputs import BitArray
-from .materials.plain import SOFT
+from .materials.painted import SOFT
 from .parts import skin_surface
 from .raster import FloatArray
 

@@ -5,12 +5,13 @@ Being solid it has no seams and rides on the skin.
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
 
-from .jit import device, f4, index
+from .jit import device, exact_kernel, f4, f8, i8, index
 from .raster import FloatArray
 from .vec import Vec
 
@@ -42,14 +43,23 @@ def noise_tile() -> FloatArray:
 
 def noise_at(points: npt.NDArray[np.floating], wavelength: float) -> npt.NDArray[np.float64]:
     """Return heights (n,) of variance 1 at points (n, 3) mm whose waves are about `wavelength` mm long."""
-    cell = points * (6.5 / wavelength) + 0.37 * SIZE
-    low = np.floor(cell).astype(np.int64)
-    fraction = cell - low
-    tile, total = noise_tile(), np.zeros(len(points))
-    for corner in np.ndindex(2, 2, 2):
-        x, y, z = ((low + corner) % SIZE).T
-        total += tile[z, y, x] * np.prod(np.where(corner, fraction, 1 - fraction), axis=1)
-    return total
+    heights = np.empty(len(points))
+    _interpolate(noise_tile(), points * (6.5 / wavelength) + 0.37 * SIZE, heights)
+    return heights
+
+
+@exact_kernel
+def _interpolate(tile: FloatArray, cells: npt.NDArray[np.floating], out: npt.NDArray[np.float64]) -> None:
+    """Write heights (n,) at places (n, 3) in cells, linearly between the corners of each cell."""
+    for k in range(len(cells)):
+        i, j, m = i8(math.floor(cells[k, 0])), i8(math.floor(cells[k, 1])), i8(math.floor(cells[k, 2]))
+        u, v, w = f8(cells[k, 0]) - i, f8(cells[k, 1]) - j, f8(cells[k, 2]) - m
+        total = f8(0)
+        for corner in range(8):
+            right, down, deep = corner >> 2, (corner >> 1) & 1, corner & 1
+            weight = (u if right else f8(1) - u) * (v if down else f8(1) - v) * (w if deep else f8(1) - w)
+            total += tile[(m + deep) & _MASK, (j + down) & _MASK, (i + right) & _MASK] * weight
+        out[k] = total
 
 
 @device

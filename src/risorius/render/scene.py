@@ -22,12 +22,13 @@ from .garment import neckline, standing_off
 from .geometry import Normals, turn
 from .inputs import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR, Pose
 from .jit import f4
+from .lanes import LAMPS
 from .lashes import grow_lashes
 from .occlusion import Occluder, bake
 from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
 from .raster import ByteArray, FloatArray, IntArray
 from .scalp import hair_shade
-from .strands import Strands, ribbons
+from .strands import WHOLE, Shown, Strands, ribbons
 
 Array = npt.NDArray[np.float64]
 _SOFTENED = 0.8  # light reflected within folds fills them a little
@@ -38,7 +39,8 @@ class HeadScene:
 
     Static: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, …), `rest` (n, 3), and
     `solid`, how many of the triangles (the first ones) cast shadows; of the `hairs` that follow them the
-    first `facial_hairs` are brows and lashes. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32
+    first `facial_hairs` are brows and lashes, and `hair_parts` (m − solid,) tell which part of its hair each
+    triangle is. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32
     in the world.
     """
 
@@ -85,7 +87,8 @@ class HeadScene:
             first, number = first + group.vertices, number + len(group.widths)
         self.hairs = number - HAIR
         self.facial_hairs = sum(len(group.widths) for group in self._hairs[:2])
-        self._all: ByteArray = np.ones(self.hairs, np.uint8)
+        self.hair_parts = np.concatenate([group.parts() for group in self._hairs])
+        self._all = np.tile(np.array([WHOLE], np.int8), (self.hairs, 1))
         self.triangles: IntArray = np.concatenate(triangles).astype(np.int32)
         self.surfaces: IntArray = np.concatenate(surfaces).astype(np.int32)
         self.two_sided: ByteArray = (self.surfaces >= HAIR).astype(np.uint8)
@@ -108,8 +111,8 @@ class HeadScene:
         mesh = Occluder(self._local, normals, self.triangles[solid], self.two_sided[solid])
         free, reach = bake(mesh, *self.anatomy.sphere(), lamps)
         self.attributes[:count, OCCLUSION] = free[:count] ** _SOFTENED
-        self.reach: FloatArray = np.ones((len(self.rest), len(lamps)), np.float32)
-        self.reach[:count, 1:] = reach[:count]
+        self.reach: FloatArray = np.ones((len(self.rest), LAMPS), np.float32)
+        self.reach[:count, 1 : len(lamps)] = reach[:count]
         covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast
@@ -136,11 +139,11 @@ class HeadScene:
             if points.shape != (size, 3):
                 raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
-    def pose(self, frame: FaceFrame, eye: FloatArray, sample: float, shown: ByteArray | None = None) -> Pose:
+    def pose(self, frame: FaceFrame, eye: FloatArray, sample: float, shown: Shown | None = None) -> Pose:
         """Move all vertices to a frame.
 
         `eye` (3,) float32 is where the camera stands; `sample` mm is the least width that it can show;
-        `shown` (hairs,) tells which hairs are drawn, all where None.
+        `shown` (hairs, 2) tells from which point to which each hair is drawn, all of all where None.
         """
         rotation = frame.head_rotation.astype(np.float32)
         pivot = self.head.head_pivot.astype(np.float32)
@@ -154,7 +157,7 @@ class HeadScene:
         self.positions[: self.mesh_vertices] = self.rest[: self.mesh_vertices]
         self._dress(eye, sample, self._all)
 
-    def _dress(self, eye: FloatArray, sample: float, shown: ByteArray) -> None:
+    def _dress(self, eye: FloatArray, sample: float, shown: Shown) -> None:
         """Let normals and hairs follow the mesh."""
         mesh, first = slice(0, self.mesh_vertices), 0
         self._normals.update(self.positions[mesh], self.normals[mesh])

@@ -9,10 +9,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .jit import exact, exact_kernel, f4
-from .raster import ByteArray, FloatArray, IntArray
+from .jit import exact, exact_kernel, f4, i8
+from .raster import FloatArray, IntArray
 from .vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
 
+Shown = npt.NDArray[np.int8]
+WHOLE, NOTHING = (0, 127), (127, -1)
+"""First and last point to be drawn of a hair of any number of points, and of one that is not drawn."""
 _GOLDEN = f4(0.61803)  # steps of this part of a turn are spread evenly, however many there are
 
 
@@ -47,6 +50,11 @@ class Strands:
         pair = 2 * np.arange(strands * points).reshape(strands, points)[:, :-1, None, None]
         corners = (pair + np.array([[0, 1, 2], [1, 3, 2]])).reshape(-1, 3)
         return np.asarray(corners, np.int32)
+
+    def parts(self) -> Shown:
+        """Return which part of its hair, counted from the root, each of `triangles` is."""
+        strands, points = self.widths.shape
+        return np.tile(np.repeat(np.arange(points - 1, dtype=np.int8), 2), strands)
 
 
 def join(groups: list[Strands]) -> Strands:
@@ -89,11 +97,21 @@ def _point(curves: FloatArray, s: int, k: int, origin: Vec, frame: tuple[Vec, Ve
 
 
 @exact
-def _collapse(positions: FloatArray, normals: FloatArray, start: int, count: int, origin: Vec) -> None:
-    """Bring all vertices of a ribbon to its root, so that nothing of it is drawn."""
-    for row in range(start, start + count):
-        positions[row, 0], positions[row, 1], positions[row, 2] = origin
+def _collapse(positions: FloatArray, normals: FloatArray, start: int, end: int, place: Vec) -> None:
+    """Bring vertices of a ribbon to one place, so that nothing of it is drawn, nor lit."""
+    for row in range(start, end):
+        positions[row, 0], positions[row, 1], positions[row, 2] = place
         normals[row, 0], normals[row, 1], normals[row, 2] = f4(0), f4(0), f4(0)
+
+
+@exact
+def _double(positions: FloatArray, normals: FloatArray, start: int, end: int, like: int) -> None:
+    """Bring pairs of vertices of a ribbon to where the pair `like` is, so that it ends there."""
+    for row in range(start, end, 2):
+        for side in range(2):
+            for column in range(3):
+                positions[row + side, column] = positions[like + side, column]
+                normals[row + side, column] = f4(0)
 
 
 @exact_kernel
@@ -104,7 +122,7 @@ def ribbons(
     weights: FloatArray,
     curves: FloatArray,
     widths: FloatArray,
-    shown: ByteArray,
+    shown: Shown,
     eye: FloatArray,
     first: int,
     behind: float,
@@ -113,9 +131,9 @@ def ribbons(
     """Write the ribbons' vertices into `positions` and their directions into `normals`, from row `first` on.
 
     Roots are looked up in the same arrays; `eye` (3,) is where the camera stands. Hairs whose roots face away
-    from it, with a cosine below `behind`, and those not `shown` (S,) are left out. None is drawn narrower
-    than `least` mm, or it would break up between the samples; of hairs that are, as many are left out as make
-    up for it.
+    from it, with a cosine below `behind`, are left out, and of the others what lies outside the first and
+    the last point `shown` (S, 2). None is drawn narrower than `least` mm, or it would break up between the
+    samples; of hairs that are, as many are left out as make up for it.
     """
     strands, points = widths.shape
     camera = (eye[0], eye[1], eye[2])
@@ -126,21 +144,24 @@ def ribbons(
         frame = _frame(positions, normals, corners, place)
         spread = f4(s) * _GOLDEN
         crowded = (spread - math.floor(spread)) * least > widths[s, 0]
-        if crowded or not shown[s] or dot(frame[2], unit(sub(camera, origin))) < behind:
-            _collapse(positions, normals, first + 2 * s * points, 2 * points, origin)
+        start, end = i8(shown[s, 0]), min(i8(shown[s, 1]), points - 1)
+        row = first + 2 * s * points
+        if crowded or start >= end or dot(frame[2], unit(sub(camera, origin))) < behind:
+            _collapse(positions, normals, row, row + 2 * points, origin)
             continue
-        here = _point(curves, s, 0, origin, frame)
+        here = _point(curves, s, start, origin, frame)
         ahead = (f4(0), f4(0), f4(0))
-        for k in range(points):
+        for k in range(start, end + 1):
             point = here
             if k + 1 < points:
                 here = _point(curves, s, k + 1, origin, frame)
                 ahead = unit(sub(here, point))
             wide = max(widths[s, k], least) * f4(0.5)
             side = scale(unit(cross(sub(camera, point), ahead)), wide)
-            row = first + 2 * (s * points + k)
             for column in range(3):
-                positions[row, column] = point[column] - side[column]
-                positions[row + 1, column] = point[column] + side[column]
-                normals[row, column] = ahead[column]
-                normals[row + 1, column] = ahead[column]
+                positions[row + 2 * k, column] = point[column] - side[column]
+                positions[row + 2 * k + 1, column] = point[column] + side[column]
+                normals[row + 2 * k, column] = ahead[column]
+                normals[row + 2 * k + 1, column] = ahead[column]
+        _double(positions, normals, row, row + 2 * start, row + 2 * start)
+        _double(positions, normals, row + 2 * (end + 1), row + 2 * points, row + 2 * end)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Annotated
 
 from ..core.schema import Range
@@ -36,17 +37,23 @@ class Conduct:
 
 def rate_of(name: str, conducts: Iterable[Conduct]) -> float:
     """Return the factor on how often the rule `name` fires."""
-    return math.prod(_factor(name, conduct.rates) for conduct in conducts)
+    return math.prod([_factor(name, conduct.rates) for conduct in conducts])
 
 
 def size_of(name: str, conducts: Iterable[Conduct]) -> float:
     """Return the factor on how large the rule `name`'s movements are."""
-    return math.prod(_factor(name, conduct.sizes) for conduct in conducts)
+    return math.prod([_factor(name, conduct.sizes) for conduct in conducts])
 
 
 def _factor(name: str, factors: Mapping[str, float]) -> float:
+    return math.prod([factors[start] for start in _beginnings(name) if start in factors]) if factors else 1.0
+
+
+@cache
+def _beginnings(name: str) -> tuple[str, ...]:
+    """Return a rule's id and all its beginnings up to a dot, the shortest first."""
     parts = name.split(".")
-    return math.prod(factors.get(".".join(parts[: i + 1]), 1.0) for i in range(len(parts)))
+    return tuple(".".join(parts[: i + 1]) for i in range(len(parts)))
 
 
 def is_under(name: str, prefix: str) -> bool:

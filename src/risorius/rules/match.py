@@ -97,9 +97,9 @@ def felt_conduct(felt: Mapping[str, float]) -> tuple[Conduct, ...]:
 def fits(when: When, unit: Unit) -> bool:
     """Tell whether a unit is all that a rule asks for."""
     return (
-        _labelled(when.accent, [a.label for a in unit.accents])
-        and when.nuclear in (None, any(a.nuclear for a in unit.accents))
-        and _labelled(when.boundary, [unit.boundary] if unit.boundary else [])
+        (not when.accent or _labelled(when.accent, [a.label for a in unit.accents]))
+        and (when.nuclear is None or when.nuclear == any(a.nuclear for a in unit.accents))
+        and (not when.boundary or _labelled(when.boundary, [unit.boundary] if unit.boundary else []))
         and (not when.pause or unit.pause in when.pause)
         and (not when.question or unit.question in when.question)
         and (not when.stress or unit.stress in when.stress)
@@ -114,7 +114,7 @@ def fits(when: When, unit: Unit) -> bool:
 
 
 def _labelled(wanted: Sequence[str], found: Sequence[str]) -> bool:
-    return not wanted or any(ANY in wanted or label in wanted for label in found)
+    return any(ANY in wanted or label in wanted for label in found)
 
 
 def _within(limits: tuple[float, float] | None, value: float) -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from typing import Any
 
 from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
@@ -24,16 +23,18 @@ class Spoken:
         self.structure = Structure(said, situation.listening)
         self._syllables_of = Counter(s.word for s in said.syllables)
 
-    def _unit(self, level: Level, index: int, start: float, end: float, text: str, word: int) -> Unit:
-        """Begin a unit whose first word is number `word`."""
-        return Unit(
-            level, index, start, end, text,
-            question=self.structure.question(word),
-            group=self.structure.group(word),
-            rate=self.structure.rate(word),
-            emotions=self.situation.emotions_at(0.5 * (start + end)),
-            turn=self.situation.turn_at(start),
-        )  # fmt: skip
+    def _unit(
+        self, level: Level, index: int, start: float, end: float, text: str, word: int, **more: Any
+    ) -> Unit:
+        """Return a unit whose first word is number `word`."""
+        known: dict[str, Any] = {
+            "question": self.structure.question(word),
+            "group": self.structure.group(word),
+            "rate": self.structure.rate(word),
+            "emotions": self.situation.emotions_at(0.5 * (start + end)),
+            "turn": self.situation.turn_at(start),
+        }
+        return Unit(level, index, start, end, text, **{**known, **more})
 
     def _texts(self, index: int) -> frozenset[str]:
         """Return a word's text, and those of the two and three words that begin with it."""
@@ -59,8 +60,13 @@ class Spoken:
                 continue
             word = self.said.words[phone.word]
             text = f'/{phone.symbol}/ of "{word.text}"'
-            yield replace(
-                self._unit(Level.PHONEME, index, phone.start, phone.end, text, phone.word),
+            yield self._unit(
+                Level.PHONEME,
+                index,
+                phone.start,
+                phone.end,
+                text,
+                phone.word,
                 stress=phone.stress,
                 phone=phone.symbol,
                 words=frozenset({word.text.lower()}),
@@ -76,8 +82,13 @@ class Spoken:
             place = place + 1 if index and self.said.syllables[index - 1].word == s.word else 0
             count = self._syllables_of[s.word]
             text = self.said.words[s.word].text
-            yield replace(
-                self._unit(level, index, s.start, s.end, f'"{text}"', s.word),
+            yield self._unit(
+                level,
+                index,
+                s.start,
+                s.end,
+                f'"{text}"',
+                s.word,
                 **self._accented([accents[index]] if index in accents else []),
                 stress=s.stress,
                 words=frozenset({text.lower()}),
@@ -92,8 +103,13 @@ class Spoken:
             stresses[s.word] = max(stresses.get(s.word, 0), s.stress)
         for index, word in enumerate(self.said.words):
             phrase = self.structure.stretches[Level.PHRASE][self.structure.index(Level.PHRASE, index)]
-            yield replace(
-                self._unit(level, index, word.start, word.end, f'"{word.text}"', index),
+            yield self._unit(
+                level,
+                index,
+                word.start,
+                word.end,
+                f'"{word.text}"',
+                index,
                 **self._accented(self._accents(index, index + 1)),
                 stress=stresses.get(index, 0),
                 words=self._texts(index),
@@ -119,8 +135,13 @@ class Spoken:
         positions = _positions(self._owner(level, s.first) for s in stretches)
         for index, (s, position) in enumerate(zip(stretches, positions, strict=True)):
             text = f'"{self.structure.text(s)}"'
-            yield replace(
-                self._unit(level, index, s.start, s.end, text, s.first),
+            yield self._unit(
+                level,
+                index,
+                s.start,
+                s.end,
+                text,
+                s.first,
                 **self._accented(self._accents(s.first, s.last)),
                 **self._ending(s.last - 1, True),
                 question=self.structure.question(s.last - 1),
@@ -139,8 +160,11 @@ class Spoken:
         for index, pause in enumerate(pauses):
             before = bisect_right(self.said.words, pause.start, key=lambda w: w.end) - 1
             text = f"the {pause.kind} pause"
-            draft = self._unit(Level.PAUSE, index, pause.start, pause.end, text, max(before, 0))
-            yield replace(draft, pause=pause.kind, position=_position(index, len(pauses)))
+            yield self._unit(
+                Level.PAUSE, index, pause.start, pause.end, text, max(before, 0),
+                pause=pause.kind,
+                position=_position(index, len(pauses)),
+            )  # fmt: skip
 
 
 def _kind(pause: Pause | None) -> PauseKind | None:

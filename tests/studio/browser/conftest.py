@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-import uvicorn
 
-from risorius.studio.app import Studio
-from risorius.studio.server import bound, configured
-
-from ..compiled import compile_faces
-from .driving import CHROMIUM, DRIVER, Page, open_browser, waited
+from ..running import running
+from .driving import CHROMIUM, DRIVER, Page, open_browser
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -28,15 +23,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(scope="session")
 def studio_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    compile_faces()
-    listening = bound(0)
-    server = uvicorn.Server(configured(Studio(tmp_path_factory.mktemp("studio"))))
-    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
-    thread.start()
-    waited(lambda: server.started, "the server", 60.0)
-    yield f"http://127.0.0.1:{listening.getsockname()[1]}/"
-    server.should_exit = True
-    thread.join(20.0)
+    with running(tmp_path_factory.mktemp("studio")) as (_, port):
+        yield f"http://127.0.0.1:{port}/"
 
 
 @pytest.fixture(scope="session")

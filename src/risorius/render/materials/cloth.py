@@ -6,36 +6,58 @@ import math
 
 from ..inputs import CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Sight, Tables
 from ..jit import device, f4, inlined
+from ..lanes import CLOTH, LANES, POSITION, SHADOW, get
+from ..lanes import put as put_lane
 from ..noise import grain
 from ..raster import FloatArray
-from ..vec import Vec, along, dot, saturate, scale, smooth, times, unit, weigh
-from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light
+from ..vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
+from .lit import lamp_colour, lamp_direction, lamp_share, room_light
 from .patch import Corners, corners_of, put, towards, weights_of
+from .shadows import find_shadows
 
 COLLAR = f4(13)  # mm: width of the collar
 _RIBS = f4(110)  # around the neck
+_SEAM = f4(5)  # mm within which the collar's seam is seen
 _UP = (f4(0), f4(1), f4(0))
 
 
 @device
 def shade_cloth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables) -> None:
     """Colour the patches of cloth among the first n of a row, and blend its edge into the skin's."""
+    count = 0
     for k in range(n):
-        t = batch.triangle[k]
-        if mesh.surfaces[t] != SKIN:
-            continue
-        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
-        depth = weigh(mesh.attributes, corners, weights, CURVATURE)[2]
-        if depth < -sight.pixel:
-            continue
-        p = weigh(mesh.positions, corners, weights, 0)
+        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, sight.pixel):
+            count += 1
+            if count == LANES:
+                _shade_block(count, batch, mesh, sight, light, tables)
+                count = 0
+    if count:
+        _shade_block(count, batch, mesh, sight, light, tables)
+
+
+@inlined
+def _read(k: int, lane: int, batch: Batch, mesh: Mesh, pixel: float) -> bool:
+    """Read patch k of the mesh into a lane; return whether there is cloth."""
+    corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
+    depth = weigh(mesh.attributes, corners, weights, CURVATURE)[2]
+    if depth < -pixel:
+        return False
+    batch.chosen[lane], batch.block[CLOTH + lane] = k, depth
+    put_lane(batch.block, POSITION, lane, weigh(mesh.positions, corners, weights, 0))
+    return True
+
+
+@device
+def _shade_block(count: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables) -> None:
+    block = batch.block
+    find_shadows(count, block, light)
+    for lane in range(count):
+        k, depth, p = batch.chosen[lane], block[CLOTH + lane], get(block, POSITION, lane)
+        corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
         normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
-        r, g, b = _cloth(mesh, light, tables, corners, weights, p, normal, view, depth)
+        woven = _cloth(mesh, light, tables, corners, weights, normal, view, depth, block[SHADOW + lane])
         share = smooth(-sight.pixel, sight.pixel, depth)
-        r = batch.colour[k, 0] * (f4(1) - share) + r * share if share < f4(1) else r
-        g = batch.colour[k, 1] * (f4(1) - share) + g * share if share < f4(1) else g
-        b = batch.colour[k, 2] * (f4(1) - share) + b * share if share < f4(1) else b
-        put(batch.colour, k, (r, g, b))
+        put(batch.colour, k, mix(at(batch.colour, k), woven, share) if share < f4(1) else woven)
 
 
 @inlined
@@ -45,17 +67,16 @@ def _cloth(
     tables: Tables,
     corners: Corners,
     weights: Vec,
-    p: Vec,
     normal: Vec,
     view: Vec,
     depth: float,
+    shadow: float,
 ) -> Vec:
     """Return the light from rough cloth with a soft sheen along its outline."""
     albedo = (tables.cloth[0], tables.cloth[1], tables.cloth[2])
     free = weigh(mesh.attributes, corners, weights, OCCLUSION)[0]
     rest = weigh(mesh.rest, corners, weights, 0)
     albedo, normal = _knit(tables.grain, rest, albedo, normal, depth)
-    shadow = key_share(light, p)
     total = times(albedo, room_light(light.room, normal, free))
     for k in range(len(light.lamps)):
         lit = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.15)) * f4(1 / 1.15))
@@ -80,5 +101,6 @@ def _knit(tile: FloatArray, rest: Vec, albedo: Vec, normal: Vec, depth: float) -
         rolled = f4(1) - saturate(depth * f4(1 / 4.0))
         normal = unit(along(normal, _UP, rolled * rolled))
     seam = depth - COLLAR
-    light *= f4(1) - f4(0.35) * math.exp(-seam * seam * f4(0.6))
+    if abs(seam) < _SEAM:
+        light *= f4(1) - f4(0.35) * math.exp(-seam * seam * f4(0.6))
     return scale(albedo, light), normal

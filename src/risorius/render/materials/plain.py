@@ -21,24 +21,24 @@ from ..inputs import (
     Sight,
     Tables,
 )
-from ..jit import device, f4, index, inlined
+from ..jit import device, f4, inlined
+from ..lanes import LANES, POSITION, SHADOW, get
+from ..lanes import put as put_lane
 from ..vec import Vec, along, dot, mix, saturate, scale, smooth, sub, times, unit, unrotate, weigh
 from .eye import IRIS, lid_distances, lid_shade
 from .folds import bent, creased
-from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light
+from .lit import lamp_colour, lamp_direction, lamp_share, room_light
 from .mouth import past_lips
+from .painted import line_share, painted
 from .patch import Corners, corners_of, put, towards, weights_of
+from .shadows import find_shadows
 
 _FACING = f4(0.04)
 _FLESH = f4(1.0)
-SOFT = f4(0.9)  # mm: half the width of a muscle's soft edge
-_FIBRE = f4(2.4)  # mm from fibre to fibre
-_TURN = f4(2 * math.pi)
 _BALL = (f4(0.66), f4(0.66), f4(0.66))
 _RING = (f4(0.16), f4(0.16), f4(0.17))
 _PUPIL = f4(0.42)  # radii of the iris
 _FAR = f4(20)  # mm: plain eyes have no corners
-_LINE = f4(0.55)  # half a line's width in pixels
 
 
 @device
@@ -53,26 +53,54 @@ def shade_plain(
     paint: Paint,
 ) -> None:
     """Colour the patches of skin, eyes, teeth and tongue among the first n of a row."""
+    count = 0
     for k in range(n):
         t = batch.triangle[k]
-        surface = mesh.surfaces[t]
-        if surface > TONGUE:
-            continue
-        corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
-        p = weigh(mesh.positions, corners, weights, 0)
+        if mesh.surfaces[t] <= TONGUE:
+            place = weigh(mesh.positions, corners_of(mesh.triangles, t), weights_of(batch.weights, k), 0)
+            batch.chosen[count] = k
+            put_lane(batch.block, POSITION, count, place)
+            count += 1
+            if count == LANES:
+                _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
+                count = 0
+    if count:
+        _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
+
+
+@device
+def _shade_block(
+    count: int,
+    batch: Batch,
+    mesh: Mesh,
+    sight: Sight,
+    light: Light,
+    pose: Pose,
+    tables: Tables,
+    paint: Paint,
+) -> None:
+    find_shadows(count, batch.block, light)
+    for lane in range(count):
+        k, p, key = batch.chosen[lane], get(batch.block, POSITION, lane), batch.block[SHADOW + lane]
+        t = batch.triangle[k]
+        surface, corners, weights = (
+            mesh.surfaces[t],
+            corners_of(mesh.triangles, t),
+            weights_of(batch.weights, k),
+        )
         normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
         if surface == SKIN:
             colour = _skin(
-                mesh, light, pose, tables, paint, t, corners, weights, p, normal, view, sight.pixel
+                mesh, light, pose, tables, paint, t, corners, weights, p, normal, view, sight.pixel, key
             )
-            line = _line(mesh, paint, t, corners, weights, sight.samples)
+            line = line_share(mesh, paint, t, corners, weights, sight.samples)
             colour = mix(colour, (paint.ink[0], paint.ink[1], paint.ink[2]), line)
         elif surface >= TEETH:
             albedo = weigh(mesh.attributes, corners, weights, ALBEDO)
             deep = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
-            colour = _matt(mesh, light, corners, weights, p, normal, view, albedo, deep, deep)
+            colour = _matt(mesh, light, corners, weights, normal, view, albedo, deep, deep, key)
         else:
-            colour = _ball(mesh, light, pose, surface - EYE_LEFT, corners, weights, p, view)
+            colour = _ball(mesh, light, pose, surface - EYE_LEFT, corners, weights, p, view, key)
         put(batch.colour, k, colour)
 
 
@@ -90,6 +118,7 @@ def _skin(
     normal: Vec,
     view: Vec,
     pixel: float,
+    key: float,
 ) -> Vec:
     """Return the light from clay: matt, creased where the skin is, with what is painted on it."""
     albedo = weigh(mesh.attributes, corners, weights, ALBEDO)
@@ -102,13 +131,13 @@ def _skin(
         free *= f4(1) - f4(0.7) * deep
     glow = (f4(0), f4(0), f4(0))
     if paint.covered[t]:
-        albedo, glow = _painted(paint, t, corners, weights, albedo, pixel)
+        albedo, glow = painted(paint, t, corners, weights, albedo, pixel)
     opened, passing = free, f4(1)
     if inner > f4(0.02):
         seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
         opened = free + (seen - free) * inner
         passing = f4(1) + (seen - f4(1)) * inner
-    lit = _matt(mesh, light, corners, weights, p, normal, view, albedo, opened, passing)
+    lit = _matt(mesh, light, corners, weights, normal, view, albedo, opened, passing, key)
     return along(lit, glow, opened)
 
 
@@ -118,15 +147,15 @@ def _matt(
     light: Light,
     corners: Corners,
     weights: Vec,
-    p: Vec,
     normal: Vec,
     view: Vec,
     albedo: Vec,
     free: float,
     passing: float,
+    key: float,
 ) -> Vec:
     """Return matt light with a broad, faint gloss of the key lamp."""
-    shadow = key_share(light, p) * passing
+    shadow = key * passing
     total = times(albedo, room_light(light.room, normal, free))
     for k in range(len(light.lamps)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
@@ -137,58 +166,17 @@ def _matt(
     return along(total, lamp_colour(light.lamps, 0), shine)
 
 
-@device
-def _painted(
-    paint: Paint, t: int, corners: Corners, weights: Vec, albedo: Vec, pixel: float
-) -> tuple[Vec, Vec]:
-    """Return the albedo under the muscles that cover triangle t, and the glow of those kept down."""
-    glow = (f4(0), f4(0), f4(0))
-    bits, k = paint.covered[t], index(0)
-    (a, b, c), (u, v, w) = corners, weights
-    fine = f4(1) - smooth(f4(0.25), f4(0.6), pixel / _FIBRE)
-    while bits:
-        if bits & 1:
-            inside = u * paint.place[a, k, 0] + v * paint.place[b, k, 0] + w * paint.place[c, k, 0]
-            way = u * paint.place[a, k, 1] + v * paint.place[b, k, 1] + w * paint.place[c, k, 1]
-            fibre = f4(1) + f4(0.42) * fine * math.cos(way / _FIBRE * _TURN)
-            colour = (paint.colours[k, 0], paint.colours[k, 1], paint.colours[k, 2])
-            share = smooth(-SOFT, SOFT, inside) * paint.colours[k, 3]
-            albedo = mix(albedo, scale(colour, fibre * f4(0.85)), share)
-            hot = max(colour[0] - f4(0.7), f4(0)) * share
-            glow = along(glow, colour, hot * f4(0.35))
-        bits >>= 1
-        k += index(1)
-    return albedo, glow
-
-
-@device
-def _line(mesh: Mesh, paint: Paint, t: int, corners: Corners, weights: Vec, samples: int) -> float:
-    """Return how much of the pixel the lines along the edges of triangle t cover."""
-    share = f4(0)
-    if paint.ink[3] > f4(0):
-        (a, b, c), (u, v, w) = corners, weights
-        share = max(
-            paint.edges[t, 0] * _near(mesh, a, b, c, u, samples),
-            paint.edges[t, 1] * _near(mesh, b, c, a, v, samples),
-            paint.edges[t, 2] * _near(mesh, c, a, b, w, samples),
-        )
-    opacity: float = paint.ink[3]
-    return share * opacity
-
-
-@device
-def _near(mesh: Mesh, a: int, b: int, c: int, weight: float, samples: int) -> float:
-    """Return how much of a pixel the line b–c covers at `weight` of the height of the corner a over it."""
-    bx, by = f4(mesh.xy[b, 0]), f4(mesh.xy[b, 1])
-    dx, dy = f4(mesh.xy[c, 0]) - bx, f4(mesh.xy[c, 1]) - by
-    ax, ay = f4(mesh.xy[a, 0]) - bx, f4(mesh.xy[a, 1]) - by
-    height = abs(dx * ay - dy * ax) / math.sqrt(dx * dx + dy * dy + f4(1))
-    return saturate(_LINE + f4(0.5) - weight * height / f4(256 * samples))
-
-
 @inlined
 def _ball(
-    mesh: Mesh, light: Light, pose: Pose, side: int, corners: Corners, weights: Vec, p: Vec, view: Vec
+    mesh: Mesh,
+    light: Light,
+    pose: Pose,
+    side: int,
+    corners: Corners,
+    weights: Vec,
+    p: Vec,
+    view: Vec,
+    key: float,
 ) -> Vec:
     """Return the light from an eye: a matt ball with a ring for the iris, in the shade of its lids."""
     centre = (pose.eyes[side, 0], pose.eyes[side, 1], pose.eyes[side, 2])
@@ -202,6 +190,6 @@ def _ball(
     pupil = f4(1) - smooth(_PUPIL - f4(0.05), _PUPIL + f4(0.05), ring)
     albedo = mix(_BALL, _RING, iris if local[2] > f4(0) else f4(0))
     albedo = scale(albedo, f4(1) - f4(0.85) * pupil * iris)
-    lit = _matt(mesh, light, corners, weights, p, outward, view, albedo, shade, shade)
+    lit = _matt(mesh, light, corners, weights, outward, view, albedo, shade, shade, key)
     spark = gloss(outward, view, lamp_direction(light.lamps, 0), f4(0.03), _FACING) * shade
     return along(lit, lamp_colour(light.lamps, 0), min(spark, f4(1.2)))

@@ -16,10 +16,12 @@ from ..lanes import (
     FREE,
     GRAIN,
     INNER,
+    LAMPS,
     LANES,
     NORMAL,
     OPENED,
     POSITION,
+    REACH,
     REST,
     ROUGHNESS,
     SHADOW,
@@ -36,10 +38,11 @@ from ..noise import between, cell_of, heights_about
 from ..raster import FloatArray
 from ..vec import Vec, add, along, dot, rows_of, scale, smooth, sub, tilted, times, turned, unit, weigh
 from .folds import bent, creased
-from .lit import glow, key_share, room_of
+from .lit import glow, room_of
 from .mouth import past_lips
 from .patch import corners_of, weights_of
 from .patch import put as put_colour
+from .shadows import find_shadows
 from .skin_lamps import edge_light, lamp_light
 
 _FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
@@ -74,7 +77,7 @@ def _shade_block(
     _shadow(count, block, light, pose)
     _fill(block, light)
     for lamp in range(len(light.lamps)):
-        lamp_light(count, lamp, batch, mesh, light.lamps, tables.diffuse)
+        lamp_light(count, lamp, block, light.lamps, tables.diffuse)
     edge_light(block, light.room)
     for k in range(count):
         put_colour(batch.colour, batch.chosen[k], add(get(block, TOTAL, k), get(block, SHINE, k)))
@@ -96,6 +99,10 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh, pixel: float) -> bool:
     put(block, POSITION, lane, weigh(mesh.positions, corners, weights, 0))
     put(block, NORMAL, lane, weigh(mesh.normals, corners, weights, 0))
     put(block, REST, lane, weigh(mesh.rest, corners, weights, 0))
+    (a, b, c), (u, v, w) = corners, weights
+    for lamp in range(LAMPS):
+        reach: float = u * mesh.reach[a, lamp] + v * mesh.reach[b, lamp] + w * mesh.reach[c, lamp]
+        block[REACH + lamp * LANES + lane] = reach
     return True
 
 
@@ -171,14 +178,14 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 @device
 def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
     """Find how much of the key lamp and of the room's light arrives."""
+    find_shadows(count, block, light)
     for k in range(count):
-        p, free, inner = get(block, POSITION, k), block[FREE + k], block[INNER + k]
-        shadow = key_share(light, p)
+        free, inner = block[FREE + k], block[INNER + k]
         if inner > f4(0.02):
-            seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
+            seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, get(block, POSITION, k))
             free += (seen - free) * inner
-            shadow *= f4(1) + (seen - f4(1)) * inner
-        block[OPENED + k], block[SHADOW + k] = free, shadow
+            block[SHADOW + k] *= f4(1) + (seen - f4(1)) * inner
+        block[OPENED + k] = free
 
 
 @device

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from ..brdf import mirrored, schlick
-from ..inputs import Batch, Mesh
 from ..jit import device, f4
 from ..lanes import (
     ALBEDO,
@@ -13,6 +12,7 @@ from ..lanes import (
     CURVATURE,
     LANES,
     OPENED,
+    REACH,
     ROUGHNESS,
     SHADOW,
     SHARE,
@@ -27,8 +27,7 @@ from ..lanes import (
 from ..raster import FloatArray
 from ..subsurface import angle_place, curvature_place, scattered
 from ..vec import Vec, add, along, dot, times
-from .lit import glow, lamp_colour, lamp_direction, lamp_share, room_of, warm_edge
-from .patch import corners_of, weights_of
+from .lit import glow, lamp_colour, lamp_direction, room_of, warm_edge
 
 _DARK = f4(0.004)  # a lamp of which less arrives is left out
 _FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
@@ -36,40 +35,45 @@ _FRONT = 2  # lamps: those further on stand behind the head
 
 
 @device
-def lamp_light(
-    count: int, lamp: int, batch: Batch, mesh: Mesh, lamps: FloatArray, diffuse: FloatArray
-) -> None:
+def lamp_light(count: int, lamp: int, block: FloatArray, lamps: FloatArray, diffuse: FloatArray) -> None:
     """Add the light of one lamp."""
-    block = batch.block
+    if not _arrive(count, lamp, block):
+        return
     direction, colour, softness = lamp_direction(lamps, lamp), lamp_colour(lamps, lamp), lamps[lamp, 6]
     for k in range(LANES):
         block[ANGLE + k] = angle_place(dot(get(block, SOFT, k), direction))
-    if _look_up(count, lamp, batch, mesh, diffuse):
-        _add_scattered(block, colour)
-        if lamp == 0:
-            _add_key_gloss(block, direction, colour, softness)
-        else:
-            # A lamp behind the head grazes it, where a mirror would outshine all.
-            _add_gloss(block, direction, colour, softness, f4(0.4) if lamp >= _FRONT else f4(1))
+    _look_up(count, block, diffuse)
+    _add_scattered(block, colour)
+    if lamp == 0:
+        _add_key_gloss(block, direction, colour, softness)
+    else:
+        # A lamp behind the head grazes it, where a mirror would outshine all.
+        _add_gloss(block, direction, colour, softness, f4(0.4) if lamp >= _FRONT else f4(1))
 
 
 @device
-def _look_up(count: int, lamp: int, batch: Batch, mesh: Mesh, diffuse: FloatArray) -> bool:
-    """Find how much of a lamp arrives, and what of it the skin scatters; return whether any does."""
-    block, any_light = batch.block, False
-    for k in range(count):
-        patch = batch.chosen[k]
-        corners = corners_of(mesh.triangles, batch.triangle[patch])
-        share = lamp_share(mesh.reach, corners, weights_of(batch.weights, patch), lamp, block[SHADOW + k])
-        if lamp >= _FRONT:
+def _arrive(count: int, lamp: int, block: FloatArray) -> bool:
+    """Find how much of a lamp arrives at each patch; return whether it is worth looking at anywhere."""
+    for k in range(LANES):
+        share = block[REACH + lamp * LANES + k]
+        if lamp == 0:
+            share *= block[SHADOW + k]
+        elif lamp >= _FRONT:
             share *= share  # between vertices that see the lamp and such that don't, light leaks
-        if share < _DARK:
-            block[SHARE + k] = f4(0)
-            continue
-        any_light = True
-        block[SHARE + k] = share
-        put(block, BELOW, k, scattered(diffuse, block[ANGLE + k], curvature_place(block[CURVATURE + k])))
-    return any_light
+        block[SHARE + k] = share if share >= _DARK else f4(0)
+    most = f4(0)
+    for k in range(count):
+        most = max(most, block[SHARE + k])
+    return most > f4(0)
+
+
+@device
+def _look_up(count: int, block: FloatArray, diffuse: FloatArray) -> None:
+    """Find what of a lamp the skin scatters."""
+    for k in range(count):
+        if block[SHARE + k] > f4(0):
+            place = curvature_place(block[CURVATURE + k])
+            put(block, BELOW, k, scattered(diffuse, block[ANGLE + k], place))
 
 
 @device

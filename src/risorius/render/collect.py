@@ -1,0 +1,110 @@
+"""Which patches of surface a row of pixels shows: the adaptive half of the anti-aliasing.
+
+Samples of one pixel that show the same surface at the same depth form a patch, which is shaded once, at its
+middle; so smooth skin costs one evaluation a pixel and outlines as many as needed.
+"""
+
+from __future__ import annotations
+
+from .inputs import Batch, Mesh, Sight
+from .jit import device, f4, f8, index, inlined
+from .raster import SUBPIXEL, FloatArray, IntArray
+from .vec import Vec, saturate
+
+_SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one surface count as connected
+
+
+@device
+def collect(y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
+    """Find the patches of row y; return how many there are."""
+    if sight.samples == 2:
+        return _collect(y, 2, sight, mesh, batch)  # a known number of samples makes loops straight code
+    return _collect(y, sight.samples, sight, mesh, batch)
+
+
+@inlined
+def _collect(y: int, side: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
+    n, middle = 0, f4(0.5) * f4(side)
+    for x in range(sight.background.shape[1]):
+        t, uniform, waiting = _survey(x, y, side, sight)
+        if uniform:
+            if t >= 0:
+                u, v = f4(x * side) + middle, f4(y * side) + middle
+                _put(n, x, side * side, u, v, t, mesh, batch)
+                n += 1
+            continue
+        while waiting:
+            waiting &= ~_gather(n, x, y, side, waiting, sight, mesh, batch)
+            n += 1
+    return n
+
+
+@inlined
+def _survey(x: int, y: int, side: int, sight: Sight) -> tuple[int, bool, int]:
+    """Return the first sample's triangle, whether all samples show it, and a bit for each that shows any."""
+    first: int = sight.ids[index(y * side), index(x * side)]
+    uniform, some, bit = True, 0, 1
+    for j in range(side):
+        for i in range(side):
+            t = sight.ids[index(y * side + j), index(x * side + i)]
+            uniform &= t == first
+            some |= bit if t >= 0 else 0
+            bit <<= 1
+    return first, uniform, some
+
+
+@inlined
+def _gather(n: int, x: int, y: int, side: int, waiting: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
+    """Write patch n: of the samples whose bits are `waiting` all that show what the first does.
+
+    Return their bits. Without branches: which samples belong together is as good as random.
+    """
+    first = 0
+    while (waiting >> first) & 1 == 0:
+        first += 1
+    row, column = index(y * side + first // side), index(x * side + first % side)
+    t, depth = sight.ids[row, column], sight.depth[row, column]
+    surface, nearly = mesh.surfaces[index(t)], depth * _SAME_DEPTH
+    members, bit, count, sum_x, sum_y = 0, 1, 0, 0, 0
+    for j in range(side):
+        for i in range(side):
+            row, column = index(y * side + j), index(x * side + i)
+            other = sight.ids[row, column]
+            near = abs(sight.depth[row, column] - depth) <= nearly
+            alike = (other == t) | (mesh.surfaces[index(max(other, 0))] == surface)
+            one = 1 if (waiting & bit != 0) & near & alike else 0
+            members |= bit * one
+            count, sum_x, sum_y = count + one, sum_x + i * one, sum_y + j * one
+            bit <<= 1
+    share = f4(1) / f4(count)
+    u = f4(x * side) + f4(sum_x) * share + f4(0.5)
+    v = f4(y * side) + f4(sum_y) * share + f4(0.5)
+    _put(n, x, count, u, v, t, mesh, batch)
+    return members
+
+
+@inlined
+def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: Mesh, batch: Batch) -> None:
+    """Write patch n: `count` samples of pixel x that show triangle t, their middle at (u, v) in samples."""
+    batch.triangle[n] = t
+    batch.column[n] = x
+    batch.samples[n] = count
+    a, b, c = _weights(u, v, t, mesh.triangles, mesh.xy, mesh.key)
+    batch.weights[n, 0], batch.weights[n, 1], batch.weights[n, 2] = a, b, c
+
+
+@device
+def _weights(x: float, y: float, t: int, triangles: IntArray, xy: IntArray, key: FloatArray) -> Vec:
+    """Return where a place (x, y) in samples lies in triangle t, brought into it, in true perspective."""
+    a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
+    # In double precision: the differences of large products decide whether anything is left to divide by.
+    ax, ay = f8(xy[a, 0]), f8(xy[a, 1])
+    bx, by = f8(xy[b, 0]) - ax, f8(xy[b, 1]) - ay
+    cx, cy = f8(xy[c, 0]) - ax, f8(xy[c, 1]) - ay
+    px, py = x * f4(SUBPIXEL) - ax, y * f4(SUBPIXEL) - ay
+    area = f8(1) / (bx * cy - by * cx)
+    v = saturate(f4((px * cy - py * cx) * area))
+    w = min(saturate(f4((bx * py - by * px) * area)), f4(1) - v)
+    u, v, w = (f4(1) - v - w) * key[a], v * key[b], w * key[c]
+    whole = f4(1) / (u + v + w)
+    return u * whole, v * whole, w * whole
