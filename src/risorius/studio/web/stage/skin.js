@@ -62,7 +62,8 @@ const SKIN = {
   fragment: [
     ["#include <common>", CARRIED],
     ["#include <color_fragment>", `${BARE}${CUT}\ndiffuseColor.rgb = mix( bare * collar, cloth * knit, covered );`],
-    ["vec3 outgoingLight = ", "vec3 outgoingLight = ( 1.0 - covered ) * reflectedLight.directSpecular + "],
+    // Cloth does not shine; before the neckline is known, skin does not either.
+    ["vec3 outgoingLight = ", "vec3 outgoingLight = ( hemmed - covered ) * reflectedLight.directSpecular + "],
   ],
   light: [
     ["#include <lights_lambert_pars_fragment>", SKIN_LIT],
@@ -73,7 +74,7 @@ const SKIN = {
 
 const QUICK = {
   made: "varying vec3 skin;\nvarying vec3 dressed;\n",
-  develop: `${BARE}\nskin = developed( bare * light + gloss );\ndressed = developed( cloth * light );`,
+  develop: `${BARE}\nskin = developed( bare * light + hemmed * gloss );\ndressed = developed( cloth * light );`,
   pixel: `
 uniform float hemmed;
 varying vec2 worn;
