@@ -1,9 +1,10 @@
 """How quick the studio's page is in headless Chromium, which draws by software, at 1280 × 720.
 
 A real server and a real browser on this machine. Prints pictures per second while a line plays whose faces
-are there, milliseconds from pressing play on a new line to its sound, and from moving a dial to the picture
-of the face (median of twenty, the slowest in brackets); and what else the machine was doing. Needs Chromium
-and its driver (`scripts/test --browser` installs them). Run from the repository:
+are there, milliseconds from pressing play on a new line to its sound, and from turning a dial to the picture
+of that face (medians, the slowest in brackets): until the face has come, until the picture is handed over to
+be drawn, until it is drawn, and how long drawing by software takes of that; and what else the machine was
+doing. Needs Chromium and its driver (`scripts/test --browser` installs them). Run from the repository:
     PYTHONPATH=src:tests/studio python benchmarks/studio_page.py
 """
 
@@ -26,6 +27,7 @@ LINE = (
     "but not today, because there is so much left to do before the evening."
 )
 TIMES = 20
+STAGES = ("to its face in the page", "to the picture handed over", "to the picture drawn", "drawing alone")
 WRITE = """
 const box = document.getElementById("script");
 box.value = arguments[0];
@@ -47,18 +49,64 @@ const [drawn, begun] = [stage.drawn, performance.now()];
 await new Promise((go) => setTimeout(go, 6000));
 return (1000 * (stage.drawn - drawn)) / (performance.now() - begun);
 """
-TO_PICTURE = """
+WATCH = """
 const { stage, figures } = studio.theatre;
-const bar = document.querySelector('input[type=range][aria-label="19 masseter"]');
-const before = figures[0].skin.slice();
-const begun = performance.now();
-bar.value = arguments[0];
-bar.dispatchEvent(new Event("input"));
-const frame = () => new Promise((go) => requestAnimationFrame(go));
-while (!figures[0].skin.some((value, k) => value !== before[k])) await frame();
-const drawn = stage.drawn;
-while (stage.drawn === drawn) await frame();
-return performance.now() - begun;
+const gl = document.getElementById("head").getContext("webgl2");
+const sent = (window.sent = []);       // [number of a dial's request, when it was turned]
+const drawn = (window.drawn = []);     // {number: the newest face in the picture, come, drawn, seen}
+let [number, come] = [0, 0];
+const send = WebSocket.prototype.send;
+WebSocket.prototype.send = function (text) {
+  if (JSON.parse(text).do === "dial") sent.push([JSON.parse(text).id, window.turned]);
+  send.call(this, text);
+};
+const figure = Object.getPrototypeOf(figures[0]);
+const ready = figure.ready;
+figure.ready = function (...given) {
+  ready.apply(this, given);
+  const one = { number, come };
+  queueMicrotask(() => {
+    Object.assign(one, { drawn: performance.now() });
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const look = () => {
+      if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return setTimeout(look, 1);
+      drawn.push({ ...one, seen: performance.now() });
+    };
+    look();
+  });
+};
+studio.connection.on("binary", (buffer) => {
+  const [kind, given] = new Uint32Array(buffer, 0, 2);
+  if (kind === 2) [number, come] = [given, performance.now()];
+});
+window.turn = (value) => {
+  const bar = document.querySelector('input[type=range][aria-label="19 masseter"]');
+  window.turned = performance.now();
+  bar.value = value;
+  bar.dispatchEvent(new Event("input"));
+};
+window.taken = (id, at) => {
+  const { come, drawn: put, seen } = drawn.find(({ number }) => number >= id);
+  return [come - at, put - at, seen - at, seen - put];
+};
+"""
+TURNED = """
+const before = sent.length;
+turn(arguments[0]);
+const pause = () => new Promise((go) => setTimeout(go, 5));
+while (sent.length === before || !drawn.some(({ number }) => number >= sent[before][0])) await pause();
+await new Promise((go) => setTimeout(go, 2600));
+return taken(...sent[before]);
+"""
+DRAGGED = """
+const from = sent.length;
+for (let k = 0; k < 90; k++) {
+  turn(0.5 + 0.4 * Math.sin(k / 7));
+  await new Promise((go) => setTimeout(go, 33));
+}
+await new Promise((go) => setTimeout(go, 1500));
+return sent.slice(from).map((one) => taken(...one));
 """
 
 
@@ -88,9 +136,17 @@ def measure(page: Page) -> None:
     print(f"play pressed to sound, a line of about ten seconds  {page.run(TO_SOUND):6.0f} ms")
     print(f"pictures per second at {SIZE[0]} × {SIZE[1]}                {page.run(PER_SECOND):6.1f}")
     page.run("document.querySelectorAll('#panel [role=tab]')[1].click(); studio.clock.pause()")
-    times = [page.run(TO_PICTURE, 0.2 + 0.03 * k) for k in range(TIMES)]
-    print(f"dial moved to picture       {statistics.median(times):6.0f} ms ({max(times):.0f})")
+    page.run(WATCH)
+    page.run(TURNED, 0.1)
+    tell("a dial turned", [page.run(TURNED, 0.2 + 0.03 * k) for k in range(TIMES)])
+    tell("a dial dragged for 3 s", page.run(DRAGGED))
     print(f"load of the machine's {os.cpu_count()} cores meanwhile  {os.getloadavg()[0]:.1f}")
+
+
+def tell(what: str, found: list[list[float]]) -> None:
+    """Print when a dial's face has come, was handed over to be drawn, was drawn, and how long that took."""
+    for name, times in zip(STAGES, zip(*found, strict=True), strict=True):
+        print(f"{what} {name:26}{statistics.median(times):6.0f} ms ({max(times):.0f})")
 
 
 if __name__ == "__main__":

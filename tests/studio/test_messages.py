@@ -28,6 +28,7 @@ BAD = [
     ('{"id": 7, "do": "edit", "kind": "moves"}', 7, "did you mean 'move'"),
     ('{"id": 7, "do": "preview"}', 7, "unknown edit 'None'"),
     ('{"id": 7, "do": "preview", "kind": "move", "movement": "a"}', 7, "key 'start' is missing"),
+    ('{"id": 7, "do": "preview", "kind": "move", "face": -1}', 7, "face = -1.0 is out of range"),
     ('{"id": 7, "do": "move", "movement": "a", "start": 1}', 7, "unknown request 'move'"),
     ('{"id": 7, "do": "edit", "kind": "move", "movement": "a"}', 7, "key 'start' is missing"),
     ('{"id": 7, "do": "edit", "kind": "move", "movement": 3, "start": 1}', 7, "movement = 3 cannot be used"),
@@ -94,3 +95,5 @@ def test_answers_and_events_are_one_line_of_json():
 def test_a_preview_holds_the_edit():
     asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1}').asked
     assert asked == wire.Preview(Move("a", 1.0))
+    asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1, "face": 2}').asked
+    assert asked == wire.Preview(Move("a", 1.0), 2.0)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
-from risorius.studio import limits
+from risorius.studio import limits, solvers
 
 from .conftest import LINE, header, serving
 
@@ -75,6 +75,9 @@ def test_a_line_is_performed_seen_and_heard(server):
         page.faces.clear()
         page.ask("face_at", take=take["take"], time=1.0)
         assert header(page.faces[0])[:4] == (3, take["take"], 30, 1)
+        page.faces.clear()
+        page.ask("face_at", take=take["take"], time=10.0**4, still=True)
+        assert header(page.faces[0])[:4] == (3, take["take"], take["frames"] - 1, 1)
         assert page.ask("faces", take=take["take"], first=0, last=0)["sent"] == 0
         assert page.ask("faces", take=take["take"], first=10**6, last=10**7)["sent"] == 0
 
@@ -94,6 +97,64 @@ def test_a_window_shows_what_the_whole_would(server):
             page.faces.clear()
         for frame in range(20, 24):
             assert np.abs(held[0, frame].astype(int) - held[20, frame]).max() <= 1
+
+
+def test_what_is_begun_is_done_and_saved_though_the_page_goes(server):
+    with server.page("gone") as page:
+        page.socket.send(json.dumps({"id": 1, "do": "perform", "source": {"script": LINE}}))
+        page.event("progress")
+    saved = server.studio.folder / "gone" / "project.json"
+    end = time.monotonic() + 60.0
+    while not saved.exists():
+        assert time.monotonic() < end
+        time.sleep(0.05)
+    with server.page("gone") as page:
+        assert page.ask("open")["take"]["made"]["source"]["script"] == LINE
+
+
+def _held(page, number, time):
+    page.faces.clear()
+    page.ask("face_at", take=number, time=time, still=True)
+    return page.faces[0][24:]
+
+
+def test_the_face_of_a_preview_is_that_of_the_edit_when_it_is_made(server):
+    with server.page("preview") as page:
+        take = page.perform()
+        block = next(b for b in take["blocks"] if b["channel"] == "signals")
+        edit = {"kind": "move", "movement": block["id"], "start": block["start"] + 0.4}
+        at = 0.5 * (block["apex_start"] + block["apex_end"])
+        before = _held(page, take["take"], at)
+        page.faces.clear()
+        page.ask("preview", **edit)
+        assert page.faces == []
+        page.ask("preview", **edit, face=at)
+        (previewed,) = page.faces
+        assert header(previewed)[:2] == (3, take["take"])
+        assert previewed[24:] != before
+        assert _held(page, take["take"], at) == before
+        changed = page.ask("edit", **edit)
+        assert _held(page, changed["take"], at) == previewed[24:]
+
+
+def test_who_waits_for_a_solver_holds_up_nobody_else(server, monkeypatch):
+    began, go_on = threading.Event(), threading.Event()
+
+    def slow(settings):
+        began.set()
+        assert go_on.wait(30)
+        return solvers.FaceSolver(solvers.load_head(settings.head, age=settings.age))
+
+    with server.page("waits") as page, server.page("other") as other:
+        take = page.perform("Hello.", choices={"age": 70.0})
+        monkeypatch.setattr(solvers, "make_solver", slow)
+        page.socket.send(json.dumps({"id": 900, "do": "faces", "take": take["take"], "first": 0, "last": 4}))
+        assert began.wait(30)
+        try:
+            assert other.ask("open")["take"] is None
+        finally:
+            go_on.set()
+        assert page.answer(900)["ok"]["sent"] == 4
 
 
 def test_an_edit_is_told_explained_undone_and_there_after_a_reload(server):

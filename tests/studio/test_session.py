@@ -185,7 +185,7 @@ def test_a_preview_says_what_an_edit_would_do_and_does_not_make_it(session):
     take = perform(session)
     block = next(b for b in take.blocks if b.channel == "signals")
     before = _state(session)
-    told = session.preview(wire.Preview(Move(block.id, block.start + 0.2)), quiet)
+    _, told = session.preview(Move(block.id, block.start + 0.2))
     assert _state(session) == before
     assert told.take == take.take
     made = edit(session, Move(block.id, block.start + 0.2))

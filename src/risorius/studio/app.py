@@ -11,6 +11,7 @@ from contextlib import asynccontextmanager, suppress
 from functools import lru_cache
 from importlib import resources
 from pathlib import Path
+from typing import Any
 
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
@@ -78,7 +79,7 @@ class Studio:
         """Return the application."""
         routes = [
             Route("/", page),
-            Mount("/web", StaticFiles(directory=WEB)),
+            Mount("/web", Files(directory=WEB)),
             Route("/api/catalogue", catalogue),
             Route("/api/head", head),
             Route("/api/stage", stage),
@@ -166,6 +167,19 @@ def warm_up(solvers: Solvers) -> None:
     solvers.warm()
     speak("Hm.", text=True)
     _glb("standard", None, None, None)
+
+
+class Files(StaticFiles):
+    """The page's files, of which a browser asks each time whether they are still the same.
+
+    Else it would put those of two versions of Risorius together.
+    """
+
+    def file_response(self, *given: Any, **named: Any) -> Response:
+        """Return the answer with a file."""
+        response = super().file_response(*given, **named)
+        response.headers["cache-control"] = "no-cache"
+        return response
 
 
 async def page(request: Request) -> Response:

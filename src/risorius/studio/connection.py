@@ -96,6 +96,11 @@ class Connection:
             return await self._streams.send(room.session.live(asked.take), asked)
         if isinstance(asked, wire.FaceAt):
             return await self._streams.moment(room.session.live(asked.take), asked)
+        if isinstance(asked, wire.Preview):
+            take, previewed = await room.preview(asked.edit)
+            if asked.face is not None:
+                await self._streams.held(take, previewed.take, asked.face)
+            return previewed
         if isinstance(asked, wire.Cancel):
             self._streams.cancel(asked.take)
             return wire.Done()

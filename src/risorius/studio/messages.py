@@ -9,7 +9,7 @@ from typing import Any
 from ..core.schema import Source as Schema
 from ..core.schema import build
 from ..errors import InputError, RisoriusError, unknown
-from .wire import EDITS, EVENTS, VERBS, Preview
+from .wire import EDITS, EVENTS, VERBS, Preview, Seconds
 
 MOST_ID = 2**53
 _EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}
@@ -27,6 +27,13 @@ class BadRequestError(RisoriusError):
     """A message that cannot be understood; `id` is its number where it has one."""
 
     id: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Beside:
+    """What a preview asks beside its edit."""
+
+    face: Seconds | None = None
 
 
 def decode(text: str) -> Request:
@@ -69,8 +76,10 @@ def _asked(data: dict[str, Any]) -> Any:
         raise InputError(
             unknown(kind, str(verb)[:40], (*kinds, "edit", "preview") if kinds is VERBS else kinds)
         )
-    asked: Any = build(kinds[verb], without_nulls(data), Schema(verb))
-    return Preview(asked) if done == "preview" else asked
+    if done != "preview":
+        return build(kinds[verb], without_nulls(data), Schema(verb))
+    beside = build(_Beside, without_nulls({"face": data.pop("face", None)}), Schema("preview"))
+    return Preview(build(kinds[verb], without_nulls(data), Schema(verb)), beside.face)
 
 
 def without_nulls(data: Any) -> Any:

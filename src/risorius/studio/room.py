@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..errors import OutputError, RisoriusError
-from ..take import Progress
+from ..take import Progress, Take
 from . import exports, looking, wire
 from .autosave import Autosave
 from .exports import Exports
@@ -28,7 +28,6 @@ HANDLERS: dict[type, Handler] = {
     wire.Choose: Session.choose,
     wire.Compare: Session.compare,
     **dict.fromkeys(wire.EDITS.values(), Session.edit),
-    wire.Preview: Session.preview,
     wire.Undo: Session.undo,
     wire.Redo: Session.redo,
     wire.View: Session.keep_view,
@@ -52,18 +51,30 @@ class Room:
         self.pages: set[Connection] = set()
         self._autosave = Autosave(folder)
         self._loaded = False
-        self._tasks: set[asyncio.Task[None]] = set()
+        self._tasks: set[asyncio.Task[Any]] = set()
         self._worker = ThreadPoolExecutor(1, thread_name_prefix=f"session-{name}")
         self._exporter = ThreadPoolExecutor(1, thread_name_prefix=f"export-{name}")
 
     async def done(self, asked: Any, progress: Progress, page: Connection) -> Any:
-        """Return the answer to a request of a page; save and tell other pages what it changes."""
+        """Return the answer to a request of a page; save and tell other pages what it changes.
+
+        What is begun is done and saved even if the page goes meanwhile.
+        """
+        task = asyncio.get_running_loop().create_task(self._do(asked, progress, page))
+        self._keep(task)
+        return await asyncio.shield(task)
+
+    async def _do(self, asked: Any, progress: Progress, page: Connection) -> Any:
         answered = await self._run(lambda: HANDLERS[type(asked)](self.session, asked, progress))
         if isinstance(asked, CHANGING):
             await self.tell_others(page)
         if isinstance(asked, SAVING):
             await self.save()
         return answered
+
+    async def preview(self, edit: wire.Edit) -> tuple[Take, wire.Previewed]:
+        """Return the take that an edit would make, and what the page is told of it."""
+        return await self._run(lambda: self.session.preview(edit))
 
     async def save(self) -> None:
         """Save the session; tell its pages that it is, or why it is not."""
@@ -145,6 +156,12 @@ class Room:
 
         return await asyncio.get_running_loop().run_in_executor(self._worker, loaded)
 
-    def _keep(self, task: asyncio.Task[None]) -> None:
+    def _keep(self, task: asyncio.Task[Any]) -> None:
         self._tasks.add(task)
-        task.add_done_callback(self._tasks.discard)
+        task.add_done_callback(self._forget)
+
+    def _forget(self, task: asyncio.Task[Any]) -> None:
+        self._tasks.discard(task)
+        if not task.cancelled():
+            # Where a page has gone nobody else asks for it, and asyncio would complain.
+            task.exception()

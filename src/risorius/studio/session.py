@@ -78,14 +78,13 @@ class Session:
         self.history.push(version, worded(version.edits[-1]))
         return self._changed(version)
 
-    def preview(self, asked: wire.Preview, progress: Progress) -> wire.Previewed:
-        """Say which curves an edit would change; nothing is changed."""
-        version, live = self.version().changed(asked.edit), self.current
+    def preview(self, edit: wire.Edit) -> tuple[Take, wire.Previewed]:
+        """Return the take that an edit would make, and which curves it would change; nothing is changed."""
+        version, live = self.version().changed(edit), self.current
         assert live is not None
         take = perform(version.score, version.settings, version.utterance, like=live.take)
-        return wire.Previewed(
-            live.number, describe.changed_curves(live.curves, describe.curves(take.performance.values))
-        )
+        changed = describe.changed_curves(live.curves, describe.curves(take.performance.values))
+        return take, wire.Previewed(live.number, changed)
 
     def undo(self, asked: wire.Undo, progress: Progress) -> wire.TakeChange:
         """Take the last change back."""

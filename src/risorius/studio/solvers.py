@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import AsyncIterator, Iterator
+from concurrent.futures import Executor
+from contextlib import asynccontextmanager, contextmanager
 from functools import lru_cache
 
 from ..core.parameters import NEUTRAL
@@ -14,6 +15,7 @@ from ..render.dress import dressed
 from ..settings import Settings
 from ..take import make_solver
 from .stage import Stage
+from .threads import on_thread
 
 _MOST_IDLE = 4
 
@@ -41,6 +43,16 @@ class Solvers:
             with self._lock:
                 self._idle = [(key, solver), *self._idle][:_MOST_IDLE]
 
+    @asynccontextmanager
+    async def loan(self, settings: Settings, threads: Executor) -> AsyncIterator[FaceSolver]:
+        """Lend a solver to who must not wait: what has to be built is built on a thread."""
+        lent = self.lent(settings)
+        solver = await on_thread(threads, lent.__enter__)
+        try:
+            yield solver
+        finally:
+            lent.__exit__(None, None, None)
+
     def _taken(self, key: tuple[object, ...]) -> FaceSolver | None:
         with self._lock:
             for place, (known, solver) in enumerate(self._idle):
@@ -50,8 +62,8 @@ class Solvers:
         return None
 
     def warm(self) -> None:
-        """Compile and build what the first face needs."""
-        with self.lent(Settings()) as solver:
+        """Compile and build what the first face needs: solvers for a take and for dials beside it."""
+        with self.lent(Settings()) as solver, self.lent(Settings()):
             solver.solve(NEUTRAL)
             springs = solver.springs()
             springs.settle(NEUTRAL)

@@ -7,6 +7,9 @@ from collections.abc import Awaitable, Callable, Iterator
 from concurrent.futures import Executor
 
 from ..face.frame import FaceFrame
+from ..face.solve import FaceSolver
+from ..settings import Settings
+from ..take import Take
 from . import wire
 from .session import Live
 from .solvers import Solvers, stage_of
@@ -31,8 +34,8 @@ class Streams:
         stopped = self._stopped[asked.take] = asyncio.Event()
         last = min(asked.last, len(live.take.performance.values))
         first, settings = asked.first, live.take.settings
-        stage = await on_thread(self._threads, lambda: stage_for(live))
-        with self._solvers.lent(settings) as solver:
+        stage = await on_thread(self._threads, lambda: stage_for(settings))
+        async with self._solvers.loan(settings, self._threads) as solver:
             faces = live.take.faces(range(first, last), lead_in=LEAD_IN, solver=solver)
             while first < last and not stopped.is_set():
                 count = min(CHUNK, last - first)
@@ -45,13 +48,31 @@ class Streams:
 
     async def moment(self, live: Live, asked: wire.FaceAt) -> wire.Sent:
         """Send the face at a time."""
+        if asked.still:
+            return await self.held(live.take, asked.take, asked.time)
 
+        def solved(frame: int, solver: FaceSolver) -> FaceFrame:
+            return next(iter(live.take.faces([frame], lead_in=LEAD_IN, solver=solver)))
+
+        return await self._face(live.take, asked.take, asked.time, solved)
+
+    async def held(self, take: Take, number: int, time: float) -> wire.Sent:
+        """Send the face at a time of a take, the skin at rest, as that of take `number`."""
+
+        def solved(frame: int, solver: FaceSolver) -> FaceFrame:
+            return solver.solve(take.performance.values[frame])
+
+        return await self._face(take, number, time, solved)
+
+    async def _face(
+        self, take: Take, number: int, time: float, solved: Callable[[int, FaceSolver], FaceFrame]
+    ) -> wire.Sent:
         def face() -> bytes:
-            performance, settings = live.take.performance, live.take.settings
-            frame = min(round(asked.time * performance.fps), len(performance.values) - 1)
+            performance, settings = take.performance, take.settings
+            frame = min(round(time * performance.fps), len(performance.values) - 1)
             with self._solvers.lent(settings) as solver:
-                found = list(live.take.faces([frame], lead_in=LEAD_IN, solver=solver))
-            return stage_for(live).packed(MOMENT, asked.take, frame, found)
+                found = solved(frame, solver)
+            return stage_for(settings).packed(MOMENT, number, frame, [found])
 
         await self._send(await on_thread(self._threads, face))
         return wire.Sent(1)
@@ -62,9 +83,8 @@ class Streams:
             self._stopped[take].set()
 
 
-def stage_for(live: Live) -> Stage:
+def stage_for(settings: Settings) -> Stage:
     """Return the stage on which a take is shown."""
-    settings = live.take.settings
     return stage_of(settings.head, settings.age, settings.look.hair, settings.look.complexion)
 
 

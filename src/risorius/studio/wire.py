@@ -131,10 +131,11 @@ EDITS: Mapping[str, type] = {
 class Preview:
     """What an edit would do, which is not made: `{"do": "preview", "kind": KIND, …}` with the edit's fields.
 
-    Answered by Previewed.
+    Answered by Previewed; with `face`, a time, the face as it would be held there then comes before.
     """
 
     edit: Edit
+    face: Seconds | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,10 +162,14 @@ class Faces:
 
 @dataclass(frozen=True, slots=True)
 class FaceAt:
-    """Send the one face at a time, also between frames."""
+    """Send the one face at a time, that of the nearest frame.
+
+    `still`: as if it were held there, the skin at rest, which is there much sooner: for who scrubs.
+    """
 
     take: Whole
     time: Seconds
+    still: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,10 +50,10 @@ class Page:
         self.driver, self.url = driver, url
 
     def open(self, session: str) -> None:
-        """Show a session, and wait until the page has its tables."""
+        """Show a session, and wait until the page has its server: its buttons are dead before."""
         self.driver.get("about:blank")
         self.driver.get(f"{self.url}#{session}")
-        self.wait("document.querySelector('#timeline')?.timeline && document.querySelector('#script')")
+        self.wait("window.studio?.store.get('catalogue') && window.studio.store.get('link') === 'up'")
 
     def run(self, body: str, *given: Any) -> Any:
         """Return what an asynchronous function with this body returns; `given` are its `arguments`."""

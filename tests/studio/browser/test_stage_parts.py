@@ -54,23 +54,31 @@ def test_the_border_of_a_coarser_mesh_stays(page: Page) -> None:
     assert border == 80
 
 
-def test_fewer_strands_are_straighter_and_keep_root_and_tip(page: Page) -> None:
-    order, triangles = page.run("""
-      const { fewer } = await import("/web/stage/strands.js");
-      const [strands, pairs] = [100, 6];
-      const index = [];
-      for (let s = 0; s < strands; s++) for (let p = 0; p < pairs - 1; p++) {
-        const k = 2 * (s * pairs + p);
-        index.push(k, k + 1, k + 2, k + 1, k + 3, k + 2);
-      }
-      const found = fewer(Uint32Array.from(index), 0.25);
-      return [found.order, found.index.length / 3];
-    """)
-    strands = len(order) / 6
+@pytest.mark.parametrize(("length", "bends"), [(20, [0, 1, 6, 7, 10, 11]), (200, list(range(12)))])
+def test_fewer_strands_keep_root_and_tip_and_long_ones_their_bends(
+    page: Page, length: float, bends: list[int]
+) -> None:
+    order, triangles = page.run(
+        """
+        const { fewer } = await import("/web/stage/strands.js");
+        const [strands, pairs] = [100, 6];
+        const index = [], points = [];
+        for (let s = 0; s < strands; s++) for (let p = 0; p < pairs; p++) {
+          const [k, along] = [2 * (s * pairs + p), (arguments[0] * p) / (pairs - 1)];
+          points.push(0, along, s, 1, along, s);
+          if (p < pairs - 1) index.push(k, k + 1, k + 2, k + 1, k + 3, k + 2);
+        }
+        const found = fewer(Uint32Array.from(index), 0.25, points);
+        return [found.order, found.index.length / 3];
+        """,
+        length,
+    )
+    each = len(bends)
+    strands = len(order) / each
     assert strands == pytest.approx(25, abs=2)
-    assert triangles == 4 * strands
-    for k in range(0, len(order), 6):
-        assert [v % 12 for v in order[k : k + 6]] == [0, 1, 6, 7, 10, 11]
+    assert triangles == (each - 2) * strands
+    for k in range(0, len(order), each):
+        assert [v % 12 for v in order[k : k + each]] == bends
 
 
 @pytest.mark.parametrize(("gap", "light"), [(0.0, 0.0), (0.7, 0.0), (2.4, 0.5), (4.0, 1.0), (20.0, 1.0)])
@@ -92,25 +100,124 @@ def test_light_comes_between_lips_as_far_as_they_part(page: Page, gap: float, li
 SCRUBBED = """
   const { Player } = await import("/web/player.js");
   const { KINDS } = await import("/web/stage/faces.js");
-  const asked = [], shown = [];
-  const connection = { up: true, on() {}, request: (verb, fields) => {
-    asked.push(fields.first);
-    return new Promise(() => {});
+  const asked = [], shown = [], answers = [];
+  const connection = { up: true, on() {}, request: (verb, { first, time }) => {
+    asked.push([verb, first ?? (time === undefined ? null : Math.round(30 * time))]);
+    return new Promise((go) => answers.push(go));
   } };
   const clock = { time: 0, playing: false, on() {} };
   const player = new Player(connection, clock, (a) => shown.push(a.name));
   player.load({ take: 1, frames: 9000, rate: 30 });
   const seek = (time) => { clock.time = time; player.update(); };
-  const send = (first) => player.receive({ kind: KINDS.take, take: 1, first, faces: [{ name: first }] });
+  const send = (first, kind = KINDS.take) =>
+    player.receive({ kind, take: 1, first, faces: [{ name: first }] });
+  const wait = (ms) => new Promise((go) => setTimeout(go, ms));
 """
 
 
-def test_while_faces_do_not_come_no_other_place_is_asked_for(page: Page) -> None:
+def test_who_scrubs_sees_one_face_after_another_and_all_where_the_hand_rests(page: Page) -> None:
     asked, shown = page.run(f"""
       {SCRUBBED}
       [100, 150, 200].forEach(seek);
-      send(0);
+      send(3000, KINDS.moment);
+      answers[2]();
+      await wait(0);
+      send(6000, KINDS.moment);
+      answers[3]();
+      send(0); // of the stretch that the take begins with: it is not where the playhead is
+      await wait(700);
+      send(6000);
       return [asked, shown];
     """)
-    assert asked == [0, 6000]
-    assert shown == [0]
+    stretches = [["faces", 0], ["faces", 6000]]
+    assert asked == [stretches[0], ["cancel", None], ["face_at", 3000], ["face_at", 6000], stretches[1]]
+    assert shown == [3000, 6000, 6000]
+
+
+def test_while_a_change_is_tried_its_face_is_seen_and_then_the_takes_own(page: Page) -> None:
+    shown = page.run(f"""
+      {SCRUBBED}
+      send(0);
+      player.previewing = true;
+      send(0, KINDS.moment);
+      send(1);
+      player.update();
+      const tried = shown.length;
+      player.previewing = false;
+      return [shown.slice(0, tried), shown.slice(tried)];
+    """)
+    assert shown == [[0, 0], [0]]
+
+
+def test_triangles_swept_are_the_same_and_come_by_few_vertices_twice(page: Page) -> None:
+    # A grid of 60 by 60 squares whose triangles come in no order.
+    before, after, same = page.run("""
+      const { swept } = await import("/web/stage/sweep.js");
+      const triangles = [];
+      for (let y = 0; y < 60; y++) for (let x = 0; x < 60; x++) {
+        const k = 61 * y + x;
+        triangles.push([k, k + 1, k + 62], [k, k + 62, k + 61]);
+      }
+      const mixed = triangles.map((_, k) => triangles[(k * 1009) % triangles.length]);
+      const given = Uint32Array.from(mixed.flat());
+      const { order, index } = swept(given);
+      const missed = (list) => {
+        const held = new Map();
+        let count = 0;
+        for (const vertex of list) {
+          if (held.get(vertex & 63) !== vertex) count += 1;
+          held.set(vertex & 63, vertex);
+        }
+        return count / (list.length / 3);
+      };
+      const triples = (list) => list.flatMap((_, k) => (k % 3 ? [] : [list.slice(k, k + 3)]));
+      const back = [...index].map((vertex) => order[vertex]);
+      const turned = ([a, b, c]) => [[a, b, c], [b, c, a], [c, a, b]].map(String).sort()[0];
+      const sorted = (list) => triples(list).map(turned).sort().join(" ");
+      return [missed(given), missed(index), sorted(back) === sorted([...given])];
+    """)
+    assert same
+    assert before > 2.0
+    assert after < 0.8
+
+
+def test_strands_farthest_from_who_looks_come_first_and_stay_whole(page: Page) -> None:
+    found = page.run("""
+      const THREE = await import("/web/vendor/three/three.module.min.js");
+      const { Order } = await import("/web/stage/strands.js");
+      // Four strands of two pairs, at depths 3, 1, 4 and 2.
+      const points = [3, 1, 4, 2].flatMap((z) => [0, 0, z, 1, 0, z, 0, 1, z, 1, 1, z]);
+      const index = [0, 1, 2, 3].flatMap((s) => [0, 1, 2, 1, 3, 2].map((k) => 4 * s + k));
+      const triangles = new THREE.BufferAttribute(Uint32Array.from(index), 1);
+      const geometry = new THREE.BufferGeometry().setIndex(triangles);
+      geometry.setAttribute("position", new THREE.BufferAttribute(Float32Array.from(points), 3));
+      const order = new Order(geometry);
+      const seen = (z) => {
+        order.sort(new THREE.Vector3(0, 0, z));
+        return [...geometry.index.array];
+      };
+      return [seen(-1), seen(1)];
+    """)
+    strands = [[v // 4 for v in index[::6]] for index in found]
+    assert strands == [[1, 3, 0, 2], [2, 0, 3, 1]]
+    for index in found:
+        for k in range(0, 24, 6):
+            assert [v % 4 for v in index[k : k + 6]] == [0, 1, 2, 1, 3, 2]
+
+
+def test_a_head_that_is_held_does_not_come_to_rest(page: Page) -> None:
+    found = page.run("""
+      const { Sharpness } = await import("/web/stage/sharpness.js");
+      let rested = 0;
+      const sharpness = new Sharpness(true, () => (rested += 1));
+      const wait = () => new Promise((go) => setTimeout(go, 1200));
+      const press = (name) => document.dispatchEvent(new PointerEvent(name));
+      press("pointerdown");
+      sharpness.moves();
+      await wait();
+      const held = rested;
+      press("pointerup");
+      await wait();
+      return [held, rested, sharpness.fine];
+    """)
+    assert found == [0, 1, True]

@@ -11,6 +11,7 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.remote.webelement import WebElement
 
+from .acts import MOVED, remember_face
 from .driving import Page
 
 LINE = "Oh really? I like it very much."
@@ -246,9 +247,13 @@ def test_a_block_is_stretched_by_its_handles(
 
 def test_a_drag_is_given_up_by_escape(timeline: Timeline) -> None:
     block, take = timeline.block(), timeline.take
+    middle = (block["apex_start"] + block["apex_end"]) / 2
+    timeline.page.run("studio.clock.seek(arguments[0])", middle)
+    timeline.page.wait("studio.theatre.players[0].held === studio.store.get('take').frames")
+    remember_face(timeline.page)
     chain = timeline.page.actions()
     pointer = chain.w3c_actions.pointer_action
-    x, y = timeline.place(block, (block["apex_start"] + block["apex_end"]) / 2)
+    x, y = timeline.place(block, middle)
     pointer.move_to_location(x, y)
     pointer.pointer_down()
     pointer.move_to_location(x + 80, y)
@@ -261,7 +266,10 @@ def test_a_drag_is_given_up_by_escape(timeline: Timeline) -> None:
         "timeline.scene.model.curve(arguments[0])?.values !== timeline.scene.model.take.curves[arguments[0]]"
     )
     assert timeline.page.run(f"return {follows}", name)
+    # So does the face where the playhead stands.
+    timeline.page.wait(f"{MOVED} > 0.5")
     timeline.press(Keys.ESCAPE)
+    timeline.page.wait(f"{MOVED} === 0")
     assert timeline.page.get("[...timeline.scene.edits.held].length") == 0
     assert not timeline.page.run(f"return {follows}", name)
     release = timeline.page.actions()

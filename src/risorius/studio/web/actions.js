@@ -53,13 +53,20 @@ export class Actions {
   /**
    * Ask what a change would do; null where it cannot be made, which is not said: it is not yet what is wanted.
    * @param {string} kind @param {Record<string, any>} fields as those of `edit`
+   * @param {number | null} face the time at which the face should follow, which is then shown
    */
-  async preview(kind, fields) {
+  async preview(kind, fields, face) {
+    this.#store.set({ preview: face !== null });
     try {
-      return await this.#connection.request("preview", { kind, ...fields });
+      return await this.#connection.request("preview", { kind, ...fields, face });
     } catch {
       return null;
     }
+  }
+
+  /** Show the take's own face again. */
+  endPreview() {
+    this.#store.set({ preview: false });
   }
 
   /** Take back the last change. */

@@ -34,6 +34,7 @@ const store = new Store({
   selection: { time: null, parameter: null, movement: null },
   other: null,
   dial: null,
+  preview: false,
   graphs: null,
   recordings: [],
   ownEmotions: [],

@@ -8,6 +8,7 @@ import { KINDS } from "./stage/faces.js";
 const BEHIND = 2; // s of faces kept before the playhead
 const AHEAD = 8; // s of faces asked for beyond it
 const REFILL = 4; // s left ahead at which more is asked for
+const SETTLED = 300; // ms in which nobody scrubs after which faces are asked for: each stretch costs the server much
 const SOON = 0.5; // s after what has arrived within which a frame is waited for
 const AGAIN = 400; // ms after which a request that failed is made again
 
@@ -19,6 +20,9 @@ export class Player {
   #faces = new Map();
   #asking = null;
   #retry = 0;
+  #scrubbed = -Infinity; // when the time was last set by hand
+  #glancing = false;
+  #previewing = false;
 
   /**
    * @param {import("./connection.js").Connection} connection
@@ -48,6 +52,12 @@ export class Player {
     return this.#take !== null && !this.#faces.has(this.#now());
   }
 
+  /** Whether a change is tried: then the face is that of it, not of the take, unless it plays. */
+  set previewing(previewing) {
+    this.#previewing = previewing;
+    if (!previewing) this.#showNow();
+  }
+
   /**
    * Show another take; frames outside [first, last) keep the faces that they had.
    * @param {{take: number, frames: number, rate: number} | null} take
@@ -59,29 +69,72 @@ export class Player {
       if (!take || (frame >= first && frame < last) || frame >= take.frames) this.#faces.delete(frame);
     }
     this.#asking = null;
-    if (take) this.update();
+    if (!take) return;
+    this.#showNow();
+    this.#ask();
   }
 
   /** Take in faces from the server. @param {ReturnType<typeof import("./stage/faces.js").unpackFaces>} sent */
   receive({ kind, take, first, faces }) {
-    if (kind !== KINDS.take || take !== this.#take?.take) return;
+    if (take !== this.#take?.take) return;
+    if (kind === KINDS.moment) {
+      if (!this.#clock.playing && (this.#previewing || this.behind)) this.#show(faces[0], faces[0], 0);
+      return;
+    }
+    if (kind !== KINDS.take) return;
     faces.forEach((face, k) => this.#faces.set(first + k, face));
     if (this.#asking) this.#asking.arrived = first + faces.length;
-    // While somebody scrubs faster than faces come, those that come are seen all the same.
-    if (this.behind && !this.#clock.playing) this.#show(faces[0], faces[0], 0);
-    this.update();
+    this.#showNow();
+    this.#ask();
   }
 
-  /** Show the face of the clock's time if it is there, and see to it that there are more. */
+  /** The clock's time is another: show its face if it is there, and see to it that there are more. */
   update() {
     if (!this.#take) return;
+    this.#showNow();
+    if (this.#clock.playing) {
+      this.#ask();
+      return;
+    }
+    this.#scrubbed = performance.now();
+    this.#later(SETTLED);
+    if (!this.behind) return;
+    this.#giveUp();
+    this.#glance();
+  }
+
+  /** What is on its way is for another place: the server has better to do. */
+  #giveUp() {
+    const [asking, now] = [this.#asking, this.#now()];
+    if (!asking || (now >= asking.first && now < asking.last) || !this.#connection.up) return;
+    this.#asking = null;
+    this.#connection.request("cancel", { take: this.#take.take }).catch(() => {});
+  }
+
+  #showNow() {
+    if (!this.#take || (this.#previewing && !this.#clock.playing)) return;
     const at = Math.min(this.#clock.time * this.#take.rate, this.#take.frames - 1);
     const before = Math.floor(at);
     const a = this.#faces.get(before);
     const b = this.#faces.get(Math.min(before + 1, this.#take.frames - 1)) ?? a;
     if (a) this.#show(a, b, at - before);
     this.#drop(before);
-    this.#ask();
+  }
+
+  /** Ask for the one face of the clock's time, as it is when held: it is here long before those that move. */
+  async #glance() {
+    if (this.#glancing || !this.#connection.up) return;
+    this.#glancing = true;
+    const [{ take, rate }, frame] = [this.#take, this.#now()];
+    // Faces that are refused come with the others, or their absence is said there.
+    await this.#connection.request("face_at", { take, time: frame / rate, still: true }).catch(() => {});
+    this.#glancing = false;
+    if (this.#take?.take === take && this.#now() !== frame && this.behind && !this.#clock.playing) this.#glance();
+  }
+
+  #later(wait) {
+    clearTimeout(this.#retry);
+    this.#retry = setTimeout(() => this.#ask(), wait);
   }
 
   /** The last frame that is not after the clock's time. */
@@ -108,6 +161,7 @@ export class Player {
   /** Ask for the first stretch that is missing from the playhead on, unless it is on its way. */
   #ask() {
     if (!this.#take || !this.#connection.up) return;
+    if (!this.#clock.playing && performance.now() - this.#scrubbed < SETTLED) return;
     const { take, frames, rate } = this.#take;
     const now = this.#now();
     let first = now;
@@ -128,7 +182,7 @@ export class Player {
       },
       () => {
         over();
-        this.#retry = setTimeout(() => this.#ask(), AGAIN);
+        this.#later(AGAIN);
       },
     );
   }

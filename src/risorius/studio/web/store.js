@@ -17,6 +17,7 @@
  *   busy        a sentence on what is being waited for; "" when nothing is
  *   selection   {time, parameter, movement}: what was last pointed at in timeline or rules; each may be null
  *   other       the second take of a comparison; null without one
+ *   preview     whether the timeline shows a change that is not made yet
  *   dial        what dials hold, as `Dial` of the wire; null while the take is shown
  *   recordings  names of the recordings that the session has
  *   ownEmotions names of emotions saved in the session

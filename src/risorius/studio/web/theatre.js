@@ -33,7 +33,13 @@ export class Theatre {
     });
     store.watch(["catalogue", "take", "choices"], () => this.#cast(0, store.get("take")));
     store.watch(["catalogue", "other"], () => this.#cast(1, store.get("other")));
-    store.watch(["dial"], () => store.get("dial") === null && this.#players[0].update());
+    store.watch(["preview"], () => {
+      this.#players[0].previewing = store.get("preview");
+    });
+    store.watch(["dial"], () => {
+      this.stage.stir();
+      if (store.get("dial") === null) this.#players[0].update();
+    });
   }
 
   /** Who stands at the place of the take, and at that of the comparison; null where nobody does. */

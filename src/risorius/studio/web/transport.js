@@ -4,6 +4,7 @@ import { glyph } from "./parts/glyphs.js";
 import { canPlay, playOrPause } from "./playing.js";
 import { button } from "./parts/fields.js";
 import { fill, make } from "./parts/dom.js";
+import { scrubber } from "./parts/scrubber.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5];
 
@@ -22,14 +23,7 @@ export function mountTransport(element, studio) {
       title: `${label} (${key})`,
       onclick: act,
     });
-  const place = make("input", {
-    type: "range",
-    class: "scrub",
-    min: 0,
-    step: "any",
-    "aria-label": "Playhead",
-  });
-  place.addEventListener("input", () => clock.seek(Number(place.value)));
+  const place = scrubber("Playhead", (value) => clock.seek(value));
   const time = make("output", { class: "time", id: "time" });
   const loop = icon("loop", "Loop", "L", () => toggleLoop(clock));
   const speed = make(
@@ -56,10 +50,8 @@ export function mountTransport(element, studio) {
   showState();
 
   function showTime() {
-    place.max = clock.duration;
-    place.value = clock.time;
     const frame = Math.round(clock.time * clock.fps);
-    place.setAttribute("aria-valuetext", `${clock.time.toFixed(2)} seconds`);
+    place.show(clock.time, clock.duration, `${clock.time.toFixed(2)} seconds`);
     time.value = `${stamp(clock.time)} / ${stamp(clock.duration)} · ${frame}`;
     time.title = `frame ${frame} of ${Math.round(clock.duration * clock.fps)}`;
   }

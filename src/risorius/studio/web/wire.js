@@ -146,9 +146,10 @@
  */
 /**
  * What an edit would do, which is not made: `{"do": "preview", "kind": KIND, …}` with the edit's fields.
- * Answered by Previewed.
+ * Answered by Previewed; with `face`, a time, the face as it would be held there then comes before.
  * @typedef {Object} Preview
  * @property {Move|Stretch|Retarget|Add|Delete|Keys|ClearKeys} edit
+ * @property {number|null} [face]
  */
 /**
  * Take the last change back; answered by TakeChange.
@@ -171,11 +172,13 @@
  * @property {number} last
  */
 /**
- * Send the one face at a time, also between frames.
+ * Send the one face at a time, that of the nearest frame.
+ * `still`: as if it were held there, the skin at rest, which is there much sooner: for who scrubs.
  * @typedef {Object} FaceAt
  * @property {"face_at"} do
  * @property {number} take
  * @property {number} time
+ * @property {boolean} [still]
  */
 /**
  * Stop sending a take's faces.

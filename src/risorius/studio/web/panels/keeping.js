@@ -11,7 +11,7 @@ export function mountKeeping(studio, face) {
     id: "pose-name",
     maxlength: 60,
     "aria-label": "Name of the face",
-    placeholder: "Name of the face",
+    placeholder: "Name",
   });
   const keep = async (kind) => {
     if (name.value.trim() === "") {

@@ -9,6 +9,8 @@ export function mountRules(element, studio) {
   new Rules(element, studio);
 }
 
+const PLACES = 9; // that are shown of a rule before it is asked for all
+
 class Rules {
   #studio;
   #store;
@@ -88,7 +90,7 @@ class Rules {
     };
     const [label, chips] = [
       make("label", { class: "check" }, box, name),
-      make("div", { class: "row tight" }, ...places),
+      folded(places),
     ];
     return make("div", { class: "rule", ...about }, label, chips, make("p", { class: "hint" }, comment));
   }
@@ -118,4 +120,19 @@ class Rules {
     }
     for (const group of this.#list.children) group.hidden = !group.querySelector(".rule:not([hidden])");
   }
+}
+
+/** A row of buttons; of many the first, and one that shows the others. */
+function folded(places) {
+  const row = make("div", { class: "row tight" }, ...places.slice(0, PLACES));
+  const rest = places.slice(PLACES);
+  if (rest.length === 0) return row;
+  const unfold = () => {
+    more.replaceWith(...rest);
+    rest[0].focus();
+  };
+  const label = `Show ${rest.length} more times`;
+  const more = button(`${rest.length} more`, { class: "chip", "aria-label": label, onclick: unfold });
+  row.append(more);
+  return row;
 }

@@ -1,3 +1,5 @@
+import { swept } from "./sweep.js";
+
 /**
  * A mesh with fewer triangles and vertices, for machines that draw without a graphics card while the face moves:
  * a triangle smaller than a pixel costs them what a larger one does.
@@ -5,8 +7,7 @@
 
 /**
  * Vertices gather round some of them, along the mesh's edges; triangles that join three such groups are left,
- * between the vertices in their midst. Vertices at the mesh's borders stay. Those that are kept are numbered
- * anew as the triangles come by them: a machine without a graphics card remembers the last few only.
+ * between the vertices in their midst. Vertices at the mesh's borders stay.
  * @param {ArrayLike<number>} points x, y, z, x, … @param {Uint32Array} index (3m,)
  * @param {(x: number, y: number, z: number) => number} reach how far a vertex gathers others, in points' units
  * @returns {{order: number[], index: Uint32Array}} the vertices that are kept, and the triangles between these
@@ -19,9 +20,7 @@ export function coarser(points, index, reach) {
     const [a, b, c] = [heads[index[k]], heads[index[k + 1]], heads[index[k + 2]]];
     if (a !== b && b !== c && c !== a) found.push(a, b, c);
   }
-  const places = new Map();
-  for (const vertex of found) if (!places.has(vertex)) places.set(vertex, places.size);
-  return { order: [...places.keys()], index: Uint32Array.from(found, (vertex) => places.get(vertex)) };
+  return swept(Uint32Array.from(found));
 }
 
 /**

@@ -6,22 +6,23 @@ import { computeNormals } from "./normals.js";
 import { fewer, widen } from "./strands.js";
 
 // mm within which the skin's vertices gather: fine round eyes and mouth, coarser by SLOPE from NEAR on.
-const [LEAST, MOST, NEAR, SLOPE] = [1.3, 8, 10, 0.25];
-const GATHERED = 2; // mm, in the mouth
+const [LEAST, MOST, NEAR, SLOPE] = [1.6, 9, 10, 0.33];
+const GATHERED = 2.4; // mm, in the mouth
+const [EYES, SMALL] = [["eye_left", "eye_right"], ["teeth_upper", "teeth_lower", "tongue"]];
+const ROUND = 1.6; // mm, on the eyeballs
 // The share of its strands that is drawn of hair, and how much wider they are: thinner than a pixel they glitter.
 const STRANDS = {
-  brows: { share: 0.4, wide: 4 },
-  lashes: { share: 0.5, wide: 3 },
-  hair: { share: 0.22, wide: 2.6 },
+  brows: { share: 0.35, wide: 3 },
+  lashes: { share: 0.5, wide: 2 },
+  hair: { share: 0.16, wide: 3.2 },
 };
 
 const LIGHTER = {
   skin: (points, index, spots) => coarser(points, index, reachFrom(spots)),
-  teeth_upper: (points, index) => coarser(points, index, () => GATHERED),
-  teeth_lower: (points, index) => coarser(points, index, () => GATHERED),
-  tongue: (points, index) => coarser(points, index, () => GATHERED),
+  ...gathering(SMALL, GATHERED),
+  ...gathering(EYES, ROUND),
   ...Object.fromEntries(
-    Object.entries(STRANDS).map(([name, { share }]) => [name, (points, index) => fewer(index, share)]),
+    Object.entries(STRANDS).map(([name, { share }]) => [name, (points, index) => fewer(index, share, points)]),
   ),
 };
 
@@ -51,8 +52,11 @@ export class Lighter {
     this.#wide = wide;
     this.#order = Uint32Array.from(order);
     const geometry = new THREE.BufferGeometry().setIndex(new THREE.BufferAttribute(index, 1));
-    this.mesh = new THREE.Mesh(geometry, full.material);
+    this.mesh = new THREE.Mesh(geometry, full.material.userData.quick ?? full.material);
     this.mesh.frustumCulled = false;
+    this.mesh.matrixAutoUpdate = false;
+    this.mesh.matrix = full.matrix; // where the one is, the other is
+    this.mesh.renderOrder = full.renderOrder;
     for (const name of Object.keys(full.geometry.attributes)) this.take(name);
   }
 
@@ -69,6 +73,7 @@ export class Lighter {
       for (let from = itemSize * this.#order[k], end = from + itemSize; from < end; ) own[to++] = array[from++];
     }
     if (name === "position" && this.#wide > 1) widen(own, this.#wide);
+    if (name === "across") own.forEach((length, k) => (own[k] = this.#wide * length));
     attributes[name].needsUpdate = true;
   }
 }
@@ -77,6 +82,10 @@ export class Lighter {
 export function shade({ attributes, index }) {
   computeNormals(attributes.position.array, index.array, attributes.normal.array);
   attributes.normal.needsUpdate = true;
+}
+
+function gathering(names, reach) {
+  return Object.fromEntries(names.map((name) => [name, (points, index) => coarser(points, index, () => reach)]));
 }
 
 function reachFrom(spots) {

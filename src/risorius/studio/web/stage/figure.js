@@ -7,10 +7,11 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { lighterOf, shade } from "./detail.js";
-import { MM, geometryOf, irisTexture, lightOf, neckShare } from "./geometry.js";
+import { MM, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
 import { readGlb } from "./glb.js";
 import { lightBetween, slitsOf } from "./lips.js";
 import { materialOf } from "./materials.js";
+import { Order, asStrands } from "./strands.js";
 
 const HAIRS = ["brows", "lashes", "hair"];
 const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
@@ -36,6 +37,8 @@ export class Figure {
   #fine = true;
   #lighter = {};
   #shown = null;
+  #stale = new Set();
+  #hairs = new Map();
   #slits;
 
   constructor(glb, packing, pictures) {
@@ -65,6 +68,7 @@ export class Figure {
       this.#lighter.skin.take(name);
     }
     material.userData.hemmed.value = seen ? 1 : 0;
+    if (seen) material.userData.neck.value.copy(neckColour(geometry.attributes));
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
@@ -72,15 +76,18 @@ export class Figure {
     return this.#meshes.skin.geometry.attributes.position.array;
   }
 
-  /** Whether all triangles are drawn, or few: as a machine without a graphics card draws a face that moves. */
-  set fine(fine) {
-    if (fine === this.#fine) return;
-    this.#fine = fine;
-    for (const [name, lighter] of Object.entries(this.#lighter)) {
-      this.#meshes[name].visible = fine;
-      lighter.mesh.visible = !fine;
-    }
-    for (const { name } of this.#packing.parts) this.#moved(name);
+  /**
+   * Have ready what is drawn next.
+   * @param {boolean} fine whether all triangles are, or few: as a machine without a graphics card draws a face
+   *   that moves
+   * @param {THREE.Camera} camera @param {number} height of the picture, in pixels
+   */
+  ready(fine, camera, height) {
+    if (fine !== this.#fine) this.#refine(fine);
+    for (const name of this.#stale) this.#moved(name);
+    this.#stale.clear();
+    this.group.updateMatrixWorld(true);
+    for (const mesh of this.#hairs.keys()) if (mesh.visible) this.#comb(mesh, camera, height);
   }
 
   /** How many numbers a face of this head has. */
@@ -119,7 +126,9 @@ export class Figure {
     const material = materialOf(data.material.name, { ...pictures, cloth: this.#packing.cloth });
     const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
+    mesh.renderOrder = name === "skin" ? 0 : 1; // what it hides need not be shaded
     this.#meshes[name] = mesh;
+    if (HAIRS.includes(name)) asStrands(mesh);
     (name === "skin" ? this.group : this.#head).add(mesh);
     if (translation) {
       mesh.position.set(...translation).multiplyScalar(MM);
@@ -139,7 +148,23 @@ export class Figure {
       }
     }
     if (name === "skin") this.#bendNeck(points);
-    this.#moved(name);
+    this.#stale.add(name);
+  }
+
+  #refine(fine) {
+    this.#fine = fine;
+    for (const [name, lighter] of Object.entries(this.#lighter)) {
+      this.#meshes[name].visible = fine;
+      lighter.mesh.visible = !fine;
+    }
+    for (const { name } of this.#packing.parts) this.#stale.add(name);
+  }
+
+  /** Have hairs as wide as can be seen, and in order. */
+  #comb(mesh, camera, height) {
+    mesh.material.userData.pixels.value = 0.5 * height * camera.projectionMatrix.elements[5];
+    const sight = camera.getWorldDirection(SIGHT).transformDirection(INVERSE.copy(mesh.matrixWorld).invert());
+    this.#hairs.get(mesh).sort(sight);
   }
 
   /** A mesh's vertices are elsewhere: so is what is drawn of it, and the normals of what is no hair. */
@@ -186,6 +211,7 @@ export class Figure {
       this.#lighter[name] = lighter;
       lighter.mesh.visible = false;
       mesh.parent.add(lighter.mesh);
+      if (HAIRS.includes(name)) for (const one of [mesh, lighter.mesh]) this.#hairs.set(one, new Order(one.geometry));
     }
   }
 
@@ -202,6 +228,7 @@ export class Figure {
   }
 }
 
+const [SIGHT, INVERSE] = [new THREE.Vector3(), new THREE.Matrix4()];
 const TARGET = new THREE.Quaternion();
 const TURNED = new THREE.Matrix4();
 

@@ -6,6 +6,7 @@ export const MM = 1000;
 const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
 const LAMPS = 4;
 const HEM_STEPS = 4; // a millimetre
+const ABOVE = [-20, -6]; // mm into the cloth where the neck's colour is taken
 
 /**
  * What each vertex of the skin sees of the room and of each lamp, and its way to the neckline in mm.
@@ -28,6 +29,18 @@ export function lightOf(seen, count) {
     reach: new THREE.BufferAttribute(reach, LAMPS, true),
     hem: new THREE.BufferAttribute(hem, 1),
   };
+}
+
+/** The mean colour of the skin just above the cloth. */
+export function neckColour({ color, hem }) {
+  const [sum, one] = [new THREE.Color(0, 0, 0), new THREE.Color()];
+  let count = 0;
+  for (let vertex = 0; vertex < hem.count; vertex++) {
+    if (hem.array[vertex] < ABOVE[0] || hem.array[vertex] > ABOVE[1]) continue;
+    sum.add(one.setRGB(color.getX(vertex), color.getY(vertex), color.getZ(vertex)));
+    count += 1;
+  }
+  return sum.multiplyScalar(1 / Math.max(count, 1));
 }
 
 /** The share by which each vertex turns with the head: its weight for the second joint, the head's. */

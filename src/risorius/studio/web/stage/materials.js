@@ -5,6 +5,9 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+import { hairMaterial } from "./hair.js";
+import { patch } from "./patch.js";
+import { skinMaterial } from "./skin.js";
 
 const HAIRS = ["brows", "lashes", "hair"];
 const MOUTH = ["teeth", "tongue"];
@@ -16,102 +19,12 @@ const MOUTH = ["teeth", "tongue"];
  */
 export function materialOf(name, pictures) {
   if (name === "eye") return eyeMaterial(pictures);
-  const side = HAIRS.includes(name) ? THREE.DoubleSide : THREE.FrontSide;
-  const material = new THREE.MeshLambertMaterial({ vertexColors: true, side });
-  if (name === "skin") clothed(material, pictures.cloth);
+  if (name === "skin") return skinMaterial(pictures.cloth);
+  if (HAIRS.includes(name)) return hairMaterial();
+  const material = new THREE.MeshLambertMaterial({ vertexColors: true });
   if (MOUTH.includes(name)) hidden(material);
-  if (HAIRS.includes(name)) patch(material, HAIR);
   return material;
 }
-
-/** Put other text in place of parts of three.js's shaders: {vertex: [[from, to], …], fragment: […]}. */
-function patch(material, { vertex = [], fragment = [] }, uniforms = {}) {
-  // three.js tells shaders apart by the text of onBeforeCompile, which is the same for all of these.
-  material.customProgramCacheKey = () => JSON.stringify([vertex, fragment]);
-  material.onBeforeCompile = (shader) => {
-    Object.assign(shader.uniforms, uniforms);
-    for (const [from, to] of vertex) shader.vertexShader = shader.vertexShader.replace(from, to);
-    for (const [from, to] of fragment) shader.fragmentShader = shader.fragmentShader.replace(from, to);
-  };
-}
-
-// Light goes round the edge of shadow in skin, red farthest: widths of that edge, by colour.
-const WRAP = "vec3( 0.30, 0.13, 0.08 )";
-
-const SKIN_LIT = THREE.ShaderChunk.lights_lambert_pars_fragment.replace(
-  "vec3 irradiance = dotNL * directLight.color;",
-  `float facing = dot( geometryNormal, directLight.direction );
-  vec3 wrapped = saturate( ( vec3( facing ) + ${WRAP} ) / ( 1.0 + ${WRAP} ) );
-  vec3 irradiance = wrapped * directLight.color;
-  vec3 between = normalize( directLight.direction + geometryViewDir );
-  float shine = max( dot( geometryNormal, between ), 0.0 );
-  float grazing = 1.0 - max( dot( geometryViewDir, between ), 0.0 );
-  float gloss = pow( shine, 14.0 ) * ( 0.028 + 0.30 * pow( grazing, 4.0 ) );
-  reflectedLight.directSpecular += gloss * dotNL * directLight.color * RECIPROCAL_PI * 3.0;`,
-);
-
-const REACHED = THREE.ShaderChunk.lights_fragment_begin.replace(
-  "getDirectionalLightInfo( directionalLight, directLight );",
-  "getDirectionalLightInfo( directionalLight, directLight );\n\t\tdirectLight.color *= lampReach[ i ];",
-);
-
-/** The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's. */
-function clothed(material, cloth) {
-  material.userData.hemmed = { value: 0 };
-  const uniforms = { hemmed: material.userData.hemmed, cloth: { value: new THREE.Color(...cloth) } };
-  patch(material, SKIN, uniforms);
-}
-
-const CARRIED = `#include <common>
-varying float roomFree;
-varying vec4 lampReach;
-varying vec2 worn; // mm into the cloth, and the share that the colour has of it
-`;
-const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
-
-// What is left of the colour without the cloth's share is the skin's; skin is shaded where the collar begins.
-const CUT = `#include <color_fragment>
-  float width = clamp( fwidth( worn.x ), 0.15, 3.0 );
-  float covered = smoothstep( - width, width, worn.x );
-  vec3 bare = max( ( vColor.rgb - worn.y * cloth ) / max( 1.0 - worn.y, 0.1 ), vec3( 0.0 ) );
-  bare *= 1.0 - 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
-  float seam = worn.x - 9.0;
-  vec3 knit = cloth * ( 1.0 - 0.3 * exp( - seam * seam * 0.6 ) );
-  if ( hemmed > 0.5 && worn.x > - 30.0 ) diffuseColor.rgb = mix( bare, knit, covered );
-`;
-
-const SKIN = {
-  vertex: [
-    ["#include <common>", `attribute float free;\nattribute vec4 reach;\nattribute float hem;\n${CARRIED}`],
-    [
-      "#include <begin_vertex>",
-      `#include <begin_vertex>
-      roomFree = free;
-      lampReach = reach;
-      worn = vec2( hem, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) );`,
-    ],
-  ],
-  fragment: [
-    ["#include <common>", `uniform float hemmed;\nuniform vec3 cloth;\n${CARRIED}`],
-    ["#include <color_fragment>", CUT],
-    ["#include <lights_lambert_pars_fragment>", SKIN_LIT],
-    ["#include <lights_fragment_begin>", REACHED],
-    ["#include <lights_fragment_end>", "irradiance *= roomFree;\n#include <lights_fragment_end>"],
-  ],
-};
-
-// Hair is lit from both sides of a strand, and shines along its length where the light grazes it.
-const HAIR = {
-  fragment: [
-    [
-      "#include <lights_lambert_pars_fragment>",
-      THREE.ShaderChunk.lights_lambert_pars_fragment.replace(
-        "float dotNL = saturate( dot( geometryNormal, directLight.direction ) );",
-        "float dotNL = saturate( 0.12 + 0.72 * dot( geometryNormal, directLight.direction ) );",
-      ),
-    ],
-  ],
-};
 
 /** Darken what stands back in the mouth, between `mouth.x` and `mouth.y` mm, and all where `lit` is 0: shut lips. */
 function hidden(material) {

@@ -13,6 +13,8 @@ const STEPS = [
   { ratio: 0.5, fine: false },
 ];
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
+const LEAST = 150e3; // pixels of a picture: to draw fewer saves little, triangles cost what they do
+const MOST = 2e6; // pixels of a picture at rest that is finer than the screen
 const REST = 800; // ms in which nobody moves anything after which the head is at rest
 
 export class Sharpness {
@@ -22,23 +24,28 @@ export class Sharpness {
   #timer = 0;
   #atRest = false;
   #playing = false;
+  #held = false;
   #still;
-  #changed;
+  #rested;
 
   /**
    * @param {boolean} rough whether edges are not smoothed
-   * @param {() => void} changed called when the ratio is another; it draws
+   * @param {() => void} rested called when the head has come to rest: a finer picture is due
    */
-  constructor(rough, changed) {
+  constructor(rough, rested) {
     this.#still = rough ? 2 : 1;
     this.#step = rough ? 2 : 0;
-    this.#changed = changed;
+    this.#rested = rested;
+    for (const name of ["pointerdown", "pointerup", "pointercancel"]) {
+      document.addEventListener(name, () => this.#hold(name === "pointerdown"), true);
+    }
   }
 
-  /** Pixels drawn per CSS pixel. */
-  get ratio() {
+  /** Pixels drawn per CSS pixel of a side. @param {number} area of the picture, in CSS pixels */
+  ratio(area) {
     const screen = Math.min(window.devicePixelRatio, 2);
-    return this.#atRest ? Math.max(this.#still, screen) : STEPS[this.#step].ratio * screen;
+    if (!this.#atRest) return Math.max(STEPS[this.#step].ratio * screen, Math.min(0.75, Math.sqrt(LEAST / area)));
+    return Math.max(Math.min(this.#still, Math.sqrt(MOST / area)), screen);
   }
 
   /** Whether all triangles are drawn. */
@@ -54,9 +61,9 @@ export class Sharpness {
 
   /** Something moves, or is about to. */
   moves() {
+    this.#atRest = false;
     clearTimeout(this.#timer);
-    if (!this.#playing) this.#timer = setTimeout(() => this.#rest(true), REST);
-    this.#rest(false);
+    if (!this.#playing && !this.#held) this.#timer = setTimeout(() => this.#rest(), REST);
   }
 
   /** Take note that a picture was drawn now. */
@@ -68,19 +75,22 @@ export class Sharpness {
     else this.#judge(since > SLOW ? 1 : since < FAST ? -0.1 : 0);
   }
 
-  #rest(now) {
-    if (this.#atRest === now) return;
-    this.#atRest = now;
-    this.#changed();
+  /** A hand that holds something is about to move it: a fine picture would keep it waiting. */
+  #hold(held) {
+    this.#held = held;
+    if (held) clearTimeout(this.#timer);
+    else if (!this.#atRest) this.moves();
+  }
+
+  #rest() {
+    this.#atRest = true;
+    this.#rested();
   }
 
   #judge(strike) {
     this.#strikes = Math.sign(this.#strikes) === Math.sign(strike) ? this.#strikes + strike : strike;
     if (Math.abs(this.#strikes) < PATIENCE) return;
-    const step = Math.min(Math.max(this.#step + Math.sign(strike), 0), STEPS.length - 1);
+    this.#step = Math.min(Math.max(this.#step + Math.sign(strike), 0), STEPS.length - 1);
     this.#strikes = 0;
-    if (step === this.#step) return;
-    this.#step = step;
-    this.#changed();
   }
 }

@@ -22,7 +22,9 @@ export class Stage {
   #backdrop;
   #mirrored = null;
   #asked = false;
+  #drawing = false;
   #drawn = 0;
+  #size = "";
   /** From where the heads are looked at. */
   view = new View(() => this.invalidate());
 
@@ -33,7 +35,7 @@ export class Stage {
     this.#renderer = new THREE.WebGLRenderer({ canvas, alpha: false, antialias: !rough });
     this.#renderer.autoClear = false;
     developAsFilm(this.#renderer);
-    this.#sharpness = new Sharpness(rough, () => this.#resize());
+    this.#sharpness = new Sharpness(rough, () => this.#ask());
     this.dress();
     document.addEventListener("theme", () => this.dress());
     this.view.listen(canvas);
@@ -88,32 +90,47 @@ export class Stage {
     this.#ask();
   }
 
+  /** Draw now if this frame of the page has no picture yet, else with the next. */
   #ask() {
-    if (this.#asked) return;
     this.#asked = true;
-    requestAnimationFrame(() => {
-      this.#asked = false;
-      this.#draw();
-    });
+    if (!this.#drawing) this.#answer();
+  }
+
+  #answer() {
+    this.#drawing = this.#asked;
+    if (!this.#asked) return;
+    this.#asked = false;
+    this.#draw();
+    requestAnimationFrame(() => this.#answer());
   }
 
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
-    this.#renderer.setPixelRatio(this.#sharpness.ratio);
-    this.#renderer.setSize(width, height, false);
     this.view.fit(width / Math.max(this.#figures.length, 1), height);
     this.#ask();
+  }
+
+  /** Take up the canvas' size, as finely as is drawn now: not before a picture, which that clears. */
+  #fit(width, height) {
+    const ratio = this.#sharpness.ratio(width * height);
+    const size = [width, height, ratio].join();
+    if (size === this.#size) return;
+    this.#size = size;
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(width, height, false);
   }
 
   #draw() {
     const renderer = this.#renderer;
     const { clientWidth: width, clientHeight: height } = this.#canvas;
+    if (width === 0 || height === 0) return;
+    this.#fit(width, height);
     const each = width / Math.max(this.#figures.length, 1);
     renderer.setScissorTest(true);
     this.#figures.forEach((shown, place) => {
       for (const figure of this.#figures) figure.group.visible = figure === shown;
-      shown.fine = this.#sharpness.fine;
+      shown.ready(this.#sharpness.fine, this.view.camera, height * this.#renderer.getPixelRatio());
       renderer.setViewport(place * each, 0, each, height);
       this.#backdrop.paint(renderer, place * each, each, height);
       renderer.setScissor(place * each, 0, each, height);

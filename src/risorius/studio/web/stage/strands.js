@@ -1,19 +1,28 @@
 /**
  * Hairs as ribbons: strands that follow one another, each of as many pairs of vertices, its left and its right
  * edge from root to tip. A machine without a graphics card draws fewer and straighter ones in motion.
+ *
+ * Ribbons are drawn with soft edges over what is behind them (`HAIR` in materials.js), so that those far away
+ * come first.
  */
 
+import * as THREE from "../vendor/three/three.module.min.js";
+
+const ALIKE = Math.cos((5 * Math.PI) / 180); // between directions of sight for which one order does
+const DEPTHS = 1024; // that are told apart
+const SHORT = 40; // mm
 const GOLDEN = 0.6180339887498949;
 const QUAD = [0, 1, 2, 1, 3, 2];
 
 /**
- * Some of the strands, spread evenly, with two bends' worth of triangles instead of all.
- * @param {Uint32Array} index (3m,) @param {number} share of the strands
+ * Some of the strands, spread evenly; short ones with one bend instead of all. Long ones would cut through the head.
+ * @param {Uint32Array} index (3m,) @param {number} share of the strands @param {Float32Array} points x, y, z, x, …
  * @returns {{order: number[], index: Uint32Array}} the vertices that are kept, and the triangles between these
  */
-export function fewer(index, share) {
+export function fewer(index, share, points) {
   const { count, pairs } = strandsOf(index);
-  const kept = [0, pairs >> 1, pairs - 1];
+  const long = meanLength(points, count, pairs) > SHORT;
+  const kept = long ? Array.from({ length: pairs }, (_, k) => k) : [0, pairs >> 1, pairs - 1];
   const strands = Array.from({ length: count }, (_, k) => k).filter((k) => (k * GOLDEN) % 1 < share);
   const order = strands.flatMap((strand) =>
     kept.flatMap((pair) => [0, 1].map((edge) => 2 * (strand * pairs + pair) + edge)),
@@ -21,6 +30,18 @@ export function fewer(index, share) {
   const each = kept.length - 1;
   const quads = Array.from({ length: strands.length * each }, (_, k) => 2 * (k + Math.floor(k / each)));
   return { order, index: Uint32Array.from(quads.flatMap((from) => QUAD.map((k) => from + k))) };
+}
+
+/** How long strands are, along their left edges. */
+function meanLength(points, count, pairs) {
+  let sum = 0;
+  for (let strand = 0; strand < count; strand++) {
+    for (let pair = strand * pairs; pair < (strand + 1) * pairs - 1; pair++) {
+      const way = (axis) => points[6 * pair + 6 + axis] - points[6 * pair + axis];
+      sum += Math.hypot(way(0), way(1), way(2));
+    }
+  }
+  return sum / Math.max(count, 1);
 }
 
 /** Make ribbons wider. @param {Float32Array} points in pairs @param {number} wide times as wide */
@@ -31,6 +52,71 @@ export function widen(points, wide) {
       const [middle, half] = [(left + right) / 2, (wide * (right - left)) / 2];
       [points[axis], points[axis + 3]] = [middle - half, middle + half];
     }
+  }
+}
+
+/** Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`. */
+export function asStrands(mesh) {
+  const { array } = mesh.geometry.attributes.position;
+  const across = new Float32Array(array.length);
+  for (let k = 0; k < array.length; k += 6) {
+    for (let axis = k; axis < k + 3; axis++) {
+      across[axis] = (array[axis] - array[axis + 3]) / 2;
+      across[axis + 3] = -across[axis];
+    }
+  }
+  mesh.geometry.setAttribute("across", new THREE.BufferAttribute(across, 3));
+}
+
+/** Puts a mesh's strands in order, the farthest first, whenever it is looked at from elsewhere. */
+export class Order {
+  #geometry;
+  #index;
+  #strands;
+  #sorted = new THREE.Vector3();
+  #depths;
+
+  /** @param {THREE.BufferGeometry} geometry of strands */
+  constructor(geometry) {
+    this.#geometry = geometry;
+    this.#index = geometry.index.array.slice();
+    this.#strands = strandsOf(this.#index);
+    this.#depths = new Float32Array(this.#strands.count);
+  }
+
+  /** @param {THREE.Vector3} sight away from who looks, of unit length, in the mesh's own frame */
+  sort(sight) {
+    if (sight.dot(this.#sorted) > ALIKE) return;
+    this.#sorted.copy(sight);
+    const { index } = this.#geometry;
+    const each = this.#index.length / this.#strands.count;
+    let to = 0;
+    for (const strand of this.#farthestFirst(sight)) {
+      index.array.set(this.#index.subarray(strand * each, (strand + 1) * each), to);
+      to += each;
+    }
+    index.needsUpdate = true;
+  }
+
+  #farthestFirst({ x, y, z }) {
+    const { count, pairs } = this.#strands;
+    const points = this.#geometry.attributes.position.array;
+    const depths = this.#depths;
+    let [least, most] = [Infinity, -Infinity];
+    for (let strand = 0; strand < count; strand++) {
+      const k = 6 * (strand * pairs + (pairs >> 1));
+      depths[strand] = -(x * points[k] + y * points[k + 1] + z * points[k + 2]);
+      least = Math.min(least, depths[strand]);
+      most = Math.max(most, depths[strand]);
+    }
+    const scale = (DEPTHS - 1) / Math.max(most - least, 1e-6);
+    const place = (strand) => Math.floor((depths[strand] - least) * scale);
+    const starts = new Uint32Array(DEPTHS + 1);
+    for (let strand = 0; strand < count; strand++) starts[place(strand) + 1] += 1;
+    for (let k = 0; k < DEPTHS; k++) starts[k + 1] += starts[k];
+    const order = new Uint32Array(count);
+    for (let strand = 0; strand < count; strand++) order[starts[place(strand)]++] = strand;
+    return order;
   }
 }
 

@@ -16,11 +16,12 @@ export class Edits {
   /**
    * @param {import("../actions.js").Actions} actions
    * @param {() => void} changed called when something is shown otherwise
+   * @param {() => number | null} standing where the playhead stands; null while it runs
    */
-  constructor(actions, changed) {
+  constructor(actions, changed, standing) {
     this.#actions = actions;
     this.#changed = changed;
-    this.#preview = new Preview(actions, changed);
+    this.#preview = new Preview(actions, changed, standing);
   }
 
   /** @param {import("./model.js").Model} model what the changes are made to */

@@ -52,7 +52,7 @@ class Timeline {
     this.#store = store;
     this.#clock = clock;
     const repaint = () => this.repaint();
-    this.#edits = new Edits(actions, repaint);
+    this.#edits = new Edits(actions, repaint, () => (clock.playing ? null : clock.time));
     this.#details = new Details(actions, repaint);
     const arrange = () => this.#rearrange();
     this.#graphs = new Graphs(arrange);

@@ -1,8 +1,8 @@
 import { curvesOf } from "../take.js";
 
 /**
- * The curves as they would be with the change that is being made by hand: one question at a time, the newest
- * when the answer is there.
+ * The curves, and the face where the playhead stands, as they would be with the change that is being made by hand:
+ * one question at a time, the newest when the answer is there.
  */
 export class Preview {
   #actions;
@@ -10,11 +10,16 @@ export class Preview {
   #model = null;
   #wanted = null;
   #busy = false;
+  #standing;
 
-  /** @param {import("../actions.js").Actions} actions @param {() => void} changed */
-  constructor(actions, changed) {
+  /**
+   * @param {import("../actions.js").Actions} actions @param {() => void} changed
+   * @param {() => number | null} standing where the playhead stands; null while it runs
+   */
+  constructor(actions, changed, standing) {
     this.#actions = actions;
     this.#changed = changed;
+    this.#standing = standing;
   }
 
   /** @param {import("./model.js").Model} model whose curves are shown otherwise */
@@ -35,6 +40,7 @@ export class Preview {
   end() {
     this.#wanted = null;
     this.#put(new Map());
+    this.#actions.endPreview();
   }
 
   async #ask() {
@@ -42,7 +48,7 @@ export class Preview {
     this.#busy = true;
     const { kind, fields } = this.#wanted;
     const asked = this.#wanted;
-    const answer = await this.#actions.preview(kind, fields);
+    const answer = await this.#actions.preview(kind, fields, this.#standing());
     this.#busy = false;
     // What has been let go of or taken up meanwhile is no preview any more.
     if (this.#wanted && answer?.take === this.#model?.take.take) this.#put(curvesOf(answer.curves));

@@ -1,0 +1,27 @@
+/** A long slider that moves with the sound. */
+
+import { make } from "./dom.js";
+
+/**
+ * The browser's own slider is there for pointers, keys and screen readers, but is not seen: without a graphics card
+ * to draw it anew takes as long as the head. What is seen is only shifted.
+ * @param {string} label @param {(value: number) => void} input hears what the user chooses
+ * @returns {HTMLElement & {show: (value: number, most: number, told: string) => void}}
+ */
+export function scrubber(label, input) {
+  const slider = make("input", { type: "range", class: "scrub", min: 0, step: "any", "aria-label": label });
+  slider.addEventListener("input", () => input(Number(slider.value)));
+  const filled = make("div", { class: "scrub-filled" });
+  const thumb = make("div", { class: "scrub-thumb" }, make("div"));
+  const element = make("div", { class: "scrubber" }, make("div", { class: "scrub-track" }, filled), thumb, slider);
+  return Object.assign(element, {
+    show(value, most, told) {
+      slider.max = most;
+      slider.value = value;
+      slider.setAttribute("aria-valuetext", told);
+      const share = most > 0 ? value / most : 0;
+      filled.style.transform = `scaleX(${share})`;
+      thumb.style.transform = `translateX(${100 * share}%)`;
+    },
+  });
+}

@@ -1,0 +1,101 @@
+/** Skin, and the cloth below the neckline. */
+
+import * as THREE from "../vendor/three/three.module.min.js";
+import { patch } from "./patch.js";
+import { quickened } from "./quick.js";
+
+// Light goes round the edge of shadow in skin, red farthest: widths of that edge, by colour.
+const WRAP = "vec3( 0.30, 0.13, 0.08 )";
+
+const SKIN_LIT = THREE.ShaderChunk.lights_lambert_pars_fragment.replace(
+  "vec3 irradiance = dotNL * directLight.color;",
+  `float facing = dot( geometryNormal, directLight.direction );
+  vec3 wrapped = saturate( ( vec3( facing ) + ${WRAP} ) / ( 1.0 + ${WRAP} ) );
+  vec3 irradiance = wrapped * directLight.color;
+  vec3 between = normalize( directLight.direction + geometryViewDir );
+  float shine = max( dot( geometryNormal, between ), 0.0 );
+  float grazing = 1.0 - max( dot( geometryViewDir, between ), 0.0 );
+  float shine4 = shine * shine * shine * shine;
+  float grazing2 = grazing * grazing;
+  float gloss = shine4 * shine4 * shine4 * shine * shine * ( 0.028 + 0.30 * grazing2 * grazing2 );
+  reflectedLight.directSpecular += gloss * dotNL * directLight.color * RECIPROCAL_PI * 3.0;`,
+);
+
+const REACHED = THREE.ShaderChunk.lights_fragment_begin.replace(
+  "getDirectionalLightInfo( directionalLight, directLight );",
+  "getDirectionalLightInfo( directionalLight, directLight );\n\t\tdirectLight.color *= lampReach[ i ];",
+);
+
+const CARRIED = `#include <common>
+uniform float hemmed;
+uniform vec3 cloth;
+uniform vec3 neck;
+varying float roomFree;
+varying vec4 lampReach;
+varying vec2 worn; // mm into the cloth, and the share that the colour has of it
+`;
+const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
+
+// Where the colour has the cloth's in it, skin is of the neck's.
+const BARE = "vec3 bare = mix( vColor.rgb, neck, hemmed * smoothstep( 0.0, 0.35, worn.y ) );";
+
+// The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's. It is shaded
+// where the collar begins.
+const CUT = `
+  float width = clamp( fwidth( worn.x ), 0.15, 3.0 );
+  float covered = hemmed * smoothstep( - width, width, worn.x );
+  float collar = 1.0 - hemmed * 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
+  float seam = worn.x - 9.0;
+  float knit = 1.0 - 0.3 * exp( - seam * seam * 0.6 );`;
+
+const SKIN = {
+  vertex: [
+    ["#include <common>", `attribute float free;\nattribute vec4 reach;\nattribute float hem;\n${CARRIED}`],
+    [
+      "#include <begin_vertex>",
+      `#include <begin_vertex>
+      roomFree = free;
+      lampReach = reach;
+      worn = vec2( hem, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) );`,
+    ],
+  ],
+  fragment: [
+    ["#include <common>", CARRIED],
+    ["#include <color_fragment>", `${BARE}${CUT}\ndiffuseColor.rgb = mix( bare * collar, cloth * knit, covered );`],
+    // Cloth does not shine; before the neckline is known, skin does not either.
+    ["vec3 outgoingLight = ", "vec3 outgoingLight = ( hemmed - covered ) * reflectedLight.directSpecular + "],
+  ],
+  light: [
+    ["#include <lights_lambert_pars_fragment>", SKIN_LIT],
+    ["#include <lights_fragment_begin>", REACHED],
+    ["#include <lights_fragment_end>", "irradiance *= roomFree;\n#include <lights_fragment_end>"],
+  ],
+};
+
+const QUICK = {
+  made: "varying vec3 skin;\nvarying vec3 dressed;\n",
+  develop: `${BARE}\nskin = developed( bare * light + hemmed * gloss );\ndressed = developed( cloth * light );`,
+  pixel: `
+uniform float hemmed;
+varying vec2 worn;
+void main() {
+  ${CUT}
+  gl_FragColor = vec4( mix( skin * sqrt( collar ), dressed * knit, covered ), 1.0 );
+}`,
+};
+
+/**
+ * @param {number[]} cloth its linear colour
+ * @returns {THREE.Material} whose `userData` has whether it is `hemmed`, the colour of its `neck`, and as `quick` the
+ *   material for motion
+ */
+export function skinMaterial(cloth) {
+  const material = new THREE.MeshLambertMaterial({ vertexColors: true });
+  const uniforms = { hemmed: { value: 0 }, neck: { value: new THREE.Color() } };
+  Object.assign(material.userData, uniforms);
+  uniforms.cloth = { value: new THREE.Color(...cloth) };
+  patch(material, SKIN, uniforms);
+  material.userData.quick = quickened(material, SKIN, QUICK, uniforms);
+  return material;
+}
+
