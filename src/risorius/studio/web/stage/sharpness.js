@@ -13,7 +13,6 @@ const STEPS = [
   { ratio: 0.5, fine: false },
 ];
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
-const LEAST = 150e3; // pixels of a picture: to draw fewer saves little, triangles cost what they do
 const MOST = 2e6; // pixels of a picture at rest that is finer than the screen
 const REST = 800; // ms in which nobody moves anything after which the head is at rest
 
@@ -44,7 +43,7 @@ export class Sharpness {
   /** Pixels drawn per CSS pixel of a side. @param {number} area of the picture, in CSS pixels */
   ratio(area) {
     const screen = Math.min(window.devicePixelRatio, 2);
-    if (!this.#atRest) return Math.max(STEPS[this.#step].ratio * screen, Math.min(0.75, Math.sqrt(LEAST / area)));
+    if (!this.#atRest) return STEPS[this.#step].ratio * screen;
     return Math.max(Math.min(this.#still, Math.sqrt(MOST / area)), screen);
   }
 
