@@ -1,11 +1,13 @@
 """What muscles do together: overshoot and flipped faces over all pairs and many random combinations.
 
-Run from the repository's root: `python benchmarks/face_sweep.py [--random 10000] [--head NAME[@AGE]]`.
+Run from the repository's root:
+`python benchmarks/face_sweep.py [--random 10000] [--head NAME[@AGE]] [--lips]`.
 Targets (issue: the face): two muscles together (the jaw apart) at most 2.5 mm beyond the larger, no flipped
 face on the visible skin, mouth's corners and lids included, for any pair at full contraction or any random
 combination free of conflicts. Both sides of a muscle contract together in pairs; a random combination takes
 each muscle by itself. Left out are slivers (told apart), the inner mouth, and what lines the eyes' sockets
-behind the front of the eyeballs.
+behind the front of the eyeballs. With `--lips` the overlap of the lips in the random combinations is measured
+instead: at most 0.1 mm on the standard head, 0.3 on the others.
 """
 
 from __future__ import annotations
@@ -22,6 +24,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 
 from face.flips import SMALLEST, Flips, visible  # noqa: E402
 from face.poses import BASES, JAW, contracted, random_values  # noqa: E402
+from face.winding import LipTester  # noqa: E402
 from risorius.face.head import Head, load_head  # noqa: E402
 from risorius.face.solve import FaceSolver  # noqa: E402
 
@@ -63,15 +66,26 @@ def combinations(solver: FaceSolver, flips: Flips, number: int) -> None:
     )
 
 
+def overlaps(head: Head, solver: FaceSolver, number: int) -> None:
+    """Print how deep one lip lies in the other in random combinations."""
+    draw, tester = np.random.default_rng(0), LipTester.of(head)
+    depths = [tester.overlap(solver.solve(random_values(draw)).skin) for _ in range(number)]
+    print(f"lips overlap by at most {max(depths):.3f} mm in {number} random combinations")
+
+
 def main() -> None:
     """Print what pairs and random combinations do on one head."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--random", type=int, default=10_000)
     parser.add_argument("--head", default="standard")
+    parser.add_argument("--lips", action="store_true", help="measure the overlap of the lips instead")
     arguments = parser.parse_args()
     base, _, age = arguments.head.partition("@")
     head = load_head(base, age=float(age) if age else None)
     solver = FaceSolver(head)
+    if arguments.lips:
+        overlaps(head, solver, arguments.random)
+        return
     flips = Flips(head)
     pairs(head, solver, flips)
     combinations(solver, flips, arguments.random)
