@@ -74,7 +74,7 @@ def test_another_input_is_another_file(find: Finder, other: list[np.ndarray]) ->
 
 def test_another_source_is_another_file(find: Finder, monkeypatch: pytest.MonkeyPatch) -> None:
     kept("x", GIVEN, find)
-    monkeypatch.setattr(module, "_sources", lambda: "changed")
+    monkeypatch.setattr(module.compile_cache, "sources", lambda: "changed")
     kept("x", GIVEN, find)
     assert find.times == 2
 

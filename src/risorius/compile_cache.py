@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+from functools import lru_cache
 from pathlib import Path
 
 import numba
@@ -20,10 +21,15 @@ def use_own_folder() -> None:
         numba.config.CACHE_DIR = str(folder())
 
 
+def in_use() -> Path:
+    """Return the folder in which kernels are kept: ours, unless NUMBA_CACHE_DIR says where."""
+    return Path(os.environ.get("NUMBA_CACHE_DIR") or folder())
+
+
 def folder() -> Path:
     """Return the folder for the present sources: under XDG_CACHE_HOME, by default ~/.cache."""
     base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    return Path(base).expanduser() / "risorius" / f"kernels-{source_digest()}"
+    return Path(base).expanduser() / "risorius" / f"kernels-{sources()}"
 
 
 def source_digest() -> str:
@@ -34,3 +40,7 @@ def source_digest() -> str:
         for path in sorted((root / package).rglob("*.py")):
             digest.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:16]
+
+
+sources = lru_cache(maxsize=1)(source_digest)
+"""`source_digest` of the sources that this process runs, read once."""

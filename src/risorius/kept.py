@@ -8,7 +8,6 @@ import os
 import tempfile
 import zipfile
 from collections.abc import Callable, Sequence
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -42,14 +41,11 @@ def kept(
 
 
 def _folder() -> Path:
-    return Path(os.environ.get("NUMBA_CACHE_DIR") or compile_cache.folder()) / "arrays"
-
-
-_sources = lru_cache(maxsize=1)(compile_cache.source_digest)
+    return compile_cache.in_use() / "arrays"
 
 
 def _digest(given: Sequence[npt.ArrayLike]) -> str:
-    digest = hashlib.blake2b(f"{_sources()} {np.__version__}".encode(), digest_size=16)
+    digest = hashlib.blake2b(f"{compile_cache.sources()} {np.__version__}".encode(), digest_size=16)
     for array in map(np.ascontiguousarray, given):
         digest.update(f"{array.dtype} {array.shape} ".encode())
         digest.update(array.data)

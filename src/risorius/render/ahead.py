@@ -6,7 +6,6 @@ Also a program, `python -m risorius.render.ahead STYLE`: it draws one small pict
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -50,9 +49,8 @@ def compiled_ahead(style: str) -> Iterator[None]:
 
 def _mark(style: str) -> Path:
     """Return the file that says that a style's kernels are kept: the realistic one has some of its own."""
-    kept = Path(os.environ.get("NUMBA_CACHE_DIR") or compile_cache.folder())
     name = "realistic" if style == "realistic" else "explaining"
-    return kept / f"{name}-{compile_cache.source_digest()}.compiled"
+    return compile_cache.in_use() / f"{name}-{compile_cache.sources()}.compiled"
 
 
 def _resting(head: Head) -> FaceFrame:

@@ -40,8 +40,7 @@ class HeadScene:
     Static: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, …), `rest` (n, 3), and
     `solid`, how many of the triangles (the first ones) cast shadows; of the `hairs` that follow them the
     first `facial_hairs` are brows and lashes, and `hair_parts` (m − solid,) tell which part of its hair each
-    triangle is. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32
-    in the world.
+    triangle is. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32 in the world.
     """
 
     def __init__(self, head: Head, lamps: FloatArray, looks: Looks | None = None) -> None:
@@ -111,7 +110,8 @@ class HeadScene:
         mesh = Occluder(self._local, normals, self.triangles[solid], self.two_sided[solid])
         free, reach = bake(mesh, *self.anatomy.sphere(), lamps)
         self.attributes[:count, OCCLUSION] = free[:count] ** _SOFTENED
-        self.reach: FloatArray = np.ones((len(self.rest), LAMPS), np.float32)
+        columns = max(len(lamps), LAMPS)  # as many as kernels read
+        self.reach: FloatArray = np.ones((len(self.rest), columns), np.float32)
         self.reach[:count, 1 : len(lamps)] = reach[:count]
         covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
         self.reach[:count] *= 1.0 - covered[:, None]

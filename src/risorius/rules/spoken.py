@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
 from .rule import Level, Position
@@ -13,6 +13,18 @@ from .situation import Situation
 from .structure import Structure
 from .synchrony import synchrony
 from .unit import Unit
+
+
+class Timed(Protocol):
+    """What has a start and an end, in seconds."""
+
+    @property
+    def start(self) -> float:
+        """When it begins."""
+
+    @property
+    def end(self) -> float:
+        """When it ends."""
 
 
 class Spoken:
@@ -23,10 +35,9 @@ class Spoken:
         self.structure = Structure(said, situation.listening)
         self._syllables_of = Counter(s.word for s in said.syllables)
 
-    def _unit(
-        self, level: Level, index: int, start: float, end: float, text: str, word: int, **more: Any
-    ) -> Unit:
-        """Return a unit whose first word is number `word`."""
+    def _unit(self, level: Level, index: int, spoken: Timed, text: str, word: int, **more: Any) -> Unit:
+        """Return the unit that something spoken is, whose first word is number `word`."""
+        start, end = spoken.start, spoken.end
         known: dict[str, Any] = {
             "question": self.structure.question(word),
             "group": self.structure.group(word),
@@ -61,18 +72,13 @@ class Spoken:
             word = self.said.words[phone.word]
             text = f'/{phone.symbol}/ of "{word.text}"'
             yield self._unit(
-                Level.PHONEME,
-                index,
-                phone.start,
-                phone.end,
-                text,
-                phone.word,
+                Level.PHONEME, index, phone, text, phone.word,
                 stress=phone.stress,
                 phone=phone.symbol,
                 words=frozenset({word.text.lower()}),
                 position=_position(index - word.first_phone, word.last_phone - word.first_phone),
                 **self._ending(phone.word, index + 1 == word.last_phone),
-            )
+            )  # fmt: skip
 
     def syllables(self, level: Level = Level.SYLLABLE) -> Iterator[Unit]:
         """Yield the syllables."""
@@ -83,18 +89,13 @@ class Spoken:
             count = self._syllables_of[s.word]
             text = self.said.words[s.word].text
             yield self._unit(
-                level,
-                index,
-                s.start,
-                s.end,
-                f'"{text}"',
-                s.word,
+                level, index, s, f'"{text}"', s.word,
                 **self._accented([accents[index]] if index in accents else []),
                 stress=s.stress,
                 words=frozenset({text.lower()}),
                 position=_position(place, count),
                 **self._ending(s.word, place + 1 == count),
-            )
+            )  # fmt: skip
 
     def words(self, level: Level = Level.WORD) -> Iterator[Unit]:
         """Yield the words."""
@@ -104,18 +105,13 @@ class Spoken:
         for index, word in enumerate(self.said.words):
             phrase = self.structure.stretches[Level.PHRASE][self.structure.index(Level.PHRASE, index)]
             yield self._unit(
-                level,
-                index,
-                word.start,
-                word.end,
-                f'"{word.text}"',
-                index,
+                level, index, word, f'"{word.text}"', index,
                 **self._accented(self._accents(index, index + 1)),
                 stress=stresses.get(index, 0),
                 words=self._texts(index),
                 position=_position(index - phrase.first, phrase.last - phrase.first),
                 **self._ending(index, True),
-            )
+            )  # fmt: skip
 
     def _accents(self, first: int, last: int) -> tuple[Accent, ...]:
         """Return the accents on words [first, last)."""
@@ -136,17 +132,12 @@ class Spoken:
         for index, (s, position) in enumerate(zip(stretches, positions, strict=True)):
             text = f'"{self.structure.text(s)}"'
             yield self._unit(
-                level,
-                index,
-                s.start,
-                s.end,
-                text,
-                s.first,
+                level, index, s, text, s.first,
                 **self._accented(self._accents(s.first, s.last)),
                 **self._ending(s.last - 1, True),
                 question=self.structure.question(s.last - 1),
                 position=position,
-            )
+            )  # fmt: skip
 
     def _owner(self, level: Level, word: int) -> int:
         """Return which of the next larger stretches a word belongs to; turns belong to the whole."""
@@ -161,9 +152,8 @@ class Spoken:
             before = bisect_right(self.said.words, pause.start, key=lambda w: w.end) - 1
             text = f"the {pause.kind} pause"
             yield self._unit(
-                Level.PAUSE, index, pause.start, pause.end, text, max(before, 0),
-                pause=pause.kind,
-                position=_position(index, len(pauses)),
+                Level.PAUSE, index, pause, text, max(before, 0),
+                pause=pause.kind, position=_position(index, len(pauses)),
             )  # fmt: skip
 
 

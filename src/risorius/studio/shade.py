@@ -24,14 +24,13 @@ def shade(head: Head) -> bytes:
 
     uint8 (vertices, 1 + lamps + 1): 255 for all of the light; the last is 128 at the neckline, one more
     for each 1 / HEM_STEPS mm into the cloth. The first of a scene's lamps is left to shadows that move, so
-    the page's first is the second of a scene of its own.
+    the page's are all put behind it.
     """
     lamps = STUDIO.lighting().lamps
-    scene, first = HeadScene(head, lamps), HeadScene(head, lamps[[0, 0]])
+    scene = HeadScene(head, np.concatenate([lamps[:1], lamps]))
     count = head.skin.matrix.shape[0]
     under_hair = scene.reach[:count, :1]
-    others = scene.reach[:count, 1 : len(lamps)]
-    reach = np.concatenate([under_hair * first.reach[:count, 1:2], others], axis=1)
+    reach = scene.reach[:count, 1:] * np.concatenate([under_hair, np.ones((count, len(lamps) - 1))], axis=1)
     seen = np.concatenate([scene.attributes[:count, OCCLUSION, None], reach], axis=1)
     hem = 128.0 + HEM_STEPS * scene.attributes[:count, EXTRA, None]
     found = np.concatenate([255.0 * seen.clip(0.0, 1.0), hem.clip(0.0, 255.0)], axis=1)
