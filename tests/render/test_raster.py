@@ -5,9 +5,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from risorius.render.raster import SUBPIXEL, Visibility
+from risorius.render.raster import SUBPIXEL
+from risorius.render.visibility import Visibility
 
 SIZE = 24
+NARROW, WIDE = 12, 40
+"""Pictures that are drawn sample by sample, and by several blocks of samples in a row."""
 PLACES = st.tuples(*[st.integers(-4 * SUBPIXEL, (SIZE + 4) * SUBPIXEL)] * 2)
 
 
@@ -19,15 +22,15 @@ def drawn(xy, key, triangles, two_sided=1, size=SIZE):
     return buffer
 
 
-def inside(corners):
+def inside(corners, size=SIZE):
     """Which samples a triangle covers, by the definition of the top-left rule in whole numbers."""
     corners = [tuple(int(v) for v in c) for c in corners]
     (ax, ay), (bx, by), (cx, cy) = corners
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     if area < 0:
         corners = [corners[0], corners[2], corners[1]]
-    covered = np.full((SIZE, SIZE), area != 0)
-    centres = np.arange(SIZE, dtype=np.int64) * SUBPIXEL + SUBPIXEL // 2
+    covered = np.full((size, size), area != 0)
+    centres = np.arange(size, dtype=np.int64) * SUBPIXEL + SUBPIXEL // 2
     x, y = centres[None, :], centres[:, None]
     for (px, py), (qx, qy) in itertools.pairwise([*corners, corners[0]]):
         edge = (qx - px) * (y - py) - (qy - py) * (x - px)
@@ -51,11 +54,28 @@ def test_what_covers_no_sample_is_not_drawn(corners):
     assert (drawn(corners, [1, 1, 1], [[0, 1, 2]]).ids == -1).all()
 
 
+@pytest.mark.parametrize("size", [NARROW, SIZE, WIDE])
 @settings(max_examples=60, deadline=None)
-@given(st.tuples(PLACES, PLACES, PLACES))
-def test_coverage_of_a_triangle_is_exact(corners):
-    buffer = drawn(corners, [1, 1, 1], [[0, 1, 2]])
-    assert np.array_equal(buffer.ids == 0, inside(corners))
+@given(corners=st.tuples(PLACES, PLACES, PLACES), stretched=st.integers(1, 2))
+def test_coverage_of_a_triangle_is_exact(size, corners, stretched):
+    corners = [(stretched * x, y) for x, y in corners]
+    buffer = drawn(corners, [1, 1, 1], [[0, 1, 2]], size=size)
+    assert np.array_equal(buffer.ids == 0, inside(corners, size))
+
+
+@pytest.mark.parametrize(
+    "corners",
+    [
+        [(-90000, 30), (100, 70000), (64000, -500)],
+        [(-500, -500), (10, 61000), (60999, 128)],
+        [(0, 0), (256 * 4000, 256 * 3999), (256 * 3999, 256 * 4000)],
+        [(0, 128), (5, 129), (256 * 4000, 512)],
+    ],
+    ids=["past all sides", "half of the picture", "a needle across", "a needle level"],
+)
+def test_coverage_is_exact_where_edge_functions_need_more_than_32_bits(corners):
+    buffer = drawn(corners, [1, 1, 1], [[0, 1, 2]], size=250)
+    assert np.array_equal(buffer.ids == 0, inside(corners, 250))
 
 
 @settings(max_examples=40, deadline=None)
@@ -80,13 +100,14 @@ def _turn(a, b, c):
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def test_the_nearer_triangle_shows_in_either_order():
+@pytest.mark.parametrize("size", [NARROW, SIZE, WIDE])
+def test_the_nearer_triangle_shows_in_either_order(size):
     xy = [(0, 0), (0, 6000), (6000, 0)] * 2
     for far, near in (((0, 1, 2), (3, 4, 5)), ((3, 4, 5), (0, 1, 2))):
         key = np.full(6, 0.5)
         key[list(near)] = 0.8
-        buffer = drawn(xy, key, [far, near])
-        assert set(np.unique(buffer.ids)) == {-1, 1}
+        buffer = drawn(xy, key, [far, near], size=size)
+        assert set(np.unique(buffer.ids)) == {-1, 1} if size > 12 else {1}
         assert buffer.depth.max() == pytest.approx(0.8)
 
 
@@ -97,9 +118,19 @@ def test_crossing_triangles_show_each_on_its_own_side():
     assert buffer.ids[0, 20] == 0
 
 
-def test_a_triangle_drawn_again_does_not_win_over_itself():
+@pytest.mark.parametrize("size", [NARROW, SIZE, WIDE])
+def test_a_triangle_drawn_again_does_not_win_over_itself(size):
     xy = [(10, 20), (500, 5900), (5800, 700)]
-    assert set(np.unique(drawn(xy, [0.3, 0.55, 0.71], [[0, 1, 2], [0, 1, 2]]).ids)) == {-1, 0}
+    assert set(np.unique(drawn(xy, [0.3, 0.55, 0.71], [[0, 1, 2], [0, 1, 2]], size=size).ids)) == {-1, 0}
+
+
+def test_depth_alone_is_the_same_without_ids():
+    xy, key = [(10, 20), (500, 5900), (5800, 700), (9000, 9000)], np.array([0.3, 0.5, 0.7, 0.9], np.float32)
+    triangles, sides = np.array([[0, 1, 2], [1, 2, 3]], np.int32), np.ones(2, np.uint8)
+    alone = Visibility(WIDE, WIDE, 2, keep_ids=False)
+    alone.draw(np.asarray(xy, np.int32), key, triangles, sides)
+    assert np.array_equal(alone.depth, drawn(xy, key, triangles, size=WIDE).depth)
+    assert (alone.ids == -1).all()
 
 
 def test_depth_is_affine_in_the_picture():

@@ -14,9 +14,10 @@ import numpy.typing as npt
 
 from .camera import Camera, project
 from .inputs import HAIR
-from .raster import FloatArray, IntArray, Visibility
+from .raster import FloatArray, IntArray
 from .scene import HeadScene
 from .strands import NOTHING, WHOLE
+from .visibility import Visibility
 
 Array = npt.NDArray[np.float64]
 

@@ -9,8 +9,9 @@ import numpy.typing as npt
 
 from ..kept import kept
 from .jit import exact_kernel, f4
-from .raster import ByteArray, FloatArray, IntArray, Visibility
+from .raster import ByteArray, FloatArray, IntArray
 from .shadow import flatten, light_matrix, transform
+from .visibility import Visibility
 
 Array = npt.NDArray[np.float64]
 

@@ -25,13 +25,14 @@ from .jit import f4
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .noise import noise_tile
-from .raster import ByteArray, FloatArray, IntArray, Visibility
+from .raster import ByteArray, FloatArray, IntArray
 from .scene import HeadScene
 from .shade import shade
 from .shadow import ShadowMap
 from .sketch import Sketch
 from .subsurface import diffuse_table
 from .tone import film_table, to_bytes, tone_table
+from .visibility import Visibility
 
 Array = npt.NDArray[np.float64]
 SMALLEST, LARGEST = 16, 4096

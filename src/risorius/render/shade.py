@@ -14,8 +14,9 @@ from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
 from .materials.mouth import shade_mouth
 from .materials.skin import shade_skin
-from .raster import BAND, ByteArray, rasterize
+from .raster import ByteArray
 from .tone import developed, exposed, to_byte
+from .visibility import BAND, rasterize
 
 
 @kernel

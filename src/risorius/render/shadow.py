@@ -7,8 +7,9 @@ import numpy.typing as npt
 
 from .camera import snap
 from .jit import device, exact, exact_kernel, f4, index, summing
-from .raster import ByteArray, FloatArray, IntArray, Visibility
+from .raster import ByteArray, FloatArray, IntArray
 from .vec import Vec, at
+from .visibility import Visibility
 
 SIZE = 384
 REACH = 2  # taps on each side

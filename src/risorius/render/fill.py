@@ -1,0 +1,202 @@
+"""Filling a triangle: by sixteen samples at once, or row by row where its numbers would grow too large."""
+
+from __future__ import annotations
+
+import math
+
+from .jit import exact, f4, f8, i4, i8, index, inlined
+from .raster import HALF, SUBPIXEL, FloatArray, IntArray, area_of, extent
+from .row_block import LANES, cover, cover_depth
+
+_MOST = 1 << 30
+"""Width times height, in 1/SUBPIXEL², of triangles whose edge functions are sure to fit in 32 bits."""
+_NEVER = f4(1e9)
+
+Corners = tuple[float, float, float, float, float, float]
+Whole = tuple[int, int, int]
+Vec = tuple[float, float, float]
+
+
+@inlined
+def fill(
+    xy: IntArray,
+    key: FloatArray,
+    triangles: IntArray,
+    t: int,
+    first: int,
+    last: int,
+    depth: FloatArray,
+    ids: IntArray,
+    keep: bool,
+) -> None:
+    """Draw the rows from `first` to `last` of triangle t; `keep` tells whether `ids` is written, too."""
+    a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
+    area = area_of(xy, a, b, c)
+    if area < 0:
+        b, c, area = c, b, -area
+    ax, ay = i8(xy[a, 0]), i8(xy[a, 1])
+    bx, by = i8(xy[b, 0]), i8(xy[b, 1])
+    cx, cy = i8(xy[c, 0]), i8(xy[c, 1])
+    left, right = extent(xy[a, 0], xy[b, 0], xy[c, 0], depth.shape[1])
+    px, py = left * SUBPIXEL + HALF, first * SUBPIXEL + HALF
+    wa = (cx - bx) * (py - by) - (cy - by) * (px - bx)
+    wb = (ax - cx) * (py - cy) - (ay - cy) * (px - cx)
+    wc = (bx - ax) * (py - ay) - (by - ay) * (px - ax)
+    steps = (by - cy) * SUBPIXEL, (cy - ay) * SUBPIXEL, (ay - by) * SUBPIXEL
+    downs = (cx - bx) * SUBPIXEL, (ax - cx) * SUBPIXEL, (bx - ax) * SUBPIXEL
+    whole = 1.0 / f8(area)
+    near_b, near_c = (key[b] - key[a]) * whole, (key[c] - key[a]) * whole
+    near = (
+        key[a] + wb * near_b + wc * near_c,
+        steps[1] * near_b + steps[2] * near_c,
+        downs[1] * near_b + downs[2] * near_c,
+    )
+    edges = wa + _bias(cx - bx, cy - by), wb + _bias(ax - cx, ay - cy), wc + _bias(bx - ax, by - ay)
+    wide = max(ax, bx, cx) - min(ax, bx, cx) + LANES * SUBPIXEL
+    if depth.shape[1] >= LANES and wide * (max(ay, by, cy) - min(ay, by, cy)) < _MOST:
+        corners = f4(ax), f4(ay), f4(bx), f4(by), f4(cx), f4(cy)
+        _fill_blocks(t, first, last, left, right, corners, edges, steps, downs, near, depth, ids, keep)
+    else:
+        _fill_rows(t, first, last, left, right, edges, steps, downs, near, depth, ids, keep)
+
+
+@inlined
+def _fill_blocks(
+    t: int,
+    first: int,
+    last: int,
+    left: int,
+    right: int,
+    corners: Corners,
+    edges: Whole,
+    steps: Whole,
+    downs: Whole,
+    near: Vec,
+    depth: FloatArray,
+    ids: IntArray,
+    keep: bool,
+) -> None:
+    """Draw the triangle in columns of LANES samples, in each of them the rows that it may reach there.
+
+    `edges` are its edge functions at sample (`left`, `first`), `steps` and `downs` what they grow by to the
+    right and downwards; `near` is its key there, and what that grows by to the right and downwards.
+    """
+    for column in range(left, right + 1, LANES):
+        start, top, bottom = min(column, depth.shape[1] - LANES), first, last
+        if right - left >= LANES:
+            top, bottom = _rows_between(start, corners, first, last)
+        x, y = start - left, top - first
+        ea = i4(edges[0] + x * steps[0] + y * downs[0])
+        eb = i4(edges[1] + x * steps[1] + y * downs[1])
+        ec = i4(edges[2] + x * steps[2] + y * downs[2])
+        k = near[0] + x * near[1] + y * near[2]
+        across = i4(steps[0]), i4(steps[1]), i4(steps[2])
+        place = top * depth.shape[1] + start
+        for _ in range(top, bottom + 1):
+            if keep:
+                cover(depth, ids, place, (ea, eb, ec), across, f4(k), f4(near[1]), i4(t))
+            else:
+                cover_depth(depth, place, (ea, eb, ec), across, f4(k), f4(near[1]))
+            ea, eb, ec = i4(ea + downs[0]), i4(eb + downs[1]), i4(ec + downs[2])
+            k, place = k + near[2], place + depth.shape[1]
+
+
+@exact
+def _bias(dx: int, dy: int) -> int:
+    """Return 0 for a top or left edge, whose samples belong to the triangle, and -1 for the others."""
+    return 0 if dy < 0 or (dy == 0 and dx > 0) else -1
+
+
+@exact
+def _rows_between(start: int, corners: Corners, first: int, last: int) -> tuple[int, int]:
+    """Return the rows in which a triangle may have samples in the LANES columns from `start` on."""
+    low, high = f4((start - 1) * SUBPIXEL), f4((start + LANES) * SUBPIXEL)
+    ax, ay, bx, by, cx, cy = corners
+    (a0, a1), (b0, b1), (c0, c1) = (
+        _heights(low, high, bx, by, cx, cy),
+        _heights(low, high, cx, cy, ax, ay),
+        _heights(low, high, ax, ay, bx, by),
+    )
+    # One row more at each end makes up for rounding.
+    top = i8((min(a0, b0, c0) - f4(HALF)) * f4(1 / SUBPIXEL)) - 1
+    bottom = i8((max(a1, b1, c1) - f4(HALF)) * f4(1 / SUBPIXEL)) + 1
+    return max(top, first), min(bottom, last)
+
+
+@exact
+def _heights(low: float, high: float, px: float, py: float, qx: float, qy: float) -> tuple[float, float]:
+    """Return the least and the greatest y of an edge between two columns; of an upright one, of one end."""
+    left, right = min(px, qx), max(px, qx)
+    if right < low or left > high:
+        return _NEVER, -_NEVER
+    slope = (qy - py) / (qx - px if qx != px else f4(1))
+    one, other = py + (max(left, low) - px) * slope, py + (min(right, high) - px) * slope
+    return min(one, other), max(one, other)
+
+
+@exact
+def _divide(w: int, step: int) -> tuple[int, int]:
+    """Return floor(w / |step|) and what remains; a step of 0 counts as 1.
+
+    The division is exact enough: both are integers below 2⁴⁵, so a quotient that is no integer differs from
+    every integer by more than the rounding.
+    """
+    by = max(abs(step), i8(1))
+    whole = i8(math.floor(w / f8(by)))
+    return whole, w - whole * by
+
+
+@exact
+def _descend(whole: int, rest: int, more: int, over: int, step: int) -> tuple[int, int]:
+    """Return quotient and remainder one row further down, where the dividend has grown by theirs."""
+    whole, rest = whole + more, rest + over
+    by = max(abs(step), i8(1))
+    return (whole + 1, rest - by) if rest >= by else (whole, rest)
+
+
+@exact
+def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
+    """Shrink a range of whole i to those with w + step · i ≥ 0, where `whole` is floor(w / |step|)."""
+    if step > 0:
+        return max(start, -whole), end
+    if step < 0:
+        return start, min(end, whole)
+    return start, end if whole >= 0 else i8(-1)
+
+
+@exact
+def _fill_rows(
+    t: int,
+    first: int,
+    last: int,
+    left: int,
+    right: int,
+    edges: Whole,
+    steps: Whole,
+    downs: Whole,
+    near: Vec,
+    depth: FloatArray,
+    ids: IntArray,
+    keep: bool,
+) -> None:
+    """Draw the triangle row by row, from where to where it reaches in each (see `_fill_blocks`)."""
+    (qa, ra), (da, ea) = _divide(edges[0], steps[0]), _divide(downs[0], steps[0])
+    (qb, rb), (db, eb) = _divide(edges[1], steps[1]), _divide(downs[1], steps[1])
+    (qc, rc), (dc, ec) = _divide(edges[2], steps[2]), _divide(downs[2], steps[2])
+    begin = near[0]
+    for y in range(first, last + 1):
+        start, end = _clip(qa, steps[0], i8(0), right - left)
+        start, end = _clip(qb, steps[1], start, end)
+        start, end = _clip(qc, steps[2], start, end)
+        k = begin + start * near[1]
+        for x in range(left + start, left + end + 1):
+            reached = f4(k)  # compared as stored, or a triangle drawn twice would win over itself
+            if reached > depth[index(y), index(x)]:
+                depth[index(y), index(x)] = reached
+                if keep:
+                    ids[index(y), index(x)] = t
+            k += near[1]
+        begin += near[2]
+        qa, ra = _descend(qa, ra, da, ea, steps[0])
+        qb, rb = _descend(qb, rb, db, eb, steps[1])
+        qc, rc = _descend(qc, rc, dc, ec, steps[2])

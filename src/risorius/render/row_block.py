@@ -1,0 +1,89 @@
+"""Sixteen samples of a row, tested and written side by side in the processor's vector registers.
+
+Written in the compiler's own language: of a loop in Python it would make vector code only where it can prove
+that no array overlaps another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, cast
+
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic
+from numba.np.arrayobj import make_array
+
+LANES = 16
+_NUMBER = ir.IntType(32)
+_NUMBERS = ir.VectorType(_NUMBER, LANES)
+_REALS = ir.VectorType(ir.FloatType(), LANES)
+_THREE = types.UniTuple(types.int32, 3)
+
+_in_kernels = cast(Callable[[Callable[..., Any]], Any], intrinsic)
+
+
+@_in_kernels
+def cover(
+    context: Any, depth: Any, ids: Any, place: Any, edges: Any, steps: Any, key: Any, step: Any, number: Any
+) -> Any:
+    """Give LANES samples from `place` on to triangle `number` where it covers them and is the nearest.
+
+    `depth` (float32) and `ids` (int32) are the samples' rows one after the other, and `place` counts from the
+    first. `edges` are the triangle's three edge functions at the first of the samples and `steps` what they
+    grow by from one to the next (int32): it covers those where none is negative. `key` (float32) is how near
+    it is there and `step` what that grows by.
+    """
+    taken = types.int64, _THREE, _THREE, types.float32, types.float32, types.int32
+    return types.void(depth, ids, *taken), _cover
+
+
+@_in_kernels
+def cover_depth(context: Any, depth: Any, place: Any, edges: Any, steps: Any, key: Any, step: Any) -> Any:
+    """Do what `cover` does where it is of no interest which triangle a sample shows."""
+    return types.void(depth, types.int64, _THREE, _THREE, types.float32, types.float32), _cover_depth
+
+
+def _cover(context: Any, builder: ir.IRBuilder, signature: Any, given: Any) -> Any:
+    depth, ids, place, edges, steps, key, step, number = given
+    nearest = _lanes(context, builder, signature.args[0], depth, place, _REALS)
+    wins = _win(builder, nearest, edges, steps, key, step)
+    shown = _lanes(context, builder, signature.args[1], ids, place, _NUMBERS)
+    kept = builder.load(shown, align=4)
+    builder.store(builder.select(wins, _splat(builder, number, _NUMBERS), kept), shown, align=4)
+    return context.get_dummy_value()
+
+
+def _cover_depth(context: Any, builder: ir.IRBuilder, signature: Any, given: Any) -> Any:
+    depth, place, *where = given
+    _win(builder, _lanes(context, builder, signature.args[0], depth, place, _REALS), *where)
+    return context.get_dummy_value()
+
+
+def _win(builder: ir.IRBuilder, nearest: Any, edges: Any, steps: Any, key: Any, step: Any) -> Any:
+    """Bring the nearest keys up to date; return in which lanes the triangle is the nearest."""
+    lanes, none = ir.Constant(_NUMBERS, list(range(LANES))), ir.Constant(_NUMBERS, None)
+    below = none
+    for edge in range(3):
+        start, grows = (_splat(builder, builder.extract_value(of, edge), _NUMBERS) for of in (edges, steps))
+        below = builder.or_(below, builder.add(start, builder.mul(grows, lanes)))
+    counted = ir.Constant(_REALS, [float(lane) for lane in range(LANES)])
+    grown = builder.fmul(_splat(builder, step, _REALS), counted)
+    near = builder.fadd(_splat(builder, key, _REALS), grown)
+    old = builder.load(nearest, align=4)
+    wins = builder.and_(builder.icmp_signed(">=", below, none), builder.fcmp_ordered(">", near, old))
+    builder.store(builder.select(wins, near, old), nearest, align=4)
+    return wins
+
+
+def _lanes(context: Any, builder: ir.IRBuilder, kind: Any, array: Any, place: Any, vector: Any) -> Any:
+    """Return where the vector of an array's elements from `place` on stands."""
+    first = make_array(kind)(context, builder, array).data
+    return builder.bitcast(builder.gep(first, [place]), vector.as_pointer())
+
+
+def _splat(builder: ir.IRBuilder, value: Any, vector: Any) -> Any:
+    """Return a vector of one value in all lanes."""
+    empty = ir.Constant(vector, ir.Undefined)
+    one = builder.insert_element(empty, value, ir.Constant(_NUMBER, 0))
+    return builder.shuffle_vector(one, empty, ir.Constant(_NUMBERS, None))

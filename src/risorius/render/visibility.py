@@ -1,0 +1,88 @@
+"""The visibility buffer: which triangle each sample of the picture shows.
+
+Which one it is depends on the order of the triangles alone. Samples are drawn band by band: a band's rows
+stay in the processor's cache until they are shaded.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .fill import fill
+from .jit import exact, exact_kernel, f4
+from .raster import CHUNK, ByteArray, FloatArray, IntArray, find_rows
+
+BAND = 64  # rows of samples drawn at once
+
+
+class Visibility:
+    """Buffers for drawing up to a given number of triangles.
+
+    After `draw`, `ids` (height, width) int32 holds the index of the triangle that each sample shows or -1,
+    and `depth` (height, width) float32 its key: larger is nearer, 0 is empty. After `prepare`, `rows` and
+    `chunks` tell `rasterize` where to look for what.
+    """
+
+    def __init__(self, width: int, height: int, triangles: int, *, keep_ids: bool = True) -> None:
+        self.depth: FloatArray = np.zeros((height, width), np.float32)
+        self.ids: IntArray = np.full((height, width) if keep_ids else (1, 1), -1, np.int32)
+        self.rows: IntArray = np.zeros((triangles, 2), np.int32)
+        self.chunks: IntArray = np.zeros((-(-triangles // CHUNK), 2), np.int32)
+
+    def draw(self, xy: IntArray, key: FloatArray, triangles: IntArray, two_sided: ByteArray) -> None:
+        """Clear the buffers and draw.
+
+        `xy` (n, 2) int32 are positions in 1/256 sample, x to the right and y down, the centre of the first
+        sample at (128, 128); `key` (n,) float32 is positive, larger nearer, and affine in the picture (the
+        reciprocal of the distance is); `triangles` (m, 3) int32 appear counter-clockwise when seen from
+        the front; `two_sided` (m,) uint8 is 1 where the back is drawn too.
+        """
+        if len(triangles) != len(self.rows):
+            raise ValueError(f"{len(triangles)} triangles for a buffer of {len(self.rows)}")
+        self.prepare(xy, triangles, two_sided)
+        rasterize_all(xy, key, triangles, self.rows, self.chunks, self.depth, self.ids)
+
+    def prepare(self, xy: IntArray, triangles: IntArray, two_sided: ByteArray) -> None:
+        """Find the rows that the triangles cover (see `draw`)."""
+        find_rows(xy, triangles, two_sided, self.depth.shape[0], self.depth.shape[1], self.rows, self.chunks)
+
+
+@exact_kernel
+def rasterize_all(
+    xy: IntArray,
+    key: FloatArray,
+    triangles: IntArray,
+    rows: IntArray,
+    chunks: IntArray,
+    depth: FloatArray,
+    ids: IntArray,
+) -> None:
+    """Draw all triangles, all rows."""
+    for top in range(0, depth.shape[0], BAND):
+        rasterize(xy, key, triangles, rows, chunks, top, min(top + BAND, depth.shape[0]), depth, ids)
+
+
+@exact
+def rasterize(
+    xy: IntArray,
+    key: FloatArray,
+    triangles: IntArray,
+    rows: IntArray,
+    chunks: IntArray,
+    top: int,
+    bottom: int,
+    depth: FloatArray,
+    ids: IntArray,
+) -> None:
+    """Draw the rows from `top` to `bottom`; a later triangle wins only where it is strictly nearer."""
+    keep = ids.shape[0] == depth.shape[0]
+    depth[top:bottom] = f4(0)
+    if keep:
+        ids[top:bottom] = -1
+    for chunk in range(len(chunks)):
+        if chunks[chunk, 0] >= bottom or chunks[chunk, 1] < top:
+            continue
+        for t in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(triangles))):
+            first, last = max(rows[t, 0], top), min(rows[t, 1], bottom - 1)
+            if first <= last:
+                fill(xy, key, triangles, t, first, last, depth, ids, keep)
