@@ -23,6 +23,8 @@ import numpy.typing as npt
 from .. import workers
 from ..errors import OutputError
 from . import wire
+from .codecs import CODECS
+from .yuv import planes
 
 # Seconds without progress after which the worker is given up.
 PATIENCE = 60.0
@@ -49,6 +51,11 @@ class VideoEncoder:
         channels: int = 3,
     ) -> None:
         self._shape = (size[1], size[0], channels)
+        width, height = size[0] + size[0] % 2, size[1] + size[1] % 2
+        pixels = "rgba" if channels == 4 else "rgb24"
+        self._planes: npt.NDArray[np.uint8] | None = None
+        if channels == 3 and CODECS[codec].pixels == "yuv420p":
+            pixels, self._planes = "yuv420p", np.empty(width * height * 3 // 2, np.uint8)
         self._patience = patience
         self._silent_too_long = False
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
@@ -63,7 +70,7 @@ class VideoEncoder:
         self._input = cast(io.FileIO, self._process.stdin)
         self._answer = cast(io.FileIO, self._process.stdout)
         _widen(self._input.fileno())
-        self._setup = wire.Setup(str(path.absolute()), *size, str(fps), sample_rate, codec, channels)
+        self._setup = wire.Setup(str(path.absolute()), width, height, str(fps), sample_rate, codec, pixels)
 
     @property
     def pid(self) -> int:
@@ -74,7 +81,11 @@ class VideoEncoder:
         """Add the next picture, uint8 of shape (height, width, channels); it may be changed afterwards."""
         if rgb.shape != self._shape or rgb.dtype != np.uint8:
             raise ValueError(f"a picture is {rgb.dtype}{rgb.shape}; expected uint8{self._shape}")
-        self._send(wire.PICTURE, np.ascontiguousarray(rgb).data.cast("B"))
+        numbers = _even(rgb)
+        if self._planes is not None:
+            planes(numbers, self._planes)
+            numbers = self._planes
+        self._send(wire.PICTURE, np.ascontiguousarray(numbers).data.cast("B"))
 
     def sound(self, samples: npt.NDArray[np.int16]) -> None:
         """Add int16 samples, shape (n,)."""
@@ -157,6 +168,14 @@ class VideoEncoder:
                 self.finish()
         finally:
             self._stop()
+
+
+def _even(rgb: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
+    """Repeat the last row and column of an odd picture: most formats have even sides only."""
+    height, width = rgb.shape[:2]
+    if height % 2 == 0 and width % 2 == 0:
+        return rgb
+    return np.pad(rgb, ((0, height % 2), (0, width % 2), (0, 0)), mode="edge")
 
 
 def _widen(descriptor: int) -> None:

@@ -42,8 +42,9 @@ class Film:
 
     def __init__(self, setup: wire.Setup) -> None:
         self._codec = codec = CODECS[setup.codec]
-        self._shape = (setup.height, setup.width, setup.channels)
-        alpha = codec.alpha_pixels if setup.channels == 4 else None
+        self._size = (setup.width, setup.height)
+        self._given = setup.pixels
+        alpha = codec.alpha_pixels if setup.pixels == "rgba" else None
         self._pixels = alpha or codec.pixels
         self._fps = Fraction(setup.fps)
         self._pictures = 0
@@ -58,8 +59,7 @@ class Film:
         stream = self._container.add_stream(
             self._codec.video, rate=self._fps, options=dict(self._codec.options)
         )
-        height, width, _ = self._shape
-        stream.width, stream.height = width + width % 2, height + height % 2
+        stream.width, stream.height = self._size
         stream.pix_fmt = self._pixels
         context = stream.codec_context
         context.time_base = 1 / self._fps
@@ -69,22 +69,30 @@ class Film:
         return stream
 
     def picture(self, data: bytearray) -> None:
-        """Add the next picture: RGB or RGBA bytes, (height, width, channels) in rows."""
-        rgb = _even(np.frombuffer(data, np.uint8).reshape(self._shape))
-        frame = self._reformat.reformat(
-            av.VideoFrame.from_ndarray(rgb, format="rgba" if self._shape[2] == 4 else "rgb24"),
-            format=self._pixels,
-            dst_colorspace=BT709,
-            src_color_range="JPEG",
-            dst_color_range="MPEG",
-            interpolation="BILINEAR",
-        )
+        """Add the next picture."""
+        frame = self._in_form(np.frombuffer(data, np.uint8))
         # ProRes writes what each picture says of itself.
         frame.color_primaries = frame.color_trc = BT709
         frame.pts = self._pictures
         frame.time_base = 1 / self._fps
         self._pictures += 1
         self._container.mux(self._video.encode(frame))
+
+    def _in_form(self, numbers: Bytes) -> av.VideoFrame:
+        """Return a picture as the codec wants it."""
+        width, height = self._size
+        if self._given == self._pixels:
+            frame = av.VideoFrame.from_ndarray(numbers.reshape(-1, width), format=self._given)
+            frame.colorspace, frame.color_range = BT709, LIMITED_RANGE
+            return frame
+        return self._reformat.reformat(
+            av.VideoFrame.from_ndarray(numbers.reshape(height, width, -1), format=self._given),
+            format=self._pixels,
+            dst_colorspace=BT709,
+            src_color_range="JPEG",
+            dst_color_range="MPEG",
+            interpolation="BILINEAR",
+        )
 
     def sound(self, data: bytearray) -> None:
         """Add sound: 16-bit little-endian mono samples."""
@@ -126,14 +134,6 @@ class Sound:
     def finish(self) -> None:
         """Encode what is still held back."""
         self._container.mux(self._stream.encode(None))
-
-
-def _even(rgb: Bytes) -> Bytes:
-    """Repeat the last row and column of an odd picture: H.264 with half-size colour has even sides."""
-    height, width = rgb.shape[:2]
-    if height % 2 == 0 and width % 2 == 0:
-        return rgb
-    return np.pad(rgb, ((0, height % 2), (0, width % 2), (0, 0)), mode="edge")
 
 
 class Inbox:

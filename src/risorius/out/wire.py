@@ -25,7 +25,8 @@ class Setup:
     """What the worker needs to begin.
 
     `fps` as "24000/1001"; `sample_rate` None for a silent film; `codec` is a name of `codecs.CODECS`;
-    `channels` of a picture, 3 or 4.
+    `pixels` says how the numbers of a picture come: rgb24, rgba or yuv420p. Width and height are even, as
+    most formats want them.
     """
 
     path: str
@@ -34,7 +35,7 @@ class Setup:
     fps: str
     sample_rate: int | None
     codec: str = "mp4"
-    channels: int = 3
+    pixels: str = "rgb24"
 
     def encode(self) -> bytes:
         """Return the payload of a SETUP message."""
