@@ -12,7 +12,7 @@ import numpy as np
 
 from .jit import device
 from .raster import FloatArray
-from .vec import Vec
+from .vec import Vec, sub, unit
 
 LANES = 64
 LAMPS = 4
@@ -44,3 +44,22 @@ def get(block: FloatArray, first: int, k: int) -> Vec:
 def put(block: FloatArray, first: int, k: int, vector: Vec) -> None:
     """Set the vector of patch k."""
     block[first + k], block[first + LANES + k], block[first + 2 * LANES + k] = vector
+
+
+@device
+def face(block: FloatArray, eye: Vec) -> None:
+    """Bring the normals to length 1, and find the directions to the camera."""
+    for k in range(LANES):
+        put(block, NORMAL, k, unit(get(block, NORMAL, k)))
+        put(block, VIEW, k, unit(sub(eye, get(block, POSITION, k))))
+
+
+@device
+def read_reach(
+    block: FloatArray, lane: int, reach: FloatArray, corners: tuple[int, int, int], weights: Vec
+) -> None:
+    """Read into a lane how much of each lamp a place in a triangle can see."""
+    (a, b, c), (u, v, w) = corners, weights
+    for lamp in range(LAMPS):
+        share: float = u * reach[a, lamp] + v * reach[b, lamp] + w * reach[c, lamp]
+        block[REACH + lamp * LANES + lane] = share

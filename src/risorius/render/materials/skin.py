@@ -16,12 +16,10 @@ from ..lanes import (
     FREE,
     GRAIN,
     INNER,
-    LAMPS,
     LANES,
     NORMAL,
     OPENED,
     POSITION,
-    REACH,
     REST,
     ROUGHNESS,
     SHADOW,
@@ -31,12 +29,14 @@ from ..lanes import (
     TOTAL,
     VIEW,
     WAY,
+    face,
     get,
     put,
+    read_reach,
 )
 from ..noise import between, cell_of, heights_about
 from ..raster import FloatArray
-from ..vec import Vec, add, along, dot, rows_of, scale, smooth, sub, tilted, times, turned, unit, weigh
+from ..vec import add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from .folds import bent, creased
 from .lit import glow, room_of
 from .mouth import past_lips
@@ -70,7 +70,7 @@ def _shade_block(
     count: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
     block = batch.block
-    _face(block, (sight.eye[0], sight.eye[1], sight.eye[2]))
+    face(block, (sight.eye[0], sight.eye[1], sight.eye[2]))
     _find_grain(count, block, tables.grain)
     _roughen(block, pose, sight.pixel)
     _fold(count, batch, mesh, pose, tables, sight.pixel)
@@ -99,19 +99,8 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh, pixel: float) -> bool:
     put(block, POSITION, lane, weigh(mesh.positions, corners, weights, 0))
     put(block, NORMAL, lane, weigh(mesh.normals, corners, weights, 0))
     put(block, REST, lane, weigh(mesh.rest, corners, weights, 0))
-    (a, b, c), (u, v, w) = corners, weights
-    for lamp in range(LAMPS):
-        reach: float = u * mesh.reach[a, lamp] + v * mesh.reach[b, lamp] + w * mesh.reach[c, lamp]
-        block[REACH + lamp * LANES + lane] = reach
+    read_reach(block, lane, mesh.reach, corners, weights)
     return True
-
-
-@device
-def _face(block: FloatArray, eye: Vec) -> None:
-    """Find the normal and the direction to the camera."""
-    for k in range(LANES):
-        put(block, NORMAL, k, unit(get(block, NORMAL, k)))
-        put(block, VIEW, k, unit(sub(eye, get(block, POSITION, k))))
 
 
 @device
