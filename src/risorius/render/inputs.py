@@ -26,7 +26,8 @@ class Mesh(NamedTuple):
     `attributes` (n, ATTRIBUTES) are albedo (3, linear), free share of the surroundings, roughness squared,
     strength of the gloss, curvature in 1/mm, share of mouth interior, and one of the material's own: cloth on
     the skin (mm from the neckline), gum on teeth, the way from root to tip on hairs. `rest` (n, 3) are
-    positions at rest; `reach` (n, LAMPS or more) is the share of each lamp that the head at rest lets by;
+    positions at rest; `reach` (n, LAMPS or more) is the share of each lamp that the head at rest lets by,
+    `shadow` (n of the skin,) the share of the key lamp that its shadow in this frame does;
     `hair_light` (n, 3) is the light of hairs, found before the picture is; `crease_…` are those of
     `creases.Creases`, the skin's wrinkles.
     """
@@ -38,6 +39,7 @@ class Mesh(NamedTuple):
     attributes: FloatArray
     rest: FloatArray
     reach: FloatArray
+    shadow: FloatArray
     hair_light: FloatArray
     triangles: IntArray
     surfaces: IntArray

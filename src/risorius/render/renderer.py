@@ -24,6 +24,7 @@ from .inputs import Light, Mesh, Paint, Pose, Sight, Tables, empty_batch
 from .jit import f4
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
+from .materials.shadows import cast_shadows
 from .noise import noise_tile
 from .raster import ByteArray, FloatArray, IntArray
 from .scene import HeadScene
@@ -173,6 +174,7 @@ class Renderer:
             scene.attributes,
             scene.rest,
             scene.reach,
+            scene.shadow,
             scene.hair_light,
             scene.triangles,
             scene.surfaces,
@@ -188,6 +190,7 @@ class Renderer:
             f4(shadow.bias),
             f4(self._lights.pupil),
         )
+        cast_shadows(scene.positions, light, scene.shadow)
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
         pixel = f4(self.camera.millimetres_per_sample(self.size[1]))
         buffer = self._buffer

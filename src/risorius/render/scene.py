@@ -38,7 +38,8 @@ class HeadScene:
     """All that is drawn of a head.
 
     Static: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, …), `rest` (n, 3), and
-    `solid`, how many of the triangles (the first ones) cast shadows; of the `hairs` that follow them the
+    `solid`, how many of the triangles (the first ones) cast shadows, and `skin_vertices`, how many of the
+    vertices are the skin's (the first ones); of the `hairs` that follow them the
     first `facial_hairs` are brows and lashes, and `hair_parts` (m − solid,) tell which part of its hair each
     triangle is. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32 in the world.
     """
@@ -61,6 +62,7 @@ class HeadScene:
             *grow_hair(self.anatomy, surface, hair, looks),
         ]
         self._offset = standing_off(neckline(self.anatomy), surface.normals).astype(np.float32)
+        self.skin_vertices = len(self._offset)
         self._starts = np.concatenate([[0], np.cumsum([len(part.vertices) for part in parts])])
         self._gather(parts)
         self.creases = lay_creases(head, len(self.triangles))
@@ -104,7 +106,7 @@ class HeadScene:
 
     def _bake(self, lamps: FloatArray) -> None:
         """Fill in what the skin at rest sees of its surroundings and of all lamps (n, 7) but the first."""
-        count = len(self._offset)
+        count = self.skin_vertices
         self._normals.update(self._local, self.normals[: self.mesh_vertices])
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
         mesh = Occluder(self._local, normals, self.triangles[solid], self.two_sided[solid])
@@ -116,6 +118,7 @@ class HeadScene:
         covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast
+        self.shadow: FloatArray = np.ones(count, np.float32)
         self.attributes[:count, OCCLUSION] *= 1.0 - around
 
     def twin(self) -> HeadScene:
@@ -124,7 +127,7 @@ class HeadScene:
         other._normals = self._normals.twin()
         other._local = self._local.copy()
         other.positions, other.normals = self.positions.copy(), self.normals.copy()
-        other.hair_light = self.hair_light.copy()
+        other.hair_light, other.shadow = self.hair_light.copy(), self.shadow.copy()
         other.creases = self.creases._replace(height=self.creases.height.copy())
         return other
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 
 from ..inputs import CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Sight, Tables
-from ..jit import device, f4, i8, inlined
-from ..lanes import CLOTH, LANES, POSITION, SHADOW, get
-from ..lanes import put as put_lane
+from ..jit import device, f4, inlined
 from ..noise import grain
 from ..raster import FloatArray
 from ..vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
 from .lit import lamp_colour, lamp_direction, lamp_share, room_light
 from .patch import Corners, corners_of, put, towards, weights_of
-from .shadows import find_shadows
+from .shadows import shadow_at
 
 COLLAR = f4(13)  # mm: width of the collar
 _RIBS = f4(110)  # around the neck
@@ -24,58 +22,28 @@ _UP = (f4(0), f4(1), f4(0))
 @device
 def shade_cloth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables) -> None:
     """Colour the patches of cloth among the first n of a row, and blend its edge into the skin's."""
-    count = i8(0)
     for k in range(n):
-        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, sight.pixel):
-            count += 1
-            if count == LANES:
-                _shade_block(count, batch, mesh, sight, light, tables)
-                count = i8(0)
-    if count:
-        _shade_block(count, batch, mesh, sight, light, tables)
-
-
-@inlined
-def _read(k: int, lane: int, batch: Batch, mesh: Mesh, pixel: float) -> bool:
-    """Read patch k of the mesh into a lane; return whether there is cloth."""
-    corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
-    depth = weigh(mesh.attributes, corners, weights, CURVATURE)[2]
-    if depth < -pixel:
-        return False
-    batch.chosen[lane], batch.block[CLOTH + lane] = k, depth
-    put_lane(batch.block, POSITION, lane, weigh(mesh.positions, corners, weights, 0))
-    return True
-
-
-@device
-def _shade_block(count: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables) -> None:
-    block = batch.block
-    find_shadows(count, block, light)
-    for lane in range(count):
-        k, depth, p = batch.chosen[lane], block[CLOTH + lane], get(block, POSITION, lane)
+        if mesh.surfaces[batch.triangle[k]] != SKIN:
+            continue
         corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
-        normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
-        woven = _cloth(mesh, light, tables, corners, weights, normal, view, depth, block[SHADOW + lane])
-        share = smooth(-sight.pixel, sight.pixel, depth)
-        put(batch.colour, k, mix(at(batch.colour, k), woven, share) if share < f4(1) else woven)
+        depth = weigh(mesh.attributes, corners, weights, CURVATURE)[2]
+        if depth >= -sight.pixel:
+            woven = _cloth(mesh, sight, light, tables, corners, weights, depth)
+            share = smooth(-sight.pixel, sight.pixel, depth)
+            put(batch.colour, k, mix(at(batch.colour, k), woven, share) if share < f4(1) else woven)
 
 
 @inlined
 def _cloth(
-    mesh: Mesh,
-    light: Light,
-    tables: Tables,
-    corners: Corners,
-    weights: Vec,
-    normal: Vec,
-    view: Vec,
-    depth: float,
-    shadow: float,
+    mesh: Mesh, sight: Sight, light: Light, tables: Tables, corners: Corners, weights: Vec, depth: float
 ) -> Vec:
     """Return the light from rough cloth with a soft sheen along its outline."""
     albedo = (tables.cloth[0], tables.cloth[1], tables.cloth[2])
     free = weigh(mesh.attributes, corners, weights, OCCLUSION)[0]
     rest = weigh(mesh.rest, corners, weights, 0)
+    normal = unit(weigh(mesh.normals, corners, weights, 0))
+    p = weigh(mesh.positions, corners, weights, 0)
+    view, shadow = towards(sight.eye, p), shadow_at(mesh, light, corners, weights, p)
     albedo, normal = _knit(tables.grain, rest, albedo, normal, depth)
     total = times(albedo, room_light(light.room, normal, free))
     for k in range(len(light.lamps)):
@@ -83,7 +51,7 @@ def _cloth(
         total = along(
             total,
             times(albedo, lamp_colour(light.lamps, k)),
-            lit * lamp_share(mesh.reach, corners, weights, k, shadow),
+            lit * lamp_share(mesh.reach, corners, weights, k) * (shadow if k == 0 else f4(1)),
         )
     fuzz = f4(1) - saturate(dot(normal, view))
     sheen = f4(0.06) * fuzz * fuzz * fuzz

@@ -50,13 +50,11 @@ def lamp_colour(lamps: FloatArray, k: int) -> Vec:
 
 
 @device
-def lamp_share(
-    reach: FloatArray, corners: tuple[int, int, int], weights: Vec, k: int, shadow: float
-) -> float:
-    """Return how much of lamp k arrives: as baked on the vertices, and the key's also by its `shadow`."""
+def lamp_share(reach: FloatArray, corners: tuple[int, int, int], weights: Vec, k: int) -> float:
+    """Return how much of lamp k arrives at a place in a triangle, as far as its corners tell."""
     a, b, c = corners
     share: float = weights[0] * reach[a, k] + weights[1] * reach[b, k] + weights[2] * reach[c, k]
-    return share * shadow if k == 0 else share
+    return share
 
 
 @device

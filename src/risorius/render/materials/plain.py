@@ -39,7 +39,7 @@ from .mouth import past_lips
 from .painted import line_share, painted
 from .patch import Corners, corners_of, towards, weights_of
 from .patch import put as put_colour
-from .shadows import find_shadows
+from .shadows import shadow_at
 
 _FACING = f4(0.04)
 _ROUGH = f4(0.34)
@@ -66,7 +66,7 @@ def shade_plain(
     for k in range(n):
         surface = mesh.surfaces[batch.triangle[k]]
         if surface == SKIN:
-            _read(k, count, batch, mesh)
+            _read(k, count, batch, mesh, light)
             count += 1
             if count == LANES:
                 _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
@@ -78,7 +78,7 @@ def shade_plain(
 
 
 @inlined
-def _read(k: int, lane: int, batch: Batch, mesh: Mesh) -> None:
+def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light) -> None:
     """Read patch k of the mesh into a lane."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
     block = batch.block
@@ -86,7 +86,9 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh) -> None:
     block[FREE + lane] = weigh(mesh.attributes, corners, weights, inputs.OCCLUSION)[0]
     block[INNER + lane] = weigh(mesh.attributes, corners, weights, inputs.INNER)[0]
     put(block, ALBEDO, lane, weigh(mesh.attributes, corners, weights, inputs.ALBEDO))
-    put(block, POSITION, lane, weigh(mesh.positions, corners, weights, 0))
+    p = weigh(mesh.positions, corners, weights, 0)
+    put(block, POSITION, lane, p)
+    block[SHADOW + lane] = shadow_at(mesh, light, corners, weights, p)
     put(block, NORMAL, lane, weigh(mesh.normals, corners, weights, 0))
     read_reach(block, lane, mesh.reach, corners, weights)
 
@@ -106,7 +108,7 @@ def _shade_block(
     block = batch.block
     face(block, (sight.eye[0], sight.eye[1], sight.eye[2]))
     _fold(count, batch, mesh, pose, tables, sight.pixel)
-    _shadow(count, block, light, pose)
+    _shadow(count, block, pose)
     _paint(count, batch, mesh, paint, sight.pixel)
     _fill(block, light)
     for lamp in range(len(light.lamps)):
@@ -139,9 +141,8 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 
 
 @device
-def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
+def _shadow(count: int, block: FloatArray, pose: Pose) -> None:
     """Find how much of the lamps and of the room's light arrives."""
-    find_shadows(count, block, light)
     for lane in range(count):
         free, inner = block[FREE + lane], block[INNER + lane]
         if inner > f4(0.02):
@@ -232,7 +233,7 @@ def _matt(
     total = times(albedo, glow(room_of(light.room), normal, free))
     for k in range(len(light.lamps)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
-        share = lamp_share(mesh.reach, corners, weights, k, key) * free
+        share = lamp_share(mesh.reach, corners, weights, k) * free * (key if k == 0 else f4(1))
         total = along(total, times(albedo, colour), _facing(normal, direction) * share)
     shine = gloss(normal, view, lamp_direction(light.lamps, 0), _ROUGH, _FACING) * key * free
     return along(total, lamp_colour(light.lamps, 0), shine)

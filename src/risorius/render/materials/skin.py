@@ -42,7 +42,7 @@ from .lit import glow, room_of
 from .mouth import past_lips
 from .patch import corners_of, weights_of
 from .patch import put as put_colour
-from .shadows import find_shadows
+from .shadows import shadow_at
 from .skin_lamps import edge_light, lamp_light
 
 _FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
@@ -56,7 +56,7 @@ def shade_skin(
     """Colour the patches of bare skin among the first n of a row."""
     count = i8(0)
     for k in range(n):
-        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, sight.pixel):
+        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, light, sight.pixel):
             count += 1
             if count == LANES:
                 _shade_block(count, batch, mesh, sight, light, pose, tables)
@@ -74,7 +74,7 @@ def _shade_block(
     _find_grain(count, block, tables.grain)
     _roughen(block, pose, sight.pixel)
     _fold(count, batch, mesh, pose, tables, sight.pixel)
-    _shadow(count, block, light, pose)
+    _shadow(count, block, pose)
     _fill(block, light)
     for lamp in range(len(light.lamps)):
         lamp_light(count, lamp, block, light.lamps, tables.diffuse)
@@ -84,7 +84,7 @@ def _shade_block(
 
 
 @inlined
-def _read(k: int, lane: int, batch: Batch, mesh: Mesh, pixel: float) -> bool:
+def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light, pixel: float) -> bool:
     """Read patch k of the mesh into a lane; return whether its skin is bare."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
     bent_by, inner, cloth = weigh(mesh.attributes, corners, weights, inputs.CURVATURE)
@@ -96,7 +96,9 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh, pixel: float) -> bool:
     free, roughness, strength = weigh(mesh.attributes, corners, weights, inputs.OCCLUSION)
     block[FREE + lane], block[ROUGHNESS + lane], block[STRENGTH + lane] = free, roughness, strength
     put(block, ALBEDO, lane, weigh(mesh.attributes, corners, weights, inputs.ALBEDO))
-    put(block, POSITION, lane, weigh(mesh.positions, corners, weights, 0))
+    p = weigh(mesh.positions, corners, weights, 0)
+    put(block, POSITION, lane, p)
+    block[SHADOW + lane] = shadow_at(mesh, light, corners, weights, p)
     put(block, NORMAL, lane, weigh(mesh.normals, corners, weights, 0))
     put(block, REST, lane, weigh(mesh.rest, corners, weights, 0))
     read_reach(block, lane, mesh.reach, corners, weights)
@@ -165,9 +167,8 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 
 
 @device
-def _shadow(count: int, block: FloatArray, light: Light, pose: Pose) -> None:
+def _shadow(count: int, block: FloatArray, pose: Pose) -> None:
     """Find how much of the key lamp and of the room's light arrives."""
-    find_shadows(count, block, light)
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
         if inner > f4(0.02):
