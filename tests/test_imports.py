@@ -18,7 +18,8 @@ ALLOWED: dict[str, set[str]] = {
     "face": {"core"},
     "heads": set(),
     "render": {"core", "face"},
-    "out": {"core", "face", "render"},
+    "film": set(),
+    "out": {"core", "face", "render", "film"},
 }
 BASE = {"errors", "registry", "compile_cache", "kept", "workers"}
 

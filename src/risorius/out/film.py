@@ -20,8 +20,8 @@ from .video_encoder import VideoEncoder
 def write_film(material: Material, path: Path, options: WriteOptions, codec: str) -> None:
     """Write all frames at `options.size`, with the material's sound if it has one.
 
-    `codec` is a name of `codecs.CODECS`. Raises OutputError if the encoder fails, OSError for a fault of the
-    disk.
+    `codec` is a name of `film.codecs.CODECS`. Raises OutputError if the encoder fails, OSError for a fault of
+    the disk.
     """
     performance, audio = material.performance, material.audio
     frames = range(len(performance.values))

@@ -22,8 +22,8 @@ import numpy.typing as npt
 
 from .. import workers
 from ..errors import OutputError
-from . import wire
-from .codecs import CODECS
+from ..film import wire
+from ..film.codecs import CODECS
 from .yuv import planes
 
 # Seconds without progress after which the worker is given up.
@@ -60,7 +60,7 @@ class VideoEncoder:
         self._silent_too_long = False
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
         self._process = workers.start(
-            "risorius.out.video_worker",
+            "risorius.film.worker",
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._complaints.fileno(),

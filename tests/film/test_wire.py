@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from risorius.out import wire
+from risorius.film import wire
 
 Pipe = tuple[FileIO, FileIO]
 

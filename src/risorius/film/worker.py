@@ -1,4 +1,4 @@
-"""The video encoder, in a process of its own: `python -m risorius.out.video_worker`.
+"""The video encoder, in a process of its own: `python -m risorius.film.worker`.
 
 Reads pictures and sound from standard input (`wire`) and writes a film (`codecs`). A separate
 process because the encoder's library brings GPL code, may crash, and should work while the next picture is
