@@ -12,6 +12,7 @@ from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
 from ..face.regions import Placed, place_regions
 from ..kept import kept
+from .jit import exact_kernel, f4, i4
 from .noise import noise_at
 from .raster import FloatArray, IntArray
 
@@ -21,18 +22,21 @@ LINES, FOLD, DIMPLES = 0, 1, 2
 # Columns of `style`.
 KIND, FURROW, SHADOW, SHARE = 0, 1, 2, 3
 RAGGED, WANDERING = 0.18, 9.0  # mm by which creases stray, and over what length
+FAINT = f4(0.004)  # mm: folds lower than this are not looked at
 MESH_CARRIES = 0.6  # of what the mesh was moved, this much need not be shaded again
 
 
 class Creases(NamedTuple):
     """Wrinkle regions on the skin.
 
-    `regions` (m,) int32 has bit r set on the triangles that region r covers; `place` (N1, R, 4) phase and its
-    slope (1/mm) in x, y, z at rest; `height` (N1, R) mm in this frame; `style` (R, 4) kind, width of the
-    furrow in mm, shadow, and the share of the height that is shaded.
+    `regions` (m,) int32 has bit r set on the triangles that region r covers, `raised` (m,) on those where it
+    can be seen in this frame; `place` (N1, R, 4) phase and its slope (1/mm) in x, y, z at rest; `height`
+    (N1, R) mm in this frame; `style` (R, 4) kind, width of the furrow in mm, shadow, and the share of the
+    height that is shaded.
     """
 
     regions: IntArray
+    raised: IntArray
     place: FloatArray
     height: FloatArray
     style: FloatArray
@@ -50,10 +54,33 @@ def lay_creases(head: Head, triangles: int) -> Creases:
     (place,) = kept("creases", [phases, stray, fine, faces], lambda: (_places(phases, stray, fine, faces),))
     return Creases(
         covered,
+        np.zeros_like(covered),
         place,
         np.zeros((len(fine), len(placed)), np.float32),
         np.array([_style(p, unit) for p in placed], np.float32),
     )
+
+
+def raise_creases(creases: Creases, triangles: IntArray, wrinkles: FloatArray) -> None:
+    """Set the wrinkles' heights (N1, R) mm, and find on which of `triangles` (n, 3) they can be seen."""
+    creases.height[:] = wrinkles
+    _find_raised(creases, triangles)
+
+
+@exact_kernel
+def _find_raised(creases: Creases, triangles: IntArray) -> None:
+    for t in range(len(triangles)):
+        bits, r, raised = creases.regions[t], i4(0), i4(0)
+        while bits:
+            if bits & 1:
+                share, highest = creases.style[r, SHARE], f4(0)
+                for corner in range(3):
+                    highest = max(highest, creases.height[triangles[t, corner], r] * share)
+                if highest > FAINT:
+                    raised |= i4(1 << r)
+            bits >>= 1
+            r += i4(1)
+        creases.raised[t] = raised
 
 
 def _style(placed: Placed, unit: float) -> tuple[float, float, float, float]:

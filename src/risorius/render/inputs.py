@@ -43,7 +43,7 @@ class Mesh(NamedTuple):
     hair_light: FloatArray
     triangles: IntArray
     surfaces: IntArray
-    crease_regions: IntArray
+    crease_raised: IntArray
     crease_place: FloatArray
     crease_height: FloatArray
     crease_style: FloatArray

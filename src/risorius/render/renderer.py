@@ -178,7 +178,7 @@ class Renderer:
             scene.hair_light,
             scene.triangles,
             scene.surfaces,
-            *scene.creases,
+            *scene.creases[1:],
         )
         light = Light(
             self._lights.lamps,

@@ -15,7 +15,7 @@ from .anatomy import find_anatomy
 from .aperture import lip_edges
 from .brows import grow_brows
 from .complexion import linear
-from .creases import lay_creases
+from .creases import lay_creases, raise_creases
 from .cuts import grow_hair
 from .eyeball import lid_margins
 from .garment import neckline, standing_off
@@ -128,7 +128,9 @@ class HeadScene:
         other._local = self._local.copy()
         other.positions, other.normals = self.positions.copy(), self.normals.copy()
         other.hair_light, other.shadow = self.hair_light.copy(), self.shadow.copy()
-        other.creases = self.creases._replace(height=self.creases.height.copy())
+        other.creases = self.creases._replace(
+            height=self.creases.height.copy(), raised=self.creases.raised.copy()
+        )
         return other
 
     def check(self, frame: FaceFrame) -> None:
@@ -184,7 +186,7 @@ class HeadScene:
         """Copy what moves within the head: skin, lower teeth, tongue."""
         starts = self._starts
         np.add(frame.skin, self._offset, out=self._local[: starts[1]])
-        self.creases.height[:] = frame.wrinkles
+        raise_creases(self.creases, self.triangles[: self.solid], frame.wrinkles)
         self._local[starts[4] : starts[5]] = frame.teeth_lower
         self._local[starts[5] : starts[6]] = frame.tongue
 

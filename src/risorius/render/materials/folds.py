@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 
-from ..creases import DIMPLES, FOLD, FURROW, KIND, SHADOW, SHARE
+from ..creases import DIMPLES, FAINT, FOLD, FURROW, KIND, SHADOW, SHARE
 from ..inputs import Mesh, Pose, Tables
 from ..jit import device, f4, i8
 from ..noise import grain
 from ..vec import Vec, along, dot, rotate, saturate, unit
 from .patch import Corners
 
-_FAINT = f4(0.004)  # mm: folds lower than this are not looked at
 _CELLS = f4(6.5)  # cells of the grain to one of its waves
 _STEEPEST = f4(1.1)
 
@@ -33,11 +32,11 @@ def creased(
     total, dark = (f4(0), f4(0), f4(0)), f4(0)
     # One pixel covers more of the skin where it turns away.
     blur = pixel / max(facing, f4(0.25))
-    bits, r = mesh.crease_regions[t], i8(0)
+    bits, r = mesh.crease_raised[t], i8(0)
     while bits:
         if bits & 1:
             height = _height(mesh, corners, weights, r)
-            if height > _FAINT:
+            if height > FAINT:
                 slope, deep = _fold(tables, mesh, corners, weights, r, rest, height, blur)
                 total = along(total, slope, f4(1))
                 dark += deep

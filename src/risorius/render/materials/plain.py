@@ -131,7 +131,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
     for lane in range(count):
         k = batch.chosen[lane]
         t = batch.triangle[k]
-        if mesh.crease_regions[t]:
+        if mesh.crease_raised[t]:
             corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
             normal, rest = get(block, NORMAL, lane), weigh(mesh.rest, corners, weights, 0)
             facing = dot(normal, get(block, VIEW, lane))

@@ -151,7 +151,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
     for k in range(count):
         patch = batch.chosen[k]
         t = batch.triangle[patch]
-        if mesh.crease_regions[t] == 0:
+        if mesh.crease_raised[t] == 0:
             continue
         corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, patch)
         normal, rest = get(block, NORMAL, k), get(block, REST, k)
