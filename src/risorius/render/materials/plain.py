@@ -1,15 +1,13 @@
 """Plain matter for explaining pictures: clay, on which muscles and the mesh may be drawn.
 
-Skin is shaded in blocks (`lanes`), each step for all patches of a block.
+Skin is shaded in blocks (`lanes`), each step for all patches of a block; for the rest see `plain_parts`.
 """
 
 from __future__ import annotations
 
-import math
-
 from .. import inputs
 from ..brdf import gloss
-from ..inputs import EYE_LEFT, SKIN, TEETH, TONGUE, Batch, Light, Mesh, Paint, Pose, Sight, Tables
+from ..inputs import SKIN, TONGUE, Batch, Light, Mesh, Paint, Pose, Sight, Tables
 from ..jit import device, f4, i8, inlined
 from ..lanes import (
     ALBEDO,
@@ -31,23 +29,17 @@ from ..lanes import (
     read_reach,
 )
 from ..raster import FloatArray
-from ..vec import Vec, add, along, dot, mix, saturate, scale, smooth, sub, times, unit, unrotate, weigh
-from .eye import IRIS, lid_distances, lid_shade
+from ..vec import Vec, add, along, dot, mix, scale, times, weigh
 from .folds import bent, creased
-from .lit import glow, key_share, lamp_colour, lamp_direction, lamp_share, room_of
+from .lit import glow, lamp_colour, lamp_direction, room_of
 from .mouth import past_lips
 from .painted import line_share, painted
-from .patch import Corners, corners_of, towards, weights_of
+from .patch import corners_of, weights_of
 from .patch import put as put_colour
+from .plain_parts import MIRRORED, ROUGH, facing, shade_part
 from .shadows import shadow_at
 
-_FACING = f4(0.04)
-_ROUGH = f4(0.34)
 _FLESH = f4(1.0)
-_BALL = (f4(0.66), f4(0.66), f4(0.66))
-_RING = (f4(0.16), f4(0.16), f4(0.17))
-_PUPIL = f4(0.42)  # radii of the iris
-_FAR = f4(20)  # mm: plain eyes have no corners
 
 
 @device
@@ -72,7 +64,7 @@ def shade_plain(
                 _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
                 count = i8(0)
         elif surface <= TONGUE:
-            put_colour(batch.colour, k, _organ(k, surface, batch, mesh, sight, light, pose))
+            put_colour(batch.colour, k, shade_part(k, surface, batch, mesh, sight, light, pose))
     if count:
         _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
 
@@ -134,8 +126,8 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
         if mesh.crease_raised[t]:
             corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
             normal, rest = get(block, NORMAL, lane), weigh(mesh.rest, corners, weights, 0)
-            facing = dot(normal, get(block, VIEW, lane))
-            slope, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, facing, pixel)
+            turned = dot(normal, get(block, VIEW, lane))
+            slope, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, turned, pixel)
             put(block, NORMAL, lane, bent(normal, slope, _FLESH))
             block[FREE + lane] *= f4(1) - f4(0.7) * deep
 
@@ -183,7 +175,7 @@ def _fill(block: FloatArray, light: Light) -> None:
 def _add_lamp(block: FloatArray, lamp: int, direction: Vec, colour: Vec) -> None:
     """Add the matt light of one lamp."""
     for k in range(LANES):
-        share = block[REACH + lamp * LANES + k] * _facing(get(block, NORMAL, k), direction)
+        share = block[REACH + lamp * LANES + k] * facing(get(block, NORMAL, k), direction)
         share *= block[SHADOW + k] if lamp == 0 else f4(1)
         put(block, TOTAL, k, along(get(block, TOTAL, k), times(get(block, ALBEDO, k), colour), share))
 
@@ -192,77 +184,6 @@ def _add_lamp(block: FloatArray, lamp: int, direction: Vec, colour: Vec) -> None
 def _add_gloss(block: FloatArray, direction: Vec, colour: Vec) -> None:
     """Add a broad, faint gloss of the key lamp."""
     for k in range(LANES):
-        shine = gloss(get(block, NORMAL, k), get(block, VIEW, k), direction, _ROUGH, _FACING)
+        shine = gloss(get(block, NORMAL, k), get(block, VIEW, k), direction, ROUGH, MIRRORED)
         shine *= block[REACH + k] * block[SHADOW + k]
         put(block, TOTAL, k, along(get(block, TOTAL, k), colour, shine))
-
-
-@device
-def _facing(normal: Vec, direction: Vec) -> float:
-    """Return the cosine of matt light, wrapped a little around the edge."""
-    return saturate((dot(normal, direction) + f4(0.12)) * f4(1 / 1.12))
-
-
-@inlined
-def _organ(k: int, surface: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose) -> Vec:
-    """Return the light from patch k of an eye, tooth or tongue."""
-    corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
-    p = weigh(mesh.positions, corners, weights, 0)
-    key, view = key_share(light, p), towards(sight.eye, p)
-    if surface < TEETH:
-        return _ball(mesh, light, pose, surface - EYE_LEFT, corners, weights, p, view, key)
-    albedo = weigh(mesh.attributes, corners, weights, inputs.ALBEDO)
-    deep = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
-    normal = unit(weigh(mesh.normals, corners, weights, 0))
-    return _matt(mesh, light, corners, weights, normal, view, albedo, deep, key)
-
-
-@inlined
-def _matt(
-    mesh: Mesh,
-    light: Light,
-    corners: Corners,
-    weights: Vec,
-    normal: Vec,
-    view: Vec,
-    albedo: Vec,
-    free: float,
-    key: float,
-) -> Vec:
-    """Return matt light with the gloss of clay, where the share `free` of all light arrives."""
-    total = times(albedo, glow(room_of(light.room), normal, free))
-    for k in range(len(light.lamps)):
-        direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
-        share = lamp_share(mesh.reach, corners, weights, k) * free * (key if k == 0 else f4(1))
-        total = along(total, times(albedo, colour), _facing(normal, direction) * share)
-    shine = gloss(normal, view, lamp_direction(light.lamps, 0), _ROUGH, _FACING) * key * free
-    return along(total, lamp_colour(light.lamps, 0), shine)
-
-
-@inlined
-def _ball(
-    mesh: Mesh,
-    light: Light,
-    pose: Pose,
-    side: int,
-    corners: Corners,
-    weights: Vec,
-    p: Vec,
-    view: Vec,
-    key: float,
-) -> Vec:
-    """Return the light from an eye: a matt ball with a ring for the iris, in the shade of its lids."""
-    centre = (pose.eyes[side, 0], pose.eyes[side, 1], pose.eyes[side, 2])
-    outward = unit(sub(p, centre))
-    local = unrotate(pose.eye_axes[side], outward)
-    in_head = unrotate(pose.rotation, outward)
-    below, above = lid_distances(pose.lids, pose.lid_span, side, in_head, pose.eye_radius[side])
-    shade = lid_shade(below, above, _FAR, _FAR)
-    ring = math.sqrt(local[0] * local[0] + local[1] * local[1]) / IRIS
-    iris = f4(1) - smooth(f4(0.94), f4(1.06), ring)
-    pupil = f4(1) - smooth(_PUPIL - f4(0.05), _PUPIL + f4(0.05), ring)
-    albedo = mix(_BALL, _RING, iris if local[2] > f4(0) else f4(0))
-    albedo = scale(albedo, f4(1) - f4(0.85) * pupil * iris)
-    lit = _matt(mesh, light, corners, weights, outward, view, albedo, shade, key)
-    spark = gloss(outward, view, lamp_direction(light.lamps, 0), f4(0.03), _FACING) * shade
-    return along(lit, lamp_colour(light.lamps, 0), min(spark, f4(1.2)))
