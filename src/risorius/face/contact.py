@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from .jit import compiled, inlined
+from .jit import compiled, device, inlined
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.integer]
@@ -127,7 +127,7 @@ def _find(
     return count
 
 
-@compiled
+@device
 def _range_of(points: Array) -> tuple[float, float]:
     low, high = points[0, 0], points[0, 0]
     for p in points:
@@ -135,7 +135,7 @@ def _range_of(points: Array) -> tuple[float, float]:
     return low, max(high - low, 1e-6) / BINS
 
 
-@compiled
+@device
 def _sort_into_bins(
     points: Array,
     triangles: IntArray,
@@ -160,9 +160,9 @@ def _sort_into_bins(
             start[k + 1] += 1
     for k in range(BINS):
         start[k + 1] += start[k]
+        fill[k] = start[k]
     if len(items) < start[BINS]:
         items, box = np.empty(start[BINS], np.uint32), np.empty((start[BINS], 3))
-    fill[:] = start
     for t in range(len(triangles)):
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         lowest = min(sign * points[a, 1], sign * points[b, 1], sign * points[c, 1])

@@ -15,7 +15,7 @@ from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
 from .head import Head
-from .jit import compiled
+from .jit import compiled, device
 from .layouts import Fold
 from .marks import Marks
 from .regions import Placed, check_factors, place_regions
@@ -122,7 +122,7 @@ def _relief(placed: Placed) -> Array:
     return -0.5 * share * np.cos(2.0 * np.pi * phase)
 
 
-@compiled
+@device
 def fold_height(width: float, stretch: float, give: float) -> float:
     """Return the height in mm of the fold in which skin keeps its length.
 
