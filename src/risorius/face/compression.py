@@ -17,8 +17,10 @@ import scipy.sparse as sp
 from .head import Head
 from .jit import compiled_fast, inlined
 from .marks import smooth
+from .products import ShortArray, short
 
 Array = npt.NDArray[np.float64]
+Array32 = npt.NDArray[np.float32]
 IntArray = npt.NDArray[np.uint32]
 
 STRETCHED = 1.05  # stretch beyond this does not make up for compression beside it
@@ -55,8 +57,8 @@ class Compression:
     zone: IntArray
     side: Array
     start: IntArray
-    column: IntArray
-    weight: Array
+    column: ShortArray
+    weight: Array32
     row_zone: IntArray
     row_vertex: IntArray
     row_side: Array
@@ -80,8 +82,8 @@ class Compression:
             np.repeat(np.arange(len(parts)), sizes).astype(np.uint32),
             np.concatenate([p.side for p in parts]),
             rows.indptr.astype(np.uint32),
-            rows.indices.astype(np.uint32),
-            rows.data.astype(np.float64),
+            short(rows.indices),
+            rows.data.astype(np.float32),
             np.repeat(np.arange(len(parts)), [len(p.vertices) for p in parts]).astype(np.uint32),
             vertices.astype(np.uint32),
             fine_left[vertices],
@@ -216,8 +218,8 @@ def _measure(
     zone: IntArray,
     side: Array,
     start: IntArray,
-    column: IntArray,
-    weight: Array,
+    column: ShortArray,
+    weight: Array32,
     row_zone: IntArray,
     row_side: Array,
     skin: Array,

@@ -119,7 +119,7 @@ def _keep_out(
                 continue
             clearance = min(BETWEEN, np.sqrt(square) - LONG)
         ax, ay, az = _to_row(skin, a, turn, hinge)
-        bx, by, bz = _to_row(skin, b, turn, hinge)
+        bx, by, bz = (ax, ay, az) if a == b else _to_row(skin, b, turn, hinge)
         x, row, out = 0.5 * (ax + bx), (0.5 * (ay + by) - middle[1]) / ROW, 0.5 * (az + bz) - middle[0]
         far, beyond = np.sqrt(x * x + out * out), max(0.0, -row, row - front.shape[1] + 1.0)
         row = min(max(row, 0.0), last)

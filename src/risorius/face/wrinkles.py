@@ -58,8 +58,8 @@ class Wrinkles:
         """Write the `heights` (N1, R) in mm of folds on the level-0 skin (N0, 3), and raise `fine` (N1, 3).
 
         `fine` is moved along its normals by the bulges and by the part of the folds that the mesh can carry.
+        Of `heights`, 0 to begin with, only those are written that can be others: a tenth of a large array.
         """
-        heights[:] = 0.0
         self._lift[:] = 0.0
         rows = self._compression
         rows.measure(skin, self._stretch)
@@ -153,8 +153,7 @@ def _fold(
         static, cap = law[z, 3], law[z, 4]
         moving = law[z, 2] * fold_height(law[z, 0], stretch[r], law[z, 1])
         kept = static * min(1.0, max(0.0, 1.0 - (stretch[r] - 1.0) / OPENED))
-        if moving + kept > 0.0:
-            heights[v, z] = mask[r] * cap * np.tanh((moving + kept) / cap)
+        heights[v, z] = mask[r] * cap * np.tanh((moving + kept) / cap) if moving + kept > 0.0 else 0.0
         if moving > 0.0 and relief[r] != 0.0:
             lift[v] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
 
@@ -164,6 +163,10 @@ def _steps(
     vertices: IntArray, start: IntArray, around: IntArray, lift: Array, fine: Array, out: Array
 ) -> None:
     for k in range(len(vertices)):
+        far = lift[vertices[k]]
+        if far == 0.0:
+            out[k, 0], out[k, 1], out[k, 2] = 0.0, 0.0, 0.0
+            continue
         x, y, z = 0.0, 0.0, 0.0
         for f in range(start[k], start[k + 1]):
             p, q, r, s = around[f, 0], around[f, 1], around[f, 2], around[f, 3]
@@ -172,7 +175,7 @@ def _steps(
             x += ay * bz - az * by
             y += az * bx - ax * bz
             z += ax * by - ay * bx
-        far = lift[vertices[k]] / np.sqrt(x * x + y * y + z * z + 1e-12)
+        far /= np.sqrt(x * x + y * y + z * z + 1e-12)
         out[k, 0], out[k, 1], out[k, 2] = far * x, far * y, far * z
 
 
