@@ -20,7 +20,6 @@ from .marks import smooth
 from .products import ShortArray, short
 
 Array = npt.NDArray[np.float64]
-Array32 = npt.NDArray[np.float32]
 IntArray = npt.NDArray[np.uint32]
 
 STRETCHED = 1.05  # stretch beyond this does not make up for compression beside it
@@ -58,7 +57,7 @@ class Compression:
     side: Array
     start: IntArray
     column: ShortArray
-    weight: Array32
+    weight: Array
     row_zone: IntArray
     row_vertex: IntArray
     row_side: Array
@@ -83,7 +82,7 @@ class Compression:
             np.concatenate([p.side for p in parts]),
             rows.indptr.astype(np.uint32),
             short(rows.indices),
-            rows.data.astype(np.float32),
+            rows.data.astype(np.float64),
             np.repeat(np.arange(len(parts)), [len(p.vertices) for p in parts]).astype(np.uint32),
             vertices.astype(np.uint32),
             fine_left[vertices],
@@ -219,7 +218,7 @@ def _measure(
     side: Array,
     start: IntArray,
     column: ShortArray,
-    weight: Array32,
+    weight: Array,
     row_zone: IntArray,
     row_side: Array,
     skin: Array,
