@@ -99,8 +99,8 @@ class FaceSolver:
         self._phases = phases
         self._stiffening = self._second_phase()
         self._lids = both_lids(head)
-        self._lips = Lips(head)
-        self._teeth = Teeth.of(head)
+        self._lips = Lips(head, self.jaw)
+        self._teeth = Teeth.of(head, self.jaw)
         self._tongue = TongueShapes.of(head)
         self._wrinkles = Wrinkles(head, age, wrinkles)
         self._refine = Rows.of(head.skin.matrix)
