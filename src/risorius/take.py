@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
 from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property, partial
 from itertools import repeat
@@ -39,17 +37,6 @@ Progress = Callable[..., None]
 
 def quiet(stage: str, done: int = 0, total: int = 0) -> None:
     """Say nothing."""
-
-
-@contextmanager
-def _announced_if_slow(progress: Progress) -> Iterator[None]:
-    """Say that code is being compiled if the first frame takes long: only then is it."""
-    timer = threading.Timer(4.0, progress, ["Compiling the face and the renderer (once, about 20 s) …"])
-    timer.start()
-    try:
-        yield
-    finally:
-        timer.cancel()
 
 
 @dataclass
@@ -164,9 +151,10 @@ class Take:
         look = self.settings.look
         subject = Subject(self.performance, self.utterance)
         overlays = Overlays(look.overlay, subject, size or self.settings.size)
-        with _announced_if_slow(progress):
-            with compiled_ahead(look.style):
-                first = next(self.faces([0]))
+        compiling = partial(progress, "Compiling the face and the renderer (once, about 25 s) …")
+        with compiled_ahead(look.style, compiling) as compiled:
+            first = next(self.faces([0]))
+            compiled()
             renderer = picture_renderer(self.head, overlays.picture_size, look)
             renderer.render(first)
         kept_down = self._kept_down(chosen) if look.style == "muscles" else repeat(None)

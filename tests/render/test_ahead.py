@@ -1,3 +1,4 @@
+import gc
 from dataclasses import fields
 
 import numpy as np
@@ -29,33 +30,51 @@ def started(monkeypatch, tmp_path):
     return found
 
 
-def test_what_is_not_compiled_is_and_waited_for(started):
-    with ahead.compiled_ahead("realistic"):
+@pytest.fixture
+def announced():
+    """What is said, one entry each time."""
+    return []
+
+
+def first_picture(style, announced):
+    with ahead.compiled_ahead(style, lambda: announced.append(style)) as compiled:
+        compiled()
+
+
+def test_what_is_not_compiled_is_said_compiled_and_waited_for(started, announced):
+    with ahead.compiled_ahead("realistic", lambda: announced.append("said")) as compiled:
         assert started[0].done == []
-    assert started[0].done[0] == "waited"
+        compiled()
+        assert started[0].done == ["waited"]
+    assert announced == ["said"]
 
 
-def test_a_block_that_fails_waits_for_nobody(started):
-    with pytest.raises(KeyError), ahead.compiled_ahead("clay"):
+def test_a_block_that_fails_waits_for_nobody_and_leaves_no_mark(started, announced):
+    with pytest.raises(KeyError), ahead.compiled_ahead("clay", list):
         raise KeyError
     assert started[0].done[0] == "killed"
+    first_picture("clay", announced)
+    assert announced == ["clay"]
 
 
-def test_what_is_compiled_is_not_compiled_again(started, tmp_path):
-    ahead._mark("muscles").touch()
-    with ahead.compiled_ahead("clay"):
-        pass
-    assert started == []
-    with ahead.compiled_ahead("realistic"):
-        pass
-    assert len(started) == 1
+def test_what_is_compiled_is_not_compiled_again(started, announced):
+    for style in ("muscles", "clay", "realistic", "realistic"):
+        first_picture(style, announced)
+    assert announced == ["muscles", "realistic"]
+    assert len(started) == 2
 
 
-def test_one_processor_compiles_in_one_process(started, monkeypatch):
+def test_one_processor_compiles_in_one_process(started, announced, monkeypatch):
     monkeypatch.setattr(ahead, "processors", lambda: 1)
-    with ahead.compiled_ahead("realistic"):
-        pass
+    first_picture("realistic", announced)
     assert started == []
+    assert announced == ["realistic"]
+
+
+def test_garbage_is_collected_again_afterwards(started):
+    with ahead.compiled_ahead("clay", list):
+        assert not gc.isenabled()
+    assert gc.isenabled()
 
 
 def test_the_face_at_rest_needs_the_same_kernels_as_one_that_is_solved(head, face):

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from .compression import Compression, Zone
 from .head import Head
-from .jit import compiled
+from .jit import compiled, device
 from .layouts import spot
 from .marks import Marks
 from .tables import build, read_table
@@ -86,7 +86,7 @@ def _pull(bulge: Bulge, head: Head) -> Array:
     return pull
 
 
-@compiled
+@device
 def bulge_height(area: float, depth: float, cap: float) -> float:
     """Return by how many mm flesh of `depth` mm swells when its area shrinks to the share `area`.
 

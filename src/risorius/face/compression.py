@@ -17,6 +17,7 @@ import scipy.sparse as sp
 from .head import Head
 from .jit import compiled_fast, inlined
 from .marks import smooth
+from .products import ShortArray, short
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.uint32]
@@ -55,7 +56,7 @@ class Compression:
     zone: IntArray
     side: Array
     start: IntArray
-    column: IntArray
+    column: ShortArray
     weight: Array
     row_zone: IntArray
     row_vertex: IntArray
@@ -80,7 +81,7 @@ class Compression:
             np.repeat(np.arange(len(parts)), sizes).astype(np.uint32),
             np.concatenate([p.side for p in parts]),
             rows.indptr.astype(np.uint32),
-            rows.indices.astype(np.uint32),
+            short(rows.indices),
             rows.data.astype(np.float64),
             np.repeat(np.arange(len(parts)), [len(p.vertices) for p in parts]).astype(np.uint32),
             vertices.astype(np.uint32),
@@ -216,7 +217,7 @@ def _measure(
     zone: IntArray,
     side: Array,
     start: IntArray,
-    column: IntArray,
+    column: ShortArray,
     weight: Array,
     row_zone: IntArray,
     row_side: Array,

@@ -13,15 +13,16 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from .jit import compiled, inlined
+from .jit import compiled, device, inlined
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.integer]
+Grid = tuple[float, float, float, float]
 
-BINS = 96
-ITEMS = 16  # in bins, for each vertex that may touch: more than lips have
+COLUMNS, ROWS = 48, 32  # of cells over x and z
+ITEMS = 24  # in cells, for each vertex that may touch: more than lips have
 EDGE = 1e-9  # of a triangle, beyond it, that still belongs to it
-SPILL = 1e-6  # of a triangle's extent, beyond it, that is looked at: more than EDGE
+SPILL = 1e-6  # of a cell, beyond a triangle, that is looked at: more than EDGE
 
 
 class Facing(NamedTuple):
@@ -37,25 +38,26 @@ class Facing(NamedTuple):
     lower: IntArray
 
 
-class Bins(NamedTuple):
-    """Workspace for triangles sorted by x: each one's first and last bin `span` (m, 2), where a bin's items
-    `start` and are to `fill` (BINS + 1,), `items` and their `box` (i, 3). More are made room for when needed.
+class Cells(NamedTuple):
+    """Workspace for triangles sorted into cells of the (x, z) plane; more room is made where it is needed.
+
+    `span` (m, 4) is each triangle's first and last column and row, `shape` (m, 8) what tells whether it
+    covers a place: its lowest height, x and z of its first corner, of the ways to the second and third, and
+    twice its area. A cell's `items` start and end at `start` (COLUMNS · ROWS + 1,), filled up to `fill`.
     """
 
     span: npt.NDArray[np.int32]
+    shape: Array
     start: npt.NDArray[np.int32]
     fill: npt.NDArray[np.int32]
     items: IntArray
-    box: Array
 
     @classmethod
-    def room_for(cls, count: int) -> Bins:
+    def room_for(cls, count: int) -> Cells:
         """Allocate for the triangles among `count` vertices."""
-        start, fill = np.zeros(BINS + 1, np.int32), np.zeros(BINS + 1, np.int32)
-        items = ITEMS * count
-        return cls(
-            np.zeros((items, 2), np.int32), start, fill, np.zeros(items, np.uint32), np.zeros((items, 3))
-        )
+        start, fill = np.zeros(COLUMNS * ROWS + 1, np.int32), np.zeros(COLUMNS * ROWS + 1, np.int32)
+        most = ITEMS * count
+        return cls(np.zeros((most, 4), np.int32), np.zeros((most, 8)), start, fill, np.zeros(most, np.uint32))
 
 
 class Contacts(NamedTuple):
@@ -69,15 +71,15 @@ class Contacts(NamedTuple):
     weight: Array
     gap: Array
     x: Array
-    upper: Bins
-    lower: Bins
+    upper: Cells
+    lower: Cells
 
     @classmethod
     def room_for(cls, count: int) -> Contacts:
         """Allocate for `count` contacts."""
         points, weight = np.zeros((count, 4), np.uint32), np.zeros((count, 4))
         return cls(
-            points, weight, np.zeros(count), np.zeros(count), Bins.room_for(count), Bins.room_for(count)
+            points, weight, np.zeros(count), np.zeros(count), Cells.room_for(count), Cells.room_for(count)
         )
 
 
@@ -99,23 +101,23 @@ def _find(
     out_weight: Array,
     out_gap: Array,
     out_x: Array,
-    upper_bins: Bins,
-    lower_bins: Bins,
+    upper_cells: Cells,
+    lower_cells: Cells,
 ) -> int:
-    low, width = _range_of(points)
-    upper_start, upper_items, upper_box = _sort_into_bins(points, upper, low, width, 1.0, upper_bins)
-    lower_start, lower_items, lower_box = _sort_into_bins(points, lower, low, width, -1.0, lower_bins)
+    grid = _grid_of(points)
+    upper_start, upper_items, upper_shape = _sort_into_cells(points, upper, grid, 1.0, upper_cells)
+    lower_start, lower_items, lower_shape = _sort_into_cells(points, lower, grid, -1.0, lower_cells)
     count = 0
     for k in range(len(vertices)):
         v = vertices[k]
-        k_bin = min(max(int((points[v, 0] - low) / width), 0), BINS - 1)
+        cell = _column(points[v, 0], grid) * ROWS + _row(points[v, 2], grid)
         if above[k]:
-            sign, faces, box = -1.0, lower, lower_box
+            sign, faces, shape = -1.0, lower, lower_shape
             start, items = lower_start, lower_items
         else:
-            sign, faces, box = 1.0, upper, upper_box
+            sign, faces, shape = 1.0, upper, upper_shape
             start, items = upper_start, upper_items
-        t, y, wb, wc = _cover(v, sign, reach, points, faces, box, items, start[k_bin], start[k_bin + 1])
+        t, y, wb, wc = _cover(v, sign, reach, points, faces, shape, items, start[cell], start[cell + 1])
         if t < 0:
             continue
         out_points[count, 0], out_weight[count, 0] = v, -sign
@@ -127,53 +129,71 @@ def _find(
     return count
 
 
-@compiled
-def _range_of(points: Array) -> tuple[float, float]:
-    low, high = points[0, 0], points[0, 0]
+@device
+def _grid_of(points: Array) -> Grid:
+    """Return the least x and z of `points` (n, 3), and how many columns and rows go into one mm."""
+    west, east, back, front = points[0, 0], points[0, 0], points[0, 2], points[0, 2]
     for p in points:
-        low, high = min(low, p[0]), max(high, p[0])
-    return low, max(high - low, 1e-6) / BINS
+        west, east = min(west, p[0]), max(east, p[0])
+        back, front = min(back, p[2]), max(front, p[2])
+    return west, COLUMNS / max(east - west, 1e-6), back, ROWS / max(front - back, 1e-6)
 
 
-@compiled
-def _sort_into_bins(
-    points: Array,
-    triangles: IntArray,
-    low: float,
-    width: float,
-    sign: float,
-    work: Bins,
+@device
+def _column(x: float, grid: Grid) -> int:
+    return min(max(int((x - grid[0]) * grid[1]), 0), COLUMNS - 1)
+
+
+@device
+def _row(z: float, grid: Grid) -> int:
+    return min(max(int((z - grid[2]) * grid[3]), 0), ROWS - 1)
+
+
+@device
+def _sort_into_cells(
+    points: Array, triangles: IntArray, grid: Grid, sign: float, work: Cells
 ) -> tuple[IntArray, IntArray, Array]:
-    """Return start (BINS + 1,) and items: the triangles that meet each bin of `width` mm from x = `low`.
+    """Return start (COLUMNS · ROWS + 1,) and items: the triangles that meet each cell of the `grid`.
 
-    And the box (items, 3) of every item: least `sign` times y, least and largest z.
+    And the `shape` (m, 8) of every triangle, its lowest height being the least `sign` times y.
     """
-    bins, start, fill, items, box = work
-    if len(bins) < len(triangles):
-        bins = np.empty((len(triangles), 2), np.int32)
+    span, shape, start, fill, items = work
+    if len(span) < len(triangles):
+        span, shape = np.empty((len(triangles), 4), np.int32), np.empty((len(triangles), 8))
     start[:] = 0
-    for t in range(len(triangles)):
-        a, b, c = points[triangles[t, 0], 0], points[triangles[t, 1], 0], points[triangles[t, 2], 0]
-        bins[t, 0] = min(max(int((min(a, b, c) - low) / width), 0), BINS - 1)
-        bins[t, 1] = min(max(int((max(a, b, c) - low) / width), 0), BINS - 1)
-        for k in range(bins[t, 0], bins[t, 1] + 1):
-            start[k + 1] += 1
-    for k in range(BINS):
-        start[k + 1] += start[k]
-    if len(items) < start[BINS]:
-        items, box = np.empty(start[BINS], np.uint32), np.empty((start[BINS], 3))
-    fill[:] = start
+    room = SPILL / grid[3]
     for t in range(len(triangles)):
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        lowest = min(sign * points[a, 1], sign * points[b, 1], sign * points[c, 1])
-        back = min(points[a, 2], points[b, 2], points[c, 2])
-        front = max(points[a, 2], points[b, 2], points[c, 2])
-        room = SPILL * (front - back)
-        for k in range(bins[t, 0], bins[t, 1] + 1):
-            items[fill[k]] = t
-            box[fill[k], 0], box[fill[k], 1], box[fill[k], 2] = lowest, back - room, front + room
-            fill[k] += 1
-    return start, items, box
+        _measure(points, a, b, c, sign, shape[t])
+        span[t, 0] = _column(min(points[a, 0], points[b, 0], points[c, 0]), grid)
+        span[t, 1] = _column(max(points[a, 0], points[b, 0], points[c, 0]), grid)
+        span[t, 2] = _row(min(points[a, 2], points[b, 2], points[c, 2]) - room, grid)
+        span[t, 3] = _row(max(points[a, 2], points[b, 2], points[c, 2]) + room, grid)
+        for column in range(span[t, 0], span[t, 1] + 1):
+            for cell in range(column * ROWS + span[t, 2], column * ROWS + span[t, 3] + 1):
+                start[cell + 1] += 1
+    for cell in range(COLUMNS * ROWS):
+        start[cell + 1] += start[cell]
+        fill[cell] = start[cell]
+    if len(items) < start[COLUMNS * ROWS]:
+        items = np.empty(start[COLUMNS * ROWS], np.uint32)
+    for t in range(len(triangles)):
+        for column in range(span[t, 0], span[t, 1] + 1):
+            for cell in range(column * ROWS + span[t, 2], column * ROWS + span[t, 3] + 1):
+                items[fill[cell]] = t
+                fill[cell] += 1
+    return start, items, shape
+
+
+@inlined
+def _measure(points: Array, a: int, b: int, c: int, sign: float, out: Array) -> None:
+    """Write the shape (8,) of the triangle with the corners a, b, c; a flat one covers nothing."""
+    x, z = points[a, 0], points[a, 2]
+    ux, uz, vx, vz = points[b, 0] - x, points[b, 2] - z, points[c, 0] - x, points[c, 2] - z
+    area = ux * vz - uz * vx
+    lowest = min(sign * points[a, 1], sign * points[b, 1], sign * points[c, 1])
+    out[0], out[1], out[2] = lowest if abs(area) >= EDGE else np.inf, x, z
+    out[3], out[4], out[5], out[6], out[7] = ux, uz, vx, vz, area
 
 
 @inlined
@@ -183,7 +203,7 @@ def _cover(
     reach: float,
     points: Array,
     triangles: IntArray,
-    box: Array,
+    shape: Array,
     items: IntArray,
     first: int,
     last: int,
@@ -191,27 +211,26 @@ def _cover(
     """Return the triangle over vertex v with the lowest y (`sign` 1) or the highest (−1), `sign` times that
     y, and the weights of its last two corners; −1 where none is nearer than `reach` along y.
 
-    `box` tells beforehand which of the `items` from `first` to `last` cannot be that triangle.
+    The `items` from `first` to `last` are looked at, with the `shape` of each.
     """
     x, z = points[v, 0], points[v, 2]
     found, best, weight_b, weight_c = -1, sign * points[v, 1] + reach, 0.0, 0.0
     for k in range(first, last):
-        if box[k, 0] >= best or z < box[k, 1] or z > box[k, 2]:
-            continue
         t = items[k]
-        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        if v in (a, b, c):
+        if shape[t, 0] >= best:
             continue
-        ux, uz = points[b, 0] - points[a, 0], points[b, 2] - points[a, 2]
-        vx, vz = points[c, 0] - points[a, 0], points[c, 2] - points[a, 2]
-        area = ux * vz - uz * vx
-        if abs(area) < EDGE:
+        px, pz = x - shape[t, 1], z - shape[t, 2]
+        area = shape[t, 7]
+        # Most miss, and a quotient is dear: signs and sizes say as much.
+        turn, size = np.copysign(1.0, area), abs(area)
+        b, c = turn * (px * shape[t, 6] - pz * shape[t, 5]), turn * (shape[t, 3] * pz - shape[t, 4] * px)
+        if b < -EDGE * size or c < -EDGE * size or b + c > (1.0 + EDGE) * size:
             continue
-        px, pz = x - points[a, 0], z - points[a, 2]
-        wb, wc = (px * vz - pz * vx) / area, (ux * pz - uz * px) / area
-        if wb < -EDGE or wc < -EDGE or wb + wc > 1.0 + EDGE:
+        p, q, r = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        if v in (p, q, r):
             continue
-        y = sign * (points[a, 1] + wb * (points[b, 1] - points[a, 1]) + wc * (points[c, 1] - points[a, 1]))
+        wb, wc = b / size, c / size
+        y = sign * (points[p, 1] + wb * (points[q, 1] - points[p, 1]) + wc * (points[r, 1] - points[p, 1]))
         if y < best:
             found, best, weight_b, weight_c = t, y, wb, wc
     return found, best, weight_b, weight_c

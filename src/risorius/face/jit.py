@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
 import numba
+from numba.extending import register_jitable
 
 from ..compile_cache import use_own_folder
 
@@ -16,14 +17,23 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 def compiled(function: F) -> F:
     """Compile a function for one thread, kept on disk; its arithmetic is not rearranged."""
-    return cast(F, numba.njit(cache=True, nogil=True, error_model="numpy")(function))
+    return _kernel(function)
 
 
 def compiled_fast(function: F) -> F:
     """Compile a function whose sums may be rearranged into vectors."""
-    return cast(
-        F, numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "reassoc"})(function)
-    )
+    return _kernel(function, fastmath={"contract", "reassoc"})
+
+
+def _kernel(function: F, **options: Any) -> F:
+    # Nobody takes the way in for C, and the first run would wait for it.
+    jit = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, **options)
+    return cast(F, jit(function))
+
+
+def device(function: F) -> F:
+    """Let kernels call a function, compiled with them and kept within them; Python calls it as it stands."""
+    return cast(F, register_jitable(error_model="numpy", no_cfunc_wrapper=True)(function))
 
 
 def inlined(function: F) -> F:

@@ -19,7 +19,7 @@ import scipy.sparse as sp
 
 from ..core.parameters import INDEX
 from .head import Head
-from .jit import compiled, inlined
+from .jit import compiled, device, inlined
 from .plate import nearby, response, stiffness
 from .products import Rows, carry
 
@@ -216,7 +216,7 @@ def _turn(skin: Array, vertices: IntArray, rest: Array, stroke: Array, share: fl
         skin[v, 2] = centre[2] + grow * (z * cosine - y * sine)
 
 
-@compiled
+@device
 def _limited(way: float, gone: float) -> float:
     """Return what is left of a `way` for skin that others have `gone` along: as of two parallel pulls."""
     if way * gone <= 1e-12:

@@ -128,6 +128,8 @@ def _load(path: Path, _changed: int) -> tuple[Link, ...]:
 
 @compiled
 def _apply(first: IntArray, second: IntArray, weight: Array, values: Array, out: Array) -> None:
-    out[:] = values
+    # Not as a slice: what numba compiles to say that lengths differ is more than all the rest.
+    for k in range(len(values)):
+        out[k] = values[k]
     for k in range(len(weight)):
         out[second[k]] = max(out[second[k]], weight[k] * values[first[k]])

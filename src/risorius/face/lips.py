@@ -13,6 +13,7 @@ import scipy.sparse as sp
 from .complementarity import Gaps, Workspace, settle
 from .contact import Contacts, find_contacts, narrowest
 from .head import Head
+from .jaw import Jaw
 from .mouth import OVERLAP, Mouth, TeethEdge
 from .plate import Response, nearby, response, stiffness
 from .products import Rows, carry, carry_upwards
@@ -55,8 +56,8 @@ class Handles:
 class Lips:
     """The lips' constraints of one head, with the workspace of one solver (not for two threads at once)."""
 
-    def __init__(self, head: Head) -> None:
-        mouth = Mouth.of(head)
+    def __init__(self, head: Head, jaw: Jaw | None = None) -> None:
+        mouth = Mouth.of(head, jaw)
         rest: Array = mouth.matrix @ head.rest
         self._plate = response(stiffness(len(head.rest), head.quads), mouth.matrix, nearby(head.rest, rest))
         self._facing = mouth.facing

@@ -22,7 +22,9 @@ Array = npt.NDArray[np.float64]
 Drive = Callable[[Array], Array]
 """All parameters (n, 46) at ascending times (n,) in seconds."""
 
-BLOCK = RATE  # steps whose activations are asked for at once
+# Steps whose activations are asked for at once: few after a jump, and more as time goes on, since asking for
+# many costs little more than asking for one.
+FIRST_BLOCK, LARGEST_BLOCK = RATE, 8 * RATE
 
 
 def between_frames(performance: Performance) -> Drive:
@@ -100,13 +102,14 @@ class Motion:
 
     def _settle_at(self, step: int) -> None:
         self._first, self._step = step, step
-        self._block = self._values_from(step)
+        self._block = self._values_from(step, FIRST_BLOCK)
         self._springs.settle(self._block[0])
 
     def _values(self, step: int) -> Array:
         if step - self._first >= len(self._block):
-            self._first, self._block = step, self._values_from(step)
+            count = min(2 * len(self._block), LARGEST_BLOCK)
+            self._first, self._block = step, self._values_from(step, count)
         return np.asarray(self._block[step - self._first])
 
-    def _values_from(self, step: int) -> Array:
-        return checked_rows(self._drive(np.arange(step, step + BLOCK) / RATE))
+    def _values_from(self, step: int, count: int) -> Array:
+        return checked_rows(self._drive(np.arange(step, step + count) / RATE))

@@ -37,8 +37,11 @@ class Mouth:
     line: Array
 
     @classmethod
-    def of(cls, head: Head) -> Mouth:
-        """Find the two surfaces about the lip pairs of `head`, and where they meet at rest."""
+    def of(cls, head: Head, jaw: Jaw | None = None) -> Mouth:
+        """Find the two surfaces about the lip pairs of `head`, and where they meet at rest.
+
+        Its jaw may be given if it is there already.
+        """
         meeting = head.rest[head.lip_pairs].mean(axis=1)
         inside = head.skin.matrix @ np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > 0.3
         near = cKDTree(meeting).query(head.skin.matrix @ head.rest)[0] < REACH
@@ -47,7 +50,7 @@ class Mouth:
         points = matrix @ head.rest
         above = matrix @ head.jaw_weight < 0.5
         facing = _without_overlap(_facing(patch, head.skin.triangles, above), points)
-        jaw, still, carried = Jaw.of(head), np.zeros_like(head.rest), np.empty_like(head.rest)
+        jaw, still, carried = jaw or Jaw.of(head), np.zeros_like(head.rest), np.empty_like(head.rest)
         for opening in OPENINGS:
             jaw.carry_skin(head.rest, still, opening, carried)
             facing = _without_overlap(facing, matrix @ carried)

@@ -20,6 +20,7 @@ from .roots import inverse_cube_root
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.uint32]
+ByteArray = npt.NDArray[np.uint8]
 Bits = npt.NDArray[np.uint64]
 
 # These do not act by a field on the skin at rest: the jaw is a frame, the lids slide over the eyeball.
@@ -43,9 +44,9 @@ class MuscleFields:
     """
 
     start: IntArray
-    parameter: IntArray
-    source: IntArray
-    muscle: IntArray
+    parameter: ByteArray
+    source: ByteArray
+    muscle: ByteArray
     displacement: Array
     acting: Bits
 
@@ -67,9 +68,9 @@ class MuscleFields:
         np.bitwise_or.at(bits, vertex, np.left_shift(np.uint64(1), parameter.astype(np.uint64)))
         return cls(
             start.astype(np.uint32),
-            parameter[order].astype(np.uint32),
-            source[order].astype(np.uint32),
-            muscle[order].astype(np.uint32),
+            parameter[order].astype(np.uint8),
+            source[order].astype(np.uint8),
+            muscle[order].astype(np.uint8),
             np.concatenate([field.displacement for field in fields])[order],
             bits,
         )
@@ -109,7 +110,7 @@ class MuscleFields:
         if changed:
             _displace(*self._arrays(), values, _bits(values), changed, out)
 
-    def _arrays(self) -> tuple[IntArray, IntArray, IntArray, IntArray, Array, Bits]:
+    def _arrays(self) -> tuple[IntArray, ByteArray, ByteArray, ByteArray, Array, Bits]:
         return self.start, self.parameter, self.source, self.muscle, self.displacement, self.acting
 
 
@@ -132,6 +133,7 @@ class Displaced:
 MOST = 32  # entries of one vertex, at least
 # mm by which two muscles together may move a vertex further than the larger alone, and up to which freely.
 EXCESS, FREE_EXCESS = 1.75, 1.3
+_PULL = 8  # columns for a pull, a cache line: its three components, and scratch
 NOTHING = 1e-9  # mm: a pull this small is as long as none, and its cube would be too small a number
 _EVERY = np.uint64(2**64 - 1)
 
@@ -160,9 +162,9 @@ def _bits_of_changes(before: Array, values: Array) -> np.uint64:
 @compiled_fast
 def _displace(
     start: IntArray,
-    parameter: IntArray,
-    source: IntArray,
-    muscle: IntArray,
+    parameter: ByteArray,
+    source: ByteArray,
+    muscle: ByteArray,
     displacement: Array,
     acting: Bits,
     values: Array,
@@ -170,7 +172,7 @@ def _displace(
     changed: np.uint64,
     out: Array,
 ) -> None:
-    entries, pulls, lengths = np.empty(MOST, np.uint32), np.empty((MOST, 3)), np.empty(MOST)
+    entries, pulls = np.empty(MOST, np.uint32), np.empty((MOST, _PULL))
     for v in range(len(out)):
         if not acting[v] & changed:
             continue
@@ -181,70 +183,77 @@ def _displace(
         for e in range(start[v], start[v + 1]):
             entries[count] = e
             count += values[parameter[e]] > 0.0
-        if count == 1:
-            e = entries[0]
-            activation = values[parameter[e]]
-            for c in range(3):
-                out[v, c] = activation * displacement[e, c]
+        sources = _gather(entries, count, parameter, source, displacement, values, pulls)
+        if sources > 1:
+            _limited_sum(pulls, sources, v, out)
         else:
-            _join(entries, count, parameter, source, muscle, displacement, values, pulls, lengths, v, out)
+            out[v, 0], out[v, 1], out[v, 2] = pulls[0, 0], pulls[0, 1], pulls[0, 2]
+        square = out[v, 0] * out[v, 0] + out[v, 1] * out[v, 1] + out[v, 2] * out[v, 2]
+        if square > FREE_EXCESS * FREE_EXCESS:
+            _cap(entries, count, parameter, muscle, displacement, values, np.sqrt(square), v, out)
 
 
 @inlined
-def _join(
+def _gather(
     entries: IntArray,
     count: int,
-    parameter: IntArray,
-    source: IntArray,
-    muscle: IntArray,
+    parameter: ByteArray,
+    source: ByteArray,
     displacement: Array,
     values: Array,
     pulls: Array,
-    lengths: Array,
-    v: int,
-    out: Array,
-) -> None:
-    """Write to `out[v]` what the first `count` of `entries` do together; `pulls`, `lengths` are scratch."""
-    sources, muscles, last, last_muscle = 0, 0, source[entries[0]] + 1, muscle[entries[0]] + 1
-    total, largest = 0.0, 0.0
-    x, y, z = 0.0, 0.0, 0.0
-    for k in range(count):
+) -> int:
+    """Write what each source among the first `count` of `entries` does to `pulls`; return how many do."""
+    e = entries[0]
+    last, s, activation = source[e], 0, values[parameter[e]]
+    for c in range(3):
+        pulls[0, c] = activation * displacement[e, c]
+    for k in range(1, count):
         e = entries[k]
-        if source[e] != last:
-            last, sources = source[e], sources + 1
-            for c in range(3):
-                pulls[sources - 1, c] = 0.0
-        if muscle[e] != last_muscle:
-            length = np.sqrt(x * x + y * y + z * z)
-            total, largest = total + length, max(largest, length)
-            last_muscle, muscles = muscle[e], muscles + 1
-            x, y, z = 0.0, 0.0, 0.0
         activation = values[parameter[e]]
-        dx, dy, dz = (
-            activation * displacement[e, 0],
-            activation * displacement[e, 1],
-            activation * displacement[e, 2],
-        )
-        x, y, z = x + dx, y + dy, z + dz
-        pulls[sources - 1, 0] += dx
-        pulls[sources - 1, 1] += dy
-        pulls[sources - 1, 2] += dz
-    _limited_sum(pulls, lengths, sources, v, out)
-    if muscles > 1:
-        length = np.sqrt(x * x + y * y + z * z)
-        _cap(v, out, total + length, max(largest, length))
+        if source[e] != last:
+            last, s = source[e], s + 1
+            for c in range(3):
+                pulls[s, c] = activation * displacement[e, c]
+        else:
+            for c in range(3):
+                pulls[s, c] += activation * displacement[e, c]
+    return s + 1
 
 
 @inlined
-def _cap(v: int, out: Array, total: float, largest: float) -> None:
-    """Shorten `out[v]` where it is much longer than the `largest` of the muscles' displacements.
+def _cap(
+    entries: IntArray,
+    count: int,
+    parameter: ByteArray,
+    muscle: ByteArray,
+    displacement: Array,
+    values: Array,
+    length: float,
+    v: int,
+    out: Array,
+) -> None:
+    """Shorten `out[v]`, `length` mm long, where it is much longer than the largest of the displacements of
+    the muscles that have the first `count` of `entries`.
 
-    `total` is the sum of their lengths: of n equal ones the last n − 1 may each add up to EXCESS mm.
+    Of n equal ones the last n − 1 may each add up to EXCESS mm.
     """
-    length = np.sqrt(out[v, 0] * out[v, 0] + out[v, 1] * out[v, 1] + out[v, 2] * out[v, 2])
-    if length <= largest + FREE_EXCESS:
+    total, largest, own = 0.0, 0.0, 0.0
+    x, y, z = 0.0, 0.0, 0.0
+    for k in range(count):
+        e = entries[k]
+        if k > 0 and muscle[e] != muscle[entries[k - 1]]:
+            total, largest = total + own, max(largest, own)
+            x, y, z = 0.0, 0.0, 0.0
+        activation = values[parameter[e]]
+        x += activation * displacement[e, 0]
+        y += activation * displacement[e, 1]
+        z += activation * displacement[e, 2]
+        own = np.sqrt(x * x + y * y + z * z)
+    if total == 0.0 or length <= max(largest, own) + FREE_EXCESS:
         return
-    others = max(total / largest - 1.0, 1.0) if largest > 0.0 else 1.0
+    total, largest = total + own, max(largest, own)
+    others = max(total / largest - 1.0, 1.0)
     over = length - largest - others * FREE_EXCESS
     if over > 0.0:
         room = others * (EXCESS - FREE_EXCESS)
@@ -254,30 +263,27 @@ def _cap(v: int, out: Array, total: float, largest: float) -> None:
 
 
 @inlined
-def _limited_sum(pulls: Array, lengths: Array, count: int, v: int, out: Array) -> None:
-    """Write to `out[v]` the sum of the first `count` pulls D, each times |D|² / (Σ |D'|³ c²)^⅔ over all D',
-    c the cosine between D and D' where that is positive.
+def _limited_sum(pulls: Array, count: int, v: int, out: Array) -> None:
+    """Write to `out[v]` the sum of the first `count` of `pulls` D, each times |D|² / (Σ |D'|³ c²)^⅔ over all
+    D', c the cosine between D and D' where that is positive.
 
     A pull alone, and pulls at right angles or against each other, are exact; n equal parallel pulls give
-    ∛n times one. Continuous, and the same in every frame of reference. `lengths` is scratch.
+    ∛n times one. Continuous, and the same in every frame of reference. Columns 3 and 4 of `pulls` are
+    scratch: lengths, and Σ |D'| (D·D')² over the others.
     """
+    for m in range(count):
+        square = pulls[m, 0] * pulls[m, 0] + pulls[m, 1] * pulls[m, 1] + pulls[m, 2] * pulls[m, 2]
+        pulls[m, 3], pulls[m, 4] = np.sqrt(square), 0.0
+    for m in range(1, count):
+        for n in range(m):
+            dot = pulls[m, 0] * pulls[n, 0] + pulls[m, 1] * pulls[n, 1] + pulls[m, 2] * pulls[n, 2]
+            along = max(dot, 0.0)
+            pulls[m, 4] += along * along * pulls[n, 3]
+            pulls[n, 4] += along * along * pulls[m, 3]
     x, y, z = 0.0, 0.0, 0.0
     for m in range(count):
-        lengths[m] = np.sqrt(_dot(pulls, m, m))
-    for m in range(count):
-        own, share = lengths[m], 1.0
-        if own > NOTHING:
-            shared = 0.0
-            for n in range(count):
-                if n != m:
-                    along = max(_dot(pulls, m, n), 0.0) / own
-                    shared += along * along * lengths[n]
-            if shared > 0.0:
-                share = inverse_cube_root(1.0 + shared / (own * own * own)) ** 2
+        own, share = pulls[m, 3], 1.0
+        if own > NOTHING and pulls[m, 4] > 0.0:
+            share = inverse_cube_root(1.0 + pulls[m, 4] / (own * own * own * own * own)) ** 2
         x, y, z = x + share * pulls[m, 0], y + share * pulls[m, 1], z + share * pulls[m, 2]
     out[v, 0], out[v, 1], out[v, 2] = x, y, z
-
-
-@inlined
-def _dot(pulls: Array, m: int, n: int) -> float:
-    return float(pulls[m, 0] * pulls[n, 0] + pulls[m, 1] * pulls[n, 1] + pulls[m, 2] * pulls[n, 2])

@@ -15,21 +15,25 @@ from .jit import compiled_fast
 
 Array = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.integer]
+ShortArray = npt.NDArray[np.unsignedinteger]
+
+
+def short(indices: IntArray) -> ShortArray:
+    """Return `indices` in 16 bits if they fit, else in 32: long tables cost the time to fetch them."""
+    return indices.astype(np.uint16 if indices.size == 0 or indices.max() < 1 << 16 else np.uint32)
 
 
 class Rows(NamedTuple):
     """The rows of a sparse matrix (n, m): row i has `weight[start[i]:start[i + 1]]` at `column[…]`."""
 
     start: IntArray
-    column: IntArray
+    column: ShortArray
     weight: Array
 
     @classmethod
     def of(cls, matrix: sp.csr_matrix) -> Rows:
         """Take the rows of a CSR matrix."""
-        return cls(
-            matrix.indptr.astype(np.uint32), matrix.indices.astype(np.uint32), matrix.data.astype(np.float64)
-        )
+        return cls(matrix.indptr.astype(np.uint32), short(matrix.indices), matrix.data.astype(np.float64))
 
     def times(self, points: Array, out: Array) -> Array:
         """Write the product with `points` (m, 3) to `out` (n, 3) and return it."""
@@ -38,7 +42,7 @@ class Rows(NamedTuple):
 
 
 @compiled_fast
-def _times(start: IntArray, column: IntArray, weight: Array, points: Array, out: Array) -> None:
+def _times(start: IntArray, column: ShortArray, weight: Array, points: Array, out: Array) -> None:
     for i in range(len(out)):
         x, y, z = 0.0, 0.0, 0.0
         for e in range(start[i], start[i + 1]):

@@ -99,8 +99,8 @@ class FaceSolver:
         self._phases = phases
         self._stiffening = self._second_phase()
         self._lids = both_lids(head)
-        self._lips = Lips(head)
-        self._teeth = Teeth.of(head)
+        self._lips = Lips(head, self.jaw)
+        self._teeth = Teeth.of(head, self.jaw)
         self._tongue = TongueShapes.of(head)
         self._wrinkles = Wrinkles(head, age, wrinkles)
         self._refine = Rows.of(head.skin.matrix)
@@ -111,10 +111,12 @@ class FaceSolver:
         self._lick = np.zeros_like(self._tongue.rest)
 
     def room(self) -> FrameRoom:
-        """Return room for a frame, which `solve` and `solve_moving` fill: with it they make no new arrays."""
-        teeth, tongue = self.head.teeth_lower.vertices.shape, self._lick.shape
-        shapes = (self._fine.shape, teeth, tongue, self._wrinkles.shape)
-        return FrameRoom(*(np.empty(shape, np.float32) for shape in shapes))
+        """Return room for a frame of this solver, which `solve` and `solve_moving` fill: with it they make no
+        new arrays.
+        """
+        shapes = (self._fine.shape, self.head.teeth_lower.vertices.shape, self._lick.shape)
+        skin, teeth, tongue = (np.empty(shape, np.float32) for shape in shapes)
+        return FrameRoom(skin, teeth, tongue, np.zeros(self._wrinkles.shape, np.float32))
 
     def springs(self) -> Springs:
         """Return a state of the skin in motion; there may be several at once."""

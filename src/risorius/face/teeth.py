@@ -43,8 +43,8 @@ class Teeth:
     jaw: Jaw
 
     @classmethod
-    def of(cls, head: Head) -> Self:
-        """Measure the teeth of `head`."""
+    def of(cls, head: Head, jaw: Jaw | None = None) -> Self:
+        """Measure the teeth of `head`, whose jaw may be given if it is there already."""
         rest = head.skin.matrix @ head.rest
         rows = (head.teeth_upper, head.teeth_lower)
         soft = head.skin.matrix @ np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > 0.3
@@ -55,7 +55,7 @@ class Teeth:
         lining = np.flatnonzero(soft & near)
         spans = _spans(rest, struts(head.skin.quads), lining, crowns)
         places = np.vstack([np.column_stack([lining, lining]), spans]).astype(np.uint32)
-        return cls(Row.of(head.teeth_upper, 1.0), Row.of(head.teeth_lower, -1.0), places, Jaw.of(head))
+        return cls(Row.of(head.teeth_upper, 1.0), Row.of(head.teeth_lower, -1.0), places, jaw or Jaw.of(head))
 
     def keep_out(self, skin: Array, opening: float) -> None:
         """Push the level-1 `skin` (N1, 3) before the teeth in place, with the jaw at `opening` 0..1."""
@@ -119,7 +119,7 @@ def _keep_out(
                 continue
             clearance = min(BETWEEN, np.sqrt(square) - LONG)
         ax, ay, az = _to_row(skin, a, turn, hinge)
-        bx, by, bz = _to_row(skin, b, turn, hinge)
+        bx, by, bz = (ax, ay, az) if a == b else _to_row(skin, b, turn, hinge)
         x, row, out = 0.5 * (ax + bx), (0.5 * (ay + by) - middle[1]) / ROW, 0.5 * (az + bz) - middle[0]
         far, beyond = np.sqrt(x * x + out * out), max(0.0, -row, row - front.shape[1] + 1.0)
         row = min(max(row, 0.0), last)

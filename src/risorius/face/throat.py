@@ -31,5 +31,5 @@ def uncrowd(
     vector = rest[edges[:, 1]] - rest[edges[:, 0]]
     length = np.linalg.norm(vector, axis=1)
     way = turned(vector / length[:, None], axis, angle[edges].mean(axis=1))
-    points = edges[:, [0, 1, 1]].astype(np.int32)
+    points = edges[:, [0, 1, 1]].astype(np.int32, "C")
     relieve(points, np.zeros(len(points)), way, -LEAST * length, SWEEPS, opened)

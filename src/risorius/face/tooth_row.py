@@ -10,7 +10,7 @@ import numpy.typing as npt
 from scipy.ndimage import maximum_filter, maximum_filter1d, minimum_filter
 
 from .head import Mesh
-from .jit import compiled, inlined
+from .jit import device, inlined
 
 Array = npt.NDArray[np.float64]
 
@@ -110,7 +110,7 @@ def _around(front: Array, back: Array) -> Array:
     )
 
 
-@compiled
+@device
 def sector_of(x: float, out: float) -> int:
     """Return the sector, 0 to SECTORS − 1, of the direction (x, out): even steps about a square, no angle."""
     reach = abs(x) + abs(out)
@@ -120,7 +120,7 @@ def sector_of(x: float, out: float) -> int:
     return int(min(max((along + 2.0) * 0.25 * SECTORS, 0.0), SECTORS - 1.0))
 
 
-@compiled
+@device
 def column_of(x: float, out: float) -> float:
     """Return the column, with a fraction, of the direction (x, out) in the tables of ANGLES columns."""
     angle = np.arctan2(x, out) / HALF_TURN

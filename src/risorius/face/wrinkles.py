@@ -15,7 +15,7 @@ from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
 from .head import Head
-from .jit import compiled
+from .jit import compiled, device
 from .layouts import Fold
 from .marks import Marks
 from .regions import Placed, check_factors, place_regions
@@ -58,8 +58,8 @@ class Wrinkles:
         """Write the `heights` (N1, R) in mm of folds on the level-0 skin (N0, 3), and raise `fine` (N1, 3).
 
         `fine` is moved along its normals by the bulges and by the part of the folds that the mesh can carry.
+        Of `heights`, 0 to begin with, only those are written that can be others: a tenth of a large array.
         """
-        heights[:] = 0.0
         self._lift[:] = 0.0
         rows = self._compression
         rows.measure(skin, self._stretch)
@@ -122,7 +122,7 @@ def _relief(placed: Placed) -> Array:
     return -0.5 * share * np.cos(2.0 * np.pi * phase)
 
 
-@compiled
+@device
 def fold_height(width: float, stretch: float, give: float) -> float:
     """Return the height in mm of the fold in which skin keeps its length.
 
@@ -153,8 +153,7 @@ def _fold(
         static, cap = law[z, 3], law[z, 4]
         moving = law[z, 2] * fold_height(law[z, 0], stretch[r], law[z, 1])
         kept = static * min(1.0, max(0.0, 1.0 - (stretch[r] - 1.0) / OPENED))
-        if moving + kept > 0.0:
-            heights[v, z] = mask[r] * cap * np.tanh((moving + kept) / cap)
+        heights[v, z] = mask[r] * cap * np.tanh((moving + kept) / cap) if moving + kept > 0.0 else 0.0
         if moving > 0.0 and relief[r] != 0.0:
             lift[v] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
 
@@ -164,6 +163,10 @@ def _steps(
     vertices: IntArray, start: IntArray, around: IntArray, lift: Array, fine: Array, out: Array
 ) -> None:
     for k in range(len(vertices)):
+        far = lift[vertices[k]]
+        if far == 0.0:
+            out[k, 0], out[k, 1], out[k, 2] = 0.0, 0.0, 0.0
+            continue
         x, y, z = 0.0, 0.0, 0.0
         for f in range(start[k], start[k + 1]):
             p, q, r, s = around[f, 0], around[f, 1], around[f, 2], around[f, 3]
@@ -172,7 +175,7 @@ def _steps(
             x += ay * bz - az * by
             y += az * bx - ax * bz
             z += ax * by - ay * bx
-        far = lift[vertices[k]] / np.sqrt(x * x + y * y + z * z + 1e-12)
+        far /= np.sqrt(x * x + y * y + z * z + 1e-12)
         out[k, 0], out[k, 1], out[k, 2] = far * x, far * y, far * z
 
 
