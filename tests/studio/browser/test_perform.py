@@ -55,6 +55,48 @@ def test_the_sound_is_the_clock(page: Page) -> None:
     assert sorted(apart)[int(0.75 * len(apart))] < 0.15
 
 
+def test_sound_and_face_begin_together_where_the_line_does(page: Page) -> None:
+    perform(page, "Hm.")
+    page.run("studio.clock.seek(0.4)")
+    type_line(page)
+    began = page.run("""
+      const { clock, theatre } = studio;
+      let [silent, faceless] = [0, 0];
+      const times = [];
+      clock.on("tick", () => {
+        if (!clock.playing) return;
+        times.push(clock.time);
+        if (clock.time === 0) return;
+        if (clock.sounding === null) silent += 1;
+        if (times.length < 3 && theatre.players[0].behind) faceless += 1;
+      });
+      document.getElementById("play").click();
+      while (!(clock.time > 0.3 && clock.playing)) await new Promise((go) => setTimeout(go, 5));
+      return [silent, faceless, times[0], clock.time - clock.sounding];
+    """)
+    silent, faceless, first, apart = began
+    assert (silent, faceless) == (0, 0)
+    assert first < 0.1
+    assert abs(apart) < 0.15
+
+
+def test_what_is_written_is_made_ready_in_a_pause(page: Page) -> None:
+    page.run("""
+      window.asked = [];
+      const send = WebSocket.prototype.send;
+      WebSocket.prototype.send = function (text) {
+        asked.push(JSON.parse(text).do);
+        send.call(this, text);
+      };
+    """)
+    type_line(page)
+    page.wait("asked.includes('prepare')")
+    assert page.get("studio.store.get('take')") is None
+    page.driver.find_element(By.ID, "play").click()
+    page.wait("studio.store.get('take') !== null && studio.clock.time > 0.2")
+    assert page.get("asked.filter((verb) => verb === 'prepare').length") == 1
+
+
 def test_play_performs_what_is_written_first(page: Page) -> None:
     type_line(page)
     page.driver.find_element(By.ID, "play").click()

@@ -19,11 +19,13 @@ const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 /**
  * @param {ArrayBuffer} file the head as binary glTF
  * @param {object} packing how faces of this head are packed, as the server describes it
+ * @param {Uint8Array} shade what each vertex of the skin sees at rest of the room and of each lamp, and how far it is
+ *   from the neckline, (vertices, 1 + lamps + 1) as `shade.py` packs it
  * @param {THREE.Texture} mirrored what the eyes mirror
  */
-export async function buildFigure(file, packing, mirrored) {
+export async function buildFigure(file, packing, shade, mirrored) {
   const glb = readGlb(file);
-  return new Figure(glb, packing, { mirrored, iris: await irisTexture(glb.images[0]) });
+  return new Figure(glb, packing, shade, { mirrored, iris: await irisTexture(glb.images[0]) });
 }
 
 export class Figure {
@@ -41,7 +43,7 @@ export class Figure {
   #hairs = new Map();
   #slits;
 
-  constructor(glb, packing, pictures) {
+  constructor(glb, packing, shade, pictures) {
     this.#packing = packing;
     this.pivot = new THREE.Vector3(...packing.pivot);
     this.#head.position.copy(this.pivot);
@@ -51,24 +53,9 @@ export class Figure {
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
+    this.#light(shade);
     this.#slits = slitsOf(packing.lips, this.skin);
     this.#prepareLighter();
-    this.shade = null;
-  }
-
-  /**
-   * What each vertex of the skin sees at rest of the room and of each lamp, and how far it is from the neckline,
-   * (vertices, 1 + lamps + 1) as `shade.py` packs it; null: of the light all, of the neckline nothing.
-   * @param {Uint8Array | null} seen
-   */
-  set shade(seen) {
-    const { geometry, material } = this.#meshes.skin;
-    for (const [name, attribute] of Object.entries(lightOf(seen, geometry.attributes.position.count))) {
-      geometry.setAttribute(name, attribute);
-      this.#lighter.skin.take(name);
-    }
-    material.userData.hemmed.value = seen ? 1 : 0;
-    if (seen) material.userData.neck.value.copy(neckColour(geometry.attributes));
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
@@ -88,6 +75,12 @@ export class Figure {
     this.#stale.clear();
     this.group.updateMatrixWorld(true);
     for (const mesh of this.#hairs.keys()) if (mesh.visible) this.#comb(mesh, camera, height);
+  }
+
+  /** Its meshes with all their triangles, in the order in which they are drawn. */
+  get whole() {
+    const rank = ({ renderOrder, material }) => renderOrder + (material.transparent ? 2 : 0);
+    return Object.values(this.#meshes).sort((a, b) => rank(a) - rank(b));
   }
 
   /** How many numbers a face of this head has. */
@@ -134,6 +127,14 @@ export class Figure {
       mesh.position.set(...translation).multiplyScalar(MM);
       this.#eyes.push(mesh);
     }
+  }
+
+  #light(shade) {
+    const { geometry, material } = this.#meshes.skin;
+    for (const [name, attribute] of Object.entries(lightOf(shade, geometry.attributes.position.count))) {
+      geometry.setAttribute(name, attribute);
+    }
+    material.userData.neck.value.copy(neckColour(geometry.attributes));
   }
 
   #place({ name, first, count, about }, a, b, share) {
