@@ -39,6 +39,7 @@ export class Figure {
   #fine = true;
   #lighter = {};
   #shown = null;
+  #waits = false; // whether the face that is shown is not taken up yet: another may come before it is drawn
   #stale = new Set();
   #hairs = new Map();
   #slits;
@@ -60,6 +61,7 @@ export class Figure {
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
   get skin() {
+    this.#takeFace();
     return this.#meshes.skin.geometry.attributes.position.array;
   }
 
@@ -71,6 +73,7 @@ export class Figure {
    */
   ready(fine, camera, height) {
     if (fine !== this.#fine) this.#refine(fine);
+    this.#takeFace();
     for (const name of this.#stale) this.#moved(name);
     this.#stale.clear();
     this.group.updateMatrixWorld(true);
@@ -97,10 +100,7 @@ export class Figure {
   show(a, b, share) {
     if (this.#shown?.a === a && this.#shown.b === b && this.#shown.share === share) return false;
     this.#shown = { a, b, share };
-    turn(this.#head.quaternion, a.head, b.head, share);
-    for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
-    this.#lightMouth();
-    this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
+    this.#waits = true;
     return true;
   }
 
@@ -127,6 +127,16 @@ export class Figure {
       mesh.position.set(...translation).multiplyScalar(MM);
       this.#eyes.push(mesh);
     }
+  }
+
+  #takeFace() {
+    if (!this.#waits) return;
+    this.#waits = false;
+    const { a, b, share } = this.#shown;
+    turn(this.#head.quaternion, a.head, b.head, share);
+    for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
+    this.#lightMouth();
+    this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
   }
 
   #light(shade) {

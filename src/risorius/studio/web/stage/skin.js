@@ -77,8 +77,11 @@ const QUICK = {
   pixel: `
 varying vec2 worn;
 void main() {
-  ${CUT}
-  gl_FragColor = vec4( mix( skin * sqrt( collar ), dressed * knit, covered ), 1.0 );
+  gl_FragColor = vec4( skin, 1.0 );
+  if ( worn.x > - 20.0 ) { // mm: above that there is neither cloth nor the collar's shade
+    ${CUT}
+    gl_FragColor.rgb = mix( skin * sqrt( collar ), dressed * knit, covered );
+  }
 }`,
 };
 

@@ -8,6 +8,7 @@
 import * as THREE from "../vendor/three/three.module.min.js";
 import { Backdrop } from "./backdrop.js";
 import { View } from "./cameras.js";
+import { drawn } from "./fence.js";
 import { lightsOf, mirrored } from "./lights.js";
 import { Sharpness } from "./sharpness.js";
 import { drawnBySoftware } from "./software.js";
@@ -26,6 +27,8 @@ export class Stage {
   #drawing = false;
   #drawn = 0;
   #still = null;
+  #before = null; // when the last picture is drawn
+  #playing = false;
   #size = "";
   /** From where the heads are looked at. */
   view = new View(() => this.invalidate());
@@ -80,6 +83,7 @@ export class Stage {
   /** Whether the clock runs, or is about to. @param {boolean} playing */
   set playing(playing) {
     if (playing) this.stir();
+    this.#playing = playing;
     this.#sharpness.playing = playing;
   }
 
@@ -95,7 +99,7 @@ export class Stage {
     this.#ask();
   }
 
-  /** Draw now if this frame of the page has no picture yet, else with the next. */
+  /** Draw now if this frame of the page has no picture yet, and the last one is drawn; else as soon as may be. */
   #ask() {
     this.#asked = true;
     if (!this.#drawing) this.#answer();
@@ -106,7 +110,20 @@ export class Stage {
     if (!this.#asked) return;
     this.#asked = false;
     this.#draw();
-    requestAnimationFrame(() => this.#answer());
+    const over = this.#over();
+    requestAnimationFrame(() => (over ? over.then(() => this.#answer()) : this.#answer()));
+  }
+
+  /**
+   * What the next picture waits for. Without a graphics card those asked for sooner than they are drawn would wait for
+   * each other. It waits for this one, that who turns a dial sees it at once, or while it plays for the one before:
+   * then nothing stands idle, and more are seen.
+   */
+  #over() {
+    if (!this.#still) return null;
+    const [before, own] = [this.#before, drawn(this.#renderer.getContext())];
+    this.#before = own;
+    return this.#playing ? before : own;
   }
 
   #resize() {

@@ -4,9 +4,9 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+import { drawn } from "./fence.js";
 
 const MOST = 20_000; // triangles to a part
-const LOOK = 4; // ms after which it is looked again whether a part is drawn
 
 export class Still {
   #renderer;
@@ -57,7 +57,7 @@ export class Still {
       if (job !== this.#job) return;
       for (const part of this.#parts(place, camera, width, height)) {
         part();
-        await this.#drawn();
+        await drawn(this.#renderer.getContext());
         if (job !== this.#job) return;
       }
     }
@@ -114,16 +114,6 @@ export class Still {
     }
     this.#target.setSize(width, height);
     return this.#target;
-  }
-
-  /** Wait until what was asked for is drawn. */
-  async #drawn() {
-    const gl = this.#renderer.getContext();
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    do await new Promise((go) => setTimeout(go, LOOK));
-    while (!gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED);
-    gl.deleteSync(fence);
   }
 
   /** @param {Uint8ClampedArray} pixels from the lowest row on */
