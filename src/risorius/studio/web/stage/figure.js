@@ -215,7 +215,7 @@ export class Figure {
   #prepareLighter() {
     const { min, max } = this.#meshes.teeth_upper.geometry.boundingBox;
     const mouth = new THREE.Vector3(0, (min.y + max.y) / 2, max.z).add(this.pivot);
-    const spots = [...this.#packing.eyes, mouth.toArray()];
+    const spots = { eyes: this.#packing.eyes, mouth: mouth.toArray() };
     for (const [name, mesh] of Object.entries(this.#meshes)) {
       const lighter = lighterOf(name, mesh, spots);
       if (!lighter) continue;
