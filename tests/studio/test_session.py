@@ -11,7 +11,7 @@ import pytest
 from risorius.core.edits import Add, Delete, Keys, Move
 from risorius.errors import RisoriusError
 from risorius.out.score_json import score_to_json
-from risorius.studio import looking, performer, wire
+from risorius.studio import describe, looking, performer, wire
 from risorius.studio.autosave import FILE, Autosave
 from risorius.studio.project import open_project, project_file
 from risorius.studio.session import Session
@@ -446,3 +446,19 @@ def test_an_emotion_that_is_saved_anew_is_not_that_which_was_prepared(session):
     strong = perform(session, emotions=(span,))
     save(0.2)
     assert perform(session, emotions=(span,)).curves != strong.curves
+
+
+def test_blocks_after_changes_are_those_of_the_score_described_whole(session):
+    perform(session)
+    held = dict(session.current.blocks)
+    block = next(b for b in held.values() if b.channel == "signals")
+    for change in (Move(block.id, block.start + 0.05), Add("signals", 0.4, 1.2, {"AU4": 0.5})):
+        edit(session, change)
+        assert session.current.blocks == describe.blocks(session.current.version.score)
+    kept = [name for name, old in held.items() if session.current.blocks[name] is old]
+    assert set(kept) == set(held) - {block.id}
+    edit(session, Delete(block.id))
+    session.undo(wire.Undo(), quiet)
+    assert session.current.blocks == describe.blocks(session.current.version.score)
+    perform(session, "Something else.")
+    assert session.current.blocks == describe.blocks(session.current.version.score)

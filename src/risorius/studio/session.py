@@ -10,7 +10,6 @@ from time import perf_counter
 
 import numpy as np
 
-from ..core.edits import is_edited
 from ..core.performance import frame_count
 from ..errors import InputError, RisoriusError
 from ..pipeline import perform
@@ -33,7 +32,7 @@ class Live:
     number: int
     take: Take
     version: Version
-    blocks: dict[str, wire.Block]
+    blocks: describe.Blocks
     curves: dict[str, str]
 
 
@@ -181,12 +180,12 @@ class Session:
         take = ready.take if ready and ready.version is version else self._performed(version)
         self._rehearsal = None
         self._number += 1
-        edited = frozenset(m.id for m in version.score.movements if is_edited(m))
+        like = None if self.current is None else (self.current.version.score, self.current.blocks)
         live = Live(
             self._number,
             take,
             version,
-            describe.blocks(version.score, edited),
+            describe.blocks(version.score, like),
             describe.curves(take.performance.values),
         )
         self.takes[live.number] = live
@@ -232,7 +231,7 @@ class Session:
     def _difference(self, before: Live, after: Live) -> wire.TakeChange:
         whole = None if _alike(before, after) else self.described(after)
         first, last = (0, 0) if whole else _frames_changed(before.take, after.take)
-        blocks = () if whole else tuple(b for n, b in after.blocks.items() if before.blocks.get(n) != b)
+        blocks = () if whole else _changed_blocks(before.blocks, after.blocks)
         return wire.TakeChange(
             take=after.number,
             before=before.number,
@@ -248,6 +247,11 @@ class Session:
             whole=whole,
             warnings=after.version.warnings,
         )
+
+
+def _changed_blocks(before: describe.Blocks, after: describe.Blocks) -> tuple[wire.Block, ...]:
+    # Most are the same object; to compare them by their parts takes long in a long take.
+    return tuple(b for n, b in after.items() if (held := before.get(n)) is not b and held != b)
 
 
 def _alike(a: Live, b: Live) -> bool:
