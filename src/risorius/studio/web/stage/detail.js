@@ -7,10 +7,11 @@ import { fewer, widen } from "./strands.js";
 
 // mm within which the skin's vertices gather: fine round eyes and mouth, coarser by SLOPE from NEAR on.
 const [LEAST, MOST, NEAR, SLOPE] = [1.7, 9, 10, 0.38];
-const GATHERED = 2.4; // mm, in the mouth
+const SUNK = 0.982; // how large the eyeballs are: lids of few triangles do not quite cover them when shut
+const GATHERED = 1.5; // mm, in the mouth
 const [EYES, SMALL] = [["eye_left", "eye_right"], ["teeth_upper", "teeth_lower", "tongue"]];
 const ROUND = 1.6; // mm, on the eyeballs
-const [LID, EDGE] = [15, 0.9]; // mm from an eye's centre up to which lids have their edges, and are finer still
+const [LID, EDGE] = [15.3, 0.8]; // mm from an eye's centre up to which lids have their edges, and are finer still
 // The share of its strands that is drawn of hair, and how much wider they are: thinner than a pixel they glitter.
 const STRANDS = {
   brows: { share: 0.35, wide: 3 },
@@ -35,7 +36,10 @@ const LIGHTER = {
 export function lighterOf(name, mesh, spots) {
   const { attributes, index } = mesh.geometry;
   const few = LIGHTER[name]?.(attributes.position.array, index.array, spots);
-  return few ? new Lighter(mesh, few, STRANDS[name]?.wide ?? 1) : null;
+  if (!few) return null;
+  const lighter = new Lighter(mesh, few, STRANDS[name]?.wide ?? 1);
+  if (EYES.includes(name)) lighter.mesh.geometry.scale(SUNK, SUNK, SUNK);
+  return lighter;
 }
 
 /** A mesh with some of another's vertices, which stands in its place. */

@@ -56,6 +56,7 @@ export class Figure {
     this.#placeMouth();
     this.#light(shade);
     this.#slits = slitsOf(packing.lips, this.skin);
+    this.#lightMouth();
     this.#prepareLighter();
   }
 
