@@ -38,24 +38,30 @@ box.value = arguments[0];
 box.dispatchEvent(new Event("input"));
 """
 PLAYED = """
-const { clock, store, theatre: { stage, players } } = studio;
+const { clock, store, theatre: { figures, players } } = studio;
 const gl = document.getElementById("head").getContext("webgl2");
 const [begun, before, wait] = [performance.now(), store.get("take"), arguments[0]];
-let [heard, seen, drawn, fence] = [null, null, null, null];
+let [heard, seen, fence] = [null, null, null];
+const figure = Object.getPrototypeOf(figures[0]);
+const { ready } = figure;
+figure.ready = function (...given) {
+  ready.apply(this, given);
+  if (fence === null && store.get("take") !== before && !players[0].behind) {
+    queueMicrotask(() => {
+      fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      gl.flush();
+    });
+  }
+};
 document.getElementById("play").click();
 while (heard === null || seen === null) {
   await new Promise((go) => setTimeout(go, 1));
   const now = performance.now() - begun;
-  if (now > wait) throw new Error(`neither heard nor seen: ${document.getElementById("notice").textContent}`);
+  if (now > wait) throw new Error(`not heard and seen: ${document.getElementById("notice").textContent}`);
   if (heard === null && clock.sounding) heard = now;
-  if (store.get("take") === before || players[0].behind) continue;
-  drawn ??= stage.drawn;
-  if (fence === null && stage.drawn > drawn) {
-    fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-  }
   if (fence && seen === null && gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED) seen = now;
 }
+figure.ready = ready;
 return [heard, seen];
 """
 PER_SECOND = """
