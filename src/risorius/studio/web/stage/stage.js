@@ -27,7 +27,6 @@ export class Stage {
   #drawing = false;
   #drawn = 0;
   #still = null;
-  #before = null; // when the last picture is drawn
   #playing = false;
   #size = "";
   /** From where the heads are looked at. */
@@ -116,14 +115,10 @@ export class Stage {
 
   /**
    * What the next picture waits for. Without a graphics card those asked for sooner than they are drawn would wait for
-   * each other. It waits for this one, that who turns a dial sees it at once, or while it plays for the one before:
-   * then nothing stands idle, and more are seen.
+   * each other, and who turns a dial for all of them. While it plays nothing is waited for: more are seen so.
    */
   #over() {
-    if (!this.#still) return null;
-    const [before, own] = [this.#before, drawn(this.#renderer.getContext())];
-    this.#before = own;
-    return this.#playing ? before : own;
+    return this.#still && !this.#playing ? drawn(this.#renderer.getContext()) : null;
   }
 
   #resize() {
