@@ -1,8 +1,9 @@
 """How quick the studio's page is in headless Chromium, which draws by software, at 1280 × 720.
 
-A real server and a real browser on this machine. Prints pictures per second while a line plays whose faces
-are there, milliseconds from pressing play on a new line to its sound, and from turning a dial to the picture
-of that face (medians, the slowest in brackets): until the face has come, until the picture is handed over to
+A real server and a real browser on this machine. Prints milliseconds from pressing play on a new line until
+it is heard and until its first picture is drawn, pictures per second while a line plays whose faces are
+there, and milliseconds from turning a dial to the picture of that face (medians, the slowest in brackets):
+until the face has come, until the picture is handed over to
 be drawn, until it is drawn, and how long drawing by software takes of that; and what else the machine was
 doing. Needs Chromium and its driver (`scripts/test --browser` installs them). Run from the repository:
     PYTHONPATH=src:tests/studio python benchmarks/studio_page.py
@@ -14,6 +15,7 @@ import os
 import statistics
 import tempfile
 import threading
+import time
 from pathlib import Path
 
 import uvicorn
@@ -27,17 +29,40 @@ LINE = (
     "but not today, because there is so much left to do before the evening."
 )
 TIMES = 20
+PLAYS = 7
+LONGEST = 60_000.0  # ms for which a line is waited for
 STAGES = ("to its face in the page", "to the picture handed over", "to the picture drawn", "drawing alone")
 WRITE = """
 const box = document.getElementById("script");
 box.value = arguments[0];
 box.dispatchEvent(new Event("input"));
 """
-TO_SOUND = """
-const begun = performance.now();
+PLAYED = """
+const { clock, store, theatre: { figures, players } } = studio;
+const gl = document.getElementById("head").getContext("webgl2");
+const [begun, before, wait] = [performance.now(), store.get("take"), arguments[0]];
+let [heard, seen, fence] = [null, null, null];
+const figure = Object.getPrototypeOf(figures[0]);
+const { ready } = figure;
+figure.ready = function (...given) {
+  ready.apply(this, given);
+  if (fence === null && store.get("take") !== before && !players[0].behind) {
+    queueMicrotask(() => {
+      fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      gl.flush();
+    });
+  }
+};
 document.getElementById("play").click();
-while (!studio.clock.sounding) await new Promise((go) => setTimeout(go, 2));
-return performance.now() - begun;
+while (heard === null || seen === null) {
+  await new Promise((go) => setTimeout(go, 1));
+  const now = performance.now() - begun;
+  if (now > wait) throw new Error(`not heard and seen: ${document.getElementById("notice").textContent}`);
+  if (heard === null && clock.sounding) heard = now;
+  if (fence && seen === null && gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED) seen = now;
+}
+figure.ready = ready;
+return [heard, seen];
 """
 PER_SECOND = """
 const { stage, players } = studio.theatre;
@@ -128,12 +153,13 @@ def main() -> None:
 def measure(page: Page) -> None:
     """Measure on a page and print."""
     page.open("benchmark")
-    page.run(WRITE, "First, something short to warm up.")
+    page.driver.find_element("id", "script").send_keys("First, something short.")
     page.wait("!document.getElementById('play').disabled")
-    page.run(TO_SOUND)
+    first = page.run(PLAYED, LONGEST)
+    print(f"the first line of all, heard {first[0]:.0f} ms after play was pressed, seen {first[1]:.0f} ms")
     page.wait("!studio.clock.playing")
-    page.run(WRITE, LINE)
-    print(f"play pressed to sound, a line of about ten seconds  {page.run(TO_SOUND):6.0f} ms")
+    for name, pause in (("as soon as it is written", 0.0), ("a second later", 1.0)):
+        tell_played(f"ten seconds, played {name}", [played(page, pause, k) for k in range(PLAYS)])
     print(f"pictures per second at {SIZE[0]} × {SIZE[1]}                {page.run(PER_SECOND):6.1f}")
     page.run("document.querySelectorAll('#panel [role=tab]')[1].click(); studio.clock.pause()")
     page.run(WATCH)
@@ -141,6 +167,23 @@ def measure(page: Page) -> None:
     tell("a dial turned", [page.run(TURNED, 0.2 + 0.03 * k) for k in range(TIMES)])
     tell("a dial dragged for 3 s", page.run(DRAGGED))
     print(f"load of the machine's {os.cpu_count()} cores meanwhile  {os.getloadavg()[0]:.1f}")
+
+
+def played(page: Page, pause: float, k: int) -> list[float]:
+    """Return when a line not played before was heard and seen, in ms after play was pressed."""
+    page.run("studio.clock.pause()")
+    time.sleep(2.5)
+    page.run(WRITE, f"{LINE[:-1]} of day {k} {'at last' if pause else 'at least'}.")
+    time.sleep(pause)
+    found: list[float] = page.run(PLAYED, LONGEST)
+    return found
+
+
+def tell_played(what: str, found: list[list[float]]) -> None:
+    """Print how long it took until a line was heard and seen: the least, the median, the most."""
+    for name, times in zip(("heard", "seen"), zip(*found, strict=True), strict=True):
+        least, middle, most = min(times), statistics.median(times), max(times)
+        print(f"{what}, {name}: {least:.0f} ms at least, median {middle:.0f}, at most {most:.0f}")
 
 
 def tell(what: str, found: list[list[float]]) -> None:

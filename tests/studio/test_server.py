@@ -99,6 +99,16 @@ def test_a_window_shows_what_the_whole_would(server):
             assert np.abs(held[0, frame].astype(int) - held[20, frame]).max() <= 1
 
 
+def test_faces_can_be_asked_for_at_a_pace_but_for_the_first_second_of_them(server):
+    with server.page("pace") as page:
+        take = page.perform("Hello there, all of you who are here.")
+        begun = time.monotonic()
+        assert page.ask("faces", take=take["take"], first=0, last=36, pace=12)["sent"] == 36
+        assert time.monotonic() - begun >= (36 - 30) / 12 - 0.01
+        assert [header(message)[3] for message in page.faces][:2] == [1, 4]
+        assert page.refused("faces", take=take["take"], first=0, last=36, pace=0)
+
+
 def test_what_is_begun_is_done_and_saved_though_the_page_goes(server):
     with server.page("gone") as page:
         page.socket.send(json.dumps({"id": 1, "do": "perform", "source": {"script": LINE}}))

@@ -11,7 +11,7 @@ import pytest
 from risorius.core.edits import Add, Delete, Keys, Move
 from risorius.errors import RisoriusError
 from risorius.out.score_json import score_to_json
-from risorius.studio import looking, performer, wire
+from risorius.studio import describe, looking, performer, wire
 from risorius.studio.autosave import FILE, Autosave
 from risorius.studio.project import open_project, project_file
 from risorius.studio.session import Session
@@ -401,3 +401,64 @@ def test_an_emotion_saved_anew_is_the_new_one(session):
     assert strengths == [1.0, 0.5]
     with pytest.raises(RisoriusError, match="is an emotion of Risorius"):
         session.shelf.save_emotion("joy", {"AU12": 0.5})
+
+
+def prepare(session, script=LINE, emotions=(), **source):
+    return session.prepare(wire.Prepare(wire.Source(script, **source), wire.Choices(), emotions), quiet)
+
+
+@pytest.mark.parametrize(
+    ("script", "source"),
+    [("", {}), ("Hello", {"format": "xml"}), ("Hello", {"recording": "x.wav"}), ("No. " * 251, {})],
+)
+def test_what_is_no_short_text_is_not_prepared_and_nothing_is_said_of_it(session, spoken, script, source):
+    assert prepare(session, script, **source) == wire.Done()
+    assert spoken == []
+
+
+def test_what_cannot_be_performed_is_said_when_it_is_asked_for(session):
+    span = wire.EmotionSpan("cheese", 1.0)
+    assert prepare(session, emotions=(span,)) == wire.Done()
+    with pytest.raises(RisoriusError, match="cheese"):
+        perform(session, emotions=(span,))
+
+
+def test_what_is_prepared_changes_nothing_and_is_performed_as_if_it_had_not_been(session, spoken, tmp_path):
+    prepare(session)
+    assert session.current is None
+    assert len(spoken) == 1
+    view = perform(session)
+    assert len(spoken) == 1
+    other = perform(Session("two", tmp_path))
+    assert (view.take, view.curves, view.blocks) == (other.take, other.curves, other.blocks)
+    prepare(session, "Something else.")
+    assert perform(session).curves == view.curves
+
+
+def test_an_emotion_that_is_saved_anew_is_not_that_which_was_prepared(session):
+    def save(value):
+        looking.name_pose(session, wire.SavePose("mine", "emotion", {"AU12": value}), quiet)
+
+    span = wire.EmotionSpan("mine", 1.0)
+    save(0.2)
+    prepare(session, emotions=(span,))
+    save(0.9)
+    strong = perform(session, emotions=(span,))
+    save(0.2)
+    assert perform(session, emotions=(span,)).curves != strong.curves
+
+
+def test_blocks_after_changes_are_those_of_the_score_described_whole(session):
+    perform(session)
+    held = dict(session.current.blocks)
+    block = next(b for b in held.values() if b.channel == "signals")
+    for change in (Move(block.id, block.start + 0.05), Add("signals", 0.4, 1.2, {"AU4": 0.5})):
+        edit(session, change)
+        assert session.current.blocks == describe.blocks(session.current.version.score)
+    kept = [name for name, old in held.items() if session.current.blocks[name] is old]
+    assert set(kept) == set(held) - {block.id}
+    edit(session, Delete(block.id))
+    session.undo(wire.Undo(), quiet)
+    assert session.current.blocks == describe.blocks(session.current.version.score)
+    perform(session, "Something else.")
+    assert session.current.blocks == describe.blocks(session.current.version.score)

@@ -167,6 +167,7 @@ def warm_up(solvers: Solvers) -> None:
     solvers.warm()
     speak("Hm.", text=True)
     _glb("standard", None, None, None)
+    _shaded("standard", None, None, None)
 
 
 class Files(StaticFiles):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 import numpy.typing as npt
 
 from ..core.audio import Audio
+from ..core.edits import is_edited
 from ..core.movement import CHANNEL_PRIORITY, Cause, LipSegment, ManualCurve, Movement, fitted
 from ..core.parameters import NAMES, NEUTRAL
 from ..core.score import Score
@@ -18,6 +19,8 @@ from . import wire
 # Seconds of sound to a bucket of the waveform, coarse to fine; none has more buckets than MOST_BUCKETS.
 ZOOMS = (0.064, 0.016, 0.004)
 MOST_BUCKETS = 200_000
+
+Blocks = dict[str, wire.Block]
 
 
 def spoken(utterance: Utterance, sound: str) -> wire.Spoken:
@@ -48,14 +51,22 @@ def _wave(samples: npt.NDArray[np.int16], size: int, rate: int) -> wire.Wave:
     return wire.Wave(size / rate, base64.b64encode(pairs.tobytes()).decode())
 
 
-def blocks(score: Score, edited: Collection[str] = ()) -> dict[str, wire.Block]:
-    """Return all movements and lip segments as blocks by id."""
-    found = {m.id: _block(m, m.id in edited) for m in score.movements}
-    found |= {f"lips.{n}": _segment(f"lips.{n}", s) for n, s in enumerate(score.lips)}
+def blocks(score: Score, like: tuple[Score, Blocks] | None = None) -> Blocks:
+    """Return all movements and lip segments as blocks by id; those that `like` has too are its own."""
+    known: dict[int, wire.Block] = {}
+    if like is not None:
+        before, made = like
+        known = {id(m): made[m.id] for m in before.movements}
+        known |= {id(s): made[f"lips.{n}"] for n, s in enumerate(before.lips)}
+    found = {m.id: known.get(id(m)) or _block(m) for m in score.movements}
+    # A segment is named by its place, which may be another.
+    for n, s in enumerate(score.lips):
+        block = known.get(id(s))
+        found[f"lips.{n}"] = block if block and block.id == f"lips.{n}" else _segment(f"lips.{n}", s)
     return found
 
 
-def _block(m: Movement, edited: bool) -> wire.Block:
+def _block(m: Movement) -> wire.Block:
     onset, offset = fitted(m.onset, m.offset, m.end - m.start)
     priority = CHANNEL_PRIORITY[m.channel] if m.priority is None else m.priority
     return wire.Block(
@@ -72,7 +83,7 @@ def _block(m: Movement, edited: bool) -> wire.Block:
         function=m.function,
         cause=sentence(m.cause),
         rule=m.cause.rule,
-        edited=edited,
+        edited=is_edited(m),
     )
 
 

@@ -25,6 +25,7 @@ Handler = Callable[[Session, Any, Progress], Any]
 HANDLERS: dict[type, Handler] = {
     wire.Open: Session.open,
     wire.Perform: Session.perform,
+    wire.Prepare: Session.prepare,
     wire.Choose: Session.choose,
     wire.Compare: Session.compare,
     **dict.fromkeys(wire.EDITS.values(), Session.edit),
@@ -69,7 +70,8 @@ class Room:
         if isinstance(asked, CHANGING):
             await self.tell_others(page)
         if isinstance(asked, SAVING):
-            await self.save()
+            # The page need not wait for the disk: it hears of it when it is done.
+            self._keep(asyncio.get_running_loop().create_task(self.save()))
         return answered
 
     async def preview(self, edit: wire.Edit) -> tuple[Take, wire.Previewed]:

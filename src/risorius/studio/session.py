@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 
 import numpy as np
 
-from ..core.edits import is_edited
 from ..core.performance import frame_count
-from ..errors import InputError
+from ..errors import InputError, RisoriusError
 from ..pipeline import perform
-from ..take import Progress, Take
+from ..take import Progress, Take, quiet
 from . import describe, limits, wire
 from .history import History
 from .performer import Performer
+from .rehearsal import Rehearsal, worth_it
 from .shelf import Shelf
 from .version import Version, worded
 
@@ -31,7 +32,7 @@ class Live:
     number: int
     take: Take
     version: Version
-    blocks: dict[str, wire.Block]
+    blocks: describe.Blocks
     curves: dict[str, str]
 
 
@@ -48,6 +49,7 @@ class Session:
         self.notes: tuple[str, ...] = ()
         self._performer = Performer(self.shelf)
         self._number = 0
+        self._rehearsal: Rehearsal | None = None
 
     def open(self, asked: wire.Open, progress: Progress) -> wire.State:
         """Return the session as it stands."""
@@ -61,6 +63,20 @@ class Session:
         """Perform a script; edits made on the one before are made again where it is the same script."""
         made = self._performer.adopted(wire.Made(asked.source, asked.choices, asked.emotions))
         return self._planned(made, "perform", progress)
+
+    def prepare(self, asked: wire.Prepare, progress: Progress) -> wire.Done:
+        """Have ready what `perform` will need for the same, where that is a short text."""
+        made = wire.Made(asked.source, asked.choices, asked.emotions)
+        if worth_it(made.source) and not self._rehearsed(made):
+            # What cannot be performed is said when it is asked for.
+            with suppress(RisoriusError):
+                version = self._performer.perform(made, quiet)
+                self._rehearsal = Rehearsal(made, version, self._performed(version))
+        return wire.Done()
+
+    def forget_rehearsal(self) -> None:
+        """Forget what was prepared: a name in it may mean something else now."""
+        self._rehearsal = None
 
     def choose(self, asked: wire.Choose, progress: Progress) -> wire.TakeView:
         """Perform the same script with other choices."""
@@ -139,7 +155,8 @@ class Session:
 
     def _planned(self, made: wire.Made, what: str, progress: Progress) -> wire.TakeView:
         before = self.history.present
-        version = self._performer.perform(made, progress)
+        ready = self._rehearsed(made)
+        version = ready.version if ready else self._performer.perform(made, progress)
         if before is not None and before.made.source == made.source:
             version = version.with_edits(before.edits)
         live = self._live(version)
@@ -159,20 +176,16 @@ class Session:
             if live.version is version:
                 self.takes.move_to_end(live.number)
                 return live
-        frames = frame_count(version.score.duration, version.settings.fps)
-        if frames > limits.FRAMES:
-            raise InputError(f"the take would have {frames} frames; expected up to {limits.FRAMES}")
-        begun = perf_counter()
-        like = None if self.current is None else self.current.take
-        take = perform(version.score, version.settings, version.utterance, like=like)
-        version.milliseconds["blend"] = 1e3 * (perf_counter() - begun)
+        ready = self._rehearsed(version.made)
+        take = ready.take if ready and ready.version is version else self._performed(version)
+        self._rehearsal = None
         self._number += 1
-        edited = frozenset(m.id for m in version.score.movements if is_edited(m))
+        like = None if self.current is None else (self.current.version.score, self.current.blocks)
         live = Live(
             self._number,
             take,
             version,
-            describe.blocks(version.score, edited),
+            describe.blocks(version.score, like),
             describe.curves(take.performance.values),
         )
         self.takes[live.number] = live
@@ -180,6 +193,20 @@ class Session:
             oldest = next(n for n, held in self.takes.items() if held is not self.current)
             del self.takes[oldest]
         return live
+
+    def _performed(self, version: Version) -> Take:
+        frames = frame_count(version.score.duration, version.settings.fps)
+        if frames > limits.FRAMES:
+            raise InputError(f"the take would have {frames} frames; expected up to {limits.FRAMES}")
+        begun = perf_counter()
+        like = None if self.current is None else self.current.take
+        take = perform(version.score, version.settings, version.utterance, like=like)
+        version.milliseconds["blend"] = 1e3 * (perf_counter() - begun)
+        return take
+
+    def _rehearsed(self, made: wire.Made) -> Rehearsal | None:
+        held = self._rehearsal
+        return held if held is not None and held.made == made else None
 
     def described(self, live: Live) -> wire.TakeView:
         """Return a take whole."""
@@ -204,7 +231,7 @@ class Session:
     def _difference(self, before: Live, after: Live) -> wire.TakeChange:
         whole = None if _alike(before, after) else self.described(after)
         first, last = (0, 0) if whole else _frames_changed(before.take, after.take)
-        blocks = () if whole else tuple(b for n, b in after.blocks.items() if before.blocks.get(n) != b)
+        blocks = () if whole else _changed_blocks(before.blocks, after.blocks)
         return wire.TakeChange(
             take=after.number,
             before=before.number,
@@ -220,6 +247,11 @@ class Session:
             whole=whole,
             warnings=after.version.warnings,
         )
+
+
+def _changed_blocks(before: describe.Blocks, after: describe.Blocks) -> tuple[wire.Block, ...]:
+    # Most are the same object; to compare them by their parts takes long in a long take.
+    return tuple(b for n, b in after.items() if (held := before.get(n)) is not b and held != b)
 
 
 def _alike(a: Live, b: Live) -> bool:

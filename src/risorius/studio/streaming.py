@@ -18,6 +18,7 @@ from .threads import on_thread
 
 Send = Callable[[bytes], Awaitable[None]]
 CHUNK = 4  # faces to a message
+LEAD = 1.0  # seconds of a window that are sent as quickly as they come
 LEAD_IN = 1.0  # seconds of motion before the first face that count
 
 
@@ -34,14 +35,19 @@ class Streams:
         stopped = self._stopped[asked.take] = asyncio.Event()
         last = min(asked.last, len(live.take.performance.values))
         first, settings = asked.first, live.take.settings
+        begun = asyncio.get_running_loop().time()
         stage = await on_thread(self._threads, lambda: stage_for(settings))
         async with self._solvers.loan(settings, self._threads) as solver:
             faces = live.take.faces(range(first, last), lead_in=LEAD_IN, solver=solver)
             while first < last and not stopped.is_set():
-                count = min(CHUNK, last - first)
+                # The first by itself: playing waits for it.
+                count = min(CHUNK if first > asked.first else 1, last - first)
                 message = await on_thread(self._threads, _chunk(stage, asked.take, first, count, faces))
                 await self._send(message)
                 first += count
+                if asked.pace is not None:
+                    ahead = (first - asked.first) - LEAD * live.take.performance.fps
+                    await _until(begun + float(ahead) / asked.pace)
         if self._stopped.get(asked.take) is stopped:
             del self._stopped[asked.take]
         return wire.Sent(max(first - asked.first, 0))
@@ -81,6 +87,10 @@ class Streams:
         """End the window of a take that is being sent, if one is."""
         if take in self._stopped:
             self._stopped[take].set()
+
+
+async def _until(time: float) -> None:
+    await asyncio.sleep(max(0.0, time - asyncio.get_running_loop().time()))
 
 
 def stage_for(settings: Settings) -> Stage:

@@ -106,6 +106,15 @@ class Perform:
 
 
 @dataclass(frozen=True, slots=True)
+class Prepare:
+    """Have ready what Perform with the same fields will ask, where it is short. Answered by Done, always."""
+
+    source: Source
+    choices: Choices = field(default_factory=Choices)
+    emotions: tuple[EmotionSpan, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Choose:
     """Perform the same script with other choices or emotions (those left out stay). Answered by TakeView."""
 
@@ -153,11 +162,13 @@ class Faces:
     """Send the faces of frames [first, last) of a take, in binary messages; answered when all are sent.
 
     A request takes the place of the one before for the same take: that is then answered with the frames sent.
+    With `pace` no more than so many frames a second are sent after those of the first second.
     """
 
     take: Whole
     first: Whole
     last: Whole
+    pace: Annotated[float, Range(1.0, 1e6)] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -286,6 +297,7 @@ class View:
 VERBS: Mapping[str, type] = {
     "open": Open,
     "perform": Perform,
+    "prepare": Prepare,
     "choose": Choose,
     "undo": Undo,
     "redo": Redo,

@@ -55,6 +55,49 @@ def test_the_sound_is_the_clock(page: Page) -> None:
     assert sorted(apart)[int(0.75 * len(apart))] < 0.15
 
 
+def test_sound_and_face_begin_together_where_the_line_does(page: Page) -> None:
+    perform(page, "Hm.")
+    page.run("studio.clock.seek(0.4)")
+    type_line(page)
+    began = page.run("""
+      const { clock, theatre } = studio;
+      const found = [];
+      const play = HTMLMediaElement.prototype.play;
+      HTMLMediaElement.prototype.play = function () {
+        const { behind } = theatre.players[0];
+        if (clock.duration > 1) found.push([this.readyState, this.currentTime, clock.time, behind]);
+        return play.call(this);
+      };
+      let early = 0;
+      clock.on("tick", () => (early += clock.time > 0 && clock.playing && !found.length ? 1 : 0));
+      document.getElementById("play").click();
+      const begun = () => clock.time > 0.3 && clock.playing && found.length > 0;
+      while (!begun()) await new Promise((go) => setTimeout(go, 5));
+      return [found, early];
+    """)
+    ((ready, heard, seen, behind),), early = began
+    assert ready >= 3
+    assert (heard, seen, behind) == (0, 0, False)
+    assert early == 0
+
+
+def test_what_is_written_is_made_ready_in_a_pause(page: Page) -> None:
+    page.run("""
+      window.asked = [];
+      const send = WebSocket.prototype.send;
+      WebSocket.prototype.send = function (text) {
+        asked.push(JSON.parse(text).do);
+        send.call(this, text);
+      };
+    """)
+    type_line(page)
+    page.wait("asked.includes('prepare')")
+    assert page.get("studio.store.get('take')") is None
+    page.driver.find_element(By.ID, "play").click()
+    page.wait("studio.store.get('take') !== null && studio.clock.time > 0.2")
+    assert page.get("asked.filter((verb) => verb === 'prepare').length") == 1
+
+
 def test_play_performs_what_is_written_first(page: Page) -> None:
     type_line(page)
     page.driver.find_element(By.ID, "play").click()

@@ -24,9 +24,18 @@ export class Actions {
     this.#notify = notify;
   }
 
-  /** Perform the store's source with its emotions and choices anew. */
-  perform() {
-    return this.#changing("perform", this.#parts(), "Performing …");
+  /**
+   * Perform the store's source with its emotions and choices anew.
+   * @param {() => void} [arrives] called when the take is here, before anybody is told of it
+   */
+  perform(arrives) {
+    return this.#changing("perform", this.#parts(), "Performing …", arrives);
+  }
+
+  /** Have the server make ready what is written, in case it is performed. */
+  prepare() {
+    // Nothing is lost where it does not.
+    if (this.#store.get("busy") === "") this.#connection.request("prepare", this.#parts()).catch(() => {});
   }
 
   /**
@@ -100,13 +109,16 @@ export class Actions {
     }
   }
 
-  async #changing(verb, fields, busy) {
+  async #changing(verb, fields, busy, arrives = () => {}) {
     const asked = this.#parts();
     this.#store.set({ busy, saved: "saving" });
     const answer = await this.ask(verb, fields);
     this.#store.set({ busy: "" });
     if (answer === null) this.#store.set({ saved: "saved" });
-    else this.#take(answer, asked);
+    else {
+      arrives();
+      this.#take(answer, asked);
+    }
     return answer;
   }
 

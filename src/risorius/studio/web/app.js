@@ -8,7 +8,9 @@ import { mountHeader } from "./header.js";
 import { listenToKeys } from "./keys.js";
 import { mountPanels } from "./panels/index.js";
 import { mountNotice } from "./parts/notice.js";
+import { prepareWhatIsWritten } from "./playing.js";
 import { sessionName, openSession } from "./session.js";
+import { wakeSoundWhenTouched } from "./sound.js";
 import { mountSplitter } from "./splitter.js";
 import { Store } from "./store.js";
 import { Theatre } from "./theatre.js";
@@ -56,6 +58,8 @@ mountSplitter(element("splitter"));
 mountPanels(element("panel"), studio);
 mountTimeline(element("timeline"), { ...studio, explanation: element("explanation") });
 listenToDrops(studio);
+prepareWhatIsWritten(studio);
+wakeSoundWhenTouched();
 openSession(studio);
 
 // For the curious, and for tests.

@@ -6,11 +6,13 @@
  */
 
 const JUMP = 0.08; // s by which the sound may differ from the time shown before that jumps to it
+const LONGEST = 1500; // ms for which sound and face are waited for before time runs without them
 const PULL = 0.15; // s within which a smaller difference is made up for, but for a third
 
 export class Clock {
   #audio = new Audio();
   #silent = true;
+  #asked = 0; // when playing was asked for, where it waits for sound and face
   #address = null;
   #time = 0;
   #seen = 0;
@@ -19,6 +21,8 @@ export class Clock {
   #loop = null;
   #calls = { tick: new Set(), state: new Set() };
 
+  /** Whether the face of this time is there: time begins to run when it is, and the sound. */
+  seen = () => true;
   /** Seconds of the take. */
   duration = 0;
   /** Frames per second of the take. */
@@ -27,6 +31,7 @@ export class Clock {
   constructor() {
     this.#audio.preservesPitch = true;
     this.#audio.preload = "auto";
+    for (const name of ["canplay", "seeked"]) this.#audio.addEventListener(name, () => this.begin());
   }
 
   /** Seconds from the first sample of the sound. */
@@ -80,6 +85,7 @@ export class Clock {
     this.#silent = true;
     this.#audio.pause();
     if (address === null) return;
+    if (this.#playing) this.#await();
     const response = await fetch(address);
     if (!response.ok || address !== this.#address) return;
     const blob = await response.blob();
@@ -88,7 +94,11 @@ export class Clock {
     this.#audio.src = URL.createObjectURL(blob);
     this.#audio.currentTime = this.#time;
     this.#silent = false;
-    if (this.#playing) this.#start();
+  }
+
+  /** Have the next take begin at its start; nobody is told before it is there. */
+  rewind() {
+    this.#time = 0;
   }
 
   /** @param {number} time seconds, brought within the take */
@@ -111,9 +121,27 @@ export class Clock {
     const [from, to] = this.#bounds();
     if (this.#time >= to - 0.5 / this.fps || this.#time < from) this.seek(from);
     this.#playing = true;
-    this.#start();
+    this.#await();
     this.#tell("state");
     requestAnimationFrame(() => this.#run());
+  }
+
+  /** Let time run, where that is waited for and sound and face are there now. */
+  begin() {
+    if (!this.#playing || !this.#asked) return;
+    if ((this.#ready && this.seen()) || performance.now() - this.#asked > LONGEST) this.#start();
+  }
+
+  /** Whether there is no sound, or one that can be heard at once. */
+  get #ready() {
+    return this.#address === null || (!this.#silent && !this.#audio.seeking && this.#audio.readyState >= 3);
+  }
+
+  /** Time stands until sound and face can start together. */
+  #await() {
+    this.#asked = performance.now();
+    this.#cue();
+    this.begin();
   }
 
   pause() {
@@ -146,6 +174,7 @@ export class Clock {
   }
 
   #start() {
+    this.#asked = 0;
     this.#seen = performance.now();
     if (this.#silent) return;
     this.#cue();
@@ -156,14 +185,19 @@ export class Clock {
 
   #run() {
     if (!this.#playing) return;
+    this.begin();
+    if (!this.#asked) this.#advance();
+    this.#tell("tick");
+    if (this.#playing) requestAnimationFrame(() => this.#run());
+  }
+
+  #advance() {
     const now = performance.now();
     const elapsed = (now - this.#seen) / 1000;
     this.#seen = now;
     this.#time = this.#heard(this.#time + elapsed * this.#rate, elapsed);
     const [from, to] = this.#bounds();
     if (this.#time >= to) this.#reachedEnd(from, to);
-    this.#tell("tick");
-    if (this.#playing) requestAnimationFrame(() => this.#run());
   }
 
   /** Time by the sound where it plays; between its coarse reports, the time guessed from the last one. */

@@ -36,21 +36,14 @@ export class Heads {
     }
   }
 
+  /** A head is shown with its shade, without which its neckline is ragged; that may have to be worked out first. */
   async #fetch(asked) {
-    const [file, packing] = await Promise.all([
+    const [file, packing, shade] = await Promise.all([
       answered(`/api/head?${asked}`).then((response) => response.arrayBuffer()),
       answered(`/api/stage?${asked}`).then((response) => response.json()),
+      answered(`/api/shade?${asked}`).then((response) => response.arrayBuffer()),
     ]);
-    const figure = await buildFigure(file, packing, this.#stage.lit(packing.light));
-    this.#shade(figure, asked);
-    return figure;
-  }
-
-  /** The shade may have to be worked out first: the head is shown without it until then. */
-  async #shade(figure, asked) {
-    const response = await answered(`/api/shade?${asked}`);
-    figure.shade = new Uint8Array(await response.arrayBuffer());
-    this.#stage.invalidate();
+    return buildFigure(file, packing, new Uint8Array(shade), this.#stage.lit(packing.light));
   }
 }
 

@@ -8,6 +8,7 @@ import { KINDS } from "./stage/faces.js";
 const BEHIND = 2; // s of faces kept before the playhead
 const AHEAD = 8; // s of faces asked for beyond it
 const REFILL = 4; // s left ahead at which more is asked for
+const PACE = 3; // times as many as are shown are sent a second: the machine draws meanwhile, too
 const SETTLED = 300; // ms in which nobody scrubs after which faces are asked for: each stretch costs the server much
 const SOON = 0.5; // s after what has arrived within which a frame is waited for
 const AGAIN = 400; // ms after which a request that failed is made again
@@ -98,9 +99,14 @@ export class Player {
     }
     this.#scrubbed = performance.now();
     this.#later(SETTLED);
-    if (!this.behind) return;
+    if (!this.behind || this.#begins) return;
     this.#giveUp();
     this.#glance();
+  }
+
+  /** Whether the take's first face is asked for: it comes at once, for none goes before it. */
+  get #begins() {
+    return this.#asking?.first === 0 && this.#now() === 0;
   }
 
   /** What is on its way is for another place: the server has better to do. */
@@ -175,7 +181,7 @@ export class Player {
     const over = () => {
       if (this.#asking === asking) this.#asking = null;
     };
-    this.#connection.request("faces", { take, first, last }).then(
+    this.#connection.request("faces", { take, first, last, pace: PACE * rate }).then(
       () => {
         over();
         this.#ask();

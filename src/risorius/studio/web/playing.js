@@ -1,5 +1,9 @@
 /** Playing what is written: a line that is not performed yet, or was changed since, is performed first. */
 
+import { settled } from "./parts/dom.js";
+
+const PAUSE = 350; // ms
+
 /** @param {object} studio store, clock, actions */
 export async function playOrPause({ store, clock, actions }) {
   if (clock.playing) {
@@ -7,8 +11,7 @@ export async function playOrPause({ store, clock, actions }) {
     return;
   }
   if (changed(store)) {
-    if (!(await actions.perform())) return;
-    clock.seek(0);
+    if (!(await actions.perform(() => clock.rewind()))) return;
   }
   store.set({ dial: null });
   clock.play();
@@ -17,6 +20,17 @@ export async function playOrPause({ store, clock, actions }) {
 /** Whether playing would do anything. */
 export function canPlay(store) {
   return store.get("take") !== null || (written(store) && store.get("link") === "up");
+}
+
+/**
+ * Have what is written made ready whenever nobody has written on for a while, so that it plays at once.
+ * @param {object} studio store, actions
+ */
+export function prepareWhatIsWritten({ store, actions }) {
+  const prepare = settled(() => {
+    if (store.get("link") === "up" && store.get("choices") && changed(store)) actions.prepare();
+  }, PAUSE);
+  store.watch(["source", "emotions", "choices"], prepare);
 }
 
 function written(store) {

@@ -10,7 +10,7 @@ import { Stage } from "./stage/stage.js";
 
 export class Theatre {
   #store;
-  #connection;
+  #clock;
   #notify;
   #heads;
   #figures = [null, null];
@@ -19,7 +19,7 @@ export class Theatre {
   /** @param {HTMLCanvasElement} canvas @param {object} studio store, connection, clock, notify */
   constructor(canvas, { store, connection, clock, notify }) {
     this.#store = store;
-    this.#connection = connection;
+    this.#clock = clock;
     this.#notify = notify;
     this.stage = new Stage(canvas);
     this.#heads = new Heads(this.stage);
@@ -28,9 +28,12 @@ export class Theatre {
     );
     connection.on("binary", (buffer) => this.#receive(unpackFaces(buffer)));
     clock.on("tick", () => this.stage.stir());
-    clock.on("state", () => {
-      this.stage.playing = clock.playing;
-    });
+    clock.seen = () => this.#players.every((player) => !player.behind);
+    const engaged = () => {
+      this.stage.playing = clock.playing || store.get("busy") !== "";
+    };
+    clock.on("state", engaged);
+    store.watch(["busy"], engaged);
     store.watch(["catalogue", "take", "choices"], () => this.#cast(0, store.get("take")));
     store.watch(["catalogue", "other"], () => this.#cast(1, store.get("other")));
     store.watch(["preview"], () => {
@@ -91,6 +94,7 @@ export class Theatre {
       return;
     }
     for (const player of this.#players) player.receive(sent);
+    this.#clock.begin();
   }
 
   #show(place, a, b, share) {

@@ -138,6 +138,14 @@
  * @property {Array<EmotionSpan>} [emotions]
  */
 /**
+ * Have ready what Perform with the same fields will ask, where it is short. Answered by Done, always.
+ * @typedef {Object} Prepare
+ * @property {"prepare"} do
+ * @property {Source} source
+ * @property {Choices} [choices]
+ * @property {Array<EmotionSpan>} [emotions]
+ */
+/**
  * Perform the same script with other choices or emotions (those left out stay). Answered by TakeView.
  * @typedef {Object} Choose
  * @property {"choose"} do
@@ -164,12 +172,13 @@
 /**
  * Send the faces of frames [first, last) of a take, in binary messages; answered when all are sent.
  * A request takes the place of the one before for the same take: that is then answered with the frames
- * sent.
+ * sent. With `pace` no more than so many frames a second are sent after those of the first second.
  * @typedef {Object} Faces
  * @property {"faces"} do
  * @property {number} take
  * @property {number} first
  * @property {number} last
+ * @property {number|null} [pace]
  */
 /**
  * Send the one face at a time, that of the nearest frame.
@@ -752,7 +761,7 @@
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

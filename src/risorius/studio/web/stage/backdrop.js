@@ -24,11 +24,12 @@ export class Backdrop {
   /**
    * Fill a part of the picture.
    * @param {THREE.WebGLRenderer} renderer @param {number} x @param {number} width @param {number} height
+   * @param {(x: number, y: number, width: number, height: number) => void} cut confines what is cleared
    */
-  paint(renderer, x, width, height) {
+  paint(renderer, x, width, height, cut) {
     this.#colours.forEach((colour, k) => {
       const [from, to] = [k, k + 1].map((at) => Math.round((at * height) / BANDS));
-      renderer.setScissor(x, from, width, to - from);
+      cut(x, from, width, to - from);
       renderer.setClearColor(colour);
       renderer.clear(true, false, false);
     });

@@ -6,14 +6,16 @@ import { computeNormals } from "./normals.js";
 import { fewer, widen } from "./strands.js";
 
 // mm within which the skin's vertices gather: fine round eyes and mouth, coarser by SLOPE from NEAR on.
-const [LEAST, MOST, NEAR, SLOPE] = [1.6, 9, 10, 0.33];
-const GATHERED = 2.4; // mm, in the mouth
+const [LEAST, MOST, NEAR, SLOPE] = [1.7, 9, 10, 0.38];
+const SUNK = 0.982; // how large the eyeballs are: lids of few triangles do not quite cover them when shut
+const GATHERED = 1.5; // mm, in the mouth
 const [EYES, SMALL] = [["eye_left", "eye_right"], ["teeth_upper", "teeth_lower", "tongue"]];
 const ROUND = 1.6; // mm, on the eyeballs
+const [LID, EDGE] = [15.3, 0.8]; // mm from an eye's centre up to which lids have their edges, and are finer still
 // The share of its strands that is drawn of hair, and how much wider they are: thinner than a pixel they glitter.
 const STRANDS = {
   brows: { share: 0.35, wide: 3 },
-  lashes: { share: 0.5, wide: 2 },
+  lashes: { share: 1, wide: 1 },
   hair: { share: 0.16, wide: 3.2 },
 };
 
@@ -28,13 +30,16 @@ const LIGHTER = {
 
 /**
  * @param {string} name @param {THREE.Mesh} mesh at rest, mm
- * @param {number[][]} spots where the skin is fine: eyes and mouth
+ * @param {{eyes: number[][], mouth: number[]}} spots where the skin is fine
  * @returns {Lighter | null} null where all triangles are drawn
  */
 export function lighterOf(name, mesh, spots) {
   const { attributes, index } = mesh.geometry;
   const few = LIGHTER[name]?.(attributes.position.array, index.array, spots);
-  return few ? new Lighter(mesh, few, STRANDS[name]?.wide ?? 1) : null;
+  if (!few) return null;
+  const lighter = new Lighter(mesh, few, STRANDS[name]?.wide ?? 1);
+  if (EYES.includes(name)) lighter.mesh.geometry.scale(SUNK, SUNK, SUNK);
+  return lighter;
 }
 
 /** A mesh with some of another's vertices, which stands in its place. */
@@ -88,9 +93,12 @@ function gathering(names, reach) {
   return Object.fromEntries(names.map((name) => [name, (points, index) => coarser(points, index, () => reach)]));
 }
 
-function reachFrom(spots) {
+function reachFrom({ eyes, mouth }) {
   return (x, y, z) => {
-    const near = Math.min(...spots.map(([a, b, c]) => Math.hypot(x - a, y - b, z - c)));
+    const away = ([a, b, c]) => Math.hypot(x - a, y - b, z - c);
+    const eye = Math.min(...eyes.map(away));
+    if (eye < LID) return EDGE;
+    const near = Math.min(eye, away(mouth));
     return Math.min(Math.max(SLOPE * (near - NEAR), LEAST), MOST);
   };
 }

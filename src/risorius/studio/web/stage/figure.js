@@ -19,11 +19,13 @@ const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 /**
  * @param {ArrayBuffer} file the head as binary glTF
  * @param {object} packing how faces of this head are packed, as the server describes it
+ * @param {Uint8Array} shade what each vertex of the skin sees at rest of the room and of each lamp, and how far it is
+ *   from the neckline, (vertices, 1 + lamps + 1) as `shade.py` packs it
  * @param {THREE.Texture} mirrored what the eyes mirror
  */
-export async function buildFigure(file, packing, mirrored) {
+export async function buildFigure(file, packing, shade, mirrored) {
   const glb = readGlb(file);
-  return new Figure(glb, packing, { mirrored, iris: await irisTexture(glb.images[0]) });
+  return new Figure(glb, packing, shade, { mirrored, iris: await irisTexture(glb.images[0]) });
 }
 
 export class Figure {
@@ -37,11 +39,12 @@ export class Figure {
   #fine = true;
   #lighter = {};
   #shown = null;
+  #waits = false; // whether the face that is shown is not taken up yet: another may come before it is drawn
   #stale = new Set();
   #hairs = new Map();
   #slits;
 
-  constructor(glb, packing, pictures) {
+  constructor(glb, packing, shade, pictures) {
     this.#packing = packing;
     this.pivot = new THREE.Vector3(...packing.pivot);
     this.#head.position.copy(this.pivot);
@@ -51,28 +54,15 @@ export class Figure {
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
+    this.#light(shade);
     this.#slits = slitsOf(packing.lips, this.skin);
+    this.#lightMouth();
     this.#prepareLighter();
-    this.shade = null;
-  }
-
-  /**
-   * What each vertex of the skin sees at rest of the room and of each lamp, and how far it is from the neckline,
-   * (vertices, 1 + lamps + 1) as `shade.py` packs it; null: of the light all, of the neckline nothing.
-   * @param {Uint8Array | null} seen
-   */
-  set shade(seen) {
-    const { geometry, material } = this.#meshes.skin;
-    for (const [name, attribute] of Object.entries(lightOf(seen, geometry.attributes.position.count))) {
-      geometry.setAttribute(name, attribute);
-      this.#lighter.skin.take(name);
-    }
-    material.userData.hemmed.value = seen ? 1 : 0;
-    if (seen) material.userData.neck.value.copy(neckColour(geometry.attributes));
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
   get skin() {
+    this.#takeFace();
     return this.#meshes.skin.geometry.attributes.position.array;
   }
 
@@ -84,10 +74,17 @@ export class Figure {
    */
   ready(fine, camera, height) {
     if (fine !== this.#fine) this.#refine(fine);
+    this.#takeFace();
     for (const name of this.#stale) this.#moved(name);
     this.#stale.clear();
     this.group.updateMatrixWorld(true);
     for (const mesh of this.#hairs.keys()) if (mesh.visible) this.#comb(mesh, camera, height);
+  }
+
+  /** Its meshes with all their triangles, in the order in which they are drawn. */
+  get whole() {
+    const rank = ({ renderOrder, material }) => renderOrder + (material.transparent ? 2 : 0);
+    return Object.values(this.#meshes).sort((a, b) => rank(a) - rank(b));
   }
 
   /** How many numbers a face of this head has. */
@@ -104,10 +101,7 @@ export class Figure {
   show(a, b, share) {
     if (this.#shown?.a === a && this.#shown.b === b && this.#shown.share === share) return false;
     this.#shown = { a, b, share };
-    turn(this.#head.quaternion, a.head, b.head, share);
-    for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
-    this.#lightMouth();
-    this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
+    this.#waits = true;
     return true;
   }
 
@@ -134,6 +128,24 @@ export class Figure {
       mesh.position.set(...translation).multiplyScalar(MM);
       this.#eyes.push(mesh);
     }
+  }
+
+  #takeFace() {
+    if (!this.#waits) return;
+    this.#waits = false;
+    const { a, b, share } = this.#shown;
+    turn(this.#head.quaternion, a.head, b.head, share);
+    for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
+    this.#lightMouth();
+    this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
+  }
+
+  #light(shade) {
+    const { geometry, material } = this.#meshes.skin;
+    for (const [name, attribute] of Object.entries(lightOf(shade, geometry.attributes.position.count))) {
+      geometry.setAttribute(name, attribute);
+    }
+    material.userData.neck.value.copy(neckColour(geometry.attributes));
   }
 
   #place({ name, first, count, about }, a, b, share) {
@@ -204,7 +216,7 @@ export class Figure {
   #prepareLighter() {
     const { min, max } = this.#meshes.teeth_upper.geometry.boundingBox;
     const mouth = new THREE.Vector3(0, (min.y + max.y) / 2, max.z).add(this.pivot);
-    const spots = [...this.#packing.eyes, mouth.toArray()];
+    const spots = { eyes: this.#packing.eyes, mouth: mouth.toArray() };
     for (const [name, mesh] of Object.entries(this.#meshes)) {
       const lighter = lighterOf(name, mesh, spots);
       if (!lighter) continue;

@@ -10,15 +10,15 @@ const ABOVE = [-20, -6]; // mm into the cloth where the neck's colour is taken
 
 /**
  * What each vertex of the skin sees of the room and of each lamp, and its way to the neckline in mm.
- * @param {Uint8Array | null} seen (count, 1 + lamps + 1) as `shade.py` packs it; null: all of the light
+ * @param {Uint8Array} seen (count, 1 + lamps + 1) as `shade.py` packs it
  * @param {number} count of the vertices
  * @returns {{free: THREE.BufferAttribute, reach: THREE.BufferAttribute, hem: THREE.BufferAttribute}}
  */
 export function lightOf(seen, count) {
-  const [free, reach] = [new Uint8Array(count).fill(255), new Uint8Array(LAMPS * count).fill(255)];
+  const [free, reach] = [new Uint8Array(count), new Uint8Array(LAMPS * count)];
   const hem = new Float32Array(count);
-  const width = seen ? seen.length / count : 0;
-  for (let vertex = 0; vertex < count && seen; vertex++) {
+  const width = seen.length / count;
+  for (let vertex = 0; vertex < count; vertex++) {
     const [first, last] = [vertex * width, (vertex + 1) * width - 1];
     free[vertex] = seen[first];
     reach.set(seen.subarray(first + 1, last), LAMPS * vertex);

@@ -1,6 +1,6 @@
 /**
- * How fine pictures are drawn: as fine as the screen; coarser in motion while the machine is too slow for that;
- * finer at rest where edges are not smoothed otherwise.
+ * How fine pictures are drawn: as fine as the screen; coarser in motion while the machine is too slow for that. Where
+ * edges are not smoothed otherwise, the picture at rest is another, which is finer (`Still`).
  */
 
 const SLOW = 1000 / 24; // ms between pictures
@@ -14,6 +14,7 @@ const STEPS = [
 ];
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
 const MOST = 2e6; // pixels of a picture at rest that is finer than the screen
+const FINER = 2; // pixels of it to one of CSS
 const REST = 800; // ms in which nobody moves anything after which the head is at rest
 
 export class Sharpness {
@@ -24,7 +25,7 @@ export class Sharpness {
   #atRest = false;
   #playing = false;
   #held = false;
-  #still;
+  #rough;
   #rested;
 
   /**
@@ -32,28 +33,34 @@ export class Sharpness {
    * @param {() => void} rested called when the head has come to rest: a finer picture is due
    */
   constructor(rough, rested) {
-    this.#still = rough ? 2 : 1;
+    this.#rough = rough;
     this.#step = rough ? 2 : 0;
     this.#rested = rested;
     for (const name of ["pointerdown", "pointerup", "pointercancel"]) {
       document.addEventListener(name, () => this.#hold(name === "pointerdown"), true);
     }
+    // Who writes would wait for it, too.
+    document.addEventListener("keydown", () => this.#atRest || this.moves(), true);
   }
 
-  /** Pixels drawn per CSS pixel of a side. @param {number} area of the picture, in CSS pixels */
-  ratio(area) {
-    const screen = Math.min(window.devicePixelRatio, 2);
-    if (!this.#atRest) return STEPS[this.#step].ratio * screen;
-    return Math.max(Math.min(this.#still, Math.sqrt(MOST / area)), screen);
+  /** Pixels drawn per CSS pixel of a side. */
+  get ratio() {
+    return this.fine ? screenRatio() : STEPS[this.#step].ratio * screenRatio();
+  }
+
+  /** The same in the picture at rest. @param {number} area of it, in CSS pixels */
+  stillRatio(area) {
+    return Math.max(Math.min(FINER, Math.sqrt(MOST / area)), screenRatio());
   }
 
   /** Whether all triangles are drawn. */
   get fine() {
-    return this.#atRest || STEPS[this.#step].fine;
+    return (this.#atRest && !this.#rough) || STEPS[this.#step].fine;
   }
 
-  /** Whether it plays: then it is never at rest, however slowly pictures come. */
+  /** Whether it plays, or is about to: then it is never at rest, however slowly pictures come. */
   set playing(playing) {
+    if (playing === this.#playing) return;
     this.#playing = playing;
     this.moves();
   }
@@ -92,4 +99,8 @@ export class Sharpness {
     this.#step = Math.min(Math.max(this.#step + Math.sign(strike), 0), STEPS.length - 1);
     this.#strikes = 0;
   }
+}
+
+function screenRatio() {
+  return Math.min(window.devicePixelRatio, 2);
 }

@@ -27,7 +27,6 @@ const REACHED = THREE.ShaderChunk.lights_fragment_begin.replace(
 );
 
 const CARRIED = `#include <common>
-uniform float hemmed;
 uniform vec3 cloth;
 uniform vec3 neck;
 varying float roomFree;
@@ -37,14 +36,14 @@ varying vec2 worn; // mm into the cloth, and the share that the colour has of it
 const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
 
 // Where the colour has the cloth's in it, skin is of the neck's.
-const BARE = "vec3 bare = mix( vColor.rgb, neck, hemmed * smoothstep( 0.0, 0.35, worn.y ) );";
+const BARE = "vec3 bare = mix( vColor.rgb, neck, smoothstep( 0.0, 0.35, worn.y ) );";
 
 // The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's. It is shaded
 // where the collar begins.
 const CUT = `
   float width = clamp( fwidth( worn.x ), 0.15, 3.0 );
-  float covered = hemmed * smoothstep( - width, width, worn.x );
-  float collar = 1.0 - hemmed * 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
+  float covered = smoothstep( - width, width, worn.x );
+  float collar = 1.0 - 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
   float seam = worn.x - 9.0;
   float knit = 1.0 - 0.3 * exp( - seam * seam * 0.6 );`;
 
@@ -62,8 +61,8 @@ const SKIN = {
   fragment: [
     ["#include <common>", CARRIED],
     ["#include <color_fragment>", `${BARE}${CUT}\ndiffuseColor.rgb = mix( bare * collar, cloth * knit, covered );`],
-    // Cloth does not shine; before the neckline is known, skin does not either.
-    ["vec3 outgoingLight = ", "vec3 outgoingLight = ( hemmed - covered ) * reflectedLight.directSpecular + "],
+    // Cloth does not shine.
+    ["vec3 outgoingLight = ", "vec3 outgoingLight = ( 1.0 - covered ) * reflectedLight.directSpecular + "],
   ],
   light: [
     ["#include <lights_lambert_pars_fragment>", SKIN_LIT],
@@ -74,24 +73,25 @@ const SKIN = {
 
 const QUICK = {
   made: "varying vec3 skin;\nvarying vec3 dressed;\n",
-  develop: `${BARE}\nskin = developed( bare * light + hemmed * gloss );\ndressed = developed( cloth * light );`,
+  develop: `${BARE}\nskin = developed( bare * light + gloss );\ndressed = developed( cloth * light );`,
   pixel: `
-uniform float hemmed;
 varying vec2 worn;
 void main() {
-  ${CUT}
-  gl_FragColor = vec4( mix( skin * sqrt( collar ), dressed * knit, covered ), 1.0 );
+  gl_FragColor = vec4( skin, 1.0 );
+  if ( worn.x > - 20.0 ) { // mm: above that there is neither cloth nor the collar's shade
+    ${CUT}
+    gl_FragColor.rgb = mix( skin * sqrt( collar ), dressed * knit, covered );
+  }
 }`,
 };
 
 /**
  * @param {number[]} cloth its linear colour
- * @returns {THREE.Material} whose `userData` has whether it is `hemmed`, the colour of its `neck`, and as `quick` the
- *   material for motion
+ * @returns {THREE.Material} whose `userData` has the colour of its `neck`, and as `quick` the material for motion
  */
 export function skinMaterial(cloth) {
   const material = new THREE.MeshLambertMaterial({ vertexColors: true });
-  const uniforms = { hemmed: { value: 0 }, neck: { value: new THREE.Color() } };
+  const uniforms = { neck: { value: new THREE.Color() } };
   Object.assign(material.userData, uniforms);
   uniforms.cloth = { value: new THREE.Color(...cloth) };
   patch(material, SKIN, uniforms);

@@ -1,3 +1,4 @@
+import { drawnBySoftware } from "../stage/software.js";
 import { h } from "./dom.js";
 
 /**
@@ -71,7 +72,7 @@ export class Overview {
     if (drawn === this.#drawn) return;
     this.#drawn = drawn;
     [this.#canvas.width, this.#canvas.height] = [width, height];
-    const context = this.#canvas.getContext("2d");
+    const context = this.#canvas.getContext("2d", { willReadFrequently: drawnBySoftware() });
     context.fillStyle = palette.wave;
     const count = wave ? wave.peaks.length / 2 : 0;
     for (let x = 0; x < width && count; x++) {
