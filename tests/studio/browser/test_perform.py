@@ -65,20 +65,22 @@ def test_sound_and_face_begin_together_where_the_line_does(page: Page) -> None:
       const play = HTMLMediaElement.prototype.play;
       HTMLMediaElement.prototype.play = function () {
         const { behind } = theatre.players[0];
-        if (clock.duration > 1) found.push([this.readyState, this.currentTime, clock.time, behind]);
+        const waited = performance.now() - asked;
+        if (clock.playing) found.push([this.readyState, this.currentTime, clock.time, behind, waited]);
         return play.call(this);
       };
-      let early = 0;
+      let [early, asked] = [0, 0];
+      clock.on("state", () => (asked ||= clock.playing ? performance.now() : 0));
       clock.on("tick", () => (early += clock.time > 0 && clock.playing && !found.length ? 1 : 0));
       document.getElementById("play").click();
       const begun = () => clock.time > 0.3 && clock.playing && found.length > 0;
       while (!begun()) await new Promise((go) => setTimeout(go, 5));
       return [found, early];
     """)
-    ((ready, heard, seen, behind),), early = began
-    assert ready >= 3
-    assert (heard, seen, behind) == (0, 0, False)
-    assert early == 0
+    (ready, heard, seen, behind, waited), early = began[0][0], began[1]
+    assert (heard, seen, early) == (0, 0, 0)
+    # On a machine that is too slow the sound waits no longer than this.
+    assert waited > 1400 or (ready >= 3 and not behind)
 
 
 def test_what_is_written_is_made_ready_in_a_pause(page: Page) -> None:
