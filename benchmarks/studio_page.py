@@ -154,7 +154,7 @@ def measure(page: Page) -> None:
     """Measure on a page and print."""
     page.open("benchmark")
     page.driver.find_element("id", "script").send_keys("First, something short.")
-    page.wait("!document.getElementById('play').disabled")
+    page.wait("!document.getElementById('play').disabled && Boolean(studio.theatre.figures[0])")
     first = page.run(PLAYED, LONGEST)
     print(f"the first line of all, heard {first[0]:.0f} ms after play was pressed, seen {first[1]:.0f} ms")
     page.wait("!studio.clock.playing")
