@@ -81,7 +81,17 @@ const sent = (window.sent = []);       // [number of a dial's request, when it w
 const drawn = (window.drawn = []);     // {number: the newest face in the picture, come, drawn, seen}
 let [number, come] = [0, 0];
 const send = WebSocket.prototype.send;
+const noted = (event) => {             // before the page hears it, which may draw at once
+  if (!(event.data instanceof ArrayBuffer)) return;
+  const [kind, given] = new Uint32Array(event.data, 0, 2);
+  if (kind === 2) [number, come] = [given, performance.now()];
+};
 WebSocket.prototype.send = function (text) {
+  if (!this.noted) {
+    const { onmessage } = this;
+    this.noted = true;
+    this.onmessage = (event) => { noted(event); onmessage.call(this, event); };
+  }
   if (JSON.parse(text).do === "dial") sent.push([JSON.parse(text).id, window.turned]);
   send.call(this, text);
 };
@@ -101,10 +111,6 @@ figure.ready = function (...given) {
     look();
   });
 };
-studio.connection.on("binary", (buffer) => {
-  const [kind, given] = new Uint32Array(buffer, 0, 2);
-  if (kind === 2) [number, come] = [given, performance.now()];
-});
 window.turn = (value) => {
   const bar = document.querySelector('input[type=range][aria-label="19 masseter"]');
   window.turned = performance.now();
