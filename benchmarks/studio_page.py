@@ -1,11 +1,12 @@
 """How quick the studio's page is in headless Chromium, which draws by software, at 1280 × 720.
 
 A real server and a real browser on this machine. Prints milliseconds from pressing play on a new line until
-it is heard and until its first picture is drawn, pictures per second while a line plays whose faces are
-there, and milliseconds from turning a dial to the picture of that face (medians, the slowest in brackets):
-until the face has come, until the picture is handed over to
-be drawn, until it is drawn, and how long drawing by software takes of that; and what else the machine was
-doing. Needs Chromium and its driver (`scripts/test --browser` installs them). Run from the repository:
+it is heard and until its first picture is drawn; pictures per second while a line plays whose faces are
+there, and the milliseconds of the page's main thread that each takes; pictures per second and the longest
+wait while somebody scrubs through five minutes; milliseconds from turning a dial to the picture of that face
+(medians, the slowest in brackets): until the face has come, until the picture is handed over to be drawn,
+until it is drawn, and how long drawing by software takes of that; and what else the machine was doing. Needs
+Chromium and its driver (`scripts/test --browser` installs them). Run from the repository:
     PYTHONPATH=src:tests/studio python benchmarks/studio_page.py
 """
 
@@ -30,6 +31,7 @@ LINE = (
 )
 TIMES = 20
 PLAYS = 7
+MINUTES_5 = 30  # lines
 LONGEST = 60_000.0  # ms for which a line is waited for
 STAGES = ("to its face in the page", "to the picture handed over", "to the picture drawn", "drawing alone")
 WRITE = """
@@ -73,6 +75,21 @@ studio.clock.play();
 const [drawn, begun] = [stage.drawn, performance.now()];
 await new Promise((go) => setTimeout(go, 6000));
 return (1000 * (stage.drawn - drawn)) / (performance.now() - begun);
+"""
+SCRUBBED = """
+const { clock, theatre: { stage } } = studio;
+clock.pause();
+const [begun, end, drawn] = [performance.now(), clock.duration, stage.drawn];
+let [last, count, longest] = [begun, drawn, 0];
+for (let now = begun; now < begun + 6000; now = performance.now()) {
+  clock.seek(end * (0.5 - 0.5 * Math.cos((now - begun) / 1500)));
+  await new Promise((go) => requestAnimationFrame(go));
+  if (stage.drawn !== count) {
+    longest = Math.max(longest, performance.now() - last);
+    [last, count] = [performance.now(), stage.drawn];
+  }
+}
+return [(1000 * (count - drawn)) / (last - begun), longest];
 """
 WATCH = """
 const { stage, figures } = studio.theatre;
@@ -166,13 +183,38 @@ def measure(page: Page) -> None:
     page.wait("!studio.clock.playing")
     for name, pause in (("as soon as it is written", 0.0), ("a second later", 1.0)):
         tell_played(f"ten seconds, played {name}", [played(page, pause, k) for k in range(PLAYS)])
-    print(f"pictures per second at {SIZE[0]} × {SIZE[1]}                {page.run(PER_SECOND):6.1f}")
+    tell_playing(page)
+    tell_scrubbed(page)
     page.run("document.querySelectorAll('#panel [role=tab]')[1].click(); studio.clock.pause()")
     page.run(WATCH)
     page.run(TURNED, 0.1)
     tell("a dial turned", [page.run(TURNED, 0.2 + 0.03 * k) for k in range(TIMES)])
     tell("a dial dragged for 3 s", page.run(DRAGGED))
     print(f"load of the machine's {os.cpu_count()} cores meanwhile  {os.getloadavg()[0]:.1f}")
+
+
+def tell_playing(page: Page) -> None:
+    """Print how many pictures a second are drawn while a line plays, and the main thread's work for each."""
+    page.driver.execute_cdp_cmd("Performance.enable", {})
+    before, begun = busy(page), page.run("return studio.theatre.stage.drawn")
+    rate = page.run(PER_SECOND)
+    each = 1000.0 * (busy(page) - before) / (page.run("return studio.theatre.stage.drawn") - begun)
+    print(f"pictures per second at {SIZE[0]} × {SIZE[1]}: {rate:.1f}, main thread {each:.1f} ms each")
+
+
+def busy(page: Page) -> float:
+    """Return the seconds that the page's main thread has worked."""
+    metrics = page.driver.execute_cdp_cmd("Performance.getMetrics", {})["metrics"]
+    return float(next(m["value"] for m in metrics if m["name"] == "TaskDuration"))
+
+
+def tell_scrubbed(page: Page) -> None:
+    """Print how smoothly five minutes are scrubbed through."""
+    page.run(WRITE, " ".join(f"{LINE[:-1]} of week {k}." for k in range(MINUTES_5)))
+    page.run(PLAYED, LONGEST)
+    rate, longest = page.run(SCRUBBED)
+    length = page.run("return studio.clock.duration")
+    print(f"scrubbed through {length:.0f} s: {rate:.1f} pictures per second, longest wait {longest:.0f} ms")
 
 
 def played(page: Page, pause: float, k: int) -> list[float]:

@@ -135,6 +135,7 @@ class Session:
         for edit in version.edits:
             step = step.changed(edit)
             history.push(step, worded(edit))
+        self.forget_rehearsal()
         self.current = self._live(step)
         self.history, self.view = history, view
 
