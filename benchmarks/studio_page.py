@@ -210,6 +210,7 @@ def busy(page: Page) -> float:
 
 def tell_scrubbed(page: Page) -> None:
     """Print how smoothly five minutes are scrubbed through."""
+    page.run("studio.clock.pause()")
     page.run(WRITE, " ".join(f"{LINE[:-1]} of week {k}." for k in range(MINUTES_5)))
     page.run(PLAYED, LONGEST)
     rate, longest = page.run(SCRUBBED)
