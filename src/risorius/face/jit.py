@@ -17,23 +17,30 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 def compiled(function: F) -> F:
     """Compile a function for one thread, kept on disk; its arithmetic is not rearranged."""
-    return _kernel(function)
+    return kernel(function)
 
 
 def compiled_fast(function: F) -> F:
     """Compile a function whose sums may be rearranged into vectors."""
-    return _kernel(function, fastmath={"contract", "reassoc"})
+    return kernel(function, fastmath={"contract", "reassoc"})
 
 
-def _kernel(function: F, **options: Any) -> F:
-    # Nobody takes the way in for C, and the first run would wait for it.
+def kernel(function: F, **options: Any) -> F:
+    """Compile a function that Python calls, to run beside its other threads; the machine code is kept.
+
+    `options` are numba's. There is no way in for C: nobody takes it, and the first run would wait for it.
+    """
     jit = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, **options)
     return cast(F, jit(function))
 
 
-def device(function: F) -> F:
-    """Let kernels call a function, compiled with them and kept within them; Python calls it as it stands."""
-    return cast(F, register_jitable(error_model="numpy", no_cfunc_wrapper=True)(function))
+def device(function: F, **options: Any) -> F:
+    """Let kernels call a function; Python calls it as it stands.
+
+    It is compiled with the kernels that call it and kept within them, without the ways in for Python and for
+    C: they would take longer to compile than most of our functions, and the first run waits for each of them.
+    """
+    return cast(F, register_jitable(error_model="numpy", no_cfunc_wrapper=True, **options)(function))
 
 
 def inlined(function: F) -> F:

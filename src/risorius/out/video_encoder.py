@@ -24,7 +24,7 @@ from .. import workers
 from ..errors import OutputError
 from ..film import wire
 from ..film.codecs import CODECS
-from .yuv import planes
+from ..render.yuv import planes
 
 # Seconds without progress after which the worker is given up.
 PATIENCE = 60.0
@@ -81,11 +81,11 @@ class VideoEncoder:
         """Add the next picture, uint8 of shape (height, width, channels); it may be changed afterwards."""
         if rgb.shape != self._shape or rgb.dtype != np.uint8:
             raise ValueError(f"a picture is {rgb.dtype}{rgb.shape}; expected uint8{self._shape}")
-        numbers = _even(rgb)
+        numbers = np.ascontiguousarray(_even(rgb))
         if self._planes is not None:
             planes(numbers, self._planes)
             numbers = self._planes
-        self._send(wire.PICTURE, np.ascontiguousarray(numbers).data.cast("B"))
+        self._send(wire.PICTURE, numbers.data.cast("B"))
 
     def sound(self, samples: npt.NDArray[np.int16]) -> None:
         """Add int16 samples, shape (n,)."""

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from .jit import exact, f4, f8, i4, i8, index, inlined
 from .raster import HALF, SUBPIXEL, FloatArray, IntArray, area_of, extent
 from .row_block import LANES, cover, cover_depth
+from .vec import Vec
 
 _MOST = 1 << 30
 """Width times height, in 1/SUBPIXEL², of triangles whose edge functions are sure to fit in 32 bits."""
@@ -14,7 +16,24 @@ _NEVER = f4(1e9)
 
 Corners = tuple[float, float, float, float, float, float]
 Whole = tuple[int, int, int]
-Vec = tuple[float, float, float]
+
+
+class Scan(NamedTuple):
+    """Where to look for a triangle's samples, and what tells which they are.
+
+    The rows from `first` to `last`, the columns from `left` to `right`; `edges` are its edge functions at
+    sample (`left`, `first`), `steps` and `downs` what they grow by to the right and downwards; `near` is its
+    key there, and what that grows by to the right and downwards.
+    """
+
+    first: int
+    last: int
+    left: int
+    right: int
+    edges: Whole
+    steps: Whole
+    downs: Whole
+    near: Vec
 
 
 @inlined
@@ -52,35 +71,19 @@ def fill(
         downs[1] * near_b + downs[2] * near_c,
     )
     edges = wa + _bias(cx - bx, cy - by), wb + _bias(ax - cx, ay - cy), wc + _bias(bx - ax, by - ay)
+    scan = Scan(first, last, left, right, edges, steps, downs, near)
     wide = max(ax, bx, cx) - min(ax, bx, cx) + LANES * SUBPIXEL
     if depth.shape[1] >= LANES and wide * (max(ay, by, cy) - min(ay, by, cy)) < _MOST:
         corners = f4(ax), f4(ay), f4(bx), f4(by), f4(cx), f4(cy)
-        _fill_blocks(t, first, last, left, right, corners, edges, steps, downs, near, depth, ids, keep)
+        _fill_blocks(t, scan, corners, depth, ids, keep)
     else:
-        _fill_rows(t, first, last, left, right, edges, steps, downs, near, depth, ids, keep)
+        _fill_rows(t, scan, depth, ids, keep)
 
 
 @inlined
-def _fill_blocks(
-    t: int,
-    first: int,
-    last: int,
-    left: int,
-    right: int,
-    corners: Corners,
-    edges: Whole,
-    steps: Whole,
-    downs: Whole,
-    near: Vec,
-    depth: FloatArray,
-    ids: IntArray,
-    keep: bool,
-) -> None:
-    """Draw the triangle in columns of LANES samples, in each of them the rows that it may reach there.
-
-    `edges` are its edge functions at sample (`left`, `first`), `steps` and `downs` what they grow by to the
-    right and downwards; `near` is its key there, and what that grows by to the right and downwards.
-    """
+def _fill_blocks(t: int, scan: Scan, corners: Corners, depth: FloatArray, ids: IntArray, keep: bool) -> None:
+    """Draw the triangle in columns of LANES samples, in each of them the rows that it may reach there."""
+    first, last, left, right, edges, steps, downs, near = scan
     for column in range(left, right + 1, LANES):
         start, top, bottom = min(column, depth.shape[1] - LANES), first, last
         if right - left >= LANES:
@@ -165,21 +168,9 @@ def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
 
 
 @exact
-def _fill_rows(
-    t: int,
-    first: int,
-    last: int,
-    left: int,
-    right: int,
-    edges: Whole,
-    steps: Whole,
-    downs: Whole,
-    near: Vec,
-    depth: FloatArray,
-    ids: IntArray,
-    keep: bool,
-) -> None:
-    """Draw the triangle row by row, from where to where it reaches in each (see `_fill_blocks`)."""
+def _fill_rows(t: int, scan: Scan, depth: FloatArray, ids: IntArray, keep: bool) -> None:
+    """Draw the triangle row by row, from where to where it reaches in each."""
+    first, last, left, right, edges, steps, downs, near = scan
     (qa, ra), (da, ea) = _divide(edges[0], steps[0]), _divide(downs[0], steps[0])
     (qb, rb), (db, eb) = _divide(edges[1], steps[1]), _divide(downs[1], steps[1])
     (qc, rc), (dc, ec) = _divide(edges[2], steps[2]), _divide(downs[2], steps[2])

@@ -11,11 +11,8 @@ from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
-from numba.extending import register_jitable
 
-from ..compile_cache import use_own_folder
-
-use_own_folder()
+from ..face import jit as face_jit
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -32,30 +29,19 @@ index = cast(Callable[[float], int], np.uint32)
 _FAST = {"contract", "arcp", "nsz", "afn"}
 
 
-def _device(function: F, **options: Any) -> F:
-    """Let kernels call a function; Python calls it as it stands.
-
-    It is compiled with the kernels that call it and kept within them, without the ways in for Python and for
-    C: they would take longer to compile than most of our functions, and the first run waits for each of them.
-    """
-    return cast(
-        F, register_jitable(error_model="numpy", _nrt=False, no_cfunc_wrapper=True, **options)(function)
-    )
-
-
 def device(function: F) -> F:
     """Compile a function that kernels call."""
-    return _device(function, fastmath=_FAST)
+    return face_jit.device(function, _nrt=False, fastmath=_FAST)
 
 
 def summing(function: F) -> F:
     """Compile a device function with a long sum that may be taken in any order."""
-    return _device(function, fastmath=_FAST | {"reassoc"})
+    return face_jit.device(function, _nrt=False, fastmath=_FAST | {"reassoc"})
 
 
 def exact(function: F) -> F:
     """Compile a device function whose arithmetic must not be rearranged."""
-    return _device(function)
+    return face_jit.device(function, _nrt=False)
 
 
 def inlined(function: F) -> F:
@@ -67,17 +53,11 @@ def inlined(function: F) -> F:
     return cast(F, numba.njit(inline="always", _nrt=False, error_model="numpy", fastmath=_FAST)(function))
 
 
-def _kernel(function: F, **options: Any) -> F:
-    """Compile with numba and keep the machine code on disk, without a way in for C, which nobody takes."""
-    options |= {"error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
-    return cast(F, numba.njit(cache=True, nogil=True, **options)(function))
-
-
 def kernel(function: F) -> F:
     """Compile a function that Python calls, to run beside Python's other threads."""
-    return _kernel(function, fastmath=_FAST)
+    return face_jit.kernel(function, _nrt=False, fastmath=_FAST)
 
 
 def exact_kernel(function: F) -> F:
     """Compile a kernel whose arithmetic must not be rearranged."""
-    return _kernel(function)
+    return face_jit.kernel(function, _nrt=False)

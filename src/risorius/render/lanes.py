@@ -52,14 +52,3 @@ def face(block: FloatArray, eye: Vec) -> None:
     for k in range(LANES):
         put(block, NORMAL, k, unit(get(block, NORMAL, k)))
         put(block, VIEW, k, unit(sub(eye, get(block, POSITION, k))))
-
-
-@device
-def read_reach(
-    block: FloatArray, lane: int, reach: FloatArray, corners: tuple[int, int, int], weights: Vec
-) -> None:
-    """Read into a lane how much of each lamp a place in a triangle can see."""
-    (a, b, c), (u, v, w) = corners, weights
-    for lamp in range(LAMPS):
-        share: float = u * reach[a, lamp] + v * reach[b, lamp] + w * reach[c, lamp]
-        block[REACH + lamp * LANES + lane] = share

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..inputs import Light
 from ..jit import device, f4, inlined
+from ..lanes import LAMPS, LANES, REACH
 from ..raster import FloatArray
 from ..shadow import lit
 from ..vec import Vec, mix
@@ -55,6 +56,15 @@ def lamp_share(reach: FloatArray, corners: tuple[int, int, int], weights: Vec, k
     a, b, c = corners
     share: float = weights[0] * reach[a, k] + weights[1] * reach[b, k] + weights[2] * reach[c, k]
     return share
+
+
+@device
+def read_reach(
+    block: FloatArray, lane: int, reach: FloatArray, corners: tuple[int, int, int], weights: Vec
+) -> None:
+    """Read into a lane how much of each lamp arrives at a place in a triangle, as far as its corners tell."""
+    for lamp in range(LAMPS):
+        block[REACH + lamp * LANES + lane] = lamp_share(reach, corners, weights, lamp)
 
 
 @device

@@ -26,12 +26,11 @@ from ..lanes import (
     face,
     get,
     put,
-    read_reach,
 )
 from ..raster import FloatArray
 from ..vec import Vec, add, along, dot, mix, scale, times, weigh
 from .folds import bent, creased
-from .lit import glow, lamp_colour, lamp_direction, room_of
+from .lit import glow, lamp_colour, lamp_direction, read_reach, room_of
 from .mouth import past_lips
 from .painted import line_share, painted
 from .patch import corners_of, weights_of

@@ -10,7 +10,7 @@ from ..inputs import EYE_LEFT, TEETH, Batch, Light, Mesh, Pose, Sight
 from ..jit import device, f4, inlined
 from ..vec import Vec, along, dot, mix, saturate, scale, smooth, sub, times, unit, unrotate, weigh
 from .eye import IRIS, lid_distances, lid_shade
-from .lit import glow, key_share, lamp_colour, lamp_direction, lamp_share, room_of
+from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light
 from .mouth import past_lips
 from .patch import Corners, corners_of, towards, weights_of
 
@@ -55,7 +55,7 @@ def _matt(
     key: float,
 ) -> Vec:
     """Return matt light with the gloss of clay, where the share `free` of all light arrives."""
-    total = times(albedo, glow(room_of(light.room), normal, free))
+    total = times(albedo, room_light(light.room, normal, free))
     for k in range(len(light.lamps)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
         share = lamp_share(mesh.reach, corners, weights, k) * free * (key if k == 0 else f4(1))

@@ -32,13 +32,12 @@ from ..lanes import (
     face,
     get,
     put,
-    read_reach,
 )
 from ..noise import between, cell_of, heights_about
 from ..raster import FloatArray
 from ..vec import add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from .folds import bent, creased
-from .lit import glow, room_of
+from .lit import glow, read_reach, room_of
 from .mouth import past_lips
 from .patch import corners_of, weights_of
 from .patch import put as put_colour

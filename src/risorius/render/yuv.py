@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from ..render.jit import exact, exact_kernel, i4
+from .jit import exact, exact_kernel, i4
 
 Bytes = npt.NDArray[np.uint8]
 

@@ -4,7 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from risorius.out.yuv import planes
+from risorius.render.yuv import planes
 
 
 def in_film(rgb):
