@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 
+import anyio
 import uvicorn
 
 import risorius
@@ -16,19 +17,22 @@ from risorius.studio.server import bound, configured
 
 
 @cache
-def compile_faces() -> None:
-    """Solve one face, with the skin in motion.
+def parse_ahead() -> None:
+    """Solve one face, with the skin in motion, and import all of anyio.
 
-    To compile, numba parses a kernel's source; where pytest parses a module at the same time (to rewrite its
-    asserts, or to show a failure), Python 3.11 confuses the two: "AST constructor recursion depth mismatch".
+    To compile, numba parses a kernel's source, and what is imported of anyio is parsed by pytest, since it is
+    a plugin of it, too; where two threads parse at a time (pytest does as well, to show a failure), Python
+    3.11 confuses them: "AST constructor recursion depth mismatch".
     """
     next(iter(risorius.pose({}).faces()))
+    for name in dir(anyio):
+        getattr(anyio, name)
 
 
 @contextmanager
 def running(folder: Path) -> Iterator[tuple[Studio, int]]:
     """Run a studio and yield it with its port."""
-    compile_faces()
+    parse_ahead()
     listening, studio = bound(0), Studio(folder)
     config = configured(studio)
     # Pings carry random numbers, and hypothesis, at work in the tests' thread, would take them for its own.

@@ -8,6 +8,8 @@ import subprocess
 import sys
 import urllib.request
 
+import pytest
+
 from risorius.cli import run
 from risorius.studio.server import bound
 
@@ -38,5 +40,37 @@ def test_it_serves_until_it_is_interrupted(tmp_path):
                 assert b"<title>" in answer.read()
         finally:
             process.send_signal(signal.SIGINT)
-        assert process.wait(60) == 0
-        assert process.stderr.read() == ""
+        said = process.stderr.read()
+        assert (process.wait(60), said) == (0, "")
+
+
+COMPILING = r"""
+import atexit, sys, threading, time
+import llvmlite.binding as llvm
+from risorius.cli import leave
+
+llvm.initialize_native_target()
+llvm.initialize_native_asmprinter()
+sums = "".join(f"%a{k} = fadd double %a{k - 1}, 1.5\n" for k in range(1, 300))
+source = "".join(f"define double @f{k}(double %a0) {{\n{sums}ret double %a299\n}}\n" for k in range(60))
+
+def compile_on():
+    while True:
+        machine = llvm.Target.from_default_triple().create_target_machine()
+        compiler = llvm.create_mcjit_compiler(llvm.parse_assembly(source), machine)
+        compiler.set_object_cache(lambda module, data: None, lambda module: None)
+        compiler.finalize_object()
+
+threading.Thread(target=compile_on, daemon=True).start()
+atexit.register(print, "put off")
+time.sleep(float(sys.argv[1]))
+leave()
+"""
+
+
+@pytest.mark.parametrize("seconds", [0.9, 1.0, 1.1, 1.2])
+def test_a_compiler_at_work_does_not_abort_what_ends(seconds):
+    done = subprocess.run(
+        [sys.executable, "-c", COMPILING, str(seconds)], capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "put off\n", "")

@@ -122,6 +122,14 @@ def test_what_is_begun_is_done_and_saved_though_the_page_goes(server):
         assert page.ask("open")["take"]["made"]["source"]["script"] == LINE
 
 
+def test_what_is_begun_is_done_and_saved_though_the_server_ends(tmp_path):
+    with serving(tmp_path) as server, server.page("ended") as page:
+        page.socket.send(json.dumps({"id": 1, "do": "perform", "source": {"script": LINE}}))
+        page.event("progress")
+    saved = json.loads((tmp_path / "ended" / "project.json").read_text())
+    assert saved["made"]["source"]["script"] == LINE
+
+
 def _held(page, number, time):
     page.faces.clear()
     page.ask("face_at", take=number, time=time, still=True)

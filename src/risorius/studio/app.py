@@ -110,7 +110,7 @@ class Studio:
         threading.Thread(target=warm, name="warming", daemon=True).start()
         yield
         for room in self.rooms.values():
-            room.close()
+            await room.finish()
 
     async def socket(self, socket: WebSocket) -> None:
         """Serve a page's socket."""

@@ -53,6 +53,7 @@ class Room:
         self._autosave = Autosave(folder)
         self._loaded = False
         self._tasks: set[asyncio.Task[Any]] = set()
+        self._exporting: set[asyncio.Task[Any]] = set()
         self._worker = ThreadPoolExecutor(1, thread_name_prefix=f"session-{name}")
         self._exporter = ThreadPoolExecutor(1, thread_name_prefix=f"export-{name}")
 
@@ -128,7 +129,9 @@ class Room:
         async def run() -> None:
             await self.tell(await loop.run_in_executor(self._exporter, written))
 
-        self._keep(loop.create_task(run()))
+        exporting = loop.create_task(run())
+        self._exporting.add(exporting)
+        self._keep(exporting)
         return wire.Job(job)
 
     async def tell(self, event: Any) -> None:
@@ -141,6 +144,12 @@ class Room:
         current = self.session.current
         for other in self.pages - {page}:
             other.tell(wire.Changed(0 if current is None else current.number))
+
+    async def finish(self) -> None:
+        """Close, what pages have asked for being done and saved; exports under way are given up."""
+        while begun := self._tasks - self._exporting:
+            await asyncio.wait(begun)
+        self.close()
 
     def close(self) -> None:
         """Let the threads go."""
@@ -164,6 +173,7 @@ class Room:
 
     def _forget(self, task: asyncio.Task[Any]) -> None:
         self._tasks.discard(task)
+        self._exporting.discard(task)
         if not task.cancelled():
             # Where a page has gone nobody else asks for it, and asyncio would complain.
             task.exception()
