@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import tracemalloc
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -126,6 +128,28 @@ def test_same_input_same_bytes(tmp_path: Path) -> None:
         written.append([(folder / name).read_bytes() for name in names])
     for name, first, second in zip(names, *written, strict=True):
         assert first == second, name
+
+
+def test_a_minute_more_keeps_less_than_two_megabytes_more() -> None:
+    sentence = "Oh, really? I like it very much. My baby brother put the map by the beam. "
+    risorius.speak(sentence, text=True)
+    tracemalloc.start()
+    try:
+        # All blocks of time that are kept are full from the first length on.
+        kept = [_kept(sentence * 22), _kept(sentence * 44)]
+    finally:
+        tracemalloc.stop()
+    (before, short), (after, long) = kept
+    assert (after - before) / (long - short) < 2e6
+
+
+def _kept(text: str) -> tuple[int, float]:
+    """Return how many bytes a take keeps, and its minutes."""
+    gc.collect()
+    empty = tracemalloc.get_traced_memory()[0]
+    take = risorius.speak(text, text=True)
+    gc.collect()
+    return tracemalloc.get_traced_memory()[0] - empty, take.duration / 60.0
 
 
 def test_another_seed_moves_the_blinks_but_not_the_lips() -> None:

@@ -33,6 +33,14 @@ def values(found: list[Movement], times: np.ndarray, name: str = Z) -> np.ndarra
     return dense
 
 
+def test_both_sides_share_what_is_the_same() -> None:
+    one = Movement("emotion", 0, 2, 0.5, 0.5, {Z: 0.5, Z.replace("left", "right"): 0.5})
+    curves = concatenate([one, move(3, 4, 0.1, 0.1, 0.2)]).curves
+    assert curves[Z] is not curves[Z.replace("left", "right")]
+    curves = concatenate([one]).curves
+    assert curves[Z] is curves[Z.replace("left", "right")]
+
+
 class TestOneMovement:
     """Paper A, section 4."""
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from risorius.blend.coarticulation import LIP_MODELS, Averages, Coarticulation, without_gaps
+from risorius.blend.coarticulation import LIP_MODELS, Coarticulation, without_gaps
 from risorius.blend.lookahead import OPPOSED, LookAheadModel
 from risorius.core.movement import Dominance, LipSegment
 
@@ -35,7 +35,8 @@ def curve(
     model: str, found: list[LipSegment], times: list[float] | np.ndarray, name: str = WIDTH
 ) -> np.ndarray:
     made: Coarticulation = LIP_MODELS.get(model)(without_gaps(found))
-    return Averages(made, np.asarray(times, dtype=np.float64))(name)
+    weights = made.weights(made.group(name), np.asarray(times, dtype=np.float64))
+    return weights.average(made.targets(name))
 
 
 def posture(found: list[LipSegment], name: str = WIDTH) -> list[float]:

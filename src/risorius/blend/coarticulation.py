@@ -33,10 +33,22 @@ class Weights:
     weight: Array
     count: int
 
-    def average(self, values: Array) -> Array:
+    def average(self, values: Array | Column) -> Array:
         """Return the weighted average of one value per segment, shape (segments,), at the times: (count,)."""
         spread = np.bincount(self.time, self.weight * values[self.segment], self.count)
         return np.asarray(spread, dtype=np.float64)
+
+
+class Column:
+    """A value of every segment, shape (segments,), kept small: most segments have one of a few."""
+
+    def __init__(self, values: Array) -> None:
+        self._distinct, number = np.unique(values, return_inverse=True)
+        self._number = number.astype(np.uint16 if len(self._distinct) <= 2**16 else np.uint32)
+
+    def __getitem__(self, segments: Indices) -> Array:
+        """Return the values of some segments, shape (n,) -> (n,)."""
+        return np.asarray(self._distinct[self._number[segments]])
 
 
 class Shared:
@@ -47,7 +59,7 @@ class Shared:
 
     def __init__(self, mappings: Sequence[Mapping[str, Any]]) -> None:
         known: dict[int, int] = {}
-        self.number = np.array([known.setdefault(id(m), len(known)) for m in mappings], dtype=np.intp)
+        self.number = np.array([known.setdefault(id(m), len(known)) for m in mappings], dtype=np.uint32)
         _, self._first = np.unique(self.number, return_index=True)
         self.mappings = self.first(mappings)
 
@@ -76,26 +88,55 @@ class Coarticulation(Protocol):
         """Return the weights of one group's parameters at sorted times, shape (n,)."""
 
 
-class Averages:
-    """The averages of a model's targets at sorted times, shape (n,); weights are made once for each group."""
+Key = tuple[str, str]
+"""What is averaged, and of which parameter."""
+TARGET = "target"
+AT_ONCE = 2048
+"""Times for which weights are made at once: they are many times as large as the averages."""
 
-    def __init__(self, model: Coarticulation, times: Array) -> None:
-        self._model, self._times = model, times
-        self._weights: dict[int, Weights] = {}
-        self._values: dict[str, Array] = {}
+
+class Columns:
+    """What is averaged by a model's weights: a value of every segment, by key. `model`: whose weights."""
+
+    def __init__(self, model: Coarticulation, values: Mapping[Key, Column]) -> None:
+        self.model = model
+        self.values = values
+        self._sharing: dict[int, list[Key]] = {}
+        for key in values:
+            self._sharing.setdefault(model.group(key[1]), []).append(key)
+
+    def sharing(self, group: int) -> Sequence[Key]:
+        """Return the keys of all that is averaged by the weights of a group."""
+        return self._sharing[group]
+
+
+class Averages:
+    """The averages of columns at sorted times, shape (n,): made with all of their group, given once."""
+
+    def __init__(self, columns: Columns, times: Array) -> None:
+        self._columns, self._times = columns, times
+        self._found: dict[Key, Array] = {}
 
     def __call__(self, name: str) -> Array:
-        """Return the average of one target, shape (n,)."""
-        if name not in self._values:
-            self._values[name] = self.weights(name).average(self._model.targets(name))
-        return self._values[name]
+        """Return the average of a target, shape (n,)."""
+        return self.of(TARGET, name)
 
-    def weights(self, name: str) -> Weights:
-        """Return the weights for one target or parameter."""
-        group = self._model.group(name)
-        if group not in self._weights:
-            self._weights[group] = self._model.weights(group, self._times)
-        return self._weights[group]
+    def of(self, kind: str, name: str) -> Array:
+        """Return the average of a column, shape (n,), and let go of it; 0 where there is none."""
+        if (kind, name) not in self._columns.values:
+            return np.zeros(len(self._times))
+        if (kind, name) not in self._found:
+            self._find(self._columns.model.group(name))
+        return self._found.pop((kind, name))
+
+    def _find(self, group: int) -> None:
+        keys = self._columns.sharing(group)
+        self._found |= {key: np.empty(len(self._times)) for key in keys}
+        for first in range(0, len(self._times), AT_ONCE):
+            part = slice(first, first + AT_ONCE)
+            weights = self._columns.model.weights(group, self._times[part])
+            for key in keys:
+                self._found[key][part] = weights.average(self._columns.values[key])
 
 
 LIP_MODELS: Registry[Callable[[Sequence[LipSegment]], Coarticulation]] = Registry("lip model")

@@ -8,14 +8,15 @@ interrupted holds it twice), and each step a stroke in every parameter that it m
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from ..core.functions import DEFAULT_FUNCTION
 from ..core.movement import CHANNEL_PRIORITY, Movement, fitted
 from ..core.parameters import NEUTRAL, PARAMETERS
 from .levels import Course
-from .strokes import Stroke, StrokeCurve, last_time, value_at
+from .strokes import Stroke, StrokeCurve, Strokes, last_time, value_at
 
 NEUTRALS: dict[str, float] = {p.name: float(n) for p, n in zip(PARAMETERS, NEUTRAL, strict=True)}
 SIGNED = frozenset(p.name for p in PARAMETERS if p.signed or p.neutral != 0.0)
@@ -102,11 +103,12 @@ def _step(movement: Movement, start: float, function: str | None) -> Step:
 
 
 def _curves(steps: list[Step]) -> dict[str, StrokeCurve]:
-    strokes: dict[str, list[Stroke]] = {}
+    done: dict[str, Strokes] = defaultdict(Strokes)
     live: dict[str, Stroke] = {}
     before: Step | None = None
     for step in steps:
         left = _take_over(live, step.start)
+        _finish(live, done)
         if before is not None:
             before.until = min(before.until, step.start)
         for name in {**left, **step.targets}:
@@ -115,12 +117,30 @@ def _curves(steps: list[Step]) -> dict[str, StrokeCurve]:
                 movement = step.movement
             elif level == 0.0:
                 continue
-            stroke = _stroke(name, level, step, movement, before)
-            strokes.setdefault(name, []).append(stroke)
-            live[name] = stroke
+            stroke = live[name] = _stroke(name, level, step, movement, before)
             step.until = max(step.until, stroke.last)
         before = step
-    return {name: StrokeCurve(found) for name, found in strokes.items()}
+    _finish(live, done)
+    return _shared(done)
+
+
+def _shared(done: Mapping[str, Strokes]) -> dict[str, StrokeCurve]:
+    """Return the curves of strokes by parameter; those of both sides are one, mostly."""
+    known: dict[object, StrokeCurve] = {}
+    curves = {}
+    for name, strokes in done.items():
+        key = strokes.key()
+        if key not in known:
+            known[key] = StrokeCurve(strokes)
+        curves[name] = known[key]
+    return curves
+
+
+def _finish(live: dict[str, Stroke], done: dict[str, Strokes]) -> None:
+    """Put away the live strokes, which nothing changes any more."""
+    for name, stroke in live.items():
+        done[name].append(stroke)
+    live.clear()
 
 
 def _take_over(live: dict[str, Stroke], time: float) -> dict[str, tuple[float, Movement]]:
@@ -130,7 +150,6 @@ def _take_over(live: dict[str, Stroke], time: float) -> dict[str, tuple[float, M
         if stroke.last > time:
             left[name] = (value_at(stroke, time), stroke.movement)
             stroke.stop = time
-    live.clear()
     return left
 
 

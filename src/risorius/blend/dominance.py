@@ -50,19 +50,18 @@ class DominanceModel:
     """Coarticulation by dominance (see `coarticulation.Coarticulation`)."""
 
     def __init__(self, segments: Sequence[LipSegment]) -> None:
-        self._segments = tuple(segments)
         self._groups: dict[bytes, int] = {}
         self._numbers: dict[Dominance, int] = {}
         # Segments of one class share their dominance, so it is looked up once for all of them.
         self._held = Shared([s.dominance for s in segments])
+        self._first = self._held.first(segments)
         self._aims = Shared([s.targets for s in segments])
         self._group_of: dict[str, int] = {}
         # Of each group only the number of every segment's dominance is kept, so that long clips stay small.
-        self._rows: list[npt.NDArray[np.uint32]] = []
-        spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
-        self._centre, self._half = spans.mean(axis=1), np.diff(spans, axis=1)[:, 0] / 2.0
-        self._targets: dict[str, Array] = {}
-        for segment in self._held.first(segments):
+        self._rows: list[npt.NDArray[np.uint16]] = []
+        self._spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
+        self._ended = np.maximum.accumulate(self._spans[:, 1])
+        for segment in self._first:
             for dominance in segment.dominance.values():
                 _check(segment, dominance)
         longest = [max(d.before, d.after) for held in self._held.mappings for d in held.values()]
@@ -72,8 +71,8 @@ class DominanceModel:
     def group(self, parameter: str) -> int:
         """Return the number of the parameters that every segment dominates alike."""
         if parameter not in self._group_of:
-            found = (self._number(s.dominance_of(parameter)) for s in self._held.first(self._segments))
-            rows = np.array(list(found), dtype=np.uint32)[self._held.number]
+            found = (self._number(s.dominance_of(parameter)) for s in self._first)
+            rows = np.array(list(found), dtype=np.uint16)[self._held.number]
             key = rows.tobytes()
             if key not in self._groups:
                 self._groups[key] = len(self._rows)
@@ -86,14 +85,13 @@ class DominanceModel:
 
     def targets(self, parameter: str) -> Array:
         """Return each segment's target, 0 where it has none, shape (segments,)."""
-        if parameter not in self._targets:
-            self._targets[parameter] = self._aims.column(parameter, 0.0)
-        return self._targets[parameter]
+        return self._aims.column(parameter, 0.0)
 
     def weights(self, group: int, times: Array) -> Weights:
         """Return the dominance of each segment, divided by their sum, at sorted times."""
+        near = self._near(times[0], times[-1])
         table = np.array([(d.magnitude, d.before, d.after, d.exponent, d.plateau) for d in self._numbers])
-        d = _columns(self._centre, self._half, table[self._rows[group]])
+        d = _columns(self._spans[near], table[self._rows[group][near]])
         first = int(np.searchsorted(d.felt_until, times[0], side="left"))
         starts = d.centre - d.flat - d.reach_before
         chosen = np.arange(first, len(starts))[starts[first:] <= times[-1]]
@@ -103,11 +101,18 @@ class DominanceModel:
         segment = chosen[owner]
         weight = _dominance(d, segment, times[time])
         total = np.bincount(time, weight, len(times))
-        return Weights(segment, time, weight / np.where(total > 0.0, total, 1.0)[time], len(times))
+        weight /= np.where(total > 0.0, total, 1.0)[time]
+        return Weights(near.start + segment, time, weight, len(times))
+
+    def _near(self, first: float, last: float) -> slice:
+        """Return the segments that may be felt at times from `first` to `last`."""
+        begin = np.searchsorted(self._ended, first - self.reach, side="left")
+        return slice(int(begin), int(np.searchsorted(self._spans[:, 0], last + self.reach, side="right")))
 
 
-def _columns(centre: Array, half: Array, dominances: Array) -> _Columns:
-    """Return the columns for segments of these centres and half lengths; `dominances` is (segments, 5)."""
+def _columns(spans: Array, dominances: Array) -> _Columns:
+    """Return the columns for segments' starts and ends (segments, 2) and their dominances (segments, 5)."""
+    centre, half = spans.mean(axis=1), np.diff(spans, axis=1)[:, 0] / 2.0
     magnitude, before, after, exponent, plateau = dominances.T
     before, after = np.maximum(before, SHORTEST), np.maximum(after, SHORTEST)
     flat = np.maximum(half * plateau, half - MARGIN)

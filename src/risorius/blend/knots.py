@@ -12,7 +12,7 @@ import numpy as np
 
 from .intervals import Array
 
-BLOCK = 60.0
+BLOCK = 30.0
 """Seconds of one block of time: knots are made, and frames worked, block by block, so that memory does not
 grow with the score. Results do not depend on it."""
 

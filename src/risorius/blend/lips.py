@@ -18,7 +18,7 @@ from .coarticulation import LIP_MODELS, without_gaps
 from .concatenate import SIGNED
 from .contact import CONTACTS, GoalCurve, contact_goals
 from .intervals import Array, Indices, Piece, Spans, merged
-from .mouth import Mouth
+from .mouth import Mouth, limits_in_force
 from .shapes import Shapes, performed
 from .tuning import Tuning
 
@@ -38,13 +38,14 @@ class Lips:
 
     def __init__(self, score: Score, tuning: Tuning, rig: LipRig | None) -> None:
         _check(score)
-        segments = performed(without_gaps(score.lips), rig)
+        given = without_gaps(score.lips)
+        segments = performed(given, rig)
         self.model = LIP_MODELS.get(score.settings.lips)(segments)
         shapes = Shapes(segments, rig, score.settings.contact)
         self.parameters = shapes.parameters
         goals = contact_goals(segments) if score.settings.contact else ()
         self.goals = {name: GoalCurve([g for g in goals if g.contact == name]) for name in CONTACTS}
-        self.mouth = Mouth(segments, self.model, shapes, goals, tuning)
+        self.mouth = Mouth(given, limits_in_force(segments, goals), self.model, shapes, goals, tuning)
         spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
         self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
         self._sampled: tuple[tuple[Array, Mapping[str, Array]], ...] = ()

@@ -16,7 +16,7 @@ from ..core.movement import LipSegment
 from ..core.parameters import RIVALS
 from ..core.utterance import SILENCE
 from .approach import Approach
-from .coarticulation import Averages, Coarticulation
+from .coarticulation import TARGET, Averages, Coarticulation, Column, Columns, Shared
 from .contact import CONTACTS, SEAL, Goal
 from .intervals import EMPTY, Array, Spans, above_line, spans_between, union
 from .knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope
@@ -28,21 +28,26 @@ STEP = 0.005
 """Seconds between knots at most."""
 HAIR = 1e-9
 """A limit or average that equals a threshold, but for rounding, is not above it."""
+Limits = Mapping[str, tuple[float, float]]
+"""The lower and upper limit of each parameter that a segment limits."""
 JAW = "masseter"
 JAW_AT_SEAL = 0.2
 """The most that the jaw may be open while the lips are sealed."""
+SPEAKS, LOW, MISSING = "speaks", "low", "missing"
+"""Averaged besides targets: 1 for all but silence; a lower limit; what an upper limit leaves to 1."""
 
 
 class Mouth:
     """What the lip segments ask of the rest of the face.
 
-    `segments` as the model has them: sorted, without gaps, at least one. `goals`: the contact goals in
-    force. Limits of silence, and of segments whose contact goals are switched off, do not count.
+    `segments`: sorted, without gaps, at least one; `limits`: those of each in force; `model`, `shapes` and
+    `goals` (the contact goals in force): what is made of the segments as a head performs them.
     """
 
     def __init__(
         self,
         segments: Sequence[LipSegment],
+        limits: Sequence[Limits],
         model: Coarticulation,
         shapes: Shapes,
         goals: Sequence[Goal],
@@ -54,18 +59,13 @@ class Mouth:
         self.goals = tuple(goals)
         self.approach = Approach(goals)
         self.tuning = tuning
-        self.speaks = np.array([float(s.phone != SILENCE) for s in segments])
-        closing = {g.segment for g in goals}
-        none: Mapping[str, tuple[float, float]] = {}
-        self.limits: tuple[Mapping[str, tuple[float, float]], ...] = tuple(
-            s.limits if s.phone != SILENCE and (i in closing or not _touches(s)) else none
-            for i, s in enumerate(segments)
-        )
-        shared = {id(held): held for held in self.limits}.values()
-        self.limited = frozenset(name for held in shared for name in held)
-        self.raised = frozenset(n for held in shared for n, (low, _) in held.items() if low > 0.0)
+        self.limits = tuple(limits)
+        self._shared = Shared(self.limits)
+        self.limited = frozenset(name for held in self._shared.mappings for name in held)
+        self.raised = frozenset(n for m in self._shared.mappings for n, (low, _) in m.items() if low > 0.0)
+        targets = {(TARGET, name): Column(model.targets(name)) for name in shapes.averaged}
+        self._targets = Columns(model, targets)
         self._found: dict[tuple[str, str, float], Spans] = {}
-        self._limits_on: dict[str, Array] = {}
         self._margin = model.reach + tuning.longest
         times = {t for s in segments for t in (s.start, s.end)} | {t for g in goals for t in (g.start, g.end)}
         self._knots = Knots(np.array(sorted(times), dtype=np.float64), STEP, self._margin)
@@ -73,16 +73,39 @@ class Mouth:
         # Times asked for lie in one block and perhaps a little on both sides.
         self.block: Callable[[int], Block] = lru_cache(maxsize=3)(self._block)
 
-    def limits_on(self, name: str) -> Array:
+    @cached_property
+    def columns(self) -> Columns:
+        """What is averaged over the segments on the knots of blocks."""
+        speaks = Column(np.array([float(s.phone != SILENCE) for s in self.segments]))
+        names = sorted(set(self.alike.values()))
+        lows = {(LOW, name): Column(self._limit(name)[0]) for name in names if name in self.raised}
+        missing = {(MISSING, name): Column(self.missing(name)) for name in names}
+        return Columns(self.model, {**self._targets.values, (SPEAKS, JAW): speaks, **lows, **missing})
+
+    @cached_property
+    def alike(self) -> Mapping[str, str]:
+        """The first of those that are limited as it is, by limited parameter: both sides are, mostly."""
+        first: dict[tuple[object, ...], str] = {}
+        pace = (self.tuning.min_onset, self.tuning.min_offset)
+        return {
+            name: first.setdefault(
+                (self.model.group(name), self._limit(name).tobytes(), *(least[name] for least in pace)), name
+            )
+            for name in sorted(self.limited)
+        }
+
+    def missing(self, name: str) -> Array:
+        """Return what each segment's upper limit on a parameter leaves to 1, shape (segments,)."""
+        return np.asarray(1.0 - self._limit(name)[1])
+
+    def _limit(self, name: str) -> Array:
         """Return each segment's lower and upper limit on a parameter, else 0 and 1, shape (2, segments)."""
-        if name not in self._limits_on:
-            rows = [held.get(name, (0.0, 1.0)) for held in self.limits]
-            self._limits_on[name] = np.array(rows, dtype=np.float64).T.copy()
-        return self._limits_on[name]
+        held = np.array([m.get(name, (0.0, 1.0)) for m in self._shared.mappings], dtype=np.float64)
+        return held.T[:, self._shared.number]
 
     def spoken_at(self, times: Array) -> Mapping[str, Array]:
         """Return the segments' own curves by parameter at sorted times, shape (n,) each."""
-        return self.shapes.values(self.approach.reached(Averages(self.model, times), times))
+        return self.shapes.values(self.approach.reached(Averages(self._targets, times), times))
 
     def own_at(self, name: str, times: Array) -> Array:
         """Return the segments' own curve of a parameter at sorted times, shape (n,), by lines."""
@@ -162,7 +185,7 @@ class Block:
         self.knots = knots
         self._mouth = mouth
         self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
-        self._averages = Averages(mouth.model, knots)
+        self._averages = Averages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
         self.kept: dict[tuple[str, str], Array] = {}
 
@@ -186,29 +209,30 @@ class Block:
 
     def speaking(self) -> Array:
         """Return how much the mouth speaks at the knots, 0..1: the weight of all but silence."""
-        return self._curve("speaking", JAW, lambda: self._average(JAW, self._mouth.speaks))
+        return self._curve("speaking", JAW, lambda n: self._averages.of(SPEAKS, n))
 
     def low(self, name: str) -> Array:
         """Return the lower limit at the knots, 0 where there is none."""
-
-        return self._curve("low", name, lambda: self._average(name, self._mouth.limits_on(name)[0]))
+        return self._curve("low", self._alike(name), lambda n: self._averages.of(LOW, n))
 
     def high(self, name: str) -> Array:
         """Return the upper limit at the knots for channels that the lips outrank, 1 where there is none."""
-        return self._curve("high", name, lambda: self._envelope(name, self.limit(name)))
+        return self._curve("high", self._alike(name), lambda n: self._envelope(n, self.limit(n)))
 
     def closed(self, name: str) -> Array:
         """Return the upper limit at the knots that closures set for every channel, 1 where there is none."""
-        return self._curve("closed", name, lambda: self._envelope(name, self.closures(name)))
+        return self._curve("closed", self._alike(name), lambda n: self._envelope(n, self.closures(n)))
 
     def limit(self, name: str) -> Array:
         """Return the upper limit at the knots, as it is: not slowed around the phones that set it."""
 
-        def make() -> Array:
-            missing = 1.0 - self._mouth.limits_on(name)[1]
-            return np.minimum(1.0 - self._average(name, missing), self.closures(name))
+        def make(name: str) -> Array:
+            return np.minimum(1.0 - self._averages.of(MISSING, name), self.closures(name))
 
-        return self._curve("limit", name, make)
+        return self._curve("limit", self._alike(name), make)
+
+    def _alike(self, name: str) -> str:
+        return self._mouth.alike.get(name, name)
 
     def own(self, name: str) -> Array:
         """Return the segments' own curve of a parameter at the knots: 0 where none of them moves it."""
@@ -223,7 +247,7 @@ class Block:
     def limiting(self, name: str, time: float) -> int:
         """Return the number of the segment whose upper limit counts most at a time."""
         mouth, tuning = self._mouth, self._mouth.tuning
-        missing = 1.0 - mouth.limits_on(name)[1]
+        missing = mouth.missing(name)
         limit = self.limit(name)
         ahead = self.knots - time
         pace = STEEPEST * np.where(ahead > 0.0, tuning.min_offset[name], tuning.min_onset[name])
@@ -238,23 +262,20 @@ class Block:
     def jaw_at_seal(self) -> Array:
         """Return how far the jaw may be open at the knots, given the seals."""
 
-        def make() -> Array:
+        def make(name: str) -> Array:
             limit = np.ones(len(self.knots))
             for goal in self._goals:
                 if goal.contact == SEAL:
                     self._lower(limit, goal, 1.0 - goal.value * (1.0 - JAW_AT_SEAL))
-            return self._envelope(JAW, limit)
+            return self._envelope(name, limit)
 
         return self._curve("seal", JAW, make)
 
-    def _curve(self, kind: str, name: str, make: Callable[[], Array]) -> Array:
+    def _curve(self, kind: str, name: str, make: Callable[[str], Array]) -> Array:
         found = self._curves.get((kind, name))
         if found is None:
-            found = self._curves[kind, name] = make()
+            found = self._curves[kind, name] = make(name)
         return found
-
-    def _average(self, name: str, values: Array) -> Array:
-        return self._averages.weights(name).average(values)
 
     def closures(self, name: str) -> Array:
         """Return the limits of closures alone: for the whole closure, and not diluted by neighbours."""
@@ -274,6 +295,16 @@ class Block:
         """The highest curve below `limit` that keeps the parameter's minimum durations."""
         tuning = self._mouth.tuning
         return envelope(self.knots, limit, tuning.min_onset[name], tuning.min_offset[name])
+
+
+def limits_in_force(segments: Sequence[LipSegment], goals: Sequence[Goal]) -> tuple[Limits, ...]:
+    """Return the limits of each segment: none of silence, nor of one whose contact goals are switched off."""
+    closing = {g.segment for g in goals}
+    none: Limits = {}
+    return tuple(
+        s.limits if s.phone != SILENCE and (i in closing or not _touches(s)) else none
+        for i, s in enumerate(segments)
+    )
 
 
 def _touches(segment: LipSegment) -> bool:

@@ -17,8 +17,9 @@ from .intervals import Array
 class Shapes:
     """What the targets of some segments move.
 
-    `parameters`: the muscles and others that move, contact goals apart; `rig`: what performs articulators,
-    None where there are none. Raises InputError where targets are articulators and there is no rig.
+    `parameters`: the muscles and others that move, contact goals apart; `averaged`: the targets by which they
+    do; `rig`: what performs articulators, None where there are none. Raises InputError where targets are
+    articulators and there is no rig.
     """
 
     def __init__(self, segments: Sequence[LipSegment], rig: LipRig | None, contact: bool) -> None:
@@ -30,6 +31,7 @@ class Shapes:
                 f"lips are given as articulators ({min(self._articulators)}); expected a head to perform them"
             )
         self.rig = rig if self._articulators else None
+        self.averaged = (*(ARTICULATORS if self.rig else ()), *self._direct)
         moved = rig.moved(self._articulators) if rig is not None else frozenset[str]()
         self._driven = moved if contact else moved - {SEAL}
         self.parameters = tuple(sorted(self._driven | set(self._direct)))

@@ -8,7 +8,8 @@ then evaluated all at once (`StrokeCurve`).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from array import array
+from collections.abc import Iterator
 from dataclasses import dataclass
 from operator import attrgetter
 
@@ -94,18 +95,45 @@ _numbers = attrgetter(
 )  # fmt: skip
 
 
+class Strokes:
+    """Strokes of one parameter in one layer, in order, by their numbers alone, which stay small."""
+
+    def __init__(self) -> None:
+        self.numbers = array("d")
+        self.movements: list[Movement] = []
+        self.functions: dict[str, int] = {}
+        self.function, self.fade_function = array("H"), array("H")
+
+    def append(self, stroke: Stroke) -> None:
+        """Take in a stroke that nothing changes any more."""
+        self.numbers.extend(_numbers(stroke))
+        self.movements.append(stroke.movement)
+        self.function.append(self.functions.setdefault(stroke.function, len(self.functions)))
+        self.fade_function.append(self.functions.setdefault(stroke.fade_function, len(self.functions)))
+
+    def key(self) -> object:
+        """Return what is the same for the same strokes."""
+        numbers = (self.numbers, self.function, self.fade_function)
+        return (*(n.tobytes() for n in numbers), *self.functions, *map(id, self.movements))
+
+
+def _compact(column: Array) -> Array:
+    """Return a column by itself, and as one number where it is the same for all strokes."""
+    same = bool((column == column[0]).all())
+    return np.broadcast_to(column[0], len(column)) if same else column.copy()
+
+
 class StrokeCurve:
     """All strokes of one parameter in one layer, evaluated at any times."""
 
-    def __init__(self, strokes: Sequence[Stroke]) -> None:
-        table = np.array([_numbers(s) for s in strokes], dtype=np.float64).T.copy()
-        self.start, self.stop, self.begin, self.rise, self.cap, self.level = table[:6]
-        self.onset, self.hold, self.offset, self.end, self.excess, self.fade, self.last = table[6:]
-        self._movements = tuple(s.movement for s in strokes)
-        self.functions = tuple(sorted({s.function for s in strokes} | {s.fade_function for s in strokes}))
-        number = {name: i for i, name in enumerate(self.functions)}
-        self.function = np.array([number[s.function] for s in strokes])
-        self.fade_function = np.array([number[s.fade_function] for s in strokes])
+    def __init__(self, strokes: Strokes) -> None:
+        table = np.array(strokes.numbers).reshape(len(strokes.movements), -1)
+        columns = [_compact(column) for column in table.T]
+        self.start, self.stop, self.begin, self.rise, self.cap, self.level = columns[:6]
+        self.onset, self.hold, self.offset, self.end, self.excess, self.fade, self.last = columns[6:]
+        self._movements = tuple(strokes.movements)
+        self.functions = tuple(strokes.functions)
+        self.function, self.fade_function = np.array(strokes.function), np.array(strokes.fade_function)
 
     def sample(self, times: Array) -> tuple[Indices, Array]:
         """Return where the curve is not at rest and its values there.
@@ -153,7 +181,7 @@ class StrokeCurve:
             residue = np.where(plain, residue, other)
         values[i] += residue
 
-    def _shapes(self, numbers: npt.NDArray[np.int_], x: Array) -> Array:
+    def _shapes(self, numbers: npt.NDArray[np.uint16], x: Array) -> Array:
         """f(x) of each element's own function, x cut to [0, 1]; shape (n,)."""
         x = np.minimum(x, 1.0)
         if len(self.functions) == 1:

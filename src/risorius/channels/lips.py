@@ -5,6 +5,7 @@ Paper A, section 5.1; DESIGN, section 3; the numbers are in `rules/data/lips.tom
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -69,7 +70,7 @@ class _Shaper:
         start = phone.start
         for symbol, shape, part in shapes:
             end = start + part * share
-            cause = Cause(f"lips.{symbol}", self._trigger(phone))
+            cause = Cause(sys.intern(f"lips.{symbol}"), self._trigger(phone))
             yield self._segment(symbol, shape, start, _closure_end(start, end, shape), scale, cause)
             start = end
 

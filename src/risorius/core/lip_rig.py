@@ -115,15 +115,16 @@ class LipRig:
     def parameters(self, average: Averages, articulators: Collection[str]) -> dict[str, Array]:
         """Return the parameters that move for blended articulators (mm) that `average` gives by name."""
         controls = self.controls(average, articulators)
-        values: dict[str, Array] = {SEAL: controls.pop(SEAL)}
+        seal = controls.pop(SEAL)
         pressed = np.maximum(-average(APERTURE), 0.0)
+        values: dict[str, Array] = {}
         for moved, amount in [*((CONTROLS[n], controls[n]) for n in controls), (PRESSING, pressed)]:
             for number, (base, factor) in enumerate(moved.items()):
                 # What goes along with a first muscle stays at its threshold: above, it would be a rival.
                 moves = factor * amount if number == 0 else np.minimum(factor * amount, DEFAULT_THRESHOLD)
-                for p in BASES[base]:
-                    values[p.name] = values.get(p.name, 0.0) + moves
-        return {name: np.minimum(value, 1.0) for name, value in values.items()}
+                values[base] = values.get(base, 0.0) + moves
+        most = {base: np.minimum(value, 1.0) for base, value in values.items()}
+        return {SEAL: np.minimum(seal, 1.0), **{p.name: most[b] for b in most for p in BASES[b]}}
 
     def controls(self, average: Averages, articulators: Collection[str]) -> dict[str, Array]:
         """Return the controls of some articulators, and the seal, all of the shape of `average`'s arrays."""
