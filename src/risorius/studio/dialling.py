@@ -25,6 +25,8 @@ from .threads import on_thread
 Send = Callable[[bytes], Awaitable[None]]
 RATE = 30.0  # faces a second while the skin moves
 SOONEST = 1.0 / 60.0  # seconds after a face at which one follows that shows a dial turned meanwhile
+DRAGGED = 0.1  # seconds between turns of a dial that is dragged
+PATIENCE = 2.0 / RATE  # seconds after a face for which the next turn of a dragged dial is waited for
 
 
 class Dialling:
@@ -38,6 +40,7 @@ class Dialling:
         self._dial: Dial | None = None
         self._values: npt.NDArray[np.float64] = np.zeros(len(NAMES))
         self._number, self._until = 0, 0.0
+        self._last_turn, self._dragged = 0.0, False
         self._moving: asyncio.Task[None] | None = None
         self._turning = asyncio.Lock()
         self._turned = asyncio.Event()
@@ -52,7 +55,9 @@ class Dialling:
             if self._looks != (asked.head, asked.age):
                 await self._take_head(asked.head, asked.age)
         self._values = np.array(list(values.values()))
-        self._number, self._until = number, self._loop.time() + (SETTLED if asked.live else 0.0)
+        now = self._loop.time()
+        self._number, self._until = number, now + (SETTLED if asked.live else 0.0)
+        self._last_turn, self._dragged = now, now - self._last_turn < DRAGGED
         self._turned.set()
         if self._moving is None or self._moving.done():
             self._moving = self._loop.create_task(self._move())
@@ -85,10 +90,14 @@ class Dialling:
             await self._show(None)
 
     async def _pause(self, last: float) -> None:
-        """Wait until the next face is due after that of the time `last`: sooner where a dial is turned."""
+        """Wait until the next face is due after that of the time `last`: sooner where a dial is turned.
+
+        A face of where a dragged dial was would hold up that of where it is a moment later.
+        """
         await asyncio.sleep(max(0.0, last + SOONEST - self._loop.time()))
+        dragged = self._dragged and self._loop.time() - self._last_turn < DRAGGED
         with contextlib.suppress(TimeoutError):
-            async with asyncio.timeout_at(last + 1.0 / RATE):
+            async with asyncio.timeout_at(last + (PATIENCE if dragged else 1.0 / RATE)):
                 await self._turned.wait()
         self._turned.clear()
 
