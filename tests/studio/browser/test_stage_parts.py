@@ -223,6 +223,20 @@ def test_a_head_that_is_held_does_not_come_to_rest(page: Page) -> None:
     assert found == [0, 1]
 
 
+def test_who_waits_for_pictures_gets_coarser_ones_until_it_plays(page: Page) -> None:
+    found = page.run("""
+      const { Sharpness } = await import("/web/stage/sharpness.js");
+      const sharpness = new Sharpness(true, () => {});
+      const ratios = [sharpness.ratio];
+      for (let k = 0; k < 2; k++) sharpness.kept();
+      ratios.push(sharpness.ratio);
+      sharpness.playing = true;
+      ratios.push(sharpness.ratio);
+      return ratios;
+    """)
+    assert found[1] < found[0] == found[2]
+
+
 STILL = "!document.querySelector('#stage .still').hidden"
 
 

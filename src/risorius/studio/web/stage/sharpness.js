@@ -12,6 +12,7 @@ const STEPS = [
   { ratio: 0.75, fine: false },
   { ratio: 0.5, fine: false },
 ];
+const WAITS = 2; // pictures a hand has waited for until those after them are a step coarser
 const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many fast ones
 const MOST = 2e6; // pixels of a picture at rest that is finer than the screen
 const FINER = 2; // pixels of it to one of CSS
@@ -20,6 +21,7 @@ const REST = 800; // ms in which nobody moves anything after which the head is a
 export class Sharpness {
   #step = 0;
   #strikes = 0;
+  #waits = 0;
   #last = 0;
   #timer = 0;
   #atRest = false;
@@ -45,7 +47,7 @@ export class Sharpness {
 
   /** Pixels drawn per CSS pixel of a side. */
   get ratio() {
-    return this.fine ? screenRatio() : STEPS[this.#step].ratio * screenRatio();
+    return this.fine ? screenRatio() : this.#now.ratio * screenRatio();
   }
 
   /** The same in the picture at rest. @param {number} area of it, in CSS pixels */
@@ -55,13 +57,18 @@ export class Sharpness {
 
   /** Whether all triangles are drawn. */
   get fine() {
-    return (this.#atRest && !this.#rough) || STEPS[this.#step].fine;
+    return (this.#atRest && !this.#rough) || this.#now.fine;
+  }
+
+  get #now() {
+    return STEPS[Math.min(this.#step + (this.#waits < WAITS ? 0 : 1), STEPS.length - 1)];
   }
 
   /** Whether it plays, or is about to: then it is never at rest, however slowly pictures come. */
   set playing(playing) {
     if (playing === this.#playing) return;
     this.#playing = playing;
+    this.#waits = 0;
     this.moves();
   }
 
@@ -79,6 +86,11 @@ export class Sharpness {
     this.#last = now;
     if (this.#atRest || (since > REST && !this.#playing)) this.#strikes = 0;
     else this.#judge(since > SLOW ? 1 : since < FAST ? -0.1 : 0);
+  }
+
+  /** A picture was asked for before the last one was there: until the line plays again they come sooner. */
+  kept() {
+    this.#waits += 1;
   }
 
   /** A hand that holds something is about to move it: a fine picture would keep it waiting. */

@@ -110,7 +110,12 @@ export class Stage {
     this.#asked = false;
     this.#draw();
     const over = this.#over();
-    requestAnimationFrame(() => (over ? over.then(() => this.#answer()) : this.#answer()));
+    requestAnimationFrame(() => (over ? over.then(() => this.#done()) : this.#answer()));
+  }
+
+  #done() {
+    if (this.#asked) this.#sharpness.kept();
+    this.#answer();
   }
 
   /**
