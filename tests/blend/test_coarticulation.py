@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -47,4 +49,16 @@ def test_averages_do_not_depend_on_how_many_times_are_worked_at_once(name):
     for parameter in (JAW, WIDTH):
         weights = model.weights(model.group(parameter), times)
         assert average(parameter).tolist() == weights.average(model.targets(parameter)).tolist()
+        assert average(parameter).tolist() == average(parameter).tolist()
     assert not average.of("no such kind", JAW).any()
+
+
+def test_threads_that_ask_for_the_same_get_the_same():
+    model = LIP_MODELS.get("dominance")(without_gaps(LONG))
+    columns = Columns(model, {(TARGET, n): Column(model.targets(n)) for n in (JAW, WIDTH)})
+    times = np.linspace(-1.0, 21.0, AT_ONCE)
+    alone = Averages(columns, times)(JAW).tolist()
+    with ThreadPoolExecutor(8) as threads:
+        for _ in range(20):
+            average = Averages(columns, times)
+            assert all(found.tolist() == alone for found in threads.map(average, [JAW] * 8))

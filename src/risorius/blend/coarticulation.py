@@ -123,20 +123,25 @@ class Averages:
 
     def of(self, kind: str, name: str) -> Array:
         """Return the average of a column, shape (n,), and let go of it; 0 where there is none."""
-        if (kind, name) not in self._columns.values:
+        key = (kind, name)
+        if key not in self._columns.values:
             return np.zeros(len(self._times))
-        if (kind, name) not in self._found:
-            self._find(self._columns.model.group(name))
-        return self._found.pop((kind, name))
+        # Another thread may ask meanwhile: then it is made twice.
+        given = self._found.pop(key, None)
+        if given is None:
+            made = self._made(self._columns.model.group(name))
+            given = made.pop(key)
+            self._found.update(made)
+        return given
 
-    def _find(self, group: int) -> None:
-        keys = self._columns.sharing(group)
-        self._found |= {key: np.empty(len(self._times)) for key in keys}
+    def _made(self, group: int) -> dict[Key, Array]:
+        made = {key: np.empty(len(self._times)) for key in self._columns.sharing(group)}
         for first in range(0, len(self._times), AT_ONCE):
             part = slice(first, first + AT_ONCE)
             weights = self._columns.model.weights(group, self._times[part])
-            for key in keys:
-                self._found[key][part] = weights.average(self._columns.values[key])
+            for key, average in made.items():
+                average[part] = weights.average(self._columns.values[key])
+        return made
 
 
 LIP_MODELS: Registry[Callable[[Sequence[LipSegment]], Coarticulation]] = Registry("lip model")

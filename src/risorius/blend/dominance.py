@@ -58,7 +58,7 @@ class DominanceModel:
         self._aims = Shared([s.targets for s in segments])
         self._group_of: dict[str, int] = {}
         # Of each group only the number of every segment's dominance is kept, so that long clips stay small.
-        self._rows: list[npt.NDArray[np.uint16]] = []
+        self._rows: list[npt.NDArray[np.uint32]] = []
         self._spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
         self._ended = np.maximum.accumulate(self._spans[:, 1])
         for segment in self._first:
@@ -72,7 +72,7 @@ class DominanceModel:
         """Return the number of the parameters that every segment dominates alike."""
         if parameter not in self._group_of:
             found = (self._number(s.dominance_of(parameter)) for s in self._first)
-            rows = np.array(list(found), dtype=np.uint16)[self._held.number]
+            rows = np.array(list(found), dtype=np.uint32)[self._held.number]
             key = rows.tobytes()
             if key not in self._groups:
                 self._groups[key] = len(self._rows)

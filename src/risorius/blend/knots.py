@@ -14,7 +14,7 @@ from .intervals import Array
 
 BLOCK = 30.0
 """Seconds of one block of time: knots are made, and frames worked, block by block, so that memory does not
-grow with the score. Results do not depend on it."""
+grow with the score. Results depend on it by rounding alone."""
 
 
 def block_number(time: float) -> int:
