@@ -78,7 +78,7 @@ class Mouth:
         """What is averaged over the segments on the knots of blocks."""
         speaks = Column(np.array([float(s.phone != SILENCE) for s in self.segments]))
         names = sorted(set(self.alike.values()))
-        lows = {(LOW, name): Column(self._limit(name)[0]) for name in names if name in self.raised}
+        lows = {(LOW, name): Column(self._everywhere(name)[0]) for name in names if name in self.raised}
         missing = {(MISSING, name): Column(self.missing(name)) for name in names}
         return Columns(self.model, {**self._targets.values, (SPEAKS, JAW): speaks, **lows, **missing})
 
@@ -89,19 +89,22 @@ class Mouth:
         pace = (self.tuning.min_onset, self.tuning.min_offset)
         return {
             name: first.setdefault(
-                (self.model.group(name), self._limit(name).tobytes(), *(least[name] for least in pace)), name
+                (self.model.group(name), self._held(name).tobytes(), *(least[name] for least in pace)), name
             )
             for name in sorted(self.limited)
         }
 
     def missing(self, name: str) -> Array:
         """Return what each segment's upper limit on a parameter leaves to 1, shape (segments,)."""
-        return np.asarray(1.0 - self._limit(name)[1])
+        return np.asarray(1.0 - self._everywhere(name)[1])
 
-    def _limit(self, name: str) -> Array:
+    def _everywhere(self, name: str) -> Array:
         """Return each segment's lower and upper limit on a parameter, else 0 and 1, shape (2, segments)."""
-        held = np.array([m.get(name, (0.0, 1.0)) for m in self._shared.mappings], dtype=np.float64)
-        return held.T[:, self._shared.number]
+        return self._held(name)[:, self._shared.number]
+
+    def _held(self, name: str) -> Array:
+        """Return the same of each mapping that segments share, shape (2, mappings)."""
+        return np.array([m.get(name, (0.0, 1.0)) for m in self._shared.mappings], dtype=np.float64).T
 
     def spoken_at(self, times: Array) -> Mapping[str, Array]:
         """Return the segments' own curves by parameter at sorted times, shape (n,) each."""

@@ -63,7 +63,7 @@ class Room:
         What is begun is done and saved even if the page goes meanwhile.
         """
         task = asyncio.get_running_loop().create_task(self._do(asked, progress, page))
-        self._keep(task)
+        self._keep(task, self._tasks)
         return await asyncio.shield(task)
 
     async def _do(self, asked: Any, progress: Progress, page: Connection) -> Any:
@@ -72,7 +72,7 @@ class Room:
             await self.tell_others(page)
         if isinstance(asked, SAVING):
             # The page need not wait for the disk: it hears of it when it is done.
-            self._keep(asyncio.get_running_loop().create_task(self.save()))
+            self._keep(asyncio.get_running_loop().create_task(self.save()), self._tasks)
         return answered
 
     async def preview(self, edit: wire.Edit) -> tuple[Take, wire.Previewed]:
@@ -129,9 +129,7 @@ class Room:
         async def run() -> None:
             await self.tell(await loop.run_in_executor(self._exporter, written))
 
-        exporting = loop.create_task(run())
-        self._exporting.add(exporting)
-        self._keep(exporting)
+        self._keep(loop.create_task(run()), self._exporting)
         return wire.Job(job)
 
     async def tell(self, event: Any) -> None:
@@ -147,8 +145,8 @@ class Room:
 
     async def finish(self) -> None:
         """Close, what pages have asked for being done and saved; exports under way are given up."""
-        while begun := self._tasks - self._exporting:
-            await asyncio.wait(begun)
+        while self._tasks:
+            await asyncio.wait(self._tasks)
         self.close()
 
     def close(self) -> None:
@@ -167,13 +165,13 @@ class Room:
 
         return await asyncio.get_running_loop().run_in_executor(self._worker, loaded)
 
-    def _keep(self, task: asyncio.Task[Any]) -> None:
-        self._tasks.add(task)
-        task.add_done_callback(self._forget)
+    def _keep(self, task: asyncio.Task[Any], among: set[asyncio.Task[Any]]) -> None:
+        among.add(task)
 
-    def _forget(self, task: asyncio.Task[Any]) -> None:
-        self._tasks.discard(task)
-        self._exporting.discard(task)
-        if not task.cancelled():
-            # Where a page has gone nobody else asks for it, and asyncio would complain.
-            task.exception()
+        def forget(task: asyncio.Task[Any]) -> None:
+            among.discard(task)
+            if not task.cancelled():
+                # Where a page has gone nobody else asks for it, and asyncio would complain.
+                task.exception()
+
+        task.add_done_callback(forget)
