@@ -24,7 +24,7 @@ import numpy.typing as npt
 import risorius
 from risorius.core.arkit import ROTATIONS, SHAPES
 from risorius.errors import InputError, RisoriusError
-from risorius.out.arkit_csv import ArkitTake, read_arkit_csv
+from risorius.ports.arkit_csv import ArkitTake, read_arkit_csv
 
 Array = npt.NDArray[np.float64]
 RATE = 60.0  # curves are compared at so many values a second

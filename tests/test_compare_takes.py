@@ -18,8 +18,8 @@ from hypothesis import strategies as st
 from risorius.core.arkit import INDEX
 from risorius.errors import InputError
 from risorius.face.arkit_fit import ArkitTrack
-from risorius.out.arkit_csv import ArkitTake, rows
-from risorius.out.table import write_lines
+from risorius.ports.arkit_csv import ArkitTake, rows
+from risorius.ports.table import write_lines
 
 
 @pytest.fixture(scope="module")

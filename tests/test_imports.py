@@ -19,7 +19,7 @@ ALLOWED: dict[str, set[str]] = {
     "heads": set(),
     "render": {"core", "face"},
     "film": set(),
-    "out": {"core", "face", "render", "film"},
+    "ports": {"core", "face", "render", "film"},
 }
 BASE = {"errors", "registry", "compile_cache", "kept", "workers"}
 

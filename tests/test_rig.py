@@ -8,9 +8,9 @@ import pytest
 from risorius.cli import run
 from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError, RisoriusError
-from risorius.out.glb_file import read_glb
-from risorius.out.gltf import Gltf
 from risorius.pipeline import pose, rig
+from risorius.ports.glb_file import read_glb
+from risorius.ports.gltf import Gltf
 from risorius.rig import guess_map, read_rig
 from risorius.take import Take
 

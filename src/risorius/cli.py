@@ -385,7 +385,7 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     if outputs:
         take.write(*outputs)
     else:
-        from .out.muscles_csv import rows
+        from .ports.muscles_csv import rows
 
         for row in rows(take.performance):
             click.echo(row)

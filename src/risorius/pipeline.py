@@ -20,9 +20,9 @@ from .core.performance import Performance
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
 from .errors import InputError, Place
-from .out import check_targets as check_outputs
-from .out.performance_json import read_performance_file
-from .out.score_json import read_score_file
+from .ports import check_targets as check_outputs
+from .ports.performance_json import read_performance_file
+from .ports.score_json import read_score_file
 from .rules.book import book_of
 from .rules.emotions import emotion_key
 from .rules.fuzzy import blended
@@ -264,8 +264,8 @@ def rig(
     """
     from .face.arkit_fit import ArkitFit
     from .face.head import load_head
-    from .out.atomic import replacing
-    from .out.glb_file import save_glb
+    from .ports.atomic import replacing
+    from .ports.glb_file import save_glb
     from .rig import animated, check_performable, read_rig, report
 
     settings = settings or Settings()

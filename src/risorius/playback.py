@@ -22,9 +22,9 @@ from .face.head import load_head
 from .face.response import TONGUE as TONGUE_FITTED
 from .face.response import Responses
 from .face.solve import FaceSolver
-from .out.arkit_csv import read_arkit_csv
-from .out.au_csv import read_au_csv
-from .out.fap import FapTake, read_fap
+from .ports.arkit_csv import read_arkit_csv
+from .ports.au_csv import read_au_csv
+from .ports.fap import FapTake, read_fap
 from .settings import Settings
 from .take import Progress, quiet
 

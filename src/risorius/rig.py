@@ -21,7 +21,7 @@ from .face.arkit_fit import ArkitFit, ArkitTrack
 from .face.head import Head
 from .face.response import FITTED
 from .face.solve import FaceSolver
-from .out.glb_file import GlbFile, read_glb
+from .ports.glb_file import GlbFile, read_glb
 
 Array = npt.NDArray[np.float64]
 WELL, PARTLY = 0.25, 0.6  # shares of a movement left over up to which it is shown well, and partly

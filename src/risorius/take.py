@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from .face.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
-    from .out import Material
-    from .out.source import Picture, Size
+    from .ports import Material
+    from .ports.source import Picture, Size
 
 Progress = Callable[..., None]
 """Called with a stage's name, and how many of how many frames are done where that is known."""
@@ -106,7 +106,7 @@ class Take:
 
         Raises OutputError if a file cannot be written; then none is.
         """
-        from .out import WriteOptions, check_targets, write_targets
+        from .ports import WriteOptions, check_targets, write_targets
 
         chosen = self.settings
         options = WriteOptions(chosen.size, chosen.at, chosen.every, chosen.look.transparent)
@@ -144,7 +144,7 @@ class Take:
 
         They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
         """
-        from .out.overlay import Overlays, Subject
+        from .ports.overlay import Overlays, Subject
         from .render import Crew, compiled_ahead, picture_renderer
 
         chosen = range(len(self.performance.values)) if indices is None else indices
@@ -175,7 +175,7 @@ class Take:
         return self.planned or Plan(self.score, lip_rig(self.score, self.settings.head))
 
     def _material(self, progress: Progress) -> Material:
-        from .out import Material
+        from .ports import Material
 
         return Material(
             performance=self.performance,

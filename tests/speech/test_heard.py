@@ -13,7 +13,7 @@ import risorius
 from risorius.cli import run
 from risorius.core.utterance import Utterance
 from risorius.errors import Place
-from risorius.out.textgrid import textgrid_lines
+from risorius.ports.textgrid import textgrid_lines
 from risorius.script import read_script
 from risorius.script.directions import Directions, Tone
 from risorius.settings import Settings

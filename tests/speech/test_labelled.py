@@ -10,7 +10,7 @@ import pytest
 from risorius.core.audio import silence
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError
-from risorius.out.textgrid import textgrid_lines
+from risorius.ports.textgrid import textgrid_lines
 from risorius.script.textgrid import INTERVALS, POINTS, Label, TextGrid, Tier, parse_textgrid
 from risorius.speech import phonesets
 from risorius.speech.engine import SpeechWarning

@@ -10,7 +10,7 @@ import pytest
 
 from risorius.core.edits import Add, Delete, Keys, Move
 from risorius.errors import RisoriusError
-from risorius.out.score_json import score_to_json
+from risorius.ports.score_json import score_to_json
 from risorius.studio import describe, looking, performer, wire
 from risorius.studio.autosave import FILE, Autosave
 from risorius.studio.project import open_project, project_file

@@ -17,7 +17,7 @@ from ..core.arkit import SHAPES, column_of
 from ..face.arkit_fit import ArkitTrack
 from ..face.expressions import expressions, preset_weights
 from ..face.rotations import head_rotation
-from ..out.gltf import quaternion
+from ..ports.gltf import quaternion
 from .osc import bundles, message
 from .protocols import Options, Packets
 

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from ..core.audio import AudioWriter
 from ..errors import RisoriusError
-from ..out.atomic import replacing
-from ..out.layout import write_json
-from ..out.node import Node
-from ..out.score_json import ScoreFile, score_to_json
+from ..ports.atomic import replacing
+from ..ports.layout import write_json
+from ..ports.node import Node
+from ..ports.score_json import ScoreFile, score_to_json
 from .project import Opened, check_version, header, made_from, version_of, view_of
 from .scores import parsed, score_file
 from .session import Session

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..core.look import TRANSPARENT, Look
 from ..errors import InputError, RisoriusError
-from ..out import OUTPUTS, check_targets
+from ..ports import OUTPUTS, check_targets
 from ..render.backdrop import colour_named
 from ..settings import Settings, parse_size
 from ..take import Progress, Take

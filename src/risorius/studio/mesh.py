@@ -5,8 +5,8 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from ..out.glb_scene import GlbScene
-from ..out.gltf import Gltf
+from ..ports.glb_scene import GlbScene
+from ..ports.gltf import Gltf
 from .stage import Stage
 
 

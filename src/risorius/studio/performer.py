@@ -10,8 +10,8 @@ from ..channels import Display
 from ..core.edits import identified
 from ..core.utterance import Utterance
 from ..errors import InputError
-from ..out.score_json import ScoreFile
 from ..pipeline import looking_like, plan, spoken
+from ..ports.score_json import ScoreFile
 from ..rules.profiles import profile_of
 from ..script import Script, parse_script
 from ..settings import Settings

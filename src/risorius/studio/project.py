@@ -22,9 +22,9 @@ from ..core.audio import Audio, AudioWriter
 from ..core.schema import Source, build
 from ..core.utterance import Utterance
 from ..errors import InputError
-from ..out.node import Node
-from ..out.score_json import ScoreFile, score_to_json
 from ..pipeline import looking_like
+from ..ports.node import Node
+from ..ports.score_json import ScoreFile, score_to_json
 from ..rules.profiles import profile_of
 from . import wire
 from .choices import settings_of

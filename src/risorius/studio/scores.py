@@ -8,8 +8,8 @@ from pathlib import Path
 
 from ..core.score import BlendSettings
 from ..errors import InputError
-from ..out.node import Node
-from ..out.score_json import ScoreFile, score_from_json
+from ..ports.node import Node
+from ..ports.score_json import ScoreFile, score_from_json
 from .wire import Choices
 
 

@@ -16,7 +16,7 @@ from typing import Any
 
 from ..core.action_units import resolve_targets
 from ..errors import InputError, unknown
-from ..out.atomic import replacing
+from ..ports.atomic import replacing
 from ..rules.emotions import emotion, emotion_key, emotion_names, emotion_text
 from ..script.read import RECORDING_SUFFIXES
 from ..speech.recording import read_recording

@@ -17,8 +17,8 @@ import numpy.typing as npt
 
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from ..out.glb_scene import riding
-from ..out.gltf import quaternions
+from ..ports.glb_scene import riding
+from ..ports.gltf import quaternions
 from ..render.complexion import linear
 from ..render.figure import Piece, figure_of
 from .shade import light

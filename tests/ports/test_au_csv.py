@@ -1,0 +1,85 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from risorius.errors import InputError
+from risorius.pipeline import pose
+from risorius.ports.au_csv import CAMERA, COLUMNS, _turn, pose_angles, read_au_csv
+from risorius.take import Take
+
+
+@pytest.fixture(scope="module")
+def written(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("au") / "x.au.csv"
+    clip.write(path)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "is empty"),
+        ("frame, AU01_r\n1, 0.5", "column 'timestamp' of OpenFace is missing"),
+        (
+            "timestamp, AU_01\n0, 1",
+            ":1: column 'AU01_r' of OpenFace is missing; the nearest is 'AU_01'",
+        ),
+        ("timestamp, AU99_r\n0, 1", ":1:12: unknown action unit"),
+        ("timestamp, AU01_r\n0, x", ":2:4: AU01_r is 'x'; expected a number"),
+        ("timestamp, AU01_r\n0", ":2: has 1 values; expected 2"),
+        ("timestamp, succes, AU01_r\n0, 1, 1", ":1:12: unknown column 'succes'; did you mean 'success'"),
+        ("timestamp, AU01_r, AU01_R\n0, 1, 1", "column 'AU01_r' is given twice"),
+        (
+            "timestamp, AU01_r, pose_Rx\n0, 1, 0",
+            "column 'pose_Ry' of OpenFace is missing; the nearest is 'pose_Rx'",
+        ),
+        (
+            "timestamp, AU01_r, gaze_angle_x, gaze_angle_y\n0, 1, 0, 40",
+            ":2:10: gaze_angle_y is '40'; expected radians",
+        ),
+        ("timestamp, AU01_r\n0, 1\n90000, 1", ":3: the capture lasts 90000 s; expected at most 86400 s"),
+        ("timestamp, AU01_r\n0.1, 1\n0.1, 1", ":3: its time does not come after"),
+        ("timestamp, success, AU01_r\n0, 0, 1", "no row has success 1"),
+        ("timestamp, AU01_r, AU12_x\n0, 1, 1", "unknown column 'AU12_x'; did you mean 'AU12_"),
+        ("timestamp, AU01_r\n0, inf", "expected a number"),
+    ],
+)
+def test_bad_files_are_one_line(tmp_path: Path, text: str, message: str) -> None:
+    (tmp_path / "x.au.csv").write_text(text)
+    with pytest.raises(InputError, match=message):
+        read_au_csv(tmp_path / "x.au.csv")
+
+
+def test_columns_are_openface_s(written: Path, clip: Take) -> None:
+    lines = written.read_text().splitlines()
+    assert lines[0].startswith(
+        "frame, face_id, timestamp, confidence, success, gaze_0_x, gaze_0_y, gaze_0_z, gaze_1_x"
+    )
+    assert lines[0].endswith("AU25_c, AU26_c, AU28_c, AU45_c")
+    assert sum(name.endswith("_r") for name in COLUMNS) == 17
+    assert sum(name.endswith("_c") for name in COLUMNS) == 18
+    assert len(lines) == 1 + len(clip.times)
+    row = dict(zip(COLUMNS, lines[4].split(", "), strict=True))
+    assert row["frame"] == "4"
+    assert row["timestamp"] == "0.300"
+    assert np.linalg.norm([float(row[f"gaze_0_{axis}"]) for axis in "xyz"]) == pytest.approx(1.0, abs=1e-5)
+
+
+def test_a_smile_is_au12_and_present(tmp_path: Path) -> None:
+    pose({"AU12": 0.8, "AU6": 0.5, "AU1": 0.1}).write(tmp_path / "x.au.csv")
+    header, row, *_ = (tmp_path / "x.au.csv").read_text().splitlines()
+    cells = dict(zip(header.split(", "), row.split(", "), strict=True))
+    assert float(cells["AU12_r"]) == pytest.approx(4.0, abs=0.3)
+    assert (cells["AU12_c"], cells["AU06_c"], cells["AU01_c"], cells["AU15_c"]) == ("1", "1", "0", "0")
+
+
+def test_frames_without_a_face_hold_the_last_one(tmp_path: Path) -> None:
+    (tmp_path / "x.csv").write_text("timestamp,success,AU12_r\n0.0,0,5\n0.1,1,1\n0.2,0,4\n0.3,1,2\n")
+    assert read_au_csv(tmp_path / "x.csv").units[12].tolist() == [0.2, 0.2, 0.2, 0.4]
+
+
+def test_angles_go_there_and_back() -> None:
+    angles = (0.2, -0.4, 0.1)
+    assert pose_angles(_turn(np.array(angles))) == pytest.approx(angles)
+    assert np.allclose(CAMERA @ CAMERA, np.eye(3))

@@ -1,0 +1,111 @@
+import json
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from risorius.core.arkit import SHAPES
+from risorius.face.arkit_fit import ArkitFit
+from risorius.pipeline import pose
+from risorius.ports.gltf import quaternion
+from risorius.take import Take
+
+from .gltf_reader import Document
+from .npm import NODE, with_package
+
+VALIDATE = """
+const validator = require('gltf-validator');
+const fs = require('fs');
+(async () => {
+  for (const file of process.argv.slice(1)) {
+    const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)));
+    console.log(JSON.stringify(report.issues));
+  }
+})();
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    found = tmp_path_factory.mktemp("glb")
+    clip.write(found / "x.glb", found / "x.rig.glb", found / "x.vrma", found / "x.wav")
+    pose({"AU12": 0.8, "AU26": 0.6, "head_yaw": 10.0}).write(found / "still.glb")
+    return found
+
+
+@pytest.fixture(scope="session")
+def validator(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of Khronos' validator."""
+    return with_package(tmp_path_factory, "gltf-validator", "2.0.0-dev.3.10")
+
+
+def test_khronos_finds_no_fault(folder: Path, validator: Path) -> None:
+    files = [str(folder / name) for name in ("x.glb", "x.rig.glb", "still.glb", "x.vrma")]
+    node = [str(NODE), "-e", VALIDATE, *files]
+    done = subprocess.run(node, cwd=validator, capture_output=True, text=True, timeout=120, check=True)
+    reports = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [(r["numErrors"], r["numWarnings"]) for r in reports] == [(0, 0)] * 4
+    assert not any(r["messages"] for r in reports[:3])
+
+
+def test_the_clip_s_own_shapes_make_every_frame(folder: Path, clip: Take) -> None:
+    document = Document(folder / "x.glb")
+    rms, worst = (document.json["asset"]["extras"][f"residual_{what}_mm"] for what in ("rms", "worst"))
+    assert rms < 0.1
+    assert worst < 0.5
+    pivot = clip.head.head_pivot
+    for key, frame in enumerate(clip.faces()):
+        for name, wanted, about in (("skin", frame.skin, 0.0), ("tongue", frame.tongue, pivot)):
+            distance = np.linalg.norm(document.morphed(name, key) + about - wanted, axis=1)
+            assert distance.max() < worst + 0.02, (name, key)
+
+
+def test_the_rig_has_the_52_shapes_by_name_and_their_weights(folder: Path, clip: Take) -> None:
+    document = Document(folder / "x.rig.glb")
+    mesh = document.json["meshes"][document.json["nodes"][document.node("skin")]["mesh"]]
+    assert tuple(mesh["extras"]["targetNames"]) == SHAPES
+    weights = document.output("skin", "weights")
+    assert np.abs(weights - clip.arkit.weights).max() < 1e-6
+    made = ArkitFit(clip.head).skin(clip.arkit.weights[8])
+    assert np.abs(document.morphed("skin", 8) - made).max() < 0.01
+
+
+def test_head_and_eyes_turn_as_nodes(folder: Path, clip: Take) -> None:
+    document = Document(folder / "x.glb")
+    frames = list(clip.faces())
+    for node, turns in (
+        ("head", [f.head_rotation for f in frames]),
+        ("eye_left", [f.eye_rotation[0] for f in frames]),
+        ("eye_right", [f.eye_rotation[1] for f in frames]),
+    ):
+        found = document.output(node, "rotation")
+        expected = np.array([quaternion(turn) for turn in turns])
+        assert np.abs(np.abs((found * expected).sum(axis=1)) - 1.0).max() < 1e-6
+        assert ((found[1:] * found[:-1]).sum(axis=1) > 0.0).all()
+
+
+def test_all_pieces_are_there_and_the_sound_is_named(folder: Path) -> None:
+    document = Document(folder / "x.glb")
+    names = {mesh["name"] for mesh in document.json["meshes"]}
+    assert names == {
+        *("skin", "eye_left", "eye_right", "teeth_upper", "teeth_lower", "tongue"),
+        *("brows", "lashes", "hair"),
+    }
+    assert document.json["asset"]["extras"]["audio"] == "x.wav"
+    assert {"skin", "eye", "teeth", "tongue", "hair"} <= {m["name"] for m in document.json["materials"]}
+
+
+def test_a_still_is_the_posed_face_without_animation(folder: Path) -> None:
+    take = pose({"AU12": 0.8, "AU26": 0.6, "head_yaw": 10.0})
+    document = Document(folder / "still.glb")
+    assert "animations" not in document.json
+    frame = next(take.faces([0]))
+    assert np.abs(document.morphed("skin", 0) - frame.skin).max() < 0.01
+    turned = document.json["nodes"][document.node("head")]["rotation"]
+    assert np.abs(np.array(turned) @ quaternion(frame.head_rotation)) == pytest.approx(1.0, abs=1e-6)
+
+
+def test_the_same_clip_gives_the_same_bytes(folder: Path, clip: Take, tmp_path: Path) -> None:
+    clip.write(tmp_path / "x.rig.glb", tmp_path / "x.wav")
+    assert (tmp_path / "x.rig.glb").read_bytes() == (folder / "x.rig.glb").read_bytes()

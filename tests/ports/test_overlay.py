@@ -1,0 +1,98 @@
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from risorius.core.action_units import ACTION_UNITS
+from risorius.core.look import OVERLAYS
+from risorius.core.movement import Cause, Movement
+from risorius.core.parameters import INDEX, NEUTRAL
+from risorius.core.performance import Performance
+from risorius.core.score import Score
+from risorius.core.utterance import Word
+from risorius.ports.overlay import Overlays, Subject
+from risorius.ports.overlay.bars import unit_values
+from risorius.ports.overlay.caption import lines_of
+from risorius.ports.overlay.lanes import spans_of
+
+SIZE = (240, 200)
+SMILE = Movement("emotion", 0.2, 1.0, 0.1, 0.1, {"zygomatic_major.left": 1.0}, cause=Cause("rule", "a joke"))
+NOD = Movement("head", 0.4, 0.8, 0.1, 0.1, {"head_pitch": 5.0})
+
+
+@pytest.fixture
+def subject(utterance_of):
+    utterance = utterance_of("M AA M", lead=0.3, tail=0.4)
+    score = Score(utterance.duration, (SMILE, NOD))
+    values = np.tile(NEUTRAL, (round(utterance.duration * 30) + 1, 1))
+    values[:, INDEX["zygomatic_major.left"]] = 0.8
+    return Subject(Performance(score, Fraction(30), values), utterance)
+
+
+def drawn(subject, names, frame, channels=3):
+    overlays = Overlays(names, subject, SIZE)
+    width, height = overlays.picture_size
+    return overlays.draw(np.full((height, width, channels), 90, np.uint8), frame)
+
+
+def test_nothing_asked_for_leaves_the_picture_as_it_is(subject):
+    picture = np.zeros((200, 240, 3), np.uint8)
+    overlays = Overlays((), subject, SIZE)
+    assert overlays.picture_size == SIZE
+    assert overlays.draw(picture, 0) is picture
+
+
+@pytest.mark.parametrize("name", OVERLAYS)
+@pytest.mark.parametrize("channels", [3, 4])
+def test_every_overlay_is_drawn_at_the_size_asked_for(subject, name, channels):
+    picture = drawn(subject, (name,), 12, channels)
+    assert picture.shape == (200, 240, channels)
+    assert (picture[..., :3] != 90).any()
+
+
+@pytest.mark.parametrize("name", OVERLAYS)
+def test_nothing_said_is_no_fault(subject, name):
+    silent = Subject(subject.performance, None)
+    assert drawn(silent, (name,), 3).shape == (200, 240, 3)
+
+
+def test_the_picture_is_lower_where_lanes_stand_below_it(subject):
+    width, height = Overlays(("lanes",), subject, SIZE).picture_size
+    assert width == 240
+    assert 100 < height < 190
+
+
+def test_the_line_for_now_moves_with_time(subject):
+    places = []
+    for frame in (3, 20):
+        lanes = drawn(subject, ("lanes",), frame)[-3].astype(int)
+        places.append(np.argmax(lanes[:, 0] - lanes[:, 2]))
+    assert places[1] > places[0] + 20
+
+
+def test_the_current_phone_is_bright(subject):
+    first, later = (drawn(subject, ("phones",), frame) for frame in (0, 12))
+    assert not np.array_equal(first, later)
+
+
+def test_units_are_the_mean_of_their_muscles(subject):
+    units = [ACTION_UNITS[12], ACTION_UNITS[4]]
+    values = unit_values(subject.performance, units)
+    assert values.shape == (len(subject.performance.values), 2)
+    assert values[5] == pytest.approx([0.4, 0.0])
+
+
+def test_spans_go_by_channel_and_say_their_cause(subject):
+    spans = spans_of(subject.performance.score)
+    assert [tuple(span) for span in spans["emotion"]] == [(0.2, 1.0, "a joke")]
+    assert [span.label for span in spans["head"]] == [NOD.label]
+    assert spans["gaze"] == []
+
+
+def test_lines_end_at_pauses_and_where_they_are_full():
+    words = [
+        Word(text, start, start + 0.2, 0, 1, 0, 1)
+        for text, start in (("one", 0.0), ("two", 0.2), ("three", 0.4), ("four", 2.0))
+    ]
+    lines = lines_of(words, 8.0, lambda word: len(word.text), 1.0)
+    assert [[w.text for w in line] for line in lines] == [["one", "two"], ["three"], ["four"]]

@@ -1,0 +1,91 @@
+import json
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from risorius.core.movement import Movement
+from risorius.core.score import Score
+from risorius.core.utterance import Utterance
+from risorius.errors import InputError
+from risorius.ports import Material, WriteOptions
+from risorius.ports.performance_json import read_performance, read_performance_file, write_performance_json
+
+SMILE = Movement("emotion", 0.0, 0.5, 0.1, 0.1, {"zygomatic_major.left": 1 / 3})
+
+
+@pytest.fixture
+def written(tmp_path: Path, material_of: Callable[..., Material]) -> Path:
+    write_performance_json(material_of(score=Score(1.0, (SMILE,))), tmp_path / "x.json", WriteOptions())
+    return tmp_path / "x.json"
+
+
+def _without_masseter(document: dict[str, Any]) -> None:
+    del document["curves"]["masseter"]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda d: d.update(fps="0"), "fps: fps = 0 is out of range"),
+        (lambda d: d.update(fps=[]), "fps: expected a number, found a list of 0"),
+        (lambda d: d.update(risorius=9), "risorius: version 9 is not known; expected 1"),
+        (lambda d: d.pop("score"), "'score' is missing"),
+        (lambda d: d["score"].update(durations=1), "score.durations: unknown key 'durations'; did you mean"),
+        (lambda d: d["score"]["movements"][0].update(end=-1), "score.movements[0].end: -1 is out of range"),
+        (_without_masseter, "curves: the curve of masseter is missing"),
+        (
+            lambda d: d["curves"].update(masetter=[]),
+            "curves.masetter: unknown parameter 'masetter'; did you mean",
+        ),
+        (
+            lambda d: d["curves"]["masseter"].pop(),
+            "curves.masseter: expected a list of 31, found a list of 30",
+        ),
+        (
+            lambda d: d["curves"]["masseter"].__setitem__(3, 1.5),
+            "curves.masseter[3]: 1.5 is out of range; expected 0 to 1",
+        ),
+        (
+            lambda d: d["curves"]["masseter"].__setitem__(3, "a"),
+            'curves.masseter[3]: expected a number, found "a"',
+        ),
+    ],
+)
+def test_a_faulty_performance_is_refused_with_its_path(
+    written: Path, change: Callable[[Any], object], message: str
+) -> None:
+    document = json.loads(written.read_text())
+    change(document)
+    written.write_text(json.dumps(document))
+    with pytest.raises(InputError) as caught:
+        read_performance(written)
+    assert str(caught.value).startswith(f"{written}: {message}")
+
+
+@pytest.mark.parametrize("fps", [Fraction(30), Fraction(24000, 1001)])
+def test_a_performance_is_read_back_exactly(
+    tmp_path: Path,
+    material_of: Callable[..., Material],
+    utterance_of: Callable[..., Utterance],
+    fps: Fraction,
+) -> None:
+    utterance = utterance_of("M AA")
+    score = Score(utterance.duration, (SMILE,), text="ma", seed=7)
+    material = material_of(utterance.duration, fps, utterance.audio, utterance, score=score)
+    write_performance_json(material, tmp_path / "x.json", WriteOptions())
+    held = read_performance_file(tmp_path / "x.json")
+    assert held.performance.score == score
+    assert held.performance.fps == fps
+    np.testing.assert_array_equal(held.performance.values, material.performance.values)
+    assert held.utterance is not None
+    assert held.utterance.phones == utterance.phones
+
+
+def test_fps_may_be_a_number(written: Path) -> None:
+    document = json.loads(written.read_text())
+    written.write_text(json.dumps(document | {"fps": 30}))
+    assert read_performance(written).fps == 30

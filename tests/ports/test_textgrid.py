@@ -1,0 +1,85 @@
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+from praatio import textgrid as praatio_textgrid
+
+from risorius.core.utterance import Accent, Boundary, Phone, Utterance
+from risorius.errors import OutputError
+from risorius.ports import Material, WriteOptions
+from risorius.ports.textgrid import phone_label, write_textgrid
+
+UtteranceMaker = Callable[..., Utterance]
+
+
+def _read(path: Path) -> Any:
+    return praatio_textgrid.openTextgrid(str(path), includeEmptyIntervals=True, reportingMode="error")
+
+
+def _written(utterance: Utterance, material_of: Callable[..., Material], path: Path) -> Any:
+    write_textgrid(material_of(utterance=utterance), path, WriteOptions())
+    return _read(path)
+
+
+def test_nothing_said_is_an_error(tmp_path: Path, material_of: Callable[..., Material]) -> None:
+    with pytest.raises(OutputError, match="nothing said"):
+        write_textgrid(material_of(), tmp_path / "x.TextGrid", WriteOptions())
+
+
+def test_praatio_reads_all_tiers_without_gaps(
+    tmp_path: Path, material_of: Callable[..., Material], utterance_of: UtteranceMaker
+) -> None:
+    utterance = replace(utterance_of("M AA _ B IY"), accents=(Accent(0.65, 0, 0, "H*"), Accent(1.0, 1, 1)))
+    utterance = replace(utterance, boundaries=(Boundary(0.8, 0, "L-H%"),))
+    grid = _written(utterance, material_of, tmp_path / "x.TextGrid")
+    assert grid.tierNames == ("words", "phones", "accents", "boundaries")
+    for name in ("words", "phones"):
+        entries = grid.getTier(name).entries
+        assert entries[0].start == 0.0
+        assert entries[-1].end == pytest.approx(utterance.duration, abs=1e-6)
+        assert all(a.end == b.start for a, b in pairwise(entries))
+    phones = [(p.symbol, p.start, p.end) for p in utterance.phones]
+    read = grid.getTier("phones").entries
+    assert [entry.label for entry in read] == ["", "M", "AA1", "", "B", "IY1", ""]
+    for entry, (_, start, end) in zip(read, phones, strict=True):
+        assert (entry.start, entry.end) == pytest.approx((start, end), abs=1e-6)
+    assert [entry.label for entry in grid.getTier("words").entries] == ["", "m", "aa", "", "b", "iy", ""]
+    assert [tuple(entry) for entry in grid.getTier("accents").entries] == [(0.65, "H*"), (1.0, "*")]
+    assert [tuple(entry) for entry in grid.getTier("boundaries").entries] == [(0.8, "L-H%")]
+
+
+def test_quotes_lines_and_other_alphabets_survive(
+    tmp_path: Path, material_of: Callable[..., Material], utterance_of: UtteranceMaker
+) -> None:
+    utterance = utterance_of("M")
+    word = replace(utterance.words[0], text='“ü\n"x"')
+    grid = _written(replace(utterance, words=(word,)), material_of, tmp_path / "x.TextGrid")
+    assert grid.getTier("words").entries[1].label == '“ü "x"'
+
+
+def test_words_that_meet_inexactly_leave_no_sliver(
+    tmp_path: Path, material_of: Callable[..., Material], utterance_of: UtteranceMaker
+) -> None:
+    utterance = utterance_of("M AA")
+    first, second = utterance.words
+    words = (replace(first, end=first.end - 1e-9), second)
+    grid = _written(replace(utterance, words=words), material_of, tmp_path / "x.TextGrid")
+    assert [entry.label for entry in grid.getTier("words").entries] == ["", "m", "aa", ""]
+
+
+@pytest.mark.parametrize(
+    ("symbol", "stress", "language", "label"),
+    [
+        ("AA", 2, "en", "AA1"),
+        ("AA", 1, "en-us", "AA2"),
+        ("AH", 0, "en_GB", "AH0"),
+        ("M", -1, "en", "M"),
+        ("", -1, "en", ""),
+        ("aː", 2, "de", "aː"),
+    ],
+)
+def test_stress_digits_are_those_of_arpabet(symbol: str, stress: int, language: str, label: str) -> None:
+    assert phone_label(Phone(symbol, 0.0, 1.0, stress), language) == label
