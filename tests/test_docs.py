@@ -12,7 +12,7 @@ import pytest
 
 from risorius.cli import commands, run
 from risorius.core.movement import CHANNELS
-from risorius.ports import OUTPUTS
+from risorius.ports.formats import OUTPUTS
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]

@@ -18,8 +18,7 @@ ALLOWED: dict[str, set[str]] = {
     "face": {"core"},
     "heads": set(),
     "render": {"core", "face"},
-    "film": set(),
-    "ports": {"core", "face", "render", "film"},
+    "ports": {"core", "face", "render"},
 }
 BASE = {"errors", "registry", "compile_cache", "kept", "workers"}
 

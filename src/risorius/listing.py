@@ -60,7 +60,7 @@ def voices() -> Listing:
 
 def outputs() -> Listing:
     """The outputs by suffix."""
-    from .ports import OUTPUTS
+    from .ports.formats import OUTPUTS
 
     return ("suffix", "content"), [(suffix, OUTPUTS.get(suffix).description) for suffix in OUTPUTS]
 

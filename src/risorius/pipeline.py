@@ -20,9 +20,9 @@ from .core.performance import Performance
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
 from .errors import InputError, Place
-from .ports import check_targets as check_outputs
 from .ports.performance_json import read_performance_file
 from .ports.score_json import read_score_file
+from .ports.targets import check_targets as check_outputs
 from .rules.book import book_of
 from .rules.emotions import emotion_key
 from .rules.fuzzy import blended

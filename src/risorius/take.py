@@ -28,8 +28,7 @@ if TYPE_CHECKING:
     from .face.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
-    from .ports import Material
-    from .ports.source import Picture, Size
+    from .ports.source import Material, Picture, Size
 
 Progress = Callable[..., None]
 """Called with a stage's name, and how many of how many frames are done where that is known."""
@@ -106,7 +105,8 @@ class Take:
 
         Raises OutputError if a file cannot be written; then none is.
         """
-        from .ports import WriteOptions, check_targets, write_targets
+        from .ports.source import WriteOptions
+        from .ports.targets import check_targets, write_targets
 
         chosen = self.settings
         options = WriteOptions(chosen.size, chosen.at, chosen.every, chosen.look.transparent)
@@ -175,7 +175,7 @@ class Take:
         return self.planned or Plan(self.score, lip_rig(self.score, self.settings.head))
 
     def _material(self, progress: Progress) -> Material:
-        from .ports import Material
+        from .ports.source import Material
 
         return Material(
             performance=self.performance,

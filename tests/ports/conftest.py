@@ -15,8 +15,8 @@ from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.core.performance import Performance, frame_times
 from risorius.core.score import Score
 from risorius.core.utterance import Utterance
-from risorius.ports import Material
 from risorius.ports.landmarks_csv import COLUMNS
+from risorius.ports.source import Material
 
 MaterialMaker = Callable[..., Material]
 Pictures = Callable[[tuple[int, int], Sequence[int]], Iterator[npt.NDArray[np.uint8]]]

@@ -10,7 +10,8 @@ import pytest
 
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
-from risorius.ports import Material, WriteOptions, check_targets, write_targets
+from risorius.ports.source import Material, WriteOptions
+from risorius.ports.targets import check_targets, write_targets
 
 MaterialMaker = Callable[..., Material]
 COLOUR = (180, 90, 60)

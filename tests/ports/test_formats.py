@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import OutputError
-from risorius.ports import OUTPUTS, Need, output_for
+from risorius.ports.formats import OUTPUTS, Need, output_for
 
 
 def test_a_name_without_suffix_is_refused_with_the_list() -> None:

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.ports import Material, WriteOptions
 from risorius.ports.landmarks_csv import write_landmarks_csv
+from risorius.ports.source import Material, WriteOptions
 
 EXPECTED = [
     "time_s",

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from risorius.core.parameters import NAMES
-from risorius.ports import Material, WriteOptions
 from risorius.ports.muscles_csv import write_muscles_csv
+from risorius.ports.source import Material, WriteOptions
 
 
 @pytest.mark.parametrize("fps", [Fraction(30), Fraction(24000, 1001)])

@@ -6,8 +6,8 @@ import pytest
 from PIL import Image
 
 from risorius.errors import InputError
-from risorius.ports import Material, WriteOptions
 from risorius.ports.png import frame_at, write_png
+from risorius.ports.source import Material, WriteOptions
 
 
 @pytest.mark.parametrize("seconds", [-0.1, 1.1, float("nan"), float("inf")])

@@ -14,8 +14,8 @@ from risorius.core.movement import CHANNELS, Cause, Dominance, LipSegment, Manua
 from risorius.core.parameters import PARAMETERS
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError
-from risorius.ports import Material, WriteOptions
 from risorius.ports.score_json import read_score, read_score_file, score_to_json, write_score_json
+from risorius.ports.source import Material, WriteOptions
 
 MINIMAL = (
     '{"risorius": 1, "duration": 7.0, "settings": {"conflict": "inhibit", "activation_threshold": 0.1, '

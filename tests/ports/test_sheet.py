@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from risorius.errors import InputError
-from risorius.ports import Material, WriteOptions
 from risorius.ports.png import write_png
 from risorius.ports.sheet import GAP, LABEL, MAX_PICTURES, WIDTH, sheet_frames, write_sheet
+from risorius.ports.source import Material, WriteOptions
 
 
 @pytest.mark.parametrize(

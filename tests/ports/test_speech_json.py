@@ -11,10 +11,11 @@ from risorius.core.audio import Audio
 from risorius.core.score import Score
 from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError
-from risorius.ports import Material, check_targets, write_targets
 from risorius.ports.node import Node
 from risorius.ports.score_json import read_score, read_score_file
+from risorius.ports.source import Material
 from risorius.ports.speech_json import speech_from_json
+from risorius.ports.targets import check_targets, write_targets
 
 SPEECH: dict[str, Any] = {
     "language": "en",

@@ -10,9 +10,9 @@ from praatio import textgrid as praatio_textgrid
 
 from risorius.core.movement import Movement
 from risorius.core.parameters import NAMES
-from risorius.ports import OUTPUTS, Need
 from risorius.ports.bvh import euler
 from risorius.ports.channels_textgrid import label
+from risorius.ports.formats import OUTPUTS, Need
 from risorius.take import Take
 
 

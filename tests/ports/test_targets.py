@@ -9,7 +9,9 @@ import pytest
 from risorius.core.audio import Audio
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
-from risorius.ports import OUTPUTS, Material, Need, WriteOptions, check_target, check_targets, write_targets
+from risorius.ports.formats import OUTPUTS, Need
+from risorius.ports.source import Material, WriteOptions
+from risorius.ports.targets import check_target, check_targets, write_targets
 
 MaterialMaker = Callable[..., Material]
 NOWHERE = Path("/proc")

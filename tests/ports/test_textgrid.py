@@ -9,7 +9,7 @@ from praatio import textgrid as praatio_textgrid
 
 from risorius.core.utterance import Accent, Boundary, Phone, Utterance
 from risorius.errors import OutputError
-from risorius.ports import Material, WriteOptions
+from risorius.ports.source import Material, WriteOptions
 from risorius.ports.textgrid import phone_label, write_textgrid
 
 UtteranceMaker = Callable[..., Utterance]

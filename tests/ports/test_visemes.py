@@ -9,10 +9,10 @@ import pytest
 
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
-from risorius.ports import Material, WriteOptions
 from risorius.ports.azure_json import write_azure_json
 from risorius.ports.oculus_csv import write_oculus_csv
 from risorius.ports.rhubarb import write_moho_dat, write_rhubarb_json, write_rhubarb_tsv, write_rhubarb_xml
+from risorius.ports.source import Material, WriteOptions
 from risorius.ports.visemes import OCULUS, viseme_of, viseme_table
 
 WRITERS = (

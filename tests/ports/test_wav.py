@@ -6,7 +6,7 @@ import pytest
 
 from risorius.core.audio import Audio
 from risorius.errors import OutputError
-from risorius.ports import Material, WriteOptions
+from risorius.ports.source import Material, WriteOptions
 from risorius.ports.wav import write_wav
 
 

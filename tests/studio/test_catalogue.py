@@ -7,7 +7,7 @@ import json
 from risorius.core.movement import CHANNELS
 from risorius.core.parameters import PARAMETERS
 from risorius.listing import LISTINGS
-from risorius.ports import OUTPUTS
+from risorius.ports.formats import OUTPUTS
 from risorius.rules.book import shipped
 from risorius.settings import Settings
 from risorius.studio.catalogue import catalogue, catalogue_json

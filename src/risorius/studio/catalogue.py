@@ -18,7 +18,7 @@ from ..core.look import COMPLEXIONS, FRAMINGS, HAIR_STYLES, LIGHTS, OVERLAYS, QU
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import ALIASES, PARAMETERS, RIVALS, Parameter
 from ..face.head import load_head, shipped_heads
-from ..ports import OUTPUTS, Output
+from ..ports.formats import OUTPUTS, Output
 from ..registry import Registry
 from ..rules.book import shipped
 from ..rules.emotions import Emotion, emotions

@@ -11,7 +11,8 @@ from pathlib import Path
 
 from ..core.look import TRANSPARENT, Look
 from ..errors import InputError, RisoriusError
-from ..ports import OUTPUTS, check_targets
+from ..ports.formats import OUTPUTS
+from ..ports.targets import check_targets
 from ..render.backdrop import colour_named
 from ..settings import Settings, parse_size
 from ..take import Progress, Take

@@ -15,8 +15,8 @@ import numpy.typing as npt
 import pytest
 
 from risorius.core.audio import Audio
-from risorius.ports import Material, WriteOptions
-from risorius.ports.mp4 import write_mp4
+from risorius.ports.source import Material, WriteOptions
+from risorius.ports.video.mp4 import write_mp4
 
 MaterialMaker = Callable[..., Material]
 SoundMaker = Callable[..., Audio]

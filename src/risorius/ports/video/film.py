@@ -12,15 +12,15 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from ..core.audio import Audio
-from .source import Material, WriteOptions
-from .video_encoder import VideoEncoder
+from ...core.audio import Audio
+from ..source import Material, WriteOptions
+from .encoder import VideoEncoder
 
 
 def write_film(material: Material, path: Path, options: WriteOptions, codec: str) -> None:
     """Write all frames at `options.size`, with the material's sound if it has one.
 
-    `codec` is a name of `film.codecs.CODECS`. Raises OutputError if the encoder fails, OSError for a fault of
+    `codec` is a name of `codecs.CODECS`. Raises OutputError if the encoder fails, OSError for a fault of
     the disk.
     """
     performance, audio = material.performance, material.audio

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from risorius.film import wire
+from risorius.ports.video import messages
 
 Pipe = tuple[FileIO, FileIO]
 
@@ -22,34 +22,34 @@ def pipe() -> Iterator[Pipe]:
 def test_a_pipe_closed_between_messages_is_noticed(pipe: Pipe) -> None:
     pipe[1].close()
     with pytest.raises(EOFError):
-        wire.receive(pipe[0])
+        messages.receive(pipe[0])
 
 
 def test_a_pipe_closed_within_a_message_is_noticed(pipe: Pipe) -> None:
-    wire.send(pipe[1], wire.SOUND, b"1234")
+    messages.send(pipe[1], messages.SOUND, b"1234")
     pipe[0].read(6)
     pipe[1].close()
     with pytest.raises(EOFError):
-        wire.receive(pipe[0])
+        messages.receive(pipe[0])
 
 
 def test_a_reader_that_is_gone_is_noticed(pipe: Pipe) -> None:
     pipe[0].close()
     with pytest.raises(OSError, match="Broken pipe"):
-        wire.send(pipe[1], wire.END)
+        messages.send(pipe[1], messages.END)
 
 
 def test_a_message_larger_than_the_pipe_arrives_whole(pipe: Pipe) -> None:
     payload = os.urandom(3_000_000)
-    sender = threading.Thread(target=wire.send, args=(pipe[1], wire.PICTURE, payload))
+    sender = threading.Thread(target=messages.send, args=(pipe[1], messages.PICTURE, payload))
     sender.start()
-    kind, received = wire.receive(pipe[0])
-    assert (kind, bytes(received)) == (wire.PICTURE, payload)
+    kind, received = messages.receive(pipe[0])
+    assert (kind, bytes(received)) == (messages.PICTURE, payload)
     sender.join()
 
 
 @settings(max_examples=30)
 @given(st.text(), st.integers(1, 9999), st.integers(1, 9999), st.none() | st.integers(1, 99_999))
 def test_a_setup_is_read_back(path: str, width: int, height: int, rate: int | None) -> None:
-    setup = wire.Setup(path, width, height, "24000/1001", rate)
-    assert wire.Setup.decode(setup.encode()) == setup
+    setup = messages.Setup(path, width, height, "24000/1001", rate)
+    assert messages.Setup.decode(setup.encode()) == setup

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 from risorius.errors import OutputError
-from risorius.ports import Material, WriteOptions, check_targets, write_targets
 from risorius.ports.atomic import replacing
-from risorius.ports.video_encoder import VideoEncoder
+from risorius.ports.source import Material, WriteOptions
+from risorius.ports.targets import check_targets, write_targets
+from risorius.ports.video.encoder import VideoEncoder
 
 SIZE = (320, 320)
 NOISE = np.random.default_rng(0).integers(0, 256, (SIZE[1], SIZE[0], 3)).astype(np.uint8)
@@ -134,7 +135,7 @@ import os, signal, sys
 from fractions import Fraction
 from pathlib import Path
 import numpy as np
-from risorius.ports.video_encoder import VideoEncoder
+from risorius.ports.video.encoder import VideoEncoder
 with VideoEncoder(Path(sys.argv[1]), (64, 64), Fraction(30)) as encoder:
     for k in range(2000):
         encoder.picture(np.zeros((64, 64, 3), np.uint8))
@@ -163,9 +164,9 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 import numpy as np
-import risorius.ports
+import risorius.ports.targets
 heavy = {"av", "PIL", "praatio"} & set(sys.modules)
-from risorius.ports.video_encoder import VideoEncoder
+from risorius.ports.video.encoder import VideoEncoder
 with VideoEncoder(Path(sys.argv[1]), (64, 64), Fraction(30)) as encoder:
     encoder.picture(np.zeros((64, 64, 3), np.uint8))
 print(sorted(heavy | ({"av"} & set(sys.modules))))
@@ -190,3 +191,20 @@ def test_errors_of_the_worker_carry_the_output_s_name(
     with pytest.raises(OutputError, match=r"x\.mp4: the video encoder died"):
         write_targets(material_of(), check_targets([tmp_path / "x.mp4"]), WriteOptions(size=(32, 32)))
     assert sorted(path.name for path in tmp_path.iterdir()) == ["broken"]
+
+
+def test_the_worker_loads_nothing_else_of_the_package() -> None:
+    program = """
+import sys
+import risorius.ports.video.worker
+print(*sorted(name for name in sys.modules if name.split(".")[0] in ("risorius", "numba", "scipy")))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    video = [f"risorius.ports.video.{name}" for name in ("codecs", "messages", "worker")]
+    assert done.stdout.split() == ["risorius", "risorius.ports", "risorius.ports.video", *video]

@@ -1,6 +1,6 @@
-"""The video encoder, in a process of its own: `python -m risorius.film.worker`.
+"""The video encoder, in a process of its own: `python -m risorius.ports.video.worker`.
 
-Reads pictures and sound from standard input (`wire`) and writes a film (`codecs`). A separate
+Reads pictures and sound from standard input (`messages`) and writes a film (`codecs`). A separate
 process because the encoder's library brings GPL code, may crash, and should work while the next picture is
 drawn.
 """
@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 from av.video.reformatter import VideoReformatter
 
-from . import wire
+from . import messages
 from .codecs import CODECS, Codec
 
 # The same number on every machine: the encoder's output depends on it.
@@ -40,7 +40,7 @@ Bytes = npt.NDArray[np.uint8]
 class Film:
     """A film in the making: pictures at k/fps, sound from t = 0."""
 
-    def __init__(self, setup: wire.Setup) -> None:
+    def __init__(self, setup: messages.Setup) -> None:
         self._codec = codec = CODECS[setup.codec]
         self._size = (setup.width, setup.height)
         self._given = setup.pixels
@@ -146,8 +146,8 @@ class Inbox:
     def _read(self, pipe: io.RawIOBase) -> None:
         kind = b""
         try:
-            while kind != wire.END:
-                kind, payload = wire.receive(pipe)
+            while kind != messages.END:
+                kind, payload = messages.receive(pipe)
                 self._queue.put((kind, payload))
         except EOFError as error:
             self._queue.put(error)
@@ -163,12 +163,12 @@ class Inbox:
 def encode(inbox: Inbox) -> None:
     """Encode one film, from its setup to its end."""
     _, payload = inbox.next()
-    setup = wire.Setup.decode(payload)
+    setup = messages.Setup.decode(payload)
     try:
         film = Film(setup)
-        handle = {wire.PICTURE: film.picture, wire.SOUND: film.sound}
+        handle = {messages.PICTURE: film.picture, messages.SOUND: film.sound}
         kind, payload = inbox.next()
-        while kind != wire.END:
+        while kind != messages.END:
             handle[kind](payload)
             kind, payload = inbox.next()
         film.finish()

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..source import Material, WriteOptions
 from .film import write_film
-from .source import Material, WriteOptions
 
 
 def write_webm(material: Material, path: Path, options: WriteOptions) -> None:

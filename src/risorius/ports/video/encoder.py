@@ -20,11 +20,11 @@ from typing import cast
 import numpy as np
 import numpy.typing as npt
 
-from .. import workers
-from ..errors import OutputError
-from ..film import wire
-from ..film.codecs import CODECS
-from ..render.yuv import planes
+from ... import workers
+from ...errors import OutputError
+from ...render.yuv import planes
+from . import messages
+from .codecs import CODECS
 
 # Seconds without progress after which the worker is given up.
 PATIENCE = 60.0
@@ -60,7 +60,7 @@ class VideoEncoder:
         self._silent_too_long = False
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
         self._process = workers.start(
-            "risorius.film.worker",
+            "risorius.ports.video.worker",
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._complaints.fileno(),
@@ -70,7 +70,9 @@ class VideoEncoder:
         self._input = cast(io.FileIO, self._process.stdin)
         self._answer = cast(io.FileIO, self._process.stdout)
         _widen(self._input.fileno())
-        self._setup = wire.Setup(str(path.absolute()), width, height, str(fps), sample_rate, codec, pixels)
+        self._setup = messages.Setup(
+            str(path.absolute()), width, height, str(fps), sample_rate, codec, pixels
+        )
 
     @property
     def pid(self) -> int:
@@ -85,24 +87,24 @@ class VideoEncoder:
         if self._planes is not None:
             planes(numbers, self._planes)
             numbers = self._planes
-        self._send(wire.PICTURE, numbers.data.cast("B"))
+        self._send(messages.PICTURE, numbers.data.cast("B"))
 
     def sound(self, samples: npt.NDArray[np.int16]) -> None:
         """Add int16 samples, shape (n,)."""
         if len(samples):
-            self._send(wire.SOUND, samples.astype("<i2", copy=False).tobytes())
+            self._send(messages.SOUND, samples.astype("<i2", copy=False).tobytes())
 
     def finish(self) -> None:
         """Complete the file and end the worker."""
-        self._send(wire.END)
+        self._send(messages.END)
         answer = self._read_answer()
         if answer is None or "error" in answer:
             raise self._failure(answer)
 
-    def _send(self, kind: bytes, payload: wire.Buffer = b"") -> None:
+    def _send(self, kind: bytes, payload: messages.Buffer = b"") -> None:
         try:
             with self._limit():
-                wire.send(self._input, kind, payload)
+                messages.send(self._input, kind, payload)
         except OSError:
             raise self._failure(self._read_answer()) from None
 
@@ -154,7 +156,7 @@ class VideoEncoder:
 
     def __enter__(self) -> VideoEncoder:
         try:
-            self._send(wire.SETUP, self._setup.encode())
+            self._send(messages.SETUP, self._setup.encode())
         except BaseException:
             self._stop()
             raise
