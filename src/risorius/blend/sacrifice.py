@@ -9,10 +9,9 @@ from typing import Annotated
 
 from ..core.schema import Range
 from ..core.toml import parse
+from ..core.units import ContactSeconds, GapMillimetres, Share
 from ..errors import InputError, unknown
 
-Seconds = Annotated[float, Range(0.001, 0.5)]
-Millimetres = Annotated[float, Range(0.01, 20.0)]
 NAME = "sacrifice.toml"
 DEMANDS = ("opening", "rounding", "tuck", "seal")
 
@@ -23,8 +22,8 @@ class Opening:
 
     source: str
     fastest: Annotated[float, Range(20.0, 1000.0)]
-    gentle: Seconds
-    rounded: Millimetres
+    gentle: ContactSeconds
+    rounded: GapMillimetres
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +31,7 @@ class Rounding:
     """What is `kept` of a neighbour's width and protrusion while the lower lip is at the teeth, 0..1."""
 
     source: str
-    kept: Annotated[float, Range(0.0, 1.0)]
+    kept: Share
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,10 +42,10 @@ class Tuck:
     """
 
     source: str
-    gap: Millimetres
-    ramp: Seconds
+    gap: GapMillimetres
+    ramp: ContactSeconds
     waits: Annotated[float, Range(0.0, 0.5)]
-    least_room: Seconds
+    least_room: ContactSeconds
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,8 +53,8 @@ class Seal:
     """The closure of the lips, seconds."""
 
     source: str
-    ramp: Seconds
-    shortest: Seconds
+    ramp: ContactSeconds
+    shortest: ContactSeconds
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,21 +10,20 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
+from typing import Any
 
 from ..errors import InputError, unknown
 from .action_units import resolve_targets
 from .functions import DEFAULT_FUNCTION
 from .movement import Cause, ManualCurve, Movement
 from .parameters import parameters_named
-from .schema import Range
 from .score import Score, check_score
+from .units import Seconds
 
 BY_HAND = "by hand"
 CHANGED = f"changed {BY_HAND}"
 # Channels whose entries are not movements.
 _NOT_MOVED = ("lips", "manual")
-Seconds = Annotated[float, Range(0.0, 86_400.0)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,19 +12,16 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from importlib import resources
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, UInt32Array
 from ..core.parameters import INDEX, MUSCLES, RIVALS, Parameter
-from ..core.schema import Range
 from ..core.toml import load_file
+from ..core.units import Share
 from ..errors import ParameterError, unknown
 from .jit import compiled
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.uint32]
 
 FILE = "links.toml"
 _BASES = tuple(dict.fromkeys(m.base for m in MUSCLES))
@@ -41,7 +38,7 @@ class Link:
 
     muscle: str
     linked: str
-    weight: Annotated[float, Range(0.0, 1.0)]
+    weight: Share
     source: str
     sides: Literal["same", "other"] = "same"
 
@@ -86,8 +83,8 @@ class LinkTable:
 class Links:
     """A table of links made ready: `first`, `second` (k,) columns of the parameters, `weight` (k,) 0..1."""
 
-    first: IntArray
-    second: IntArray
+    first: UInt32Array
+    second: UInt32Array
     weight: Array
 
     @classmethod
@@ -127,7 +124,7 @@ def _load(path: Path, _changed: int) -> tuple[Link, ...]:
 
 
 @compiled
-def _apply(first: IntArray, second: IntArray, weight: Array, values: Array, out: Array) -> None:
+def _apply(first: UInt32Array, second: UInt32Array, weight: Array, values: Array, out: Array) -> None:
     # Not as a slice: what numba compiles to say that lengths differ is more than all the rest.
     for k in range(len(values)):
         out[k] = values[k]

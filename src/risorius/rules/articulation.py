@@ -7,15 +7,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
-from typing import Annotated, NamedTuple
+from typing import NamedTuple
 
 from ..core.articulators import PROTRUSION, within_range
-from ..core.schema import Range
+from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
 from .lips import PhoneShape, Targets, check_shape, lip_table
 from .load import load
-
-Share = Annotated[float, Range(0.0, 1.0)]
 
 
 @dataclass(frozen=True, slots=True)

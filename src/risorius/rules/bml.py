@@ -5,30 +5,26 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated
 
 from ..core.action_units import resolve_targets
-from ..core.schema import Range
+from ..core.units import BehaviourSeconds, SignedShare
 from .load import load
-
-Share = Annotated[float, Range(-1.0, 1.0)]
-Seconds = Annotated[float, Range(0.1, 60.0)]
 
 
 @dataclass(frozen=True, slots=True)
 class Heading:
     """Shares of an angle: up, and to the subject's left."""
 
-    pitch: Share
-    yaw: Share
+    pitch: SignedShare
+    yaw: SignedShare
 
 
 @dataclass(frozen=True, slots=True)
 class Lengths:
     """Seconds that behaviours last."""
 
-    face: Seconds
-    gaze: Seconds
+    face: BehaviourSeconds
+    gaze: BehaviourSeconds
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +33,7 @@ class BmlTable:
 
     lexeme: Mapping[str, Mapping[str, float]]
     direction: Mapping[str, Heading]
-    influence: Mapping[str, Share]
+    influence: Mapping[str, SignedShare]
     duration: Lengths
 
     def __post_init__(self) -> None:

@@ -14,15 +14,15 @@ from typing import Annotated
 
 from ..core.schema import Range
 
-Factor = Annotated[float, Range(0.0, 5.0)]
+ModulationFactor = Annotated[float, Range(0.0, 5.0)]
 
 
 @dataclass(frozen=True, slots=True)
 class Conduct:
     """Factors by rule id, or by its beginning up to a dot; those of several beginnings multiply."""
 
-    rates: Mapping[str, Factor] = field(default_factory=dict)
-    sizes: Mapping[str, Factor] = field(default_factory=dict)
+    rates: Mapping[str, ModulationFactor] = field(default_factory=dict)
+    sizes: Mapping[str, ModulationFactor] = field(default_factory=dict)
 
     def at(self, intensity: float) -> Conduct:
         """Return the conduct at an intensity 0..1: at 0 nothing is changed."""

@@ -13,13 +13,12 @@ from typing import Annotated
 from ..core.action_units import check_intensity, resolve_targets
 from ..core.schema import Range
 from ..core.toml import written
+from ..core.units import RiseSeconds, Share
 from ..errors import InputError, ParameterError, unknown
 from .conduct import Conduct
 from .fuzzy_sets import concluded
 from .load import load_file, load_folder
 
-Seconds = Annotated[float, Range(0.0, 10.0)]
-Share = Annotated[float, Range(0.0, 1.0)]
 # What share of its full contraction belongs to each of five intensities.
 Degrees = tuple[Share, Share, Share, Share, Share]
 # Seconds, as emotions of the package rise and fall.
@@ -34,8 +33,8 @@ class Emblem:
     `units`: action units or muscles with their value at intensity 1. Seconds.
     """
 
-    onset: Seconds
-    offset: Seconds
+    onset: RiseSeconds
+    offset: RiseSeconds
     duration: Annotated[float, Range(0.1, 10.0)]
     units: Mapping[str, float] = field(metadata={"key": "targets"})
 
@@ -52,8 +51,8 @@ class Emotion:
     aliases: tuple[str, ...]
     description: str
     source: str
-    onset: Seconds
-    offset: Seconds
+    onset: RiseSeconds
+    offset: RiseSeconds
     units: Mapping[str, float] = field(metadata={"key": "targets"})
     emblem: Emblem
     conduct: Conduct = field(default_factory=Conduct)

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated
 
 from ..core.parameters import INDEX, PARAMETERS
-from ..core.schema import Range
+from ..core.units import Share
 from ..errors import InputError
 from .emotions import emotion
 from .fuzzy_sets import check_centres, concluded
 from .load import load
 
-Share = Annotated[float, Range(0.0, 1.0)]
 Shares = tuple[Share, Share, Share, Share, Share]
 Centres = tuple[float, float, float, float, float]
 UPPER = ("brows", "lids")

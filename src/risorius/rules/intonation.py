@@ -10,9 +10,8 @@ from typing import Annotated
 
 from ..core.schema import Range
 from ..core.tobi import boundary_tone, pitch_accent
+from ..core.units import Share
 from .load import load
-
-Confidence = Annotated[float, Range(0.0, 1.0)]
 
 
 class Ending(StrEnum):
@@ -60,7 +59,7 @@ class AccentRule:
     lexical_tone: bool | None = None
     ends: tuple[Ending, ...] = ()
     label: str | None = None
-    confidence: Confidence = 1.0
+    confidence: Share = 1.0
 
     def __post_init__(self) -> None:
         if self.label is not None:
@@ -87,7 +86,7 @@ class BoundaryRule:
 
     ends: tuple[Ending, ...]
     label: str
-    confidence: Confidence
+    confidence: Share
 
     def __post_init__(self) -> None:
         boundary_tone(self.label)

@@ -12,10 +12,10 @@ from ..core.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
 from ..core.movement import Dominance
 from ..core.parameters import INDEX, parameters_named
 from ..core.schema import Range
+from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
 from .load import load
 
-Share = Annotated[float, Range(0.0, 1.0)]
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]
 Targets = Mapping[str, float]
 EVERYTHING = "*"

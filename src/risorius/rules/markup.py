@@ -10,10 +10,10 @@ from typing import Annotated
 from ..core.action_units import resolve_targets
 from ..core.movement import check_target
 from ..core.schema import Range
+from ..core.units import MarkSeconds, Share, SignedShare
 from .load import load
 
-Seconds = Annotated[float, Range(0.01, 60.0)]
-Swings = tuple[Annotated[float, Range(-1.0, 1.0)], ...]
+Swings = tuple[SignedShare, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,8 +39,8 @@ class Gesture:
     parameter: str
     amplitude: Annotated[float, Range(0.0, 45.0)]
     swings: Swings
-    seconds: Seconds
-    decay: Annotated[float, Range(0.0, 1.0)]
+    seconds: MarkSeconds
+    decay: Share
 
     def __post_init__(self) -> None:
         check_target(self.parameter, self.amplitude)
@@ -61,10 +61,10 @@ class Attitude:
 class Durations:
     """Seconds that a mark lasts where it does not say."""
 
-    signal: Seconds
-    blink: Seconds
-    head: Seconds
-    turn: Seconds
+    signal: MarkSeconds
+    blink: MarkSeconds
+    head: MarkSeconds
+    turn: MarkSeconds
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,15 +12,13 @@ from ..core.action_units import resolve_targets
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..core.schema import Range, Source, build
 from ..core.toml import read_tables, read_text
+from ..core.units import DeviationDegrees, HabitSeconds, Share, SignedShare
 from ..errors import InputError, ParameterError, unknown
-from .conduct import Conduct, Factor
+from .conduct import Conduct, ModulationFactor
 from .load import DATA, load_folder
 
 NEUTRAL = "neutral"
-Seconds = Annotated[float, Range(0.0, 60.0)]
-Degrees = Annotated[float, Range(0.0, 60.0)]
-Share = Annotated[float, Range(0.0, 1.0)]
-Normal = tuple[Seconds, Seconds]
+Normal = tuple[HabitSeconds, HabitSeconds]
 """Mean and standard deviation."""
 
 
@@ -40,7 +38,7 @@ class Blinks:
     period: Annotated[float, Range(0.5, 60.0)]
     kinematics: Literal["measured", "paper"]
     closing: Annotated[float, Range(0.04, 1.0)]
-    closed: Seconds
+    closed: HabitSeconds
     opening: Annotated[float, Range(0.04, 1.0)]
     incomplete: Share
     depth: tuple[Share, Share]
@@ -66,12 +64,12 @@ class Gaze:
 
     speaking: Aversion
     listening: Aversion
-    directions: Mapping[str, Annotated[float, Range(0.0, 1.0)]]
-    pitch: tuple[Degrees, Degrees]
-    yaw: tuple[Degrees, Degrees]
-    scan: Seconds
-    scan_pitch: Degrees
-    scan_yaw: Degrees
+    directions: Mapping[str, Share]
+    pitch: tuple[DeviationDegrees, DeviationDegrees]
+    yaw: tuple[DeviationDegrees, DeviationDegrees]
+    scan: HabitSeconds
+    scan_pitch: DeviationDegrees
+    scan_yaw: DeviationDegrees
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,14 +80,14 @@ class Head:
     of pitch by standard deviation of a syllable's pitch, where the sound was measured.
     """
 
-    pitch: Degrees
-    yaw: Degrees
-    roll: Degrees
-    dwell: tuple[Seconds, Seconds]
+    pitch: DeviationDegrees
+    yaw: DeviationDegrees
+    roll: DeviationDegrees
+    dwell: tuple[HabitSeconds, HabitSeconds]
     comma: Share
     final: Share
     listening: Share
-    melody: Degrees
+    melody: DeviationDegrees
 
 
 def _check_posture(posture: Mapping[str, float]) -> None:
@@ -112,9 +110,9 @@ class Profile:
     blinks: Blinks
     gaze: Gaze
     head: Head
-    side: Annotated[float, Range(-1.0, 1.0)] = 0.0
-    rates: Mapping[str, Factor] = field(default_factory=dict)
-    sizes: Mapping[str, Factor] = field(default_factory=dict)
+    side: SignedShare = 0.0
+    rates: Mapping[str, ModulationFactor] = field(default_factory=dict)
+    sizes: Mapping[str, ModulationFactor] = field(default_factory=dict)
     posture: Mapping[str, float] = field(default_factory=dict)
     age: Annotated[float, Range(0.0, 100.0)] | None = None
     wrinkles: Mapping[str, Annotated[float, Range(0.0, 2.0)]] = field(default_factory=dict)
@@ -140,8 +138,8 @@ class Attitude:
     name: str
     description: str
     source: str
-    rates: Mapping[str, Factor] = field(default_factory=dict)
-    sizes: Mapping[str, Factor] = field(default_factory=dict)
+    rates: Mapping[str, ModulationFactor] = field(default_factory=dict)
+    sizes: Mapping[str, ModulationFactor] = field(default_factory=dict)
     posture: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -16,6 +16,7 @@ from ..core.action_units import resolve_targets
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.schema import Range
 from ..core.tobi import boundary_tone, pitch_accent
+from ..core.units import RiseSeconds, Share
 from ..core.utterance import PauseKind
 from ..errors import InputError, ParameterError, unknown
 from .articulation import is_known
@@ -25,8 +26,6 @@ from .markup import markup_table
 
 ANY, NOTHING_FELT = "any", "none"
 AWAY = "away"
-Share = Annotated[float, Range(0.0, 1.0)]
-Seconds = Annotated[float, Range(0.0, 10.0)]
 Shift = Annotated[float, Range(-5.0, 5.0)]
 
 
@@ -151,7 +150,7 @@ class Effect:
     look: str | None = None
     blink: Share | None = None
     emblem: str | None = None
-    vary: Annotated[float, Range(0.0, 1.0)] = 0.0
+    vary: Share = 0.0
     mirror: bool = False
     grouped: bool = False
 
@@ -178,9 +177,9 @@ class Timing:
 
     at: Anchor = Anchor.START
     lead: Shift = 0.0
-    onset: Seconds = 0.1
-    apex: Seconds | None = None
-    offset: Seconds = 0.2
+    onset: RiseSeconds = 0.1
+    apex: RiseSeconds | None = None
+    offset: RiseSeconds = 0.2
     snap: bool = True
     function: str | None = None
 

@@ -10,16 +10,16 @@ from typing import Annotated
 from ..core.schema import Range
 from .load import load
 
-Factor = Annotated[float, Range(0.1, 10.0)]
+SpeechFactor = Annotated[float, Range(0.1, 10.0)]
 
 
 @dataclass(frozen=True, slots=True)
 class SsmlTable:
     """Factors of rate and range, semitones of pitch, dB of volume, seconds of breaks."""
 
-    rate: Mapping[str, Factor]
+    rate: Mapping[str, SpeechFactor]
     pitch: Mapping[str, Annotated[float, Range(-24.0, 24.0)]]
-    range: Mapping[str, Factor]
+    range: Mapping[str, SpeechFactor]
     volume: Mapping[str, Annotated[float, Range(-60.0, 12.0)]]
     breaks: Mapping[str, Annotated[float, Range(0.0, 10.0)]] = field(metadata={"key": "break"})
 

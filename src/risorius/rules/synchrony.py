@@ -9,6 +9,7 @@ from functools import cache
 from typing import Annotated
 
 from ..core.schema import Range
+from ..core.units import Share
 from .load import load
 
 Exponent = Annotated[float, Range(0.0, 2.0)]
@@ -36,7 +37,7 @@ class Synchrony:
     usual_rate: Rate
     slow_rate: Rate
     group_pause: Annotated[float, Range(0.0, 60.0)]
-    reach: Annotated[float, Range(0.0, 1.0)]
+    reach: Share
     settling: Annotated[float, Range(0.0, 2.0)]
     least_time: Annotated[float, Range(0.1, 1.0)]
     duration: RateLaw

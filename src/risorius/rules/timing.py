@@ -5,23 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated
 
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.movement import CHANNEL_PRIORITY
-from ..core.schema import Range
+from ..core.units import RiseSeconds
 from ..errors import ParameterError, unknown
 from .load import load
-
-Seconds = Annotated[float, Range(0.0, 10.0)]
 
 
 @dataclass(frozen=True, slots=True)
 class Timing:
     """Seconds of onset and offset, and the name of the onset function."""
 
-    onset: Seconds
-    offset: Seconds
+    onset: RiseSeconds
+    offset: RiseSeconds
     function: str
 
     def __post_init__(self) -> None:
@@ -32,8 +29,8 @@ class Timing:
 class Saccade:
     """The main sequence of the eyes: seconds = latency + per_degree · degrees."""
 
-    latency: Seconds
-    per_degree: Seconds
+    latency: RiseSeconds
+    per_degree: RiseSeconds
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,18 +12,18 @@ from ..core.schema import Range
 from .emotions import emotion
 from .load import load
 
-Factor = Annotated[float, Range(0.3, 3.0)]
+VoiceFactor = Annotated[float, Range(0.3, 3.0)]
 
 
 @dataclass(frozen=True, slots=True)
 class VoiceChange:
     """The changes at full intensity: factors, semitones, dB."""
 
-    rate: Factor
+    rate: VoiceFactor
     pitch: Annotated[float, Range(-12.0, 12.0)]
-    range: Factor
+    range: VoiceFactor
     volume: Annotated[float, Range(-20.0, 12.0)]
-    pauses: Factor
+    pauses: VoiceFactor
 
     def manner(self, intensity: float) -> Manner:
         """Return the changes at `intensity` 0..1; each is linear in it."""

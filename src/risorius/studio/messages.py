@@ -8,8 +8,9 @@ from typing import Any
 
 from ..core.schema import Source as Schema
 from ..core.schema import build
+from ..core.units import Seconds
 from ..errors import InputError, RisoriusError, unknown
-from .wire import EDITS, EVENTS, VERBS, Preview, Seconds
+from .wire import EDITS, EVENTS, VERBS, Preview
 
 MOST_ID = 2**53
 _EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}

@@ -13,9 +13,8 @@ from typing import Annotated, Literal
 
 from ..core.edits import Add, ClearKeys, Delete, Keys, Move, Retarget, Stretch
 from ..core.schema import Range
+from ..core.units import Seconds, Share
 
-Seconds = Annotated[float, Range(0.0, 86_400.0)]
-Share = Annotated[float, Range(0.0, 1.0)]
 Whole = Annotated[int, Range(0, 2**31)]
 Format = Literal["text", "xml", "utt", "ssml", "bml", "score", "TextGrid"]
 

@@ -1,0 +1,39 @@
+"""Numbers with a unit and a range, as tables, edits and messages hold them: the strict reader checks both.
+
+A table's field takes the narrowest of these types that fits it, so that a slip of the pen is an error with
+its line. Each name says what the range bounds.
+"""
+
+from typing import Annotated
+
+from .schema import Range
+
+Share = Annotated[float, Range(0.0, 1.0)]
+"""A part of a whole, a probability, a confidence or an intensity."""
+
+SignedShare = Annotated[float, Range(-1.0, 1.0)]
+"""A part of a whole with a direction."""
+
+Seconds = Annotated[float, Range(0.0, 86_400.0)]
+"""A time in a performance, or a duration: up to a day."""
+
+RiseSeconds = Annotated[float, Range(0.0, 10.0)]
+"""How long a movement rises or falls, or waits before it begins."""
+
+HabitSeconds = Annotated[float, Range(0.0, 60.0)]
+"""How long one action of a habit lasts, or the pause after it: a fixation, a posture, a look away."""
+
+MarkSeconds = Annotated[float, Range(0.01, 60.0)]
+"""How long a mark of paper A's markup lasts if it does not say."""
+
+BehaviourSeconds = Annotated[float, Range(0.1, 60.0)]
+"""How long a behaviour of BML lasts if it does not say."""
+
+ContactSeconds = Annotated[float, Range(0.001, 0.5)]
+"""How fast lips change about a contact."""
+
+GapMillimetres = Annotated[float, Range(0.01, 20.0)]
+"""A gap between the lips."""
+
+DeviationDegrees = Annotated[float, Range(0.0, 60.0)]
+"""How far the head or the eyes leave their rest."""
