@@ -17,15 +17,14 @@ from fractions import Fraction
 from itertools import chain, product
 
 import numpy as np
-import numpy.typing as npt
 from scipy.optimize import linprog
 
 import risorius
 from risorius.core.arkit import EXCLUSIVE, INDEX, SHAPES
+from risorius.core.arrays import Array, FloatArray
 from risorius.face.arkit_fit import ArkitFit
 from risorius.face.arkit_given import GIVEN
 
-Array = npt.NDArray[np.float64]
 CLOSE_ENOUGH = 0.01  # mm
 PLANES = 60  # of the farthest vertices, each round
 
@@ -57,7 +56,7 @@ def least_worst(basis: Array, wanted: Array, highest: Array, rounds: int = 100) 
     return low, reached
 
 
-def bounds_of(fit: ArkitFit, skin: npt.NDArray[np.floating], weights: Array) -> tuple[float, float, float]:
+def bounds_of(fit: ArkitFit, skin: FloatArray, weights: Array) -> tuple[float, float, float]:
     """Return the least worst vertex in mm with every shape free, with none that exclude each other, and with
     none of jaw and mouth that goes to a side.
 

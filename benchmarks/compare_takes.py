@@ -19,14 +19,13 @@ from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 import risorius
 from risorius.core.arkit import ROTATIONS, SHAPES
+from risorius.core.arrays import Array
 from risorius.errors import InputError, RisoriusError
 from risorius.ports.arkit_csv import ArkitTake, read_arkit_csv
 
-Array = npt.NDArray[np.float64]
 RATE = 60.0  # curves are compared at so many values a second
 LAGS = 0.5  # s, the greatest lag that is looked for
 MOVES = 0.03  # a curve whose range is less does not move: of a weight, or of radians

@@ -6,14 +6,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-import numpy.typing as npt
 
 from risorius import blend
+from risorius.core.arrays import Array, BoolArray
 from risorius.core.score import Score
 from risorius.core.utterance import PauseKind, Utterance
 from risorius.face.lip_fit import load_lip_rig
 
-Array = npt.NDArray[np.float64]
 FPS = 200
 # Looking so near straight ahead is looking at the listener's face; looks away that are shorter do not count.
 FACE, SHORTEST = 6.0, 0.15
@@ -30,7 +29,7 @@ class Clip:
     curves: dict[str, Array]
 
     @property
-    def speaking(self) -> npt.NDArray[np.bool_]:
+    def speaking(self) -> BoolArray:
         """Which frames lie in words or short pauses."""
         times = np.arange(len(self.curves["head_yaw"])) / FPS
         inside = np.zeros(len(times), dtype=bool)
@@ -39,7 +38,7 @@ class Clip:
         return inside
 
     @property
-    def pausing(self) -> npt.NDArray[np.bool_]:
+    def pausing(self) -> BoolArray:
         """Which frames lie in pauses that end an utterance, a quarter of a second in."""
         times = np.arange(len(self.curves["head_yaw"])) / FPS
         inside = np.zeros(len(times), dtype=bool)
@@ -59,7 +58,7 @@ def sampled(score: Score, said: Utterance) -> Clip:
     return Clip(said, blend.combine(score, Fraction(FPS), load_lip_rig()).curves)
 
 
-def _runs(flags: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+def _runs(flags: BoolArray) -> list[tuple[int, int]]:
     edges = np.flatnonzero(np.diff(np.concatenate(([0], flags.astype(int), [0]))))
     return [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cache
 
 import numpy as np
-import numpy.typing as npt
 
 from risorius import blend
 from risorius.channels import Brief, Display, compose
+from risorius.core.arrays import Array, BoolArray
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
@@ -24,8 +24,6 @@ from risorius.pipeline import plan
 from risorius.script import read_script
 from risorius.settings import Settings
 from risorius.speech import say
-
-Array = npt.NDArray[np.float64]
 
 FPS = 100
 EMOTIONS = ("anger", "disgust", "fear", "happiness", "sadness", "surprise")
@@ -80,7 +78,7 @@ class Spoken:
     times: Array
     values: Array
     mouth: Array
-    speaking: npt.NDArray[np.bool_]
+    speaking: BoolArray
 
     @classmethod
     def of(cls, sentence: str, settings: Settings) -> Spoken:

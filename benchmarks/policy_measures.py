@@ -10,10 +10,10 @@ from functools import cache, cached_property
 from itertools import pairwise
 
 import numpy as np
-import numpy.typing as npt
 
 from risorius import blend
 from risorius.channels import Display
+from risorius.core.arrays import Array, BoolArray
 from risorius.core.parameters import BASES, INDEX, NAMES, PARAMETERS, RIVALS, Kind
 from risorius.core.performance import frame_times
 from risorius.core.score import Score
@@ -26,8 +26,6 @@ from risorius.pipeline import plan
 from risorius.script import read_script
 from risorius.settings import Settings
 from risorius.speech import say
-
-Array = npt.NDArray[np.float64]
 
 FPS = Fraction(60)
 HELD_MM = 0.05
@@ -79,7 +77,7 @@ class Case:
         return blend.at(replace(self.score, movements=()), self.times, load_lip_rig())
 
     @cached_property
-    def speaking(self) -> npt.NDArray[np.bool_]:
+    def speaking(self) -> BoolArray:
         """At which frames a phone is said, shape (n,)."""
         spoken = np.zeros(len(self.times), dtype=bool)
         for phone in self.utterance.phones:
@@ -88,7 +86,7 @@ class Case:
         return spoken
 
     @cached_property
-    def apart(self) -> npt.NDArray[np.bool_]:
+    def apart(self) -> BoolArray:
         """Which conflicting pairs neither half shows by itself at a time, shape (n, pairs)."""
         return ~(_pairs_shown(self.display) | _pairs_shown(self.speech))
 
@@ -238,7 +236,7 @@ def _round(result: Result, case: Case, made: blend.Plan) -> None:
         result.rounded += 1
 
 
-def _pairs_shown(values: Array, level: float | None = None) -> npt.NDArray[np.bool_]:
+def _pairs_shown(values: Array, level: float | None = None) -> BoolArray:
     """Return which conflicting pairs are both above a level, else their thresholds, (n, 46) -> (n, pairs)."""
     thresholds = np.array([p.threshold if level is None else level for p in PARAMETERS])
     above = values > thresholds + HAIR

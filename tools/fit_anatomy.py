@@ -7,13 +7,11 @@ standard head's `head.npz`. R² = 1 − Σ|d − d̂|² / Σ|d|², the calibrate
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from risorius.core.arrays import Array
 from risorius.face.anatomy import FILE, Pull, Skin, directions, from_line, influence
 from risorius.face.head import Head, load_head
 from risorius.face.muscle_table import NAMES, Muscle, load_muscles
-
-Array = npt.NDArray[np.float64]
 
 SPACING = 4.5  # mm between places
 STIFF = 5e-5  # how much large weights cost

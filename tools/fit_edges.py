@@ -20,6 +20,7 @@ from scipy.optimize import minimize
 sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 from timit import Label, Sentence, matched, sentences
 
+from risorius.core.arrays import Array, BoolArray, Int64Array
 from risorius.speech.alignment.aligner import decoded
 from risorius.speech.alignment.edges import (
     FEATURES,
@@ -33,8 +34,6 @@ from risorius.speech.alignment.lexicon import read_transcript
 from risorius.speech.alignment.spectra import STEP_SECONDS, band_levels
 from risorius.speech.listening import Listening
 from risorius.speech.recording import read_recording
-
-Floats = npt.NDArray[np.float64]
 
 TABLE = Path("src/risorius/speech/alignment/data/edges.toml")
 CLASSES = {
@@ -67,21 +66,21 @@ MISMATCH = 0.15
 class Edges:
     """Edges of many sentences, shape (n,) each: classes, seconds before and as labelled; their sentences."""
 
-    left: npt.NDArray[np.int64]
-    right: npt.NDArray[np.int64]
-    before: Floats
-    labelled: Floats
-    sentence: npt.NDArray[np.int64]
+    left: Int64Array
+    right: Int64Array
+    before: Array
+    labelled: Array
+    sentence: Int64Array
 
-    def where(self, chosen: npt.NDArray[np.bool_]) -> Edges:
+    def where(self, chosen: BoolArray) -> Edges:
         """Return some of the edges."""
         return Edges(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
 
 
-def collect(spoken: list[Sentence]) -> tuple[Edges, list[Floats]]:
+def collect(spoken: list[Sentence]) -> tuple[Edges, list[Array]]:
     """Return the decoder's edges with their labels, and each sentence's band levels."""
     rows: list[tuple[int, int, float, float, int]] = []
-    levels: list[Floats] = []
+    levels: list[Array] = []
     for number, sentence in enumerate(spoken):
         listening = Listening(read_recording(sentence.sound))
         _, words = read_transcript(sentence.text)
@@ -98,7 +97,7 @@ def collect(spoken: list[Sentence]) -> tuple[Edges, list[Floats]]:
     return Edges(*classes, before, labelled, which.astype(np.int64)), levels
 
 
-def fit(edges: Edges, levels: list[Floats]) -> EdgeTable:
+def fit(edges: Edges, levels: list[Array]) -> EdgeTable:
     """Learn the table from edges."""
     bias = median_errors(edges)
     steps = np.round((edges.before - bias[edges.left, edges.right]) / STEP_SECONDS).astype(np.int64)
@@ -112,7 +111,7 @@ def fit(edges: Edges, levels: list[Floats]) -> EdgeTable:
     return tabulated(bias, weights)
 
 
-def median_errors(edges: Edges) -> Floats:
+def median_errors(edges: Edges) -> Array:
     """Return the decoder's median error by class to the left and right, drawn to 0 where edges are few."""
     count = len(CLASSES)
     bias = np.zeros((count, count))
@@ -123,7 +122,7 @@ def median_errors(edges: Edges) -> Floats:
     return bias
 
 
-def gathered(edges: Edges, steps: npt.NDArray[np.int64], levels: list[Floats]) -> Floats:
+def gathered(edges: Edges, steps: Int64Array, levels: list[Array]) -> Array:
     """Return the features of all candidates, shape (n, candidates, FEATURES)."""
     features = np.empty((len(steps), 2 * REACH + 1, FEATURES))
     for number in np.unique(edges.sentence):
@@ -132,14 +131,14 @@ def gathered(edges: Edges, steps: npt.NDArray[np.int64], levels: list[Floats]) -
     return features
 
 
-def logit(features: Floats, wanted: Floats, edges: Edges) -> Floats:
+def logit(features: Array, wanted: Array, edges: Edges) -> Array:
     """Return weights (1 + 2 classes, FEATURES) of a conditional logit: common, by left, by right class."""
     count = len(CLASSES)
     shape = (1 + 2 * count, FEATURES)
     penalty = np.full((shape[0], 1), CLASS_PENALTY)
     penalty[0] = COMMON_PENALTY
 
-    def loss(flat: Floats) -> tuple[float, Floats]:
+    def loss(flat: Array) -> tuple[float, Array]:
         weights = flat.reshape(shape)
         own = weights[0] + weights[1 + edges.left] + weights[1 + count + edges.right]
         scores = np.einsum("ecf,ef->ec", features, own)
@@ -158,11 +157,11 @@ def logit(features: Floats, wanted: Floats, edges: Edges) -> Floats:
     return np.asarray(found.x.reshape(shape))
 
 
-def tabulated(bias: Floats, weights: Floats) -> EdgeTable:
+def tabulated(bias: Array, weights: Array) -> EdgeTable:
     """Return what was learned as a table, rounded."""
     names = list(CLASSES)
 
-    def row(values: Floats) -> tuple[float, ...]:
+    def row(values: Array) -> tuple[float, ...]:
         return tuple(round(float(v), 3) for v in values)
 
     by_class = [row(values) for values in weights[1:]]
@@ -179,7 +178,7 @@ def tabulated(bias: Floats, weights: Floats) -> EdgeTable:
     )
 
 
-def errors(edges: Edges, levels: list[Floats], table: EdgeTable) -> dict[str, Floats]:
+def errors(edges: Edges, levels: list[Array], table: EdgeTable) -> dict[str, Array]:
     """Return the errors in seconds of the decoder's edges, of those less their bias, and of those placed."""
     model: EdgeModel = compiled(table)
     corrected = edges.before - model.bias[edges.left, edges.right]
@@ -191,9 +190,9 @@ def errors(edges: Edges, levels: list[Floats], table: EdgeTable) -> dict[str, Fl
     return {name: times - edges.labelled for name, times in found.items()}
 
 
-def cross_validated(edges: Edges, levels: list[Floats], speakers: npt.NDArray[np.str_]) -> Iterator[str]:
+def cross_validated(edges: Edges, levels: list[Array], speakers: npt.NDArray[np.str_]) -> Iterator[str]:
     """Yield lines on how well edges are placed for speakers from whom nothing was learned."""
-    found: dict[str, list[Floats]] = {}
+    found: dict[str, list[Array]] = {}
     for speaker in np.unique(speakers):
         held_out = speakers[edges.sentence] == speaker
         table = fit(edges.where(~held_out), levels)

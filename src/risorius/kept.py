@@ -9,17 +9,15 @@ import tempfile
 import zipfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import compile_cache
+from .core.arrays import AnyArray
 from .core.npz import read_arrays
 
 MOST_FILES = 64  # a head at one age needs five
-
-AnyArray = npt.NDArray[Any]
 
 
 def kept(

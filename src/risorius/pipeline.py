@@ -8,12 +8,10 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
-
 from .blend import Plan, changed_span
 from .channels import Brief, Display, compose
 from .core.action_units import resolve_targets
+from .core.arrays import Array
 from .core.movement import Cause, ManualCurve
 from .core.parameters import INDEX, NEUTRAL
 from .core.performance import Performance
@@ -291,7 +289,7 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     return perform(score, settings)
 
 
-def pose_values(targets: Mapping[str, float], emotion: Mapping[str, float]) -> npt.NDArray[np.float64]:
+def pose_values(targets: Mapping[str, float], emotion: Mapping[str, float]) -> Array:
     """Return all parameters of a pose, shape (46,), as `pose` holds them. Raises ParameterError."""
     values = NEUTRAL.copy()
     for name, value in _posed(targets, emotion).items():

@@ -7,10 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from .core.action_units import resolve_targets
 from .core.arkit import INDEX as ARKIT
+from .core.arrays import Array
 from .core.movement import Cause, ManualCurve
 from .core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from .core.score import BlendSettings, Score
@@ -28,7 +28,6 @@ from .ports.fap import FapTake, read_fap
 from .settings import Settings
 from .take import Progress, quiet
 
-Array = npt.NDArray[np.float64]
 _HEAD = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
 _GAZE = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
 _OPEN = 0.02  # of the jaw's way: less is no opening that lips could close

@@ -9,9 +9,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from .core.arkit import INDEX, SHAPES
+from .core.arrays import Array, Float32Array
 from .core.parameters import INDEX as PARAMETER
 from .core.parameters import NEUTRAL
 from .core.schema import Source
@@ -23,7 +23,6 @@ from .face.response import FITTED
 from .face.solve import FaceSolver
 from .ports.glb_file import GlbFile, read_glb
 
-Array = npt.NDArray[np.float64]
 WELL, PARTLY = 0.25, 0.6  # shares of a movement left over up to which it is shown well, and partly
 _LIKE = 0.88  # how alike names must be for a guess
 _SIDES = {"l": "left", "r": "right", "lft": "left", "rgt": "right"}
@@ -161,7 +160,7 @@ def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:
     check_performable(rig)
     document, binary = rig.file.extended(), bytearray(rig.file.binary)
 
-    def accessor(values: npt.NDArray[np.float32]) -> int:
+    def accessor(values: Float32Array) -> int:
         binary.extend(b"\0" * (-len(binary) % 4))
         view = {"buffer": 0, "byteOffset": len(binary), "byteLength": values.nbytes}
         binary.extend(values.tobytes())

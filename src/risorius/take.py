@@ -10,8 +10,8 @@ from os import PathLike
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-import numpy.typing as npt
 
+from .core.arrays import Array, ByteArray
 from .core.articulators import ARTICULATORS
 from .core.audio import Audio
 from .core.lip_rig import LipRig
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from .face.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
-    from .ports.source import Material, Picture, Size
+    from .ports.source import Material, Size
 
 Progress = Callable[..., None]
 """Called with a stage's name, and how many of how many frames are done where that is known."""
@@ -64,12 +64,12 @@ class Take:
         return self.performance.duration
 
     @property
-    def times(self) -> npt.NDArray[np.float64]:
+    def times(self) -> Array:
         """Frame times in seconds, shape (frames,)."""
         return self.performance.times
 
     @property
-    def curves(self) -> dict[str, npt.NDArray[np.float64]]:
+    def curves(self) -> dict[str, Array]:
         """One curve per parameter by name, each of shape (frames,)."""
         return self.performance.curves
 
@@ -134,12 +134,12 @@ class Take:
         room = solver.room() if reuse else None
         return animate(self.performance, solver, moving, drive, indices, lead_in, room)
 
-    def _curves_between_frames(self, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    def _curves_between_frames(self, times: Array) -> Array:
         return self._plan.at(np.minimum(times, self.performance.times[-1]))
 
     def pictures(
         self, size: Size | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet
-    ) -> Iterator[Picture]:
+    ) -> Iterator[ByteArray]:
         """Yield pictures as the settings' look wants them; each is valid until the next is asked for.
 
         They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
@@ -163,7 +163,7 @@ class Take:
             yield overlays.draw(picture, frame)
             progress("Drawing", done + 1, len(chosen))
 
-    def _kept_down(self, indices: Sequence[int]) -> npt.NDArray[np.float64]:
+    def _kept_down(self, indices: Sequence[int]) -> Array:
         from .blend import kept_down
 
         return kept_down(self._plan, self.performance.times[indices])

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 
 from risorius import blend
+from risorius.core.arrays import Array
 from risorius.core.movement import LipSegment, ManualCurve, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
@@ -53,7 +53,7 @@ class TestReplacing:
     HAPPY = Movement("emotion", 0.0, 4.0, 0.5, 0.5, {SMILE: 0.8, "head_pitch": 10.0})
     LOW = ManualCurve({SMILE: ((1.0, 0.8), (2.0, 0.1), (3.0, 0.8))}, replaces=True)
 
-    def at(self, *times: float, **parts: object) -> npt.NDArray[np.float64]:
+    def at(self, *times: float, **parts: object) -> Array:
         score = Score(4.0, (self.HAPPY,), **{"manual": (self.LOW,), **parts})  # type: ignore[arg-type]
         return blend.at(score, np.array(times))
 

@@ -7,9 +7,9 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 
+from risorius.core.arrays import Array, ByteArray, Int16Array
 from risorius.core.audio import Audio, AudioWriter
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.core.performance import Performance, frame_times
@@ -19,10 +19,10 @@ from risorius.ports.landmarks_csv import COLUMNS
 from risorius.ports.source import Material
 
 MaterialMaker = Callable[..., Material]
-Pictures = Callable[[tuple[int, int], Sequence[int]], Iterator[npt.NDArray[np.uint8]]]
+Pictures = Callable[[tuple[int, int], Sequence[int]], Iterator[ByteArray]]
 
 
-def _grey_pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[npt.NDArray[np.uint8]]:
+def _grey_pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray]:
     """Yield one array again and again, as a renderer with its own buffer does."""
     picture = np.empty((size[1], size[0], 3), np.uint8)
     for index in indices:
@@ -47,7 +47,7 @@ def material_of() -> MaterialMaker:
         values[:, INDEX["zygomatic_major.left"]] = np.minimum(times / duration, 1.0)
         values[:, INDEX["head_yaw"]] = -times / duration * 10.0
 
-        def measures(frame: Any) -> npt.NDArray[np.float64]:
+        def measures(frame: Any) -> Array:
             return np.full(len(COLUMNS) - 1, float(frame))
 
         return Material(
@@ -66,7 +66,7 @@ def material_of() -> MaterialMaker:
 def sound_of() -> Callable[..., Audio]:
     """Return a function from samples to a sound."""
 
-    def make(samples: npt.NDArray[np.int16], rate: int = 22_050) -> Audio:
+    def make(samples: Int16Array, rate: int = 22_050) -> Audio:
         with AudioWriter(rate) as writer:
             writer.append(samples)
             return writer.finish()

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import av
 import numpy as np
-import numpy.typing as npt
 import pytest
 
+from risorius.core.arrays import ByteArray
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
 from risorius.ports.source import Material, WriteOptions
@@ -17,7 +17,7 @@ MaterialMaker = Callable[..., Material]
 COLOUR = (180, 90, 60)
 
 
-def _halves(size: tuple[int, int], indices: Sequence[int]) -> Iterator[npt.NDArray[np.uint8]]:
+def _halves(size: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray]:
     """Yield pictures that are opaque on the left and empty on the right."""
     for _ in indices:
         picture = np.zeros((size[1], size[0], 4), np.uint8)

@@ -3,9 +3,9 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 
+from risorius.core.arrays import ByteArray
 from risorius.core.audio import Audio
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
@@ -81,7 +81,7 @@ def test_the_same_file_twice_is_refused(tmp_path: Path) -> None:
 def test_when_one_writer_fails_none_of_the_files_appears(tmp_path: Path, material_of: MaterialMaker) -> None:
     """The second of three outputs breaks in the middle of its pictures."""
 
-    def pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[npt.NDArray[np.uint8]]:
+    def pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray]:
         for index in indices:
             if index == 7:
                 raise RuntimeError("broken")

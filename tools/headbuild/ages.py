@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from scipy.sparse.linalg import splu
 
+from risorius.core.arrays import AnyArray
 from risorius.face.head_file import FORMAT
 from risorius.face.identity import OLD, YOUNG, Identity
 
-from .arrays import Array
 from .build import Shape, packed
 from .jaw import fit_jaw
 from .lining import INSIDE
@@ -18,7 +18,7 @@ from .pack import settled
 from .source import Source
 
 
-def build_ages(source: Source, identity: Identity, shape: Shape) -> dict[str, Array]:
+def build_ages(source: Source, identity: Identity, shape: Shape) -> dict[str, AnyArray]:
     """All arrays of the ages file: the identity when young, as it is, and when old."""
     years = sorted({YOUNG, identity.age, OLD})
     template = shape.template or shape
@@ -38,7 +38,7 @@ def build_ages(source: Source, identity: Identity, shape: Shape) -> dict[str, Ar
     }
 
 
-def _aged(shape: Shape, other: Shape) -> Array:
+def _aged(shape: Shape, other: Shape) -> AnyArray:
     """(N0, 3) the skin at rest of `shape` when it is as old as `other`.
 
     The lips keep their form and go with the skin around them: the source's old lips do not meet as its young

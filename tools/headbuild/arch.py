@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
 
 
 @dataclass(frozen=True)
@@ -20,12 +20,12 @@ class Arch:
     bend: float
 
     @cached_property
-    def _table(self) -> tuple[Array, Array]:
+    def _table(self) -> tuple[AnyArray, AnyArray]:
         x = np.linspace(0.0, 40.0, 2001)
         step = np.hypot(np.diff(x), np.diff(self.bend * x**2))
         return x, np.concatenate([[0.0], np.cumsum(step)])
 
-    def place(self, along: Array, outward: Array) -> tuple[Array, Array]:
+    def place(self, along: AnyArray, outward: AnyArray) -> tuple[AnyArray, AnyArray]:
         """x and z (n,) of points `along` the arch and `outward` of it (mm)."""
         at, length = self._table
         x = np.sign(along) * np.interp(np.abs(along), length, at)

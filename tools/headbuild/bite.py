@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
+
 from .bust import Bust
 from .mouth import LipSeal
 
@@ -21,15 +22,15 @@ class Bite:
     """
 
     line: float
-    shift: Array
+    shift: AnyArray
     width: float
 
-    def place(self, points: Array) -> Array:
+    def place(self, points: AnyArray) -> AnyArray:
         """Points (n, 3) of the template's mouth in this head's."""
         return np.asarray(points * np.array([self.width, 1.0, 1.0]) + self.shift)
 
 
-def find_bite(bust: Bust, seal: LipSeal, rest: Array, template: tuple[LipSeal, Array] | None) -> Bite:
+def find_bite(bust: Bust, seal: LipSeal, rest: AnyArray, template: tuple[LipSeal, AnyArray] | None) -> Bite:
     """Measure the mouth at `rest` (N0, 3); `template` is the seal and the rest of the template, None for
     itself.
 

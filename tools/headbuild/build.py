@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
+from risorius.core.arrays import AnyArray
 from risorius.face.head_file import FORMAT
 from risorius.face.identity import Identity
 
-from .arrays import Array
 from .bite import Bite, find_bite
 from .bust import Bust, cut_bust
 from .jaw import Jaw, fit_jaw
@@ -54,7 +54,7 @@ class Shape:
         return LipSeal.of(self.bust)
 
     @cached_property
-    def rest(self) -> Array:
+    def rest(self) -> AnyArray:
         """(N0, 3) the skin with lips together."""
         return self.seal.together(self.bust.rest)
 
@@ -70,7 +70,7 @@ class Shape:
         return find_bite(self.bust, self.seal, self.rest, there)
 
     @cached_property
-    def landmarks(self) -> tuple[Array, Array]:
+    def landmarks(self) -> tuple[AnyArray, AnyArray]:
         """The 68 points: those of the template, but for the inner lips."""
         if self.template is None:
             return landmarks(self.bust, self.rest, self.seal)
@@ -79,14 +79,14 @@ class Shape:
         return triangles, weights
 
     @cached_property
-    def pivot(self) -> Array:
+    def pivot(self) -> AnyArray:
         """(3,) where the head turns: it goes with the ears."""
         ears = self.bust.texture("ears")
         moved = (ears[:, None] * (self.bust.rest - self.bust.places)).sum(axis=0) / ears.sum()
         return np.asarray(HEAD_PIVOT + moved * np.array([0.0, 1.0, 1.0]))
 
 
-def build(shape: Shape, recipes: Path) -> dict[str, Array]:
+def build(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
     """All arrays of the head file, by name; `recipes` is the `muscles.toml`."""
     bust, rest, bite = shape.bust, shape.rest, shape.bite
     template = shape.template or shape
@@ -104,7 +104,7 @@ def build(shape: Shape, recipes: Path) -> dict[str, Array]:
     }
 
 
-def _skin(shape: Shape) -> dict[str, Array]:
+def _skin(shape: Shape) -> dict[str, AnyArray]:
     bust = shape.bust
     return {
         "rest": _short(shape.rest),
@@ -122,7 +122,7 @@ def _skin(shape: Shape) -> dict[str, Array]:
     }
 
 
-def _jaw(jaw: Jaw) -> dict[str, Array]:
+def _jaw(jaw: Jaw) -> dict[str, AnyArray]:
     return {
         "jaw_point": settled(jaw.point),
         "jaw_axis": jaw.axis,
@@ -132,7 +132,7 @@ def _jaw(jaw: Jaw) -> dict[str, Array]:
     }
 
 
-def _teeth(line: float, bite: Bite) -> dict[str, Array]:
+def _teeth(line: float, bite: Bite) -> dict[str, AnyArray]:
     arrays = {}
     for name, part in build_teeth(line).items():
         arrays[f"{name}/vertices"] = _short(bite.place(part.vertices))
@@ -141,27 +141,27 @@ def _teeth(line: float, bite: Bite) -> dict[str, Array]:
     return arrays
 
 
-def _tongue(template: Bust, bite: Bite) -> dict[str, Array]:
+def _tongue(template: Bust, bite: Bite) -> dict[str, AnyArray]:
     rest, quads = tongue(template)
     fields = {f"tongue/{name}": field for name, field in tongue_fields(rest).items()}
     return {"tongue/rest": _short(bite.place(rest)), "tongue/quads": _index(quads), **packed(fields)}
 
 
-def _landmarks(shape: Shape) -> dict[str, Array]:
+def _landmarks(shape: Shape) -> dict[str, AnyArray]:
     triangles, weights = shape.landmarks
     return {"landmark_triangles": _index(triangles), "landmark_weights": _short(weights)}
 
 
-def packed(fields: dict[str, Array]) -> dict[str, Array]:
+def packed(fields: dict[str, AnyArray]) -> dict[str, AnyArray]:
     """The arrays in which fields (n, 3) mm are kept, by name."""
     return {
         f"{name}/{key}": value for name, field in fields.items() for key, value in quantized(field).items()
     }
 
 
-def _short(values: Array) -> Array:
+def _short(values: AnyArray) -> AnyArray:
     return values.astype(np.float32)
 
 
-def _index(values: Array) -> Array:
+def _index(values: AnyArray) -> AnyArray:
     return values.astype(np.uint16)

@@ -9,9 +9,9 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
+from risorius.core.arrays import AnyArray
 from risorius.face.identity import Identity
 
-from .arrays import Array
 from .identity import body
 from .local import local_maps
 from .loops import Loops
@@ -32,27 +32,27 @@ class Bust:
     """
 
     source: Source
-    ids: Array
-    quads: Array
-    uv_quads: Array
-    body: Array
-    eye_centre: Array
-    eye_radius: Array
+    ids: AnyArray
+    quads: AnyArray
+    uv_quads: AnyArray
+    body: AnyArray
+    eye_centre: AnyArray
+    eye_radius: AnyArray
     template: Bust | None = None
 
     @cached_property
-    def places(self) -> Array:
+    def places(self) -> AnyArray:
         """Positions (N0, 3) by which vertices are told apart: the template's, for every identity."""
         return self.rest if self.template is None else self.template.rest
 
-    def reshaped(self, points: Array) -> Bust:
+    def reshaped(self, points: AnyArray) -> Bust:
         """The same bust with the skin at `points` (N0, 3)."""
         whole = self.body.copy()
         whole[self.ids] = points
         return replace(self, body=whole)
 
     @cached_property
-    def rest(self) -> Array:
+    def rest(self) -> AnyArray:
         """Positions (N0, 3) of the identity before the lips are sealed."""
         return self.body[self.ids]
 
@@ -62,12 +62,12 @@ class Bust:
         return Loops(self.quads)
 
     @cached_property
-    def mirror(self) -> Array:
+    def mirror(self) -> AnyArray:
         """(N0,) local index of each vertex's mirror image."""
         return self.local(self.source.mirror()[self.ids])
 
     @cached_property
-    def edges(self) -> Array:
+    def edges(self) -> AnyArray:
         """(E, 2) unique edges."""
         sides = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
         return np.unique(np.sort(sides, axis=1), axis=0)
@@ -79,14 +79,14 @@ class Bust:
         graph = sp.csr_matrix((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count))
         return (sp.diags(np.asarray(graph.sum(axis=1)).ravel()) - graph).tocsr()
 
-    def spread(self, held: Array, values: Array, hold: float = 2.0, fade: float = 0.02) -> Array:
+    def spread(self, held: AnyArray, values: AnyArray, hold: float = 2.0, fade: float = 0.02) -> AnyArray:
         """`values` (N0,) nearly kept where `held` is 1, fading off smoothly elsewhere, the sooner the
         larger `fade`.
         """
         system = self.laplacian + fade * sp.identity(len(held)) + sp.diags(hold * held)
         return np.asarray(splu(system.tocsc()).solve(hold * held * values))
 
-    def local(self, ids: Array) -> Array:
+    def local(self, ids: AnyArray) -> AnyArray:
         """Local indices of base-mesh vertices `ids`, all of which the bust must hold."""
         return np.searchsorted(self.ids, ids)
 
@@ -95,7 +95,7 @@ class Bust:
         start, end = self.local(np.array([a, b]))
         return self.loops.walk(int(start), int(end))
 
-    def shape(self, name: str) -> Array:
+    def shape(self, name: str) -> AnyArray:
         """Displacement (N0, 3) of a sculpted shape, turned and scaled from the template to this face."""
         sculpt = self.source.shape(name)[self.ids]
         if self.template is None:
@@ -103,18 +103,18 @@ class Bust:
         return np.asarray(np.einsum("nij,nj->ni", self.maps, sculpt))
 
     @cached_property
-    def maps(self) -> Array:
+    def maps(self) -> AnyArray:
         """Linear maps (N0, 3, 3) from the template's surroundings of a vertex to those on this face."""
         return local_maps(self.places, self.rest, self.edges, self.laplacian)
 
-    def moved(self, part: str) -> Array:
+    def moved(self, part: str) -> AnyArray:
         """How far (3,) the middle of a part of the body stands from its place on the template."""
         if self.template is None:
             return np.zeros(3)
         ids = self.source.parts[part].vertices
         return np.asarray((self.body[ids] - self.template.body[ids]).mean(axis=0))
 
-    def texture(self, name: str) -> Array:
+    def texture(self, name: str) -> AnyArray:
         """A mask image sampled at the vertices (N0,), averaged over the faces' corners and the two sides."""
         image, corners = self.source.texture(name), self.source.uv[self.uv_quads.ravel()]
         height, width = image.shape
@@ -127,7 +127,7 @@ class Bust:
         return 0.5 * (mean + mean[self.mirror])
 
     @cached_property
-    def uv(self) -> Array:
+    def uv(self) -> AnyArray:
         """(N0, 2) texture coordinates; a vertex on a seam takes those of its last face."""
         result = np.zeros((len(self.ids), 2))
         result[self.quads.ravel()] = self.source.uv[self.uv_quads.ravel()]
@@ -155,7 +155,7 @@ def cut_bust(source: Source, identity: Identity, template: Bust | None = None) -
     )
 
 
-def _sphere(points: Array) -> tuple[Array, float]:
+def _sphere(points: AnyArray) -> tuple[AnyArray, float]:
     matrix = np.column_stack([2.0 * points, np.ones(len(points))])
     solution = np.linalg.lstsq(matrix, (points**2).sum(axis=1), rcond=None)[0]
     centre = solution[:3]

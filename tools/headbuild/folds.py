@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from risorius.core.arrays import AnyArray
 from risorius.face.crowding import Distances, altitudes, relieve, struts
 
-from .arrays import Array
 from .bust import Bust
 
 _LEFT = 0.5  # of an edge and of a face's width that a muscle alone leaves
@@ -15,7 +15,7 @@ _INSIDE = 0.2  # of the masks of lips and mouth: there skin does fold, and meets
 _MARGIN = 1.0  # mm from the eyeball: the lids' margins turn on it
 
 
-def unfolded(bust: Bust, rest: Array, field: Array) -> Array:
+def unfolded(bust: Bust, rest: AnyArray, field: AnyArray) -> AnyArray:
     """The field (N0, 3) with room left for the outer skin `rest` (N0, 3) that it would crowd."""
     edges, widths = struts(bust.quads), altitudes(bust.quads)
     points = np.vstack([edges[:, [0, 1, 1]], widths])
@@ -25,7 +25,7 @@ def unfolded(bust: Bust, rest: Array, field: Array) -> Array:
     return moved
 
 
-def _outside(bust: Bust, rest: Array) -> Array:
+def _outside(bust: Bust, rest: AnyArray) -> AnyArray:
     hidden = np.maximum(bust.texture("lips"), bust.texture("inside-mouth")) > _INSIDE
     for centre, radius in zip(bust.eye_centre, bust.eye_radius, strict=True):
         hidden |= np.linalg.norm(rest - centre, axis=1) < radius + _MARGIN

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from risorius.core.arrays import AnyArray
 from risorius.errors import HeadError, unknown
 from risorius.face.identity import OLD, YOUNG, Identity
 
-from .arrays import Array
 from .source import Source
 
 _MACRO = "mpfb2/targets/macrodetails/"
@@ -16,7 +16,7 @@ _ORIGIN = _MACRO + "{origin}-{sex}-{age}.target.gz"
 _SLIDERS = "mpfb2/targets/"
 
 
-def body(source: Source, identity: Identity) -> Array:
+def body(source: Source, identity: Identity) -> AnyArray:
     """The body (19158, 3) in mm, in the source's frame, made exactly symmetric; raise HeadError where the
     source has no such slider.
     """

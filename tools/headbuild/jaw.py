@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from risorius.core.arrays import AnyArray
 from risorius.face.rotations import turned
 from risorius.face.throat import uncrowd
 
-from .arrays import Array
 from .bust import Bust
 from .mouth import lip_rings
 
@@ -18,18 +18,18 @@ from .mouth import lip_rings
 class Jaw:
     """`point`, unit `axis`, `angle` (radians, full opening), `weight` (N0,), `corrective` (N0, 3) mm."""
 
-    point: Array
-    axis: Array
+    point: AnyArray
+    axis: AnyArray
     angle: float
-    weight: Array
-    corrective: Array
+    weight: AnyArray
+    corrective: AnyArray
 
-    def turn(self, points: Array, angles: Array | float) -> Array:
+    def turn(self, points: AnyArray, angles: AnyArray | float) -> AnyArray:
         """Rotate points (n, 3) about the jaw's axis by `angles` (n,) radians."""
         return self.point + turned(points - self.point, self.axis, angles)
 
 
-def fit_jaw(bust: Bust, rest: Array) -> Jaw:
+def fit_jaw(bust: Bust, rest: AnyArray) -> Jaw:
     """Fit the frame to the sculpted jawOpen: the axis to the lower teeth, the weights to the skin."""
     teeth = bust.source.parts["helper-lower-teeth"].vertices
     shape = bust.shape("jawOpen")
@@ -49,7 +49,7 @@ def fit_jaw(bust: Bust, rest: Array) -> Jaw:
     return Jaw(point, axis, angle, weight, corrective)
 
 
-def _weights(jaw: Jaw, rest: Array, opened: Array) -> Array:
+def _weights(jaw: Jaw, rest: AnyArray, opened: AnyArray) -> AnyArray:
     """Share of the full angle (N0,) 0..1 that best carries each vertex, by projection, refined once."""
     weight = np.zeros(len(rest))
     for _ in range(4):
@@ -60,7 +60,7 @@ def _weights(jaw: Jaw, rest: Array, opened: Array) -> Array:
     return np.where(weight < 1e-3, 0.0, weight)
 
 
-def _rigid(before: Array, after: Array) -> tuple[Array, Array]:
+def _rigid(before: AnyArray, after: AnyArray) -> tuple[AnyArray, AnyArray]:
     """Rotation and shift that carry `before` to `after` best (Kabsch)."""
     a, b = before.mean(axis=0), after.mean(axis=0)
     u, _, vt = np.linalg.svd((before - a).T @ (after - b))

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
+
 from .bust import Bust
 from .lids import lid_pairs, margin
 from .mouth import VERMILION, LipSeal
@@ -20,7 +21,7 @@ _MIRROR = np.array([-1.0, 1.0, 1.0])
 INNER_LIPS = slice(60, 68)
 
 
-def landmarks(bust: Bust, rest: Array, seal: LipSeal) -> tuple[Array, Array]:
+def landmarks(bust: Bust, rest: AnyArray, seal: LipSeal) -> tuple[AnyArray, AnyArray]:
     """Level-1 vertices (68, 3) and barycentric weights (68, 3) of the points on the template's skin at
     rest.
     """
@@ -34,7 +35,7 @@ def landmarks(bust: Bust, rest: Array, seal: LipSeal) -> tuple[Array, Array]:
     return np.vstack([triangles, inner_triangles]), np.vstack([weights, inner_weights])
 
 
-def inner_lips(rest: Array, seal: LipSeal) -> tuple[Array, Array]:
+def inner_lips(rest: AnyArray, seal: LipSeal) -> tuple[AnyArray, AnyArray]:
     """The points 60 to 67 (8, 3) on any head: they depend on where its lips meet."""
     surface = Surface(seal.sections.skin.matrix @ rest, seal.sections.skin.triangles)
     found = [_inner_lips(rest, seal, surface, side) for side in ("upper", "lower")]
@@ -44,12 +45,12 @@ def inner_lips(rest: Array, seal: LipSeal) -> tuple[Array, Array]:
 class Surface:
     """A triangle mesh on which the nearest point to a given one is found."""
 
-    def __init__(self, points: Array, triangles: Array) -> None:
+    def __init__(self, points: AnyArray, triangles: AnyArray) -> None:
         """Take vertices (n, 3) and triangles (m, 3)."""
         self.points, self.triangles = points, triangles
         self._tree = cKDTree(points[triangles].mean(axis=1))
 
-    def project(self, wanted: Array, among: Array | None = None) -> tuple[Array, Array]:
+    def project(self, wanted: AnyArray, among: AnyArray | None = None) -> tuple[AnyArray, AnyArray]:
         """Triangle (k, 3) and barycentric weights (k, 3) nearest to each of `wanted` (k, 3), of all or
         `among`.
         """
@@ -58,7 +59,7 @@ class Surface:
         found = [self._nearest(point, pool[tree.query(point, k=min(24, len(pool)))[1]]) for point in wanted]
         return np.array([t for t, _ in found]), np.array([w for _, w in found])
 
-    def front(self, x: float, y: float) -> Array:
+    def front(self, x: float, y: float) -> AnyArray:
         """The foremost point (3,) of the surface at `x` and `y`."""
         corners = self.points[self.triangles]
         edge1, edge2 = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -71,12 +72,12 @@ class Surface:
         z = corners[hit, 0, 2] + u[hit] * edge1[hit, 2] + v[hit] * edge2[hit, 2]
         return np.array([x, y, float(z.max())])
 
-    def _nearest(self, point: Array, candidates: Array) -> tuple[Array, Array]:
+    def _nearest(self, point: AnyArray, candidates: AnyArray) -> tuple[AnyArray, AnyArray]:
         found = [(t, _closest_weights(self.points[t], point)) for t in candidates]
         return min(found, key=lambda item: float(np.linalg.norm(item[1] @ self.points[item[0]] - point)))
 
 
-def _closest_weights(corners: Array, point: Array) -> Array:
+def _closest_weights(corners: AnyArray, point: AnyArray) -> AnyArray:
     """Barycentric weights (3,) of the point of a triangle (3, 3) nearest to `point`."""
     edges = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=1)
     inside = np.linalg.lstsq(edges, point - corners[0], rcond=None)[0]
@@ -93,11 +94,11 @@ def _closest_weights(corners: Array, point: Array) -> Array:
     return min(options, key=lambda w: float(np.linalg.norm(w @ corners - point)))
 
 
-def _both(right_to_middle: Array, left: Array) -> Array:
+def _both(right_to_middle: AnyArray, left: AnyArray) -> AnyArray:
     return np.vstack([right_to_middle * _MIRROR, left])
 
 
-def _jaw(bust: Bust, rest: Array) -> Array:
+def _jaw(bust: Bust, rest: AnyArray) -> AnyArray:
     """(9, 3) from the chin's lowest point up the left outline of the face, as seen from the front, to the
     ear.
     """
@@ -121,12 +122,12 @@ def _jaw(bust: Bust, rest: Array) -> Array:
     return np.stack([np.interp(at, length, line[:, k]) for k in range(3)], axis=1)
 
 
-def _brow(surface: Surface) -> Array:
+def _brow(surface: Surface) -> AnyArray:
     """(5, 3) along the left brow, from its inner to its outer end."""
     return np.array([surface.front(x, y) for x, y in BROW])
 
 
-def _nose(rest: Array, surface: Surface) -> Array:
+def _nose(rest: AnyArray, surface: Surface) -> AnyArray:
     """(9, 3): four down the bridge to the tip, five along the nostrils from the right to the left."""
     middle = rest[(np.abs(rest[:, 0]) < 0.5) & (rest[:, 2] > 15.0) & (rest[:, 1] > -50.0)]
     tip = middle[np.argmax(np.where(middle[:, 1] < -15.0, middle[:, 2], -np.inf))]
@@ -139,7 +140,7 @@ def _nose(rest: Array, surface: Surface) -> Array:
     return np.array([*bridge, *wings[:2], base, *wings[2:]])
 
 
-def _eye(bust: Bust, rest: Array) -> Array:
+def _eye(bust: Bust, rest: AnyArray) -> AnyArray:
     """(6, 3) of the left eye: inner corner, two on the upper lid, outer corner, two on the lower lid."""
     ring = rest[margin(bust)]
     inner, outer = ring[np.argmin(ring[:, 0])], ring[np.argmax(ring[:, 0])]
@@ -149,7 +150,7 @@ def _eye(bust: Bust, rest: Array) -> Array:
     return np.vstack([inner, upper, outer, lower[::-1]])
 
 
-def _outer_lips(bust: Bust, rest: Array, seal: LipSeal) -> Array:
+def _outer_lips(bust: Bust, rest: AnyArray, seal: LipSeal) -> AnyArray:
     """(12, 3) along the border of the lips' red: right corner, upper lip, left corner, lower lip back to
     the right.
     """
@@ -162,7 +163,7 @@ def _outer_lips(bust: Bust, rest: Array, seal: LipSeal) -> Array:
     return np.vstack([corner * _MIRROR, _at_x(upper, across), corner, _at_x(lower, back)])
 
 
-def _inner_lips(rest: Array, seal: LipSeal, surface: Surface, side: str) -> tuple[Array, Array]:
+def _inner_lips(rest: AnyArray, seal: LipSeal, surface: Surface, side: str) -> tuple[AnyArray, AnyArray]:
     """Four points on a lip where the two meet: upper 60 to 63 (from the right corner), lower 64 to 67
     (from the left).
     """
@@ -172,7 +173,7 @@ def _inner_lips(rest: Array, seal: LipSeal, surface: Surface, side: str) -> tupl
     return surface.project(wanted, seal.sections.upper if side == "upper" else seal.sections.lower)
 
 
-def _at_x(line: Array, x: Array) -> Array:
+def _at_x(line: AnyArray, x: AnyArray) -> AnyArray:
     """Points (k, 3) at `x` on a line of points (n, 3)."""
     ordered = line[np.argsort(line[:, 0], kind="stable")]
     return np.stack([np.interp(x, ordered[:, 0], ordered[:, k]) for k in range(3)], axis=1)

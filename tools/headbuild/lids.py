@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
+
 from .bust import Bust
 from .loops import columns
 
@@ -19,13 +20,13 @@ def margin(bust: Bust) -> list[int]:
     return bust.loop(*_MARGIN)
 
 
-def lid_pairs(bust: Bust, side: str) -> Array:
+def lid_pairs(bust: Bust, side: str) -> AnyArray:
     """(14, 2) upper and lower vertices of the lids' margins that meet, left or right eye."""
     left = columns(margin(bust), bust.places)
     return left if side == "left" else bust.mirror[left]
 
 
-def close_lids(bust: Bust, rest: Array, field: Array, side: str) -> Array:
+def close_lids(bust: Bust, rest: AnyArray, field: AnyArray, side: str) -> AnyArray:
     """Change the sculpted blink `field` (N0, 3) so that at 1 the margins just meet, column by column.
 
     The sculpt closes too far towards the outer corner and not far enough at the inner one: there it is scaled
@@ -35,7 +36,7 @@ def close_lids(bust: Bust, rest: Array, field: Array, side: str) -> Array:
     x = rest[pairs].mean(axis=1)[:, 0]
     order = np.argsort(x)
     scale = np.clip(_gap(rest, pairs) / np.maximum(_gap(-field, pairs), 1e-6), *_SCALES)
-    share: Array = np.interp(rest[:, 0], x[order], scale[order])
+    share: AnyArray = np.interp(rest[:, 0], x[order], scale[order])
     closed = rest + field * share[:, None]
     on_margin, this_side = np.zeros(len(rest)), np.sign(rest[:, 0]) == np.sign(x.mean())
     on_margin[pairs] = 1.0
@@ -46,11 +47,11 @@ def close_lids(bust: Bust, rest: Array, field: Array, side: str) -> Array:
     return np.asarray(closed - rest)
 
 
-def _gap(points: Array, pairs: Array) -> Array:
+def _gap(points: AnyArray, pairs: AnyArray) -> AnyArray:
     return np.asarray(points[pairs[:, 0], 1] - points[pairs[:, 1], 1])
 
 
-def clear_of_eyes(bust: Bust) -> Array:
+def clear_of_eyes(bust: Bust) -> AnyArray:
     """Positions (N0, 3) of the bust with its lids' margins at least `_CLEAR` mm before the eyeballs."""
     points = bust.rest.copy()
     for side, centre, radius in zip(("left", "right"), bust.eye_centre, bust.eye_radius, strict=True):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.sparse.linalg import splu
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
+
 from .bust import Bust
 from .loops import fill_inside
 
@@ -13,7 +14,7 @@ _BORDER = (416, 417)  # an edge of the loop along the crest of the lips, in the 
 INSIDE = 535  # a vertex of the mouth's lining
 
 
-def lining(bust: Bust) -> Array:
+def lining(bust: Bust) -> AnyArray:
     """Positions (N0, 3) of a bust whose mouth, from the lips' crest inwards, is shaped as the template's.
 
     It is hung into the lips by its Laplacian coordinates, turned and scaled to the face (Sorkine et al.

@@ -6,14 +6,14 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
 
 _STIFF = 0.3  # share of an edge's length² by which a map is held: it decides across the surface
 _SMOOTH = 30.0  # how far maps are evened out: about five edges, more than lips and lids are wide
 _STRETCH = (0.75, 1.33)
 
 
-def local_maps(before: Array, after: Array, edges: Array, laplacian: sp.csr_matrix) -> Array:
+def local_maps(before: AnyArray, after: AnyArray, edges: AnyArray, laplacian: sp.csr_matrix) -> AnyArray:
     """Linear maps (N0, 3, 3) that carry the edges about each vertex of `before` (N0, 3) to those of `after`
     best, evened out over the surface; none stretches by less or more than `_STRETCH`.
     """
@@ -29,7 +29,7 @@ def local_maps(before: Array, after: Array, edges: Array, laplacian: sp.csr_matr
     return np.asarray((u * np.clip(stretch, *_STRETCH)[:, None, :]) @ v)
 
 
-def _sums(owner: Array, left: Array, right: Array, count: int) -> Array:
+def _sums(owner: AnyArray, left: AnyArray, right: AnyArray, count: int) -> AnyArray:
     """Sum of the outer products `left` x `right` (n, 3) by `owner` (n,)."""
     result = np.zeros((count, 3, 3))
     np.add.at(result, owner, left[:, :, None] * right[:, None, :])

@@ -6,13 +6,13 @@ from collections import defaultdict
 
 import numpy as np
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
 
 
 class Loops:
     """Walks the closed edge loops of a quad mesh, given as (n, 4) vertex indices."""
 
-    def __init__(self, quads: Array) -> None:
+    def __init__(self, quads: AnyArray) -> None:
         """Index the edges and neighbours of ``quads``."""
         self._quads = quads
         self._faces_of_edge: dict[tuple[int, int], list[int]] = defaultdict(list)
@@ -39,7 +39,7 @@ class Loops:
         ahead = [v for v in self._neighbours[b] if v not in beside]
         return ahead[0] if len(self._neighbours[b]) == 4 and len(ahead) == 1 else None
 
-    def fill(self, seed: int, barriers: list[list[int]]) -> Array:
+    def fill(self, seed: int, barriers: list[list[int]]) -> AnyArray:
         """Indices of the faces reached from vertex ``seed`` without crossing any of the loops
         ``barriers``.
         """
@@ -56,12 +56,12 @@ class Loops:
         return np.array(sorted(reached))
 
 
-def fill_inside(loops: Loops, quads: Array, seed: int, border: list[int]) -> Array:
+def fill_inside(loops: Loops, quads: AnyArray, seed: int, border: list[int]) -> AnyArray:
     """Sorted vertices of `quads` (n, 4) that are reached from `seed` within the loop `border`, without it."""
     return np.setdiff1d(np.unique(quads[loops.fill(seed, [border])]), border)
 
 
-def columns(loop: list[int], points: Array) -> Array:
+def columns(loop: list[int], points: AnyArray) -> AnyArray:
     """Pairs (k, 2) of upper and lower vertices of an even loop about a slit, by ascending x; ``points`` is
     (n, 3).
 

@@ -6,13 +6,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
+
 from .bust import Bust
 
 _NECKLINE = (1518, 1519)  # an edge of the loop that the garment's neckline follows, in the base mesh
 
 
-def masks(bust: Bust) -> dict[str, Array]:
+def masks(bust: Bust) -> dict[str, AnyArray]:
     """Mask name → (N0,) 0..1."""
     return {
         "lips": bust.texture("lips"),
@@ -23,7 +24,7 @@ def masks(bust: Bust) -> dict[str, Array]:
     }
 
 
-def _garment(bust: Bust) -> Array:
+def _garment(bust: Bust) -> AnyArray:
     """1 below the neckline, 0.5 on it, 0 above."""
     neckline = bust.loop(*_NECKLINE)
     crown = int(np.argmax(bust.rest[:, 1]))
@@ -33,7 +34,7 @@ def _garment(bust: Bust) -> Array:
     return result
 
 
-def neck_weight(bust: Bust) -> Array:
+def neck_weight(bust: Bust) -> AnyArray:
     """(N0,) share of the head's rotation: the rig's head bones take it all, the neck's bones a part, the
     torso none.
     """
@@ -62,7 +63,7 @@ def _is_face(bone: str) -> bool:
     return bone.startswith(prefixes)
 
 
-def smoothstep(low: float, high: float, x: Array) -> Array:
+def smoothstep(low: float, high: float, x: AnyArray) -> AnyArray:
     """0 below `low`, 1 above `high`, a smooth cubic between."""
     t = np.clip((x - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t)

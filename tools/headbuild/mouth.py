@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from risorius.core.arrays import AnyArray
 from risorius.face.subdivide import catmull_clark
 
-from .arrays import Array
 from .bust import Bust
 from .masks import smoothstep
 from .section import MouthSections
@@ -34,12 +34,12 @@ _WIDTH = 21.5
 _MIDDLE = -65.0  # y in mm about which the mouth lies
 
 
-def lip_rings(bust: Bust) -> Array:
+def lip_rings(bust: Bust) -> AnyArray:
     """Sorted vertices of all loops of the lips."""
     return np.unique([v for a, b in RINGS for v in bust.loop(a, b)])
 
 
-def lip_sides(bust: Bust) -> Array:
+def lip_sides(bust: Bust) -> AnyArray:
     """(N0,) 1 on the upper lip, -1 on the lower one, 0 at the corners and elsewhere."""
     sides = np.zeros(len(bust.ids))
     for a, b in RINGS:
@@ -52,7 +52,7 @@ def lip_sides(bust: Bust) -> Array:
     return sides
 
 
-def lip_pairs(bust: Bust, rest: Array) -> Array:
+def lip_pairs(bust: Bust, rest: AnyArray) -> AnyArray:
     """(P, 2) upper and lower lip vertices that lie together at rest, mirror symmetric, by ascending x of the
     lower.
 
@@ -76,7 +76,7 @@ class LipSeal:
     """
 
     sections: MouthSections
-    share: Array
+    share: AnyArray
     corner: int
 
     @classmethod
@@ -92,7 +92,7 @@ class LipSeal:
             corner,
         )
 
-    def together(self, points: Array, *, close: bool = True) -> Array:
+    def together(self, points: AnyArray, *, close: bool = True) -> AnyArray:
         """Positions (N0, 3), mirror symmetric as given, whose lips touch without overlap.
 
         With `close` false, overlap is removed but lips that stand apart stay so.
@@ -104,7 +104,7 @@ class LipSeal:
             result[:, 1] -= 0.7 * here * self.share
         return result
 
-    def gaps(self, points: Array) -> tuple[Array, Array]:
+    def gaps(self, points: AnyArray) -> tuple[AnyArray, AnyArray]:
         """Places x (k,) from the middle to the corner, and the gaps (k,) in mm there, fading off beyond
         it.
         """
@@ -115,12 +115,12 @@ class LipSeal:
             gaps[known], [0.6 * gaps[known][-1], 0.0]
         )
 
-    def line(self, points: Array, x: float = 0.01) -> Array:
+    def line(self, points: AnyArray, x: float = 0.01) -> AnyArray:
         """The point (3,) at `x` where the lips come nearest."""
         return self.sections.meeting(points, x)
 
 
-def narrowed(bust: Bust, points: Array, amount: float) -> Array:
+def narrowed(bust: Bust, points: AnyArray, amount: float) -> AnyArray:
     """Positions (N0, 3) with the lips drawn together sideways by the share `amount`, and their corners
     forward.
     """
@@ -131,12 +131,12 @@ def narrowed(bust: Bust, points: Array, amount: float) -> Array:
     return points + np.stack([-pull * points[:, 0], 0.0 * pull, 0.12 * pull * np.abs(points[:, 0])], axis=1)
 
 
-def _share(bust: Bust, sides: Array) -> Array:
+def _share(bust: Bust, sides: AnyArray) -> AnyArray:
     front = (sides != 0.0) & (bust.places[:, 2] > 10.0)
     return 0.5 * bust.spread(np.where(front, 1.0, 0.0), sides) * _near(bust, 25.0, 45.0, 24.0, 32.0)
 
 
-def _near(bust: Bust, y_full: float, y_none: float, x_full: float, x_none: float) -> Array:
+def _near(bust: Bust, y_full: float, y_none: float, x_full: float, x_none: float) -> AnyArray:
     """(N0,) 1 near the mouth, 0 beyond `y_none` above and below it and `x_none` to either side."""
     across, away = np.abs(bust.places[:, 0]), np.abs(bust.places[:, 1] - _MIDDLE)
     return (1.0 - smoothstep(y_full, y_none, away)) * (1.0 - smoothstep(x_full, x_none, across))

@@ -11,9 +11,9 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
+from risorius.core.arrays import AnyArray
 from risorius.core.parameters import MUSCLES
 
-from .arrays import Array
 from .bust import Bust
 from .folds import unfolded
 from .lids import close_lids, lid_pairs
@@ -31,36 +31,36 @@ _DEFAULTS = {"lips": "free", "smooth": 0.0, "narrow": 0.0}
 _MEETING = ("lids to their meeting", "lower lip to the teeth")
 _LIPS = ("free", "together", "no overlap")
 
-Split = Callable[[Array, Array], Array]
+Split = Callable[[AnyArray, AnyArray], AnyArray]
 
 
-def _upper_lip_inner(points: Array, field: Array) -> Array:
+def _upper_lip_inner(points: AnyArray, field: AnyArray) -> AnyArray:
     return field * (1.0 - smoothstep(10.0, 24.0, np.abs(points[:, 0])))[:, None]
 
 
-def _below_brow(points: Array, field: Array) -> Array:
+def _below_brow(points: AnyArray, field: AnyArray) -> AnyArray:
     return field * (1.0 - smoothstep(0.0, 12.0, points[:, 1]))[:, None]
 
 
-def _between_brows(points: Array, field: Array) -> Array:
+def _between_brows(points: AnyArray, field: AnyArray) -> AnyArray:
     far, near = _brow_ramp(points)
     return np.asarray(_without_sideways(field) * (near / np.cbrt(near**3 + far**3))[:, None])
 
 
-def _brow_downwards(points: Array, field: Array) -> Array:
+def _brow_downwards(points: AnyArray, field: AnyArray) -> AnyArray:
     far, near = _brow_ramp(points)
     return np.asarray(_inner_brow(points, field) * (far / np.cbrt(near**3 + far**3))[:, None])
 
 
-def _brow_inwards(points: Array, field: Array) -> Array:
+def _brow_inwards(points: AnyArray, field: AnyArray) -> AnyArray:
     return field - _inner_brow(points, field)
 
 
-def _inner_brow(points: Array, field: Array) -> Array:
+def _inner_brow(points: AnyArray, field: AnyArray) -> AnyArray:
     return _without_sideways(field) * (1.0 - smoothstep(22.0, 40.0, np.abs(points[:, 0])))[:, None]
 
 
-def _brow_ramp(points: Array) -> tuple[Array, Array]:
+def _brow_ramp(points: AnyArray) -> tuple[AnyArray, AnyArray]:
     """Shares whose cubes add up to 1 once divided by the cube root of that sum: two that pull alike then give
     the whole shape together, for n parallel pulls give the cube root of the sum of their cubes.
     """
@@ -68,7 +68,7 @@ def _brow_ramp(points: Array) -> tuple[Array, Array]:
     return share**1.5, (1.0 - share) ** 1.5
 
 
-def _without_sideways(field: Array) -> Array:
+def _without_sideways(field: AnyArray) -> AnyArray:
     return np.asarray(field * np.array([0.0, 1.0, 1.0]))
 
 
@@ -106,8 +106,8 @@ def read_recipes(path: Path) -> dict[str, dict[str, Any]]:
 
 
 def muscle_fields(
-    bust: Bust, rest: Array, seal: LipSeal, recipes: dict[str, dict[str, Any]]
-) -> dict[str, Array]:
+    bust: Bust, rest: AnyArray, seal: LipSeal, recipes: dict[str, dict[str, Any]]
+) -> dict[str, AnyArray]:
     """Field name → displacement (N0, 3) in mm; left and right are exact mirror images."""
     paired = {m.base for m in MUSCLES if m.side}
     fields = {}
@@ -127,12 +127,14 @@ def muscle_fields(
     return fields
 
 
-def _with_room(bust: Bust, rest: Array, field: Array, recipe: dict[str, Any]) -> Array:
+def _with_room(bust: Bust, rest: AnyArray, field: AnyArray, recipe: dict[str, Any]) -> AnyArray:
     """The field, with room left for the skin unless its part is to bring parts together."""
     return field if recipe["part"] in _MEETING else unfolded(bust, rest, field)
 
 
-def _lips_change(bust: Bust, rest: Array, seal: LipSeal, both: Array, recipe: dict[str, Any]) -> Array:
+def _lips_change(
+    bust: Bust, rest: AnyArray, seal: LipSeal, both: AnyArray, recipe: dict[str, Any]
+) -> AnyArray:
     """What must be added to the field `both` (N0, 3) of the two sides for the lips to be as the recipe
     says.
     """
@@ -141,23 +143,23 @@ def _lips_change(bust: Bust, rest: Array, seal: LipSeal, both: Array, recipe: di
     return seal.together(rest + both, close=recipe["lips"] == "together") - rest - both
 
 
-def _left_share(places: Array) -> Array:
-    share: Array = smoothstep(-_SEAM, _SEAM, places[:, 0])[:, None]
+def _left_share(places: AnyArray) -> AnyArray:
+    share: AnyArray = smoothstep(-_SEAM, _SEAM, places[:, 0])[:, None]
     return share
 
 
-def mirrored(bust: Bust, field: Array) -> Array:
+def mirrored(bust: Bust, field: AnyArray) -> AnyArray:
     """The field (N0, 3) of the other side."""
     return np.asarray(field[bust.mirror] * np.array([-1.0, 1.0, 1.0]))
 
 
-def _field(bust: Bust, rest: Array, recipe: dict[str, Any], side: str) -> Array:
+def _field(bust: Bust, rest: AnyArray, recipe: dict[str, Any], side: str) -> AnyArray:
     total = sum((w * _sided(bust, shape, side) for shape, w in recipe["shapes"].items()), np.zeros_like(rest))
     field = ironed(bust, PARTS[recipe["part"]](bust.places, total), recipe["smooth"])
     return close_lids(bust, rest, field, side) if recipe["part"] == "lids to their meeting" else field
 
 
-def ironed(bust: Bust, field: Array, stiffness: float) -> Array:
+def ironed(bust: Bust, field: AnyArray, stiffness: float) -> AnyArray:
     """The field without the sharp folds of the sculpt, by bending energy; lips and lids are held."""
     if stiffness == 0.0:
         return field
@@ -168,7 +170,7 @@ def ironed(bust: Bust, field: Array, stiffness: float) -> Array:
     return np.asarray(splu(system.tocsc()).solve((1.0 + held)[:, None] * field))
 
 
-def _sided(bust: Bust, shape: str, side: str) -> Array:
+def _sided(bust: Bust, shape: str, side: str) -> AnyArray:
     if bust.source.has_shape(shape):
         share = _left_share(bust.places)
         return bust.shape(shape) * (share if side == "left" else 1.0 - share)

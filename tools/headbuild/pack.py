@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
 
 
-def quantized(field: Array, smallest: float = 0.004, step: float | None = None) -> dict[str, Array]:
+def quantized(field: AnyArray, smallest: float = 0.004, step: float | None = None) -> dict[str, AnyArray]:
     """Vertices, int16 values and scale of a field (n, 3) in mm, leaving out displacements below `smallest`
     mm. Values are multiples of `step` mm, the finest that fits where None; coarser ones take less room.
     """
@@ -21,12 +21,12 @@ def quantized(field: Array, smallest: float = 0.004, step: float | None = None) 
     return {"vertices": vertices.astype(np.uint16), "values": values, "scale": np.asarray(scale)}
 
 
-def settled(values: Array) -> Array:
+def settled(values: AnyArray) -> AnyArray:
     """The values to a nanometre (or a nanoradian): beyond that, libraries of linear algebra differ."""
     return np.round(values, 6)
 
 
-def write_npz(path: Path, arrays: dict[str, Array]) -> None:
+def write_npz(path: Path, arrays: dict[str, AnyArray]) -> None:
     """Write `arrays` in their order, with fixed dates."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for name, values in arrays.items():

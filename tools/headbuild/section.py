@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from risorius.core.arrays import AnyArray
 from risorius.face.subdivide import Subdivision
-
-from .arrays import Array
 
 _STEP = 0.2  # mm between samples along z
 _FRONT, _TIP = 12.0, 50.0  # z in mm between which lips are looked for
@@ -23,12 +22,12 @@ class MouthSections:
     """
 
     skin: Subdivision
-    upper: Array
-    lower: Array
-    depths: Array
+    upper: AnyArray
+    lower: AnyArray
+    depths: AnyArray
 
     @classmethod
-    def of(cls, skin: Subdivision, sides: Array, forward: float = 0.0) -> MouthSections:
+    def of(cls, skin: Subdivision, sides: AnyArray, forward: float = 0.0) -> MouthSections:
         """Take the triangles of the lips, told apart by `sides` (N0,): 1 upper, -1 lower, 0 elsewhere; they
         stand `forward` mm before their place on the template.
         """
@@ -36,27 +35,27 @@ class MouthSections:
         depths = np.arange(_FRONT, _TIP, _STEP) + forward
         return cls(skin, skin.triangles[side > 0.5], skin.triangles[side < -0.5], depths)
 
-    def gap(self, points: Array, x: float) -> float:
+    def gap(self, points: AnyArray, x: float) -> float:
         """Least height in mm of the upper lip above the lower one at `x`; negative where they overlap, inf
         beyond.
         """
         _, above, below = self._profiles(points, x)
         return float((above - below).min()) if len(above) else np.inf
 
-    def meeting(self, points: Array, x: float) -> Array:
+    def meeting(self, points: AnyArray, x: float) -> AnyArray:
         """The point (3,) midway between the lips where they come nearest, at `x`."""
         z, above, below = self._profiles(points, x)
         nearest = int(np.argmin(above - below))
         return np.array([x, (above[nearest] + below[nearest]) / 2.0, z[nearest]])
 
-    def crest(self, points: Array, x: float) -> Array:
+    def crest(self, points: AnyArray, x: float) -> AnyArray:
         """The highest point (3,) of the lower lip at `x`."""
         z = self.depths
         below = _envelope(self.skin.matrix @ points, self.lower, x, z)
         highest = int(np.argmax(below))
         return np.array([x, below[highest], z[highest]])
 
-    def _profiles(self, points: Array, x: float) -> tuple[Array, Array, Array]:
+    def _profiles(self, points: AnyArray, x: float) -> tuple[AnyArray, AnyArray, AnyArray]:
         """z (k,) where both lips stand at `x`, the upper lip's lower side and the lower lip's upper side
         there.
         """
@@ -68,7 +67,7 @@ class MouthSections:
         return z[both], above[both], below[both]
 
 
-def _envelope(points: Array, triangles: Array, x: float, z: Array) -> Array:
+def _envelope(points: AnyArray, triangles: AnyArray, x: float, z: AnyArray) -> AnyArray:
     """Greatest y at each of `z` of the section of the triangles with the plane at `x`; -inf where there is
     none.
     """
@@ -81,7 +80,7 @@ def _envelope(points: Array, triangles: Array, x: float, z: Array) -> Array:
     return top
 
 
-def _cut(points: Array, triangles: Array, x: float) -> Array:
+def _cut(points: AnyArray, triangles: AnyArray, x: float) -> AnyArray:
     """Segments (n, 2, 3) in which the plane at `x` cuts the triangles."""
     side = points[:, 0] - x
     positive = side[triangles] > 0.0
@@ -96,6 +95,6 @@ def _cut(points: Array, triangles: Array, x: float) -> Array:
     return np.stack(ends, axis=1)
 
 
-def _lone_corner(positive: Array) -> Array:
+def _lone_corner(positive: AnyArray) -> AnyArray:
     """Index (n,) of the corner that stands alone on its side of the plane."""
     return np.asarray(np.argmax(positive == (positive.sum(axis=1) == 1)[:, None], axis=1))

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from risorius.core.arkit import SHAPES
+from risorius.core.arrays import AnyArray
 from risorius.face.head_file import FORMAT
 
-from .arrays import Array
 from .build import Shape
 from .muscles import ironed, read_recipes
 from .pack import quantized
@@ -18,7 +18,7 @@ _TEETH = "helper-lower-teeth"
 _SMALLEST = 0.02  # mm: what a sculpt moves less is left out
 
 
-def build_shapes(shape: Shape, recipes: Path) -> dict[str, Array]:
+def build_shapes(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
     """All arrays of the shapes file: per shape a field of the skin, and the lower teeth's way (52, 3) mm.
 
     Sharp folds of a sculpt are ironed out as in the muscles made from it (`recipes`): both are one face.

@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
+from risorius.core.arrays import AnyArray
 from risorius.face.head_file import FORMAT
 
-from .arrays import Array
 from .build import Shape
 from .mouth import lip_rings
 from .pack import quantized, settled
@@ -46,7 +46,7 @@ MOST = 10.0  # mm that a slider moves the skin: the source's ends go further tha
 SMALLEST, STEP = 0.02, 0.01  # mm: less is not kept, and to what step
 
 
-def build_sliders(source: Source, shape: Shape) -> dict[str, Array]:
+def build_sliders(source: Source, shape: Shape) -> dict[str, AnyArray]:
     """All arrays of the sliders' file, measured on the head `shape`."""
     ends = {
         f"{name}/{end}": path for name, pair in PAIRS.items() for end, path in zip("+-", pair, strict=True)
@@ -61,12 +61,12 @@ def build_sliders(source: Source, shape: Shape) -> dict[str, Array]:
     }
 
 
-def _packed(fields: dict[str, Array]) -> dict[str, Array]:
+def _packed(fields: dict[str, AnyArray]) -> dict[str, AnyArray]:
     kept = {name: quantized(field, SMALLEST, STEP) for name, field in fields.items()}
     return {f"{name}/{key}": value for name, parts in kept.items() for key, value in parts.items()}
 
 
-def _change(source: Source, shape: Shape, path: str) -> Array:
+def _change(source: Source, shape: Shape, path: str) -> AnyArray:
     """(N0, 3) what a target does to the skin in mm, in the frame of the eyes, made exactly symmetric."""
     paths = sorted({f"{_TARGETS}{path.format(side)}.target.gz" for side in "lr"})
     whole = np.sum([source.target(p) for p in paths], axis=0)
@@ -76,7 +76,7 @@ def _change(source: Source, shape: Shape, path: str) -> Array:
     return np.asarray(change * min(MOST / np.linalg.norm(change, axis=1).max(), 1.0))
 
 
-def _held(shape: Shape, change: Array) -> tuple[Array, Array, Array]:
+def _held(shape: Shape, change: AnyArray) -> tuple[AnyArray, AnyArray, AnyArray]:
     """The change (N0, 3) with lips and lids unbent, and the ways of the mouth (3,) and the eyes (2, 3)."""
     rest, result = shape.rest, change.copy()
     lips = rest[lip_rings(shape.bust)]
@@ -92,7 +92,7 @@ def _held(shape: Shape, change: Array) -> tuple[Array, Array, Array]:
     return result, mouth, eyes
 
 
-def _share(distance: Array, whole: float, free: float) -> Array:
+def _share(distance: AnyArray, whole: float, free: float) -> AnyArray:
     """1 up to the distance `whole` and 0 from `free` on, smoothly between."""
     t = np.clip((free - distance) / (free - whole), 0.0, 1.0)
     return np.asarray(t * t * (3.0 - 2.0 * t))

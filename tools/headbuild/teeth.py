@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from risorius.core.arrays import AnyArray
+
 from .arch import Arch
-from .arrays import Array
 
 SCALE = 0.87  # the source's mouth is smaller than the anatomical mean
 _AROUND = 14  # vertices around a crown
@@ -45,9 +46,9 @@ class Row:
 class Part:
     """A triangle mesh: vertices (n, 3), triangles (m, 3), material (n,) 0 tooth, 1 gum."""
 
-    vertices: Array
-    triangles: Array
-    material: Array
+    vertices: AnyArray
+    triangles: AnyArray
+    material: AnyArray
 
 
 # Mean crowns of permanent teeth (width, height, thickness as in dental anatomy); edges set for this face.
@@ -75,7 +76,7 @@ def build_teeth(line: float) -> dict[str, Part]:
     return {"teeth_upper": _row(_upper(line)), "teeth_lower": _row(lower)}
 
 
-def incisor_edge(line: float) -> Array:
+def incisor_edge(line: float) -> AnyArray:
     """The foremost point (3,) of the upper central incisors' edge, at the midline."""
     row = _upper(line)
     return np.array([0.0, row.edge - _UPPER[0].beyond * SCALE, row.arch.front - 0.3])
@@ -103,7 +104,7 @@ def _centres(row: Row) -> list[tuple[float, Crown]]:
     return [(float(a + b) / 2.0, crown) for a, b, crown in zip(ends, ends[1:], row.crowns, strict=False)]
 
 
-def _crown(row: Row, centre: float, crown: Crown, side: float) -> tuple[Array, Array]:
+def _crown(row: Row, centre: float, crown: Crown, side: float) -> tuple[AnyArray, AnyArray]:
     """Rings from the neck (below the gum's margin) to the edge, closed by one vertex."""
     half, height, thick = (SCALE * v for v in (crown.width / 2.0, crown.height, crown.thickness))
     levels = np.array([-0.25, 0.0, 0.2, 0.42, 0.64, 0.82, 0.92, 0.975, 1.0])
@@ -150,7 +151,7 @@ def _depths(crown: Crown, thick: float, t: float) -> tuple[float, float]:
     return float(front), float(back)
 
 
-def _relief(crown: Crown, u: Array, v: Array, height: float) -> Array:
+def _relief(crown: Crown, u: AnyArray, v: AnyArray, height: float) -> AnyArray:
     """How far the edge rises or falls: rounded corners, the canine's point, the cusps."""
     if crown.cusps == 0:
         return -0.05 * height * np.abs(u) ** 4
@@ -160,14 +161,16 @@ def _relief(crown: Crown, u: Array, v: Array, height: float) -> Array:
     return 0.05 * height * ridges * np.sign(np.abs(v) - 0.1) - 0.08 * height * (np.abs(v) < 0.2)
 
 
-def _placed(row: Row, centre: float, crown: Crown, side: float, u: Array, v: Array, y: Array) -> Array:
+def _placed(
+    row: Row, centre: float, crown: Crown, side: float, u: AnyArray, v: AnyArray, y: AnyArray
+) -> AnyArray:
     """Points (n, 3) of a crown at `u` along the arch, `v` outward and `y` from its neck towards its edge."""
     x, z = row.arch.place(np.full(len(u), centre) + u, v)
     edge = row.edge - row.down * crown.beyond * SCALE
     return np.stack([side * x, edge + row.down * (crown.height * SCALE - y), z], axis=1)
 
 
-def _gum(row: Row) -> tuple[Array, Array]:
+def _gum(row: Row) -> tuple[AnyArray, AnyArray]:
     """A ridge over all necks, scalloped: it rises between the teeth and falls at each tooth's middle."""
     turn = np.linspace(0.0, np.pi, _GUM_ROWS)
     profile = _gum_profile(row)
@@ -182,7 +185,7 @@ def _gum(row: Row) -> tuple[Array, Array]:
     return vertices, _oriented(vertices, _tube(len(points), _GUM_ROWS, cap=False, closed=False))
 
 
-def _gum_profile(row: Row) -> Array:
+def _gum_profile(row: Row) -> AnyArray:
     """Columns of the left half, from the midline outwards (n, 4): position along the arch, y of the
     margin, how far between two teeth (0..1), thickness of the neck.
     """
@@ -198,13 +201,13 @@ def _gum_profile(row: Row) -> Array:
     return np.vstack(columns)
 
 
-def _superellipse(angle: Array, power: float) -> tuple[Array, Array]:
+def _superellipse(angle: AnyArray, power: float) -> tuple[AnyArray, AnyArray]:
     c, s = np.cos(angle), np.sin(angle)
     size = (np.abs(c) ** power + np.abs(s) ** power) ** (-1.0 / power)
     return c * size, s * size
 
 
-def _tube(rings: int, around: int, *, cap: bool, closed: bool = True) -> Array:
+def _tube(rings: int, around: int, *, cap: bool, closed: bool = True) -> AnyArray:
     """Triangles of rings of vertices, one after the other; `cap` joins the last ring to one more vertex."""
     columns = around if closed else around - 1
     faces = []
@@ -218,7 +221,7 @@ def _tube(rings: int, around: int, *, cap: bool, closed: bool = True) -> Array:
     return np.array(faces)
 
 
-def _oriented(vertices: Array, triangles: Array) -> Array:
+def _oriented(vertices: AnyArray, triangles: AnyArray) -> AnyArray:
     """The triangles, turned so that they face away from the mesh's inside (its signed volume about its
     mean).
     """

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .arrays import Array
+from risorius.core.arrays import AnyArray
+
 from .jaw import Jaw
 from .masks import smoothstep
 from .mouth import LipSeal
@@ -14,7 +15,7 @@ _PLACES = np.array([0.01, 3.0, 6.0])  # x in mm where the lip's crest is measure
 _AHEAD = 0.8  # mm from the incisors' edge forward to the lip's crest
 
 
-def tuck(rest: Array, field: Array, seal: LipSeal, jaw: Jaw, incisor: Array) -> Array:
+def tuck(rest: AnyArray, field: AnyArray, seal: LipSeal, jaw: Jaw, incisor: AnyArray) -> AnyArray:
     """Add to `field` (N0, 3) the shift of the lower lip that brings its crest under the `incisor` edge
     (3,) mm.
     """

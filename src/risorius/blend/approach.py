@@ -16,9 +16,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..core.arrays import Array
 from ..core.articulators import APERTURE, PROTRUSION, WIDTH
 from .contact import SEAL, TUCK, Goal, GoalCurve
-from .intervals import Array, merged
+from .intervals import merged
 from .sacrifice import sacrifice
 
 LEAST_GAP = 0.5

@@ -9,10 +9,11 @@ from typing import Protocol
 
 import numpy as np
 
+from ..core.arrays import Array, IndexArray
 from ..core.movement import CHANNEL_PRIORITY, CHANNELS, LipSegment, ManualCurve, Movement
 from ..core.score import Score
 from .concatenate import Layer, concatenate
-from .intervals import Array, Indices, Piece, Spans, union
+from .intervals import Piece, Spans, union
 from .levels import Course, Levels, levels_of
 from .lips import LipCurve, Lips
 from .manual import Replaced, key_curves, replaced_spans
@@ -23,10 +24,10 @@ Origin = Movement | LipSegment | ManualCurve
 class Curve(Protocol):
     """One parameter of one layer, as a deviation from its neutral."""
 
-    def sample(self, times: Array) -> tuple[Indices, Array]:
+    def sample(self, times: Array) -> tuple[IndexArray, Array]:
         """Return where the curve is not at rest among the sorted times, and its values there."""
 
-    def lines(self, times: Array) -> tuple[Indices, Array]:
+    def lines(self, times: Array) -> tuple[IndexArray, Array]:
         """Return the same as `sample`, but by lines between knots where that is much quicker."""
 
     def above(self, threshold: float) -> Spans:
@@ -51,7 +52,7 @@ class Channel:
     curves: dict[str, list[Curve]]
     _above: dict[tuple[str, float], Spans] = field(default_factory=dict)
 
-    def sample(self, parameter: str, times: Array) -> tuple[Indices, Array]:
+    def sample(self, parameter: str, times: Array) -> tuple[IndexArray, Array]:
         """Return where a parameter is not at rest and its highest value of all layers there."""
         curves = self.curves[parameter]
         if len(curves) == 1:
@@ -74,7 +75,7 @@ class Channel:
         return self._above[key]
 
 
-def _highest(sampled: Iterable[tuple[Indices, Array]], count: int) -> Array:
+def _highest(sampled: Iterable[tuple[IndexArray, Array]], count: int) -> Array:
     dense = np.zeros(count)
     for index, values in sampled:
         dense[index] = np.maximum(dense[index], values)

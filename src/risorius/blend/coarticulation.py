@@ -13,10 +13,10 @@ from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
+from ..core.arrays import Array, IndexArray
 from ..core.movement import LipSegment
 from ..core.utterance import SILENCE
 from ..registry import Registry
-from .intervals import Array, Indices
 
 T = TypeVar("T")
 
@@ -28,8 +28,8 @@ class Weights:
     They sum to 1 at each of the `count` times, or to 0 far from all segments.
     """
 
-    segment: Indices
-    time: Indices
+    segment: IndexArray
+    time: IndexArray
     weight: Array
     count: int
 
@@ -46,7 +46,7 @@ class Column:
         self._distinct, number = np.unique(values, return_inverse=True)
         self._number = number.astype(np.uint16 if len(self._distinct) <= 2**16 else np.uint32)
 
-    def __getitem__(self, segments: Indices) -> Array:
+    def __getitem__(self, segments: IndexArray) -> Array:
         """Return the values of some segments, shape (n,) -> (n,)."""
         return np.asarray(self._distinct[self._number[segments]])
 

@@ -13,10 +13,10 @@ from typing import Protocol
 
 import numpy as np
 
+from ..core.arrays import Array
 from ..core.parameters import RIVALS
 from ..registry import Registry
 from .channels import Channel
-from .intervals import Array
 from .limits import Limits
 from .tuning import Tuning
 

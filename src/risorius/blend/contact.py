@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..core.arrays import Array
 from ..core.articulators import PROTRUSION
 from ..core.movement import LipSegment
-from .intervals import Array, ranges
+from .intervals import ranges
 from .knots import ramp
 from .sacrifice import sacrifice
 

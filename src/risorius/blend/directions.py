@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..core.arrays import Array
 from ..core.parameters import INDEX, PARAMETERS, Kind
-from .intervals import Array
 
 RANGE: dict[Kind, float] = {Kind.HEAD: 20.0, Kind.GAZE: 25.0, Kind.DISTANCE: 0.8}
 """How far a parameter of each kind moves before it makes others much smaller: degrees, metres."""

@@ -13,12 +13,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, IndexArray, UInt32Array
 from ..core.movement import Dominance, LipSegment
 from ..errors import InputError
 from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, Shared, Weights
-from .intervals import Array, Indices, ranges
+from .intervals import ranges
 
 MARGIN = 0.08
 """Seconds inside a segment's edge at which dominance begins to fall at the latest."""
@@ -58,7 +58,7 @@ class DominanceModel:
         self._aims = Shared([s.targets for s in segments])
         self._group_of: dict[str, int] = {}
         # Of each group only the number of every segment's dominance is kept, so that long clips stay small.
-        self._rows: list[npt.NDArray[np.uint32]] = []
+        self._rows: list[UInt32Array] = []
         self._spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
         self._ended = np.maximum.accumulate(self._spans[:, 1])
         for segment in self._first:
@@ -124,7 +124,7 @@ def _columns(spans: Array, dominances: Array) -> _Columns:
     return _Columns(centre, flat, magnitude, before, after, exponent, reach_before, reach_after, felt_until)
 
 
-def _dominance(d: _Columns, segment: Indices, times: Array) -> Array:
+def _dominance(d: _Columns, segment: IndexArray, times: Array) -> Array:
     """Dominance of each segment at its time, shape (n,)."""
     offset = times - d.centre[segment]
     early = offset < 0.0

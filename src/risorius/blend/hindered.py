@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.arrays import Array
 from ..core.parameters import INDEX, NAMES
 from .concatenate import SIGNED
-from .intervals import Array
 from .plan import Moment, Plan
 
 

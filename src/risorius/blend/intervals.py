@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
-Spans = npt.NDArray[np.float64]
+from ..core.arrays import Array, BoolArray, IndexArray
+
+Spans = Array
+"""A set of times: sorted, disjoint intervals (n, 2), seconds."""
+
 Piece = tuple[float, float, tuple[float | str | bytes, ...]]
 """From when to when something is in force, seconds, and all that tells it apart."""
-Indices = npt.NDArray[np.intp]
 
 INSTANT = 1e-9
 """Seconds."""
@@ -87,13 +88,13 @@ def neighbours(a: Spans, times: Array) -> tuple[Array, Array]:
     return times - ends[k], starts[k] - times
 
 
-def covers(a: Spans, times: Array) -> npt.NDArray[np.bool_]:
+def covers(a: Spans, times: Array) -> BoolArray:
     """Return whether each time lies in the set, its ends included, shape (n,)."""
     since, until = neighbours(a, times)
     return np.asarray((since <= 0.0) | (until <= 0.0))
 
 
-def ranges(low: Indices, high: Indices) -> tuple[Indices, Indices]:
+def ranges(low: IndexArray, high: IndexArray) -> tuple[IndexArray, IndexArray]:
     """Return every index from low to high (exclusive) of each range, one range after the other.
 
     `low`, `high`: shape (n,). Returns the number of the range and the index, both shape (m,).
@@ -127,7 +128,7 @@ def above_line(times: Array, values: Array, threshold: float) -> Spans:
     return spans_between(times, high, t0 + (t1 - t0) * (threshold - v0) / (v1 - v0))
 
 
-def spans_between(times: Array, high: npt.NDArray[np.bool_], crossings: Array) -> Spans:
+def spans_between(times: Array, high: BoolArray, crossings: Array) -> Spans:
     """Return the intervals where `high` holds, given when it changes between the times, shape (m, 2)."""
     if not len(times):
         return EMPTY

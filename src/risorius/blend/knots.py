@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from .intervals import Array
+from ..core.arrays import Array
 
 BLOCK = 30.0
 """Seconds of one block of time: knots are made, and frames worked, block by block, so that memory does not

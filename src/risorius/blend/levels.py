@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
-from .intervals import Array, Spans, intersection, share, union
+from ..core.arrays import Array
+from .intervals import Spans, intersection, share, union
 
 PRIORITY_RAMP = 0.12
 """Seconds over which a change of priority takes effect where nothing else smooths it: a lip's minimum."""
@@ -112,7 +112,7 @@ def outranking(a: Levels, b: Levels) -> Spans:
     )
 
 
-def outranks(a: Levels, b: Levels, times: Array) -> npt.NDArray[np.float64]:
+def outranks(a: Levels, b: Levels, times: Array) -> Array:
     """Return 1 where priority `a` is higher than `b`, else 0, with ramps after each change; shape (n,)."""
     if a.constant is not None and b.constant is not None:
         return np.full(len(times), float(a.constant > b.constant))

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.arrays import Array
 from .channels import Channel
-from .intervals import EMPTY, Array, Spans
+from .intervals import EMPTY, Spans
 from .knots import eased, lowest, paced, rounded
 from .levels import Levels, outranking, outranks
 from .mouth import JAW, Block, Mouth

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..core.arrays import Array, IndexArray
 from ..core.articulators import ARTICULATORS
 from ..core.lip_rig import LipRig
 from ..core.movement import LipSegment
@@ -17,7 +18,7 @@ from ..errors import InputError
 from .coarticulation import LIP_MODELS, without_gaps
 from .concatenate import SIGNED
 from .contact import CONTACTS, GoalCurve, contact_goals
-from .intervals import Array, Indices, Piece, Spans, merged
+from .intervals import Piece, Spans, merged
 from .mouth import Mouth, limits_in_force
 from .shapes import Shapes, performed
 from .tuning import Tuning
@@ -72,13 +73,13 @@ class LipCurve:
     def __init__(self, lips: Lips, parameter: str) -> None:
         self._lips, self._parameter = lips, parameter
 
-    def sample(self, times: Array) -> tuple[Indices, Array]:
+    def sample(self, times: Array) -> tuple[IndexArray, Array]:
         """Return where the curve is not at rest and its values there (see StrokeCurve.sample)."""
         values = self._lips.at(self._parameter, times)
         index = np.flatnonzero(values)
         return index, values[index]
 
-    def lines(self, times: Array) -> tuple[Indices, Array]:
+    def lines(self, times: Array) -> tuple[IndexArray, Array]:
         """Return what `sample` returns, to what lines over 5 ms leave out."""
         values = self._lips.mouth.own_at(self._parameter, times)
         index = np.flatnonzero(values)

@@ -24,15 +24,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray, IndexArray
 from ..core.articulators import APERTURE, ARTICULATORS, leader
 from ..core.functions import minimum_jerk
 from ..core.movement import LipSegment
 from ..core.parameters import BASES, INDEX, PARAMETERS, Parameter
 from ..core.utterance import SILENCE
 from .coarticulation import LIP_MODELS, Shared, Weights
-from .intervals import Array, ranges
+from .intervals import ranges
 
 OPPOSED = 0.3
 """How much of a posture an equal and opposite neighbour takes away, twice."""
@@ -111,7 +111,7 @@ class LookAheadModel:
         end = np.maximum.accumulate(boundary + needed / 2.0)
         return np.append(-np.inf, start), np.append(-np.inf, end)
 
-    def _between_closures(self, closed: npt.NDArray[np.bool_], needed: Array) -> Array:
+    def _between_closures(self, closed: BoolArray, needed: Array) -> Array:
         """Return the lengths of the steps, those to and from closures no longer than the phone beside."""
         duration = self._end - self._start
         closing, opening = closed[1:] & ~closed[:-1], closed[:-1] & ~closed[1:]
@@ -125,7 +125,7 @@ def _muscle(name: str) -> Parameter:
     return BASES[articulator.follow[0]][0] if articulator is not None else PARAMETERS[INDEX[name]]
 
 
-def _rates(durations: Array, silent: npt.NDArray[np.bool_]) -> Array:
+def _rates(durations: Array, silent: BoolArray) -> Array:
     """Return the phones per second around each segment, silences apart, shape (segments,)."""
     window = np.ones(2 * NEIGHBOURS + 1)
     spoken = np.convolve(~silent, window, mode="full")[NEIGHBOURS:-NEIGHBOURS]
@@ -133,7 +133,7 @@ def _rates(durations: Array, silent: npt.NDArray[np.bool_]) -> Array:
     return np.asarray(np.divide(spoken, seconds, out=np.zeros(len(durations)), where=seconds > 0.0))
 
 
-def _taken(yields: npt.NDArray[np.bool_], silent: npt.NDArray[np.bool_]) -> npt.NDArray[np.intp]:
+def _taken(yields: BoolArray, silent: BoolArray) -> IndexArray:
     """Return whose posture each segment takes: its own, the next that does not yield, or the last."""
     count = np.arange(len(yields))
     last = np.maximum.accumulate(np.where(yields, 0, count))

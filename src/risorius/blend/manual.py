@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..core.arrays import Array, IndexArray
 from ..core.movement import ManualCurve
 from .concatenate import NEUTRALS
-from .intervals import Array, Indices, Piece, Spans, above_line, covers, difference, merged
+from .intervals import Piece, Spans, above_line, covers, difference, merged
 
 if TYPE_CHECKING:
     from .channels import Curve, Origin
@@ -23,7 +24,7 @@ class KeyCurve:
         self.times, self.values = table[:, 0].copy(), table[:, 1] - NEUTRALS[name]
         self._drawn = drawn
 
-    def sample(self, times: Array) -> tuple[Indices, Array]:
+    def sample(self, times: Array) -> tuple[IndexArray, Array]:
         """Return where the curve is in force and its values there (see StrokeCurve.sample)."""
         low = np.searchsorted(times, self.times[0], side="left")
         high = np.searchsorted(times, self.times[-1], side="right")
@@ -64,15 +65,15 @@ class Replaced:
     def __init__(self, curve: Curve, spans: Spans) -> None:
         self.curve, self._spans = curve, spans
 
-    def sample(self, times: Array) -> tuple[Indices, Array]:
+    def sample(self, times: Array) -> tuple[IndexArray, Array]:
         """Return where the curve is neither at rest nor replaced and its values there."""
         return self._freed(times, *self.curve.sample(times))
 
-    def lines(self, times: Array) -> tuple[Indices, Array]:
+    def lines(self, times: Array) -> tuple[IndexArray, Array]:
         """Return the same by lines between knots where that is much quicker."""
         return self._freed(times, *self.curve.lines(times))
 
-    def _freed(self, times: Array, index: Indices, values: Array) -> tuple[Indices, Array]:
+    def _freed(self, times: Array, index: IndexArray, values: Array) -> tuple[IndexArray, Array]:
         free = ~covers(self._spans, times[index])
         return index[free], values[free]
 

@@ -13,6 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ..core.arrays import Array, IndexArray
 from ..core.lip_rig import OPENING, LipRig
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import INDEX, NAMES, NEUTRAL
@@ -26,7 +27,6 @@ from .concatenate import SIGNED
 from .conflict import POLICIES, Field, Join
 from .contact import CONTACTS, SEAL, TUCK, beside_tuck
 from .directions import combine_directions
-from .intervals import Array, Indices
 from .knots import BLOCK
 from .levels import steady
 from .limits import LIPS, Limits
@@ -152,22 +152,22 @@ class Moment:
                 dense[index] = values
         return dense
 
-    def settled(self, channel: Channel, name: str) -> tuple[Indices, Array]:
+    def settled(self, channel: Channel, name: str) -> tuple[IndexArray, Array]:
         """Return where a channel moves a parameter and what the policy leaves of it, both shape (m,)."""
         index, values = channel.sample(name, self.times)
         return index, self.settle(channel, name, self.times[index], values)
 
-    def bounded(self, channel: Channel, name: str, index: Indices, settled: Array, own: Array) -> Array:
+    def bounded(self, channel: Channel, name: str, index: IndexArray, settled: Array, own: Array) -> Array:
         """Return what is left of another channel's settled values, at the indices, under speech, (m,)."""
         return self.limited(channel, name, index, self.shared(channel, name, index, settled, own), own)
 
-    def shared(self, channel: Channel, name: str, index: Indices, values: Array, own: Array) -> Array:
+    def shared(self, channel: Channel, name: str, index: IndexArray, values: Array, own: Array) -> Array:
         """Return another channel's values, the jaw's as what it adds to the jaw of speech, shape (m,)."""
         if name != JAW or self._limits is None:
             return values
         return values * self._limits.jaw_share(channel, self.times[index], own[index])
 
-    def limited(self, channel: Channel, name: str, index: Indices, values: Array, own: Array) -> Array:
+    def limited(self, channel: Channel, name: str, index: IndexArray, values: Array, own: Array) -> Array:
         """Return another channel's values within the limits of speech, shape (m,)."""
         if self._limits is None:
             return values

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from ..core.arrays import Array
 
 _TOLERANCE = 1e-13
 _ITERATIONS = 80

@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ..core.arrays import Array
 from ..core.articulators import ARTICULATORS
 from ..core.lip_rig import SEAL, Averages, LipRig
 from ..core.movement import LipSegment
 from ..errors import InputError
 from .contact import CONTACTS
-from .intervals import Array
 
 
 class Shapes:

@@ -14,11 +14,11 @@ from dataclasses import dataclass
 from operator import attrgetter
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray, IndexArray, UInt16Array
 from ..core.functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
 from ..core.movement import Movement
-from .intervals import Array, Indices, Piece, Spans, merged, ranges
+from .intervals import Piece, Spans, merged, ranges
 from .roots import find_roots
 
 
@@ -135,7 +135,7 @@ class StrokeCurve:
         self.functions = tuple(strokes.functions)
         self.function, self.fade_function = np.array(strokes.function), np.array(strokes.fade_function)
 
-    def sample(self, times: Array) -> tuple[Indices, Array]:
+    def sample(self, times: Array) -> tuple[IndexArray, Array]:
         """Return where the curve is not at rest and its values there.
 
         `times`: sorted, shape (n,). Returns indices into it, strictly increasing, and values, both (m,).
@@ -153,7 +153,7 @@ class StrokeCurve:
 
     lines = sample
 
-    def evaluate(self, strokes: Indices, times: Array) -> Array:
+    def evaluate(self, strokes: IndexArray, times: Array) -> Array:
         """Return the values of the given strokes, each at its own time (not before its start), shape (n,)."""
         x = times - self.start[strokes]
         values: Array = self.level[strokes]
@@ -170,7 +170,7 @@ class StrokeCurve:
         self._add_residue(values, strokes, x)
         return values
 
-    def _add_residue(self, values: Array, strokes: Indices, x: Array) -> None:
+    def _add_residue(self, values: Array, strokes: IndexArray, x: Array) -> None:
         i = np.flatnonzero((self.excess[strokes] != 0.0) & (x < self.fade[strokes]))
         k = strokes[i]
         part, excess = x[i] / self.fade[k], self.excess[k]
@@ -181,7 +181,7 @@ class StrokeCurve:
             residue = np.where(plain, residue, other)
         values[i] += residue
 
-    def _shapes(self, numbers: npt.NDArray[np.uint16], x: Array) -> Array:
+    def _shapes(self, numbers: UInt16Array, x: Array) -> Array:
         """f(x) of each element's own function, x cut to [0, 1]; shape (n,)."""
         x = np.minimum(x, 1.0)
         if len(self.functions) == 1:
@@ -228,7 +228,7 @@ class StrokeCurve:
         return merged(np.column_stack((on, off))[on < off])
 
     def _crossing(
-        self, strokes: Indices, threshold: float, low: Array, high: Array, wanted: npt.NDArray[np.bool_]
+        self, strokes: IndexArray, threshold: float, low: Array, high: Array, wanted: BoolArray
     ) -> Array:
         """The times in [low, high] at which the wanted strokes cross the threshold, shape (n,)."""
         found = np.zeros(len(strokes))

@@ -6,20 +6,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray
 from ..core.parameters import INDEX
 from ..errors import ParameterError, unknown
 from .channels import Channel
 from .concatenate import SIGNED
 from .directions import shares_of
-from .intervals import Array
 from .limits import LIPS
 from .manual import hidden
 from .plan import Moment, Plan
 
 _LEAST = 1e-9
-Mask = npt.NDArray[np.bool_]
 Run = tuple[int, int]
 
 
@@ -47,11 +45,11 @@ class Trace:
         return tuple(_runs(self._active & less & (np.abs(self.given) > _LEAST)))
 
     @property
-    def _active(self) -> Mask:
+    def _active(self) -> BoolArray:
         return np.asarray(np.abs(self.asked) > _LEAST)
 
 
-def _runs(mask: Mask) -> Iterator[Run]:
+def _runs(mask: BoolArray) -> Iterator[Run]:
     edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(np.int8)))
     for first, after in edges.reshape(-1, 2).tolist():
         yield first, after - 1

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import numpy.typing as npt
 from scipy.optimize import nnls
 
 from .action_units import ACTION_UNITS
+from .arrays import Array
 from .parameters import BASES, INDEX, MUSCLES
-
-Array = npt.NDArray[np.float64]
 
 _BASES = tuple(dict.fromkeys(muscle.base for muscle in MUSCLES))
 # Of two units that the same muscles perform the smaller sum of intensities is taken.

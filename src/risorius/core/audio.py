@@ -12,9 +12,11 @@ from pathlib import Path
 from types import TracebackType
 
 import numpy as np
-import numpy.typing as npt
 
-Samples = npt.NDArray[np.int16]
+from .arrays import Int16Array
+
+Samples = Int16Array
+"""Sound: samples (n,) of one channel, full scale 32,767."""
 
 
 @dataclass(frozen=True, slots=True)

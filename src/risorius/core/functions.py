@@ -9,11 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-import numpy.typing as npt
 
 from ..registry import Registry
+from .arrays import Array
 
-Array = npt.NDArray[np.float64]
 OnsetFunction = Callable[[Array], Array]
 
 ONSET_FUNCTIONS: Registry[OnsetFunction] = Registry("onset function")

@@ -19,8 +19,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
 
+from .arrays import Array, Int64Array
 from .articulators import (
     APERTURE,
     ARTICULATORS,
@@ -34,7 +34,6 @@ from .articulators import (
 )
 from .parameters import BASES, DEFAULT_THRESHOLD
 
-Array = npt.NDArray[np.float64]
 Averages = Callable[[str], Array]
 
 _CONTROLS_OF: Mapping[str, tuple[str, ...]] = {
@@ -75,7 +74,7 @@ class LipRig:
     column per measure.
     """
 
-    terms: npt.NDArray[np.int64]
+    terms: Int64Array
     coefficients: Array
 
     def passive(self, measure: str, controls: Mapping[str, Array]) -> Array:

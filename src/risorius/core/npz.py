@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import threading
 from pathlib import Path
-from typing import IO, Any
+from typing import IO
 
 import numpy as np
-import numpy.typing as npt
+
+from .arrays import AnyArray
 
 _one_at_a_time = threading.Lock()
 
 
-def read_arrays(file: Path | IO[bytes]) -> dict[str, npt.NDArray[Any]]:
+def read_arrays(file: Path | IO[bytes]) -> dict[str, AnyArray]:
     """Return all arrays by name; raise OSError, ValueError or zipfile.BadZipFile as `numpy.load` does.
 
     One thread at a time: numpy reads an array's header as Python source, and Python 3.11 confuses syntax

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 import numpy as np
-import numpy.typing as npt
 
 from ..errors import ParameterError, unknown
+from .arrays import Array
 
 
 class Kind(StrEnum):
@@ -147,7 +147,7 @@ PARAMETERS: tuple[Parameter, ...] = _build()
 NAMES: tuple[str, ...] = tuple(p.name for p in PARAMETERS)
 INDEX: dict[str, int] = {name: i for i, name in enumerate(NAMES)}
 MUSCLES: tuple[Parameter, ...] = tuple(p for p in PARAMETERS if p.kind is Kind.MUSCLE)
-NEUTRAL: npt.NDArray[np.float64] = np.array([p.neutral for p in PARAMETERS])
+NEUTRAL: Array = np.array([p.neutral for p in PARAMETERS])
 NEUTRAL.setflags(write=False)
 BASES: dict[str, tuple[Parameter, ...]] = {}
 for _p in PARAMETERS:

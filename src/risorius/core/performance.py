@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-import numpy.typing as npt
 
 from ..errors import InputError
+from .arrays import Array
 from .parameters import INDEX, NAMES, parameters_named
 from .score import Score
 
@@ -31,12 +31,12 @@ def frame_count(duration: float, fps: Fraction) -> int:
     return round(duration * fps) + 1
 
 
-def frame_times(duration: float, fps: Fraction) -> npt.NDArray[np.float64]:
+def frame_times(duration: float, fps: Fraction) -> Array:
     """Return the frame times k/fps in seconds, shape (frames,)."""
     return sample_times(frame_count(duration, fps), fps)
 
 
-def sample_times(count: int, fps: Fraction) -> npt.NDArray[np.float64]:
+def sample_times(count: int, fps: Fraction) -> Array:
     """Return k/fps for k = 0 … count - 1, correctly rounded, shape (count,)."""
     return np.arange(count, dtype=np.float64) * fps.denominator / fps.numerator
 
@@ -50,10 +50,10 @@ class Performance:
 
     score: Score
     fps: Fraction
-    values: npt.NDArray[np.float64]
+    values: Array
 
     @property
-    def times(self) -> npt.NDArray[np.float64]:
+    def times(self) -> Array:
         """Frame times in seconds, shape (frames,)."""
         return sample_times(len(self.values), self.fps)
 
@@ -62,7 +62,7 @@ class Performance:
         """Seconds."""
         return self.score.duration
 
-    def __getitem__(self, name: str) -> npt.NDArray[np.float64]:
+    def __getitem__(self, name: str) -> Array:
         """Return one parameter's curve, shape (frames,); for a name without its side, the mean of both."""
         if name in INDEX:
             return self.values[:, INDEX[name]]
@@ -70,6 +70,6 @@ class Performance:
         return np.asarray(self.values[:, columns].mean(axis=1))
 
     @property
-    def curves(self) -> dict[str, npt.NDArray[np.float64]]:
+    def curves(self) -> dict[str, Array]:
         """All curves by name, in the table's order."""
         return {name: self.values[:, i] for i, name in enumerate(NAMES)}

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from ..core.arrays import Array
 from ..errors import HeadError
 from .head_file import HeadFile
-from .subdivide import FloatArray
 
 FILE = "ages.npz"
 YEARS = (0.0, 100.0)
@@ -24,15 +24,15 @@ class AgeShapes:
     file.
     """
 
-    years: FloatArray
-    rest: FloatArray
-    eye_centre: FloatArray
-    eye_radius: FloatArray
-    jaw_point: FloatArray
-    head_pivot: FloatArray
-    mouth: FloatArray
+    years: Array
+    rest: Array
+    eye_centre: Array
+    eye_radius: Array
+    jaw_point: Array
+    head_pivot: Array
+    mouth: Array
 
-    def weights(self, age: float) -> FloatArray:
+    def weights(self, age: float) -> Array:
         """Return the anchors' shares (k,) at `age` in years; before the first and after the last one it is
         theirs.
 
@@ -49,7 +49,7 @@ def check_age(age: float) -> None:
         raise HeadError(f"age is {age:g}; expected {YEARS[0]:g} to {YEARS[1]:g} years")
 
 
-def read_ages(path: Path, rest: FloatArray, own: float) -> AgeShapes:
+def read_ages(path: Path, rest: Array, own: float) -> AgeShapes:
     """Read the anchors of the head whose skin at rest is `rest` (N0, 3), at its `own` age in years.
 
     Raises HeadError where an array is missing, misshapen or out of range, or no anchor has the

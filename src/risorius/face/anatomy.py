@@ -14,17 +14,14 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 from scipy.sparse.linalg import splu
 from scipy.spatial.distance import cdist
 
+from ..core.arrays import Array, Int32Array, IntArray
 from ..core.npz import read_arrays
 from ..errors import HeadError, Place
 from .muscle_table import ForceType, Muscle
 from .stiffness import spring_stiffness
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.integer]
 
 FILE = "anatomy.npz"
 REACH = 5.5  # mm over which the weights vary
@@ -117,7 +114,7 @@ def anatomical_fields(
     muscles: Mapping[str, Muscle],
     pulls: Mapping[str, Pull],
     names: tuple[str, ...],
-) -> dict[str, tuple[npt.NDArray[np.int32], Array]]:
+) -> dict[str, tuple[Int32Array, Array]]:
     """Return vertices (k,) and displacements (k, 3) in mm at activation 1 for parameters by name.
 
     `mirror` (N,) is the index of each vertex's mirror image; a right muscle mirrors the left one.

@@ -12,10 +12,10 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from scipy.optimize import nnls
 
 from ..core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
+from ..core.arrays import Array, BoolArray, FloatArray
 from ..core.parameters import INDEX as PARAMETER
 from .arkit_given import GIVEN, given_weights
 from .eyes import pitch_and_yaw
@@ -24,8 +24,6 @@ from .frame import FaceFrame
 from .head import Head
 from .lids import FRONT, LID_REACH
 from .shapes import ArkitShapes, arkit_shapes
-
-Array = npt.NDArray[np.float64]
 
 # Shares of the mean square of a shape: what keeps nearly parallel shapes, and opposed ones, from fighting.
 RIDGE, AGAINST = 3e-5, 5e-5
@@ -91,7 +89,7 @@ class ArkitFit:
         """Return the weights (52,) of a frame, 0..1."""
         return self._solve(self.displacement(frame.skin), given_weights(frame))
 
-    def of_skin(self, skin: npt.NDArray[np.floating], given: Array | None = None) -> Array:
+    def of_skin(self, skin: FloatArray, given: Array | None = None) -> Array:
         """Return the weights (52,) of a level-1 skin (N1, 3) mm; `given` (52,) are those not fitted."""
         return self._solve(self.displacement(skin), np.zeros(len(SHAPES)) if given is None else given)
 
@@ -124,7 +122,7 @@ class ArkitFit:
         """Return the displacements (frames, 3 k) in mm that `weights` (frames, 52) make of what is seen."""
         return np.asarray(weights @ self._basis)
 
-    def displacement(self, skin: npt.NDArray[np.floating]) -> Array:
+    def displacement(self, skin: FloatArray) -> Array:
         """Return the displacement (3 k,) in mm of what is seen of a level-1 skin (N1, 3)."""
         return np.asarray((skin[self.counted] - self.rest[self.counted]).ravel(), dtype=np.float64)
 
@@ -167,14 +165,14 @@ def _one_of_each(weights: Array) -> Array:
     return kept
 
 
-def _roles(available: Collection[str]) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
+def _roles(available: Collection[str]) -> tuple[BoolArray, BoolArray]:
     """Return which shapes (52,) are fitted and which are given, of those that are available."""
     there = np.array([name in available for name in SHAPES])
     there[_CLOSE] &= there[_JAW]  # what closes an opening is nothing without it
     return there & ~GIVEN, there & GIVEN
 
 
-def _seen(head: Head, rest: Array) -> npt.NDArray[np.bool_]:
+def _seen(head: Head, rest: Array) -> BoolArray:
     """Return which vertices (N1,) can be seen: not those inside the mouth or behind the lids."""
     seen = np.asarray(head.skin.matrix @ head.masks["inner_mouth"] < 0.5)
     for centre, radius in zip(head.eye_centre, head.eye_radius, strict=True):

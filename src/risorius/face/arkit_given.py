@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.arkit import INDEX, SHAPES
+from ..core.arrays import Array
 from ..core.parameters import INDEX as PARAMETER
 from ..core.parameters import PARAMETERS
 from .eyes import pitch_and_yaw
 from .frame import FaceFrame
-
-Array = npt.NDArray[np.float64]
 
 GIVEN = np.array([name.startswith("eyeLook") or name == "tongueOut" for name in SHAPES])
 """Which of the shapes (52,) these are."""

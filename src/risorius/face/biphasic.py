@@ -9,17 +9,14 @@ less than with linear springs.
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, IndexArray, UInt32Array
 from ..core.parameters import INDEX, PARAMETERS
 from .head import Head
 from .jit import compiled
 from .muscles import ELSEWHERE, MuscleFields
 from .network import Network, pull
 from .stiffness import NEIGHBOUR, edges
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.uint32]
 
 YIELD = 0.15  # strain s₀ at which the second phase begins
 SECOND = 1.0  # stiffness k₂ of the second phase, added to the first
@@ -52,7 +49,7 @@ class Biphasic:
         self._columns = np.array([INDEX[name] for name in acting])
         self._forces = np.stack([self._force_of(head, name, points) for name in acting])
 
-    def _force_of(self, head: Head, name: str, points: npt.NDArray[np.intp]) -> Array:
+    def _force_of(self, head: Head, name: str, points: IndexArray) -> Array:
         """Return the force (r, 4) of the second phase that holds the field of a muscle at 1."""
         whole = np.zeros((len(head.rest), 4))
         whole[head.fields[name].vertices, :3] = head.fields[name].displacement
@@ -94,7 +91,7 @@ class Biphasic:
 
 
 @compiled
-def _second_phase(ends: IntArray, length: Array, points: Array, factor: float, out: Array) -> None:
+def _second_phase(ends: UInt32Array, length: Array, points: Array, factor: float, out: Array) -> None:
     for e in range(len(ends)):
         i, j = ends[e, 0], ends[e, 1]
         ax, ay, az = length[e, 0], length[e, 1], length[e, 2]

@@ -10,16 +10,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, UInt32Array
 from .compression import Compression, Zone
 from .head import Head
 from .jit import compiled, device
 from .layouts import spot
 from .marks import Marks
 from .tables import build, read_table
-
-Array = npt.NDArray[np.float64]
 
 # Loss of area that the flesh takes up before it shows: without it a bulge would begin with a jerk.
 TAKEN_UP = 0.02
@@ -99,8 +97,6 @@ def bulge_height(area: float, depth: float, cap: float) -> float:
 
 
 @compiled
-def _swell(
-    area: Array, vertex: npt.NDArray[np.uint32], mask: Array, depth: Array, cap: Array, out: Array
-) -> None:
+def _swell(area: Array, vertex: UInt32Array, mask: Array, depth: Array, cap: Array, out: Array) -> None:
     for r in range(len(area)):
         out[vertex[r]] += mask[r] * bulge_height(area[r], depth[r], cap[r])

@@ -10,14 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
+from ..core.arrays import Array, IndexArray, UInt32Array
 from .jit import compiled_fast
 
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.uint32]
 _SYMMETRIC = {"options": {"SymmetricMode": True}, "diag_pivot_thresh": 0.0}
 
 
@@ -28,8 +26,8 @@ class Factor:
     Column j is `weight[start[j]:start[j + 1]]` at the rows `row[…]`; `inverse` (n,).
     """
 
-    start: IntArray
-    row: IntArray
+    start: UInt32Array
+    row: UInt32Array
     weight: Array
     inverse: Array
 
@@ -51,14 +49,14 @@ class Factor:
         solve(self.start, self.row, self.weight, self.inverse, points)
 
 
-def sparing_order(matrix: sp.csc_matrix) -> npt.NDArray[np.intp]:
+def sparing_order(matrix: sp.csc_matrix) -> IndexArray:
     """Return the order (n,) of the unknowns of a symmetric `matrix` in which its factor stays sparse."""
     factor = splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", **_SYMMETRIC)
     return np.argsort(factor.perm_c)
 
 
 @compiled_fast
-def solve(start: IntArray, row: IntArray, weight: Array, inverse: Array, points: Array) -> None:
+def solve(start: UInt32Array, row: UInt32Array, weight: Array, inverse: Array, points: Array) -> None:
     """Solve L D Lᵀ x = b for `points` (n, 4) in place; the first four arguments as in `Factor`."""
     count = len(inverse)
     for j in range(count):

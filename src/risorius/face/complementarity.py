@@ -5,12 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, IntArray
 from .jit import compiled, compiled_fast
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.integer]
 
 # A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from fighting.
 SOFTNESS = 1.001

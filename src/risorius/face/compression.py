@@ -11,16 +11,13 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
+from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
 from .head import Head
 from .jit import compiled_fast, inlined
 from .marks import smooth
-from .products import ShortArray, short
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.uint32]
+from .products import short
 
 STRETCHED = 1.05  # stretch beyond this does not make up for compression beside it
 _ROUNDS = 2  # of smoothing on level 0
@@ -51,15 +48,15 @@ class Compression:
     """
 
     zones: int
-    quad: IntArray
+    quad: UInt32Array
     frame: Array
-    zone: IntArray
+    zone: UInt32Array
     side: Array
-    start: IntArray
-    column: ShortArray
+    start: UInt32Array
+    column: UIntArray
     weight: Array
-    row_zone: IntArray
-    row_vertex: IntArray
+    row_zone: UInt32Array
+    row_vertex: UInt32Array
     row_side: Array
     work: tuple[Array, Array]
     taut: bool
@@ -114,11 +111,11 @@ class Compression:
 
 
 class _Part(NamedTuple):
-    quads: npt.NDArray[np.intp]
+    quads: IndexArray
     frame: Array
     side: Array
     rows: sp.csr_matrix
-    vertices: npt.NDArray[np.intp]
+    vertices: IndexArray
 
 
 def _part(head: Head, spread: sp.csr_matrix, zone: Zone, left: Array) -> _Part:
@@ -186,7 +183,7 @@ def _frames(corners: Array, pull: Array) -> Array:
 
 
 @inlined
-def _stretch(skin: Array, quad: IntArray, frame: Array, e: int, taut: bool) -> float:
+def _stretch(skin: Array, quad: UInt32Array, frame: Array, e: int, taut: bool) -> float:
     """Return the stretch of quad e along its frame's direction, or of its area.
 
     `taut`: skin that is drawn out across that direction narrows by itself, and only what is shorter than
@@ -212,14 +209,14 @@ def _measure(
     strain: Array,
     mean: Array,
     taut: bool,
-    quad: IntArray,
+    quad: UInt32Array,
     frame: Array,
-    zone: IntArray,
+    zone: UInt32Array,
     side: Array,
-    start: IntArray,
-    column: ShortArray,
+    start: UInt32Array,
+    column: UIntArray,
     weight: Array,
-    row_zone: IntArray,
+    row_zone: UInt32Array,
     row_side: Array,
     skin: Array,
     out: Array,

@@ -11,12 +11,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray, Int32Array, Int64Array, IntArray
 from .jit import compiled, device, inlined
 
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.integer]
 Grid = tuple[float, float, float, float]
 
 COLUMNS, ROWS = 48, 32  # of cells over x and z
@@ -33,7 +31,7 @@ class Facing(NamedTuple):
     """
 
     vertices: IntArray
-    above: npt.NDArray[np.bool_]
+    above: BoolArray
     upper: IntArray
     lower: IntArray
 
@@ -46,10 +44,10 @@ class Cells(NamedTuple):
     twice its area. A cell's `items` start and end at `start` (COLUMNS · ROWS + 1,), filled up to `fill`.
     """
 
-    span: npt.NDArray[np.int32]
+    span: Int32Array
     shape: Array
-    start: npt.NDArray[np.int32]
-    fill: npt.NDArray[np.int32]
+    start: Int32Array
+    fill: Int32Array
     items: IntArray
 
     @classmethod
@@ -92,7 +90,7 @@ def find_contacts(facing: Facing, points: Array, reach: float, out: Contacts) ->
 @compiled
 def _find(
     vertices: IntArray,
-    above: npt.NDArray[np.bool_],
+    above: BoolArray,
     upper: IntArray,
     lower: IntArray,
     points: Array,
@@ -237,9 +235,7 @@ def _cover(
 
 
 @compiled
-def narrowest(
-    start: float, end: float, places: int, width: float, x: Array, gap: Array
-) -> npt.NDArray[np.int64]:
+def narrowest(start: float, end: float, places: int, width: float, x: Array, gap: Array) -> Int64Array:
     """Return the contact with the narrowest gap about each of `places` even places from `start` to `end`.
 
     −1 where there is none. `width` is the share of the whole within which a contact is about a place; `x` mm

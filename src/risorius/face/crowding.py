@@ -13,15 +13,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray, Int32Array, IntArray
 from ..core.parameters import PARAMETERS
 from .head import Head
 from .jit import compiled
 from .muscles import ELSEWHERE
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
 
 LEAST = 0.6  # of an edge's length at rest that is left to it along its direction
 LEAST_WIDTH = 0.5  # of a face's width at rest that is left to it
@@ -39,13 +36,13 @@ class Distances:
     `length` (d,) their length in mm at rest.
     """
 
-    points: IntArray
+    points: Int32Array
     foot: Array
     way: Array
     length: Array
 
     @classmethod
-    def of(cls, points: npt.NDArray[np.integer], rest: Array) -> Distances:
+    def of(cls, points: IntArray, rest: Array) -> Distances:
         """Measure, at rest (n, 3), each first point from the edge of the other two, which may be one."""
         first, second, third = (rest[points[:, k]] for k in range(3))
         base = third - second
@@ -57,7 +54,7 @@ class Distances:
         way = vector[long] / length[long, None]
         return cls(points[long].astype(np.int32), foot[long], way, length[long])
 
-    def only(self, chosen: npt.NDArray[np.bool_]) -> Distances:
+    def only(self, chosen: BoolArray) -> Distances:
         """Return those that are `chosen` (d,)."""
         return Distances(self.points[chosen], self.foot[chosen], self.way[chosen], self.length[chosen])
 
@@ -98,13 +95,13 @@ class Crowding:
         relieve(found.points, found.foot, found.way, self.room, SWEEPS, displacement)
 
 
-def struts(quads: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
+def struts(quads: IntArray) -> IntArray:
     """Return the sides and diagonals (e, 2) of `quads` (Q, 4), each once."""
     ends = [quads[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3))]
     return np.asarray(np.unique(np.sort(np.vstack(ends), axis=1), axis=0))
 
 
-def altitudes(quads: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
+def altitudes(quads: IntArray) -> IntArray:
     """Return each corner of `quads` (Q, 4) with the ends of either side that it does not lie on (8 Q, 3)."""
     turned = [np.roll(quads, -k, axis=1) for k in range(4)]
     return np.vstack([t[:, order] for t in turned for order in ([0, 3, 2], [1, 2, 3])])
@@ -149,7 +146,9 @@ def _fields(head: Head) -> list[Array]:
 
 
 @compiled
-def relieve(points: IntArray, foot: Array, way: Array, room: Array, sweeps: int, displacement: Array) -> None:
+def relieve(
+    points: Int32Array, foot: Array, way: Array, room: Array, sweeps: int, displacement: Array
+) -> None:
     """Push points apart that come nearer than by `room` (d,) mm along `way` (d, 3): `Distances`' tables.
 
     `displacement` (n, 3) mm is changed in place, in at most `sweeps` sweeps.

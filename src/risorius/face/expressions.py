@@ -8,13 +8,12 @@ from functools import lru_cache
 from importlib import resources
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.arkit import INDEX
+from ..core.arrays import Array
 from ..core.toml import parse_rows
 from ..errors import InputError, unknown
 
-Array = npt.NDArray[np.float64]
 FILE = "expressions.toml"
 
 

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from .rotations import direction, forward_to
 
-Array = npt.NDArray[np.float64]
 MM_PER_M = 1000.0
 
 

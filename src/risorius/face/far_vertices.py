@@ -17,9 +17,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from ..core.arrays import Array
+
 Least = Callable[[Array, Array], Array]
 """Returns the weights that are the least of ½ w·normal·w − right·w, within their limits."""
 

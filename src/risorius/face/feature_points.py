@@ -8,16 +8,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, FloatArray, Int32Array
 from ..core.parameters import INDEX, NEUTRAL
 from .eyes import pitch_and_yaw
 from .frame import FaceFrame
 from .head import Head
 from .jaw import Jaw
 from .tongue import TongueShapes
-
-Array = npt.NDArray[np.float64]
 
 COUNT = 68
 ANGLE = 1e-5
@@ -107,7 +105,7 @@ class FeaturePoints:
         found[[number - 1 for number in TONGUE]] = self.tongue_tip(frame)
         return found
 
-    def of_skin(self, skin: npt.NDArray[np.floating]) -> Array:
+    def of_skin(self, skin: FloatArray) -> Array:
         """Return the parameters (68,) of points and lids for a level-1 skin (N1, 3) mm, 0 elsewhere."""
         moved = self._head.landmarks(skin) - self._rest
         found = np.zeros(COUNT)
@@ -147,7 +145,7 @@ class FeaturePoints:
         return Fapu(*(float(length) / 1024.0 for length in lengths))
 
 
-def _middle(pairs: npt.NDArray[np.int32], rest: Array) -> npt.NDArray[np.int32]:
+def _middle(pairs: Int32Array, rest: Array) -> Int32Array:
     """Return the lid pairs (k, 2) over the middle of the eye: those whose opening at rest is widest."""
     opening = np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1)
     return np.asarray(pairs[opening > 0.9 * opening.max()])

@@ -5,20 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
-Array32 = npt.NDArray[np.float32]
+from ..core.arrays import Array, Float32Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FrameRoom:
     """Room for the arrays of a frame, to be filled again and again: `FaceFrame` has their shapes."""
 
-    skin: Array32
-    teeth_lower: Array32
-    tongue: Array32
-    wrinkles: Array32
+    skin: Float32Array
+    teeth_lower: Float32Array
+    tongue: Float32Array
+    wrinkles: Float32Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,13 +33,13 @@ class FaceFrame:
     parameters      (46,) the values in the parameter table's order that the frame was solved from
     """
 
-    skin: Array32
-    teeth_lower: Array32
-    tongue: Array32
+    skin: Float32Array
+    teeth_lower: Float32Array
+    tongue: Float32Array
     eye_rotation: Array
     head_rotation: Array
     jaw_angle: float
-    wrinkles: Array32
+    wrinkles: Float32Array
     parameters: Array
 
     def copy(self) -> FaceFrame:

@@ -13,8 +13,8 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, FloatArray, Int32Array
 from ..core.parameters import MUSCLES
 from ..errors import HeadError, unknown
 from . import ages as age_file
@@ -27,7 +27,7 @@ from .links import link_rows
 from .muscle_table import FILE as MUSCLE_TABLE
 from .muscle_table import Muscle, links_of, load_muscles
 from .sliders import check_sliders, load_sliders
-from .subdivide import FloatArray, IntArray, Subdivision, catmull_clark
+from .subdivide import Subdivision, catmull_clark
 
 EXTRA_FIELDS = ("lip_tuck",)
 TONGUE_FIELDS = ("tongue_up", "tongue_out", "tongue_back")
@@ -40,8 +40,8 @@ class Field(NamedTuple):
     activation 1.
     """
 
-    vertices: IntArray
-    displacement: FloatArray
+    vertices: Int32Array
+    displacement: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +50,9 @@ class Mesh:
     gum.
     """
 
-    vertices: FloatArray
-    triangles: IntArray
-    material: FloatArray
+    vertices: Array
+    triangles: Int32Array
+    material: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,8 +61,8 @@ class Tongue:
     1.
     """
 
-    rest: FloatArray
-    quads: IntArray
+    rest: Array
+    quads: Int32Array
     fields: Mapping[str, Field]
     subdivision: Subdivision
 
@@ -86,28 +86,28 @@ class Head:
 
     name: str
     folder: Path
-    rest: FloatArray
-    quads: IntArray
-    uv: FloatArray
-    masks: Mapping[str, FloatArray]
-    mirror: IntArray
+    rest: Array
+    quads: Int32Array
+    uv: Array
+    masks: Mapping[str, Array]
+    mirror: Int32Array
     fields: Mapping[str, Field]
-    jaw_point: FloatArray
-    jaw_axis: FloatArray
+    jaw_point: Array
+    jaw_axis: Array
     jaw_angle: float
-    jaw_weight: FloatArray
+    jaw_weight: Array
     jaw_corrective: Field
-    head_pivot: FloatArray
-    neck_weight: FloatArray
-    lip_pairs: IntArray
-    lid_pairs: tuple[IntArray, IntArray]
-    eye_centre: FloatArray
-    eye_radius: FloatArray
+    head_pivot: Array
+    neck_weight: Array
+    lip_pairs: Int32Array
+    lid_pairs: tuple[Int32Array, Int32Array]
+    eye_centre: Array
+    eye_radius: Array
     teeth_upper: Mesh
     teeth_lower: Mesh
     tongue: Tongue
-    landmark_triangles: IntArray
-    landmark_weights: FloatArray
+    landmark_triangles: Int32Array
+    landmark_weights: Array
     skin: Subdivision
     identity: Identity = UNNAMED
     ages: AgeShapes | None = None
@@ -127,7 +127,7 @@ class Head:
         links = link_rows(self.links_file)
         return {name: (row, links_of(name, links)) for name, row in load_muscles(folder).items()}
 
-    def landmarks(self, skin: npt.NDArray[np.floating]) -> FloatArray:
+    def landmarks(self, skin: FloatArray) -> Array:
         """Positions (68, 3) of the iBUG points on level-1 vertices `skin` (N1, 3)."""
         corners = np.asarray(skin, dtype=np.float64)[self.landmark_triangles]
         return np.asarray(np.einsum("kcd,kc->kd", corners, self.landmark_weights))
@@ -171,7 +171,7 @@ class Head:
             )
         share = shapes.weights(age)
 
-        def between(anchors: FloatArray) -> FloatArray:
+        def between(anchors: Array) -> Array:
             return _frozen(np.tensordot(share, anchors, axes=1))
 
         shift = between(shapes.mouth) - shapes.weights(self.identity.age) @ shapes.mouth
@@ -189,12 +189,12 @@ class Head:
         )
 
 
-def _frozen(values: FloatArray) -> FloatArray:
+def _frozen(values: Array) -> Array:
     values.setflags(write=False)
     return values
 
 
-def _shifted(mesh: Mesh, shift: FloatArray) -> Mesh:
+def _shifted(mesh: Mesh, shift: Array) -> Mesh:
     return replace(mesh, vertices=_frozen(mesh.vertices + shift))
 
 
@@ -303,7 +303,7 @@ def _read(path: Path) -> Head:
     )
 
 
-def _muscle_fields(file: HeadFile, rest: FloatArray, quads: IntArray) -> Mapping[str, Field]:
+def _muscle_fields(file: HeadFile, rest: Array, quads: Int32Array) -> Mapping[str, Field]:
     """The calibrated fields; of a head that has none at all, those of the anatomical mode."""
     if any(name.startswith("field/") for name in file.arrays):
         return _fields(file, "field", required_fields(), len(rest))

@@ -7,14 +7,12 @@ from __future__ import annotations
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import AnyArray, Array, Int32Array
 from ..core.npz import read_arrays
 from ..errors import HeadError, Place
-from .subdivide import FloatArray, IntArray
 
 FORMAT = 1
 Shape = tuple[int | str, ...]
@@ -25,7 +23,7 @@ class HeadFile:
     """The arrays of one head file. Shapes are given as sizes, or letters where any size above 0 will do."""
 
     path: Path
-    arrays: dict[str, npt.NDArray[Any]]
+    arrays: dict[str, AnyArray]
 
     @classmethod
     def read(cls, path: Path) -> HeadFile:
@@ -44,9 +42,7 @@ class HeadFile:
         """The error to raise about the array `name`."""
         return HeadError(f"array '{name}' {message}", Place(str(self.path)))
 
-    def array(
-        self, name: str, shape: Shape, low: float | None = None, high: float | None = None
-    ) -> FloatArray:
+    def array(self, name: str, shape: Shape, low: float | None = None, high: float | None = None) -> Array:
         """A read-only float64 array; raise HeadError where it is missing, misshapen, not finite or out of
         range.
         """
@@ -60,7 +56,7 @@ class HeadFile:
         values.setflags(write=False)
         return values
 
-    def indices(self, name: str, shape: Shape, count: int) -> IntArray:
+    def indices(self, name: str, shape: Shape, count: int) -> Int32Array:
         """A read-only int32 array of indices below `count`; raise HeadError where one is not."""
         raw = self._raw(name, shape)
         if raw.dtype.kind not in "iu":
@@ -71,14 +67,14 @@ class HeadFile:
         values.setflags(write=False)
         return values
 
-    def unit(self, name: str) -> FloatArray:
+    def unit(self, name: str) -> Array:
         """A direction (3,); raise HeadError where its length is not 1."""
         values = self.array(name, (3,))
         if abs(float(np.linalg.norm(values)) - 1.0) > 1e-5:
             raise self.error(name, f"has length {np.linalg.norm(values):g}; expected 1")
         return values
 
-    def field(self, name: str, count: int) -> tuple[IntArray, FloatArray]:
+    def field(self, name: str, count: int) -> tuple[Int32Array, Array]:
         """Vertices (k,) and displacement (k, 3) of a field kept as `name/vertices`, `name/values`,
         `name/scale`.
         """
@@ -88,7 +84,7 @@ class HeadFile:
         displacement.setflags(write=False)
         return vertices, displacement
 
-    def _raw(self, name: str, shape: Shape) -> npt.NDArray[Any]:
+    def _raw(self, name: str, shape: Shape) -> AnyArray:
         if name not in self.arrays:
             raise self.error(name, "is missing")
         found = self.arrays[name].shape

@@ -9,15 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, FloatArray
 from ..core.parameters import INDEX
 from .head import Head
 from .jit import compiled
 from .rotations import about_axis, turned
 from .throat import uncrowd
 
-Array = npt.NDArray[np.float64]
 MASSETER = INDEX["masseter"]
 
 
@@ -58,13 +57,13 @@ class Jaw:
         self.carry_to(points, opening, out)
         return out
 
-    def carry_to(self, points: Array, opening: float, out: npt.NDArray[np.floating]) -> None:
+    def carry_to(self, points: Array, opening: float, out: FloatArray) -> None:
         """Write to `out` (n, 3), of any precision, what `carry` returns."""
         turn_about(about_axis(self.axis, self.angle * opening), self.point, points, out)
 
 
 @compiled
-def turn_about(rotation: Array, point: Array, points: Array, out: npt.NDArray[np.floating]) -> None:
+def turn_about(rotation: Array, point: Array, points: Array, out: FloatArray) -> None:
     """Write `points` (n, 3), turned by `rotation` (3, 3) about `point` (3,), to `out` (n, 3)."""
     for v in range(len(points)):
         x, y, z = points[v, 0] - point[0], points[v, 1] - point[1], points[v, 2] - point[2]

@@ -10,13 +10,11 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Int64Array
 from .jit import compiled
 from .marks import Marks, plateau, ripple, smooth
 
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int64]
 Range = tuple[float, float, float, float]
 
 _BREAK_LENGTH = 15.0  # mm along a crease over which it fades and returns
@@ -198,7 +196,7 @@ def _beside(curve: Array, places: Array) -> tuple[Array, Array]:
 
 
 @compiled
-def _find_nearest(curve: Array, places: Array, side: Array, piece: IntArray, share: Array) -> None:
+def _find_nearest(curve: Array, places: Array, side: Array, piece: Int64Array, share: Array) -> None:
     """Write how far each place (n, 2) lies beyond the curve (k, 2), from which piece, and where along it."""
     for i in range(len(places)):
         nearest = np.inf

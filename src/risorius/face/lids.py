@@ -14,17 +14,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
+from ..core.arrays import Array, Int32Array
 from ..core.parameters import INDEX
 from .head import Head
 from .jit import compiled, device, inlined
 from .plate import nearby, response, stiffness
 from .products import Rows, carry
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
 
 SIDES = ("left", "right")
 BLINK = "orbicularis_oculi_palpebralis"
@@ -62,15 +59,15 @@ class Lids:
 
     column: int
     centre: Array
-    closing: IntArray
+    closing: Int32Array
     angle: Array
     stroke: Array
     margin: Rows
     margin_stroke: Array
     taper: Array
-    region: IntArray
+    region: Int32Array
     motion: Array
-    shell: IntArray
+    shell: Int32Array
     floor: Array
     work: tuple[Array, Array, Array]
 
@@ -136,7 +133,7 @@ def _cylinder(points: Array) -> Array:
     return np.column_stack([x, np.hypot(y, z), np.arctan2(y, z)])
 
 
-def _shell(head: Head, centre: Array, radius: float) -> tuple[IntArray, Array]:
+def _shell(head: Head, centre: Array, radius: float) -> tuple[Int32Array, Array]:
     rest = head.skin.matrix @ head.rest - centre
     distance = np.linalg.norm(rest, axis=1)
     near = (distance > radius) & (distance < radius + LID_REACH) & (rest[:, 2] > FRONT * radius)
@@ -203,7 +200,7 @@ def _radius(points: Array, row: int, centre: Array) -> float:
 
 
 @compiled
-def _turn(skin: Array, vertices: IntArray, rest: Array, stroke: Array, share: float, centre: Array) -> None:
+def _turn(skin: Array, vertices: Int32Array, rest: Array, stroke: Array, share: float, centre: Array) -> None:
     for k in range(len(vertices)):
         v = vertices[k]
         y, z = skin[v, 1] - centre[1], skin[v, 2] - centre[2]
@@ -225,7 +222,7 @@ def _limited(way: float, gone: float) -> float:
 
 
 @compiled
-def _push_out(skin: Array, shell: IntArray, floor: Array, centre: Array) -> None:
+def _push_out(skin: Array, shell: Int32Array, floor: Array, centre: Array) -> None:
     for k in range(len(shell)):
         v = shell[k]
         x, y, z = skin[v, 0] - centre[0], skin[v, 1] - centre[1], skin[v, 2] - centre[2]

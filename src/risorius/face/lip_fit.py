@@ -10,8 +10,8 @@ from itertools import combinations_with_replacement
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Int64Array
 from ..core.articulators import APERTURE, CONTROLS
 from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig
 from ..core.parameters import BASES, INDEX, NEUTRAL
@@ -19,8 +19,6 @@ from .head import Head, load_head
 from .head_file import HeadFile
 from .measure import CORNERS, Gauge
 from .solve import FaceSolver
-
-Array = npt.NDArray[np.float64]
 
 FILE = "lips.npz"
 SAMPLES = 1200
@@ -74,7 +72,7 @@ def fit(head: Head) -> LipRig:
     return LipRig(terms, coefficients)
 
 
-def _terms() -> npt.NDArray[np.int64]:
+def _terms() -> Int64Array:
     """Return all products of up to two controls, and of three of those that bend; shape (k, 3)."""
     every, curved = range(len(CONTROLS)), [list(CONTROLS).index(name) for name in _CURVED]
     found = [t for n in (1, 2) for t in combinations_with_replacement(every, n)]

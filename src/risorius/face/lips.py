@@ -7,9 +7,9 @@ muscles and jaw, so that no expression can open a closure.
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
+from ..core.arrays import Array, Int64Array
 from .complementarity import Gaps, Workspace, settle
 from .contact import Contacts, find_contacts, narrowest
 from .head import Head
@@ -17,8 +17,6 @@ from .jaw import Jaw
 from .mouth import OVERLAP, Mouth, TeethEdge
 from .plate import Response, nearby, response, stiffness
 from .products import Rows, carry, carry_upwards
-
-Array = npt.NDArray[np.float64]
 
 NEAR = 0.12  # mm; after closing, wider gaps are left out of the solution
 SHUT = 0.005  # mm that a full seal may leave open
@@ -126,7 +124,7 @@ class Lips:
         carry_upwards(self._plate.region, self._plate.motion, self._force, self._sums, skin)
         return True
 
-    def _narrowest(self, points: Array, count: int) -> npt.NDArray[np.int64]:
+    def _narrowest(self, points: Array, count: int) -> Int64Array:
         """Return which of the `count` contacts is the narrowest at each place along the mouth."""
         start, end = self._ends.times(points, self._corners)[:, 0]
         x, gap = self._contacts.x[:count], self._contacts.gap[:count]

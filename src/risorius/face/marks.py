@@ -6,11 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, FloatArray
 from .head import Head
-
-Array = npt.NDArray[np.float64]
 
 EYE_DISTANCE = 57.8  # mm between the eyes of the face on which places are given
 _RIPPLES = 6
@@ -40,13 +38,13 @@ class Marks:
         return np.asarray(self.landmarks[list(landmarks)].mean(axis=0))
 
 
-def smooth(low: float, high: float, x: npt.NDArray[np.floating]) -> Array:
+def smooth(low: float, high: float, x: FloatArray) -> Array:
     """Return 0 up to `low`, 1 from `high` on, smooth between."""
     t = np.clip((np.asarray(x, np.float64) - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t)
 
 
-def plateau(edges: Sequence[float], x: npt.NDArray[np.floating]) -> Array:
+def plateau(edges: Sequence[float], x: FloatArray) -> Array:
     """Return the soft plateau that begins, is full, is still full and ends at the four `edges`."""
     return smooth(edges[0], edges[1], x) * (1.0 - smooth(edges[2], edges[3], x))
 

@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray, IndexArray, Int32Array
 from ..core.parameters import INDEX
 from .frame import FaceFrame
 from .head import Head
 from .mouth import Mouth
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
 
 MIDLINE = 0.75  # mm from the middle, at rest, within which vertices make the lips' profile
 # iBUG points (left and right are the subject's).
@@ -92,7 +89,7 @@ class Gauge:
         return float(min(_nearest(upper[:, 0], lower), _nearest(lower[:, 0], upper)))
 
 
-def _profiles(head: Head, rest: Array) -> tuple[IntArray, IntArray]:
+def _profiles(head: Head, rest: Array) -> tuple[Int32Array, Int32Array]:
     """Return the edges (k, 2), both ways round, of the upper and the lower lip's profile on the midline."""
     mouth = Mouth.of(head)
     quads = head.skin.quads
@@ -102,13 +99,13 @@ def _profiles(head: Head, rest: Array) -> tuple[IntArray, IntArray]:
     return sides[upper[sides].all(axis=1)], sides[lower[sides].all(axis=1)]
 
 
-def _mask(vertices: npt.NDArray[np.intp], count: int) -> npt.NDArray[np.bool_]:
+def _mask(vertices: IndexArray, count: int) -> BoolArray:
     mask = np.zeros(count, bool)
     mask[vertices] = True
     return mask
 
 
-def _middle(pairs: IntArray, rest: Array) -> IntArray:
+def _middle(pairs: Int32Array, rest: Array) -> Int32Array:
     """Return the lid pairs (k, 2) whose opening at rest is nearly the greatest."""
     opening = np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1)
     return np.asarray(pairs[opening > 0.9 * opening.max()])

@@ -11,14 +11,13 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..core.performance import Performance
 from .frame import FaceFrame, FrameRoom
 from .solve import FaceSolver, checked_rows
 from .springs import RATE, Springs
 
-Array = npt.NDArray[np.float64]
 Drive = Callable[[Array], Array]
 """All parameters (n, 46) at ascending times (n,) in seconds."""
 

@@ -5,16 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.spatial import cKDTree
 
+from ..core.arrays import Array, BoolArray, IndexArray, Int32Array
 from .contact import Contacts, Facing, find_contacts
 from .head import Head, Mesh
 from .jaw import Jaw
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
 
 REACH = 5.0  # mm from the line on which the lips meet to the last point that may touch
 STATIONS = 19  # along that line; closer ones would ask for more than the mesh can bend
@@ -31,7 +28,7 @@ class Mouth:
     point minus the lower point that meet.
     """
 
-    vertices: npt.NDArray[np.intp]
+    vertices: IndexArray
     matrix: sp.csr_matrix
     facing: Facing
     line: Array
@@ -58,12 +55,12 @@ class Mouth:
         line = _line(facing, above, points, np.linspace(-half, half, STATIONS))
         return cls(patch, matrix, facing, line)
 
-    def lip(self, upper: bool) -> npt.NDArray[np.intp]:
+    def lip(self, upper: bool) -> IndexArray:
         """Return the level-1 vertices (k,) of the upper or of the lower lip that may touch the other."""
         return np.asarray(self.vertices[self.facing.vertices[self.facing.above == upper]])
 
 
-def _facing(patch: npt.NDArray[np.intp], triangles: IntArray, above: npt.NDArray[np.bool_]) -> Facing:
+def _facing(patch: IndexArray, triangles: Int32Array, above: BoolArray) -> Facing:
     local = np.full(int(triangles.max()) + 1, -1, np.int32)
     local[patch] = np.arange(len(patch))
     faces = local[triangles]
@@ -84,7 +81,7 @@ def _without_overlap(facing: Facing, points: Array) -> Facing:
     return facing._replace(vertices=facing.vertices[free], above=facing.above[free])
 
 
-def _line(facing: Facing, above: npt.NDArray[np.bool_], points: Array, stations: Array) -> Array:
+def _line(facing: Facing, above: BoolArray, points: Array, stations: Array) -> Array:
     """Return rows (s, n): about each station (s,) mm in x, the contact whose gap at rest is least.
 
     `above` (n,) tells the points of the upper lip.

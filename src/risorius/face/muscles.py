@@ -11,17 +11,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
 from ..core.parameters import INDEX, PARAMETERS
 from .head import Head
 from .jit import compiled, compiled_fast, inlined
 from .roots import inverse_cube_root
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.uint32]
-ByteArray = npt.NDArray[np.uint8]
-Bits = npt.NDArray[np.uint64]
 
 # These do not act by a field on the skin at rest: the jaw is a frame, the lids slide over the eyeball.
 ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")
@@ -43,12 +38,12 @@ class MuscleFields:
     has the bits of the parameters that act on each vertex.
     """
 
-    start: IntArray
+    start: UInt32Array
     parameter: ByteArray
     source: ByteArray
     muscle: ByteArray
     displacement: Array
-    acting: Bits
+    acting: UInt64Array
 
     @classmethod
     def of(cls, head: Head) -> MuscleFields:
@@ -75,7 +70,7 @@ class MuscleFields:
             bits,
         )
 
-    def at(self, vertices: npt.NDArray[np.intp]) -> MuscleFields:
+    def at(self, vertices: IntArray) -> MuscleFields:
         """Return the fields at some `vertices` (n,) only, in their order."""
         start = self.start.astype(np.int64)
         sizes = np.diff(start)[vertices]
@@ -90,7 +85,7 @@ class MuscleFields:
             self.acting[vertices],
         )
 
-    def without(self, vertices: npt.NDArray[np.intp]) -> MuscleFields:
+    def without(self, vertices: IndexArray) -> MuscleFields:
         """Return the same, with nothing at some `vertices` (n,)."""
         acting = self.acting.copy()
         acting[vertices] = 0
@@ -110,7 +105,7 @@ class MuscleFields:
         if changed:
             _displace(*self._arrays(), values, _bits(values), changed, out)
 
-    def _arrays(self) -> tuple[IntArray, ByteArray, ByteArray, ByteArray, Array, Bits]:
+    def _arrays(self) -> tuple[UInt32Array, ByteArray, ByteArray, ByteArray, Array, UInt64Array]:
         return self.start, self.parameter, self.source, self.muscle, self.displacement, self.acting
 
 
@@ -161,12 +156,12 @@ def _bits_of_changes(before: Array, values: Array) -> np.uint64:
 
 @compiled_fast
 def _displace(
-    start: IntArray,
+    start: UInt32Array,
     parameter: ByteArray,
     source: ByteArray,
     muscle: ByteArray,
     displacement: Array,
-    acting: Bits,
+    acting: UInt64Array,
     values: Array,
     live: np.uint64,
     changed: np.uint64,
@@ -195,7 +190,7 @@ def _displace(
 
 @inlined
 def _gather(
-    entries: IntArray,
+    entries: UInt32Array,
     count: int,
     parameter: ByteArray,
     source: ByteArray,
@@ -223,7 +218,7 @@ def _gather(
 
 @inlined
 def _cap(
-    entries: IntArray,
+    entries: UInt32Array,
     count: int,
     parameter: ByteArray,
     muscle: ByteArray,

@@ -13,18 +13,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
+from ..core.arrays import Array, BoolArray, IndexArray, UInt32Array
 from ..core.parameters import PARAMETERS
 from .cholesky import Factor, sparing_order
 from .head import Head
 from .jit import compiled_fast
 from .muscles import ELSEWHERE
 from .stiffness import spring_stiffness
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.uint32]
 
 STILL = 0.02  # mm at full contraction below which a point counts as one that no muscle moves
 LIP = 0.5  # of the lips' masks, above which a point belongs to the lips
@@ -38,10 +35,10 @@ class Network:
     `weight[start[i]:start[i + 1]]` at `column[…]`. `stiffness` is the same as a matrix.
     """
 
-    free: npt.NDArray[np.intp]
+    free: IndexArray
     stiffness: sp.csc_matrix
-    start: IntArray
-    column: IntArray
+    start: UInt32Array
+    column: UInt32Array
     weight: Array
 
     @classmethod
@@ -64,7 +61,7 @@ class Network:
         return Factor.of((stiffness * self.stiffness + point * sp.identity(len(self.free))).tocsc())
 
 
-def _moved(head: Head) -> npt.NDArray[np.bool_]:
+def _moved(head: Head) -> BoolArray:
     moved = np.zeros(len(head.rest), bool)
     for p in PARAMETERS:
         if p.name in head.fields and p.base not in ELSEWHERE:
@@ -73,12 +70,14 @@ def _moved(head: Head) -> npt.NDArray[np.bool_]:
     return moved
 
 
-def _lips(head: Head) -> npt.NDArray[np.bool_]:
+def _lips(head: Head) -> BoolArray:
     return np.asarray(np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > LIP)
 
 
 @compiled_fast
-def pull(start: IntArray, column: IntArray, weight: Array, points: Array, factor: float, out: Array) -> None:
+def pull(
+    start: UInt32Array, column: UInt32Array, weight: Array, points: Array, factor: float, out: Array
+) -> None:
     """Add `factor` K times `points` (r, 4) to `out` (r, 4); the first three arguments as in `Network`."""
     for i in range(len(out)):
         a, b, c = 0.0, 0.0, 0.0

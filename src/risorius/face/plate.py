@@ -8,15 +8,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
+from ..core.arrays import Array, BoolArray, Int32Array, IntArray
 from ..kept import kept
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
 
 BENDING, STRETCHING, BED = 0.5, 0.05, 0.004
 REACH = 45.0  # mm from a push beyond which the plate is held still
@@ -32,12 +29,12 @@ class Response:
     point, `compliance` (n, n) how far each point moves per unit push at each point.
     """
 
-    region: IntArray
+    region: Int32Array
     motion: Array
     compliance: Array
 
 
-def stiffness(count: int, quads: npt.NDArray[np.integer]) -> sp.csc_matrix:
+def stiffness(count: int, quads: IntArray) -> sp.csc_matrix:
     """Return K (count, count) of the mesh `quads` (Q, 4)."""
     sides = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
     ends = np.unique(np.sort(sides, axis=1), axis=0)
@@ -47,7 +44,7 @@ def stiffness(count: int, quads: npt.NDArray[np.integer]) -> sp.csc_matrix:
     return (BENDING * laplacian @ laplacian + STRETCHING * laplacian + BED * sp.identity(count)).tocsc()
 
 
-def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: npt.NDArray[np.bool_]) -> Response:
+def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: BoolArray) -> Response:
     """Return the response of the plate `stiff` (N0, N0) at `points` (n, N0), rows of weights that sum to 1.
 
     Only vertices in `free` (N0,) move; those under the points must be among them, well within.
@@ -56,9 +53,7 @@ def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: npt.NDArray[np.b
     return Response(*kept("response", [*given, free], lambda: _respond(stiff, points, free)))
 
 
-def _respond(
-    stiff: sp.csc_matrix, points: sp.csr_matrix, free: npt.NDArray[np.bool_]
-) -> tuple[IntArray, Array, Array]:
+def _respond(stiff: sp.csc_matrix, points: sp.csr_matrix, free: BoolArray) -> tuple[Int32Array, Array, Array]:
     local = np.flatnonzero(free)
     symmetric = {"SymmetricMode": True}
     part = stiff[local][:, local]
@@ -77,6 +72,6 @@ def _respond(
     return region, np.ascontiguousarray(motion[moved].T), 0.5 * (compliance + compliance.T)
 
 
-def nearby(rest: Array, points: Array) -> npt.NDArray[np.bool_]:
+def nearby(rest: Array, points: Array) -> BoolArray:
     """Return which vertices `rest` (N0, 3) lie within a push's reach of any of `points` (n, 3)."""
     return np.asarray(cKDTree(points).query(rest, distance_upper_bound=REACH)[0] < REACH)

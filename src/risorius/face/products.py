@@ -8,17 +8,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
+from ..core.arrays import Array, IntArray, UIntArray
 from .jit import compiled_fast
 
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.integer]
-ShortArray = npt.NDArray[np.unsignedinteger]
 
-
-def short(indices: IntArray) -> ShortArray:
+def short(indices: IntArray) -> UIntArray:
     """Return `indices` in 16 bits if they fit, else in 32: long tables cost the time to fetch them."""
     return indices.astype(np.uint16 if indices.size == 0 or indices.max() < 1 << 16 else np.uint32)
 
@@ -27,7 +23,7 @@ class Rows(NamedTuple):
     """The rows of a sparse matrix (n, m): row i has `weight[start[i]:start[i + 1]]` at `column[…]`."""
 
     start: IntArray
-    column: ShortArray
+    column: UIntArray
     weight: Array
 
     @classmethod
@@ -42,7 +38,7 @@ class Rows(NamedTuple):
 
 
 @compiled_fast
-def _times(start: IntArray, column: ShortArray, weight: Array, points: Array, out: Array) -> None:
+def _times(start: IntArray, column: UIntArray, weight: Array, points: Array, out: Array) -> None:
     for i in range(len(out)):
         x, y, z = 0.0, 0.0, 0.0
         for e in range(start[i], start[i + 1]):

@@ -8,16 +8,14 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..errors import InputError, unknown
 from .compression import Zone
 from .head import Head
 from .layouts import LAYOUTS, Dimples, Fan, Fold, Layout, Lines
 from .marks import Marks
 from .tables import build, parse_table, read_table
-
-Array = npt.NDArray[np.float64]
 
 TABLE = "wrinkles.toml"
 _HIDDEN = ("lips", "inner_mouth", "lids", "ears", "garment")

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-import numpy.typing as npt
 from scipy.optimize import nnls
 
+from ..core.arrays import Array
 from ..core.parameters import INDEX, MUSCLES, NEUTRAL, PARAMETERS
 from .frame import FaceFrame
 from .solve import FaceSolver
 
-Array = npt.NDArray[np.float64]
 Measure = Callable[[FaceFrame], Array]
 
 TONGUE = ("tongue_up", "tongue_out", "tongue_back")

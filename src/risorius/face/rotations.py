@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterable
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from ..core.arrays import Array
 
 
 def about_axis(axis: Array, angle: float) -> Array:

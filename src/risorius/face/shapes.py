@@ -15,6 +15,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arkit import INDEX, SHAPES
+from ..core.arrays import Array
 from ..core.parameters import INDEX as PARAMETER
 from ..core.parameters import NEUTRAL
 from ..errors import HeadError, Place
@@ -22,7 +23,6 @@ from .head import Head
 from .head_file import HeadFile
 from .jaw import Jaw
 from .solve import FaceSolver
-from .subdivide import FloatArray
 from .tongue import TongueShapes
 
 FILE = "shapes.npz"
@@ -44,10 +44,10 @@ class ArkitShapes:
     """
 
     skin: sp.csr_matrix
-    teeth_lower: FloatArray
-    tongue: FloatArray
+    teeth_lower: Array
+    tongue: Array
 
-    def skin_at(self, shape: int) -> FloatArray:
+    def skin_at(self, shape: int) -> Array:
         """Return the displacement (N1, 3) of the skin by one shape."""
         return np.asarray(self.skin[[shape]].toarray().reshape(-1, 3))
 
@@ -63,7 +63,7 @@ def arkit_shapes(head: Head) -> ArkitShapes:
 
 
 @lru_cache(maxsize=4)
-def _cached(path: Path, changed: int, count: int) -> tuple[tuple[FloatArray, ...], FloatArray]:
+def _cached(path: Path, changed: int, count: int) -> tuple[tuple[Array, ...], Array]:
     file = HeadFile.read(path)
     fields = []
     for name in SHAPES:
@@ -75,7 +75,7 @@ def _cached(path: Path, changed: int, count: int) -> tuple[tuple[FloatArray, ...
     return tuple(fields), file.array("teeth", (len(SHAPES), 3))
 
 
-def _shut(head: Head) -> Iterator[tuple[int, FloatArray]]:
+def _shut(head: Head) -> Iterator[tuple[int, Array]]:
     """Yield for each eye its shape, and the displacement (N1, 3) of the skin when its lids meet."""
     solver = FaceSolver(head)
     rest = solver.solve(NEUTRAL).skin.astype(np.float64)

@@ -15,9 +15,9 @@ from pathlib import Path
 
 import numpy as np
 
+from ..core.arrays import Array
 from ..errors import HeadError, unknown
 from .head_file import HeadFile
-from .subdivide import FloatArray
 
 FILE = "sliders.npz"
 MOST = 1.0  # of a slider's amount, either way
@@ -27,9 +27,9 @@ MOST = 1.0  # of a slider's amount, either way
 class Reshaped:
     """What sliders do together, in mm: `skin` (N0, 3), `mouth` (3,) and the `eyes` (2, 3), left and right."""
 
-    skin: FloatArray
-    mouth: FloatArray
-    eyes: FloatArray
+    skin: Array
+    mouth: Array
+    eyes: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,9 +39,9 @@ class Sliders:
     """
 
     names: tuple[str, ...]
-    skin: FloatArray
-    mouth: FloatArray
-    eyes: FloatArray
+    skin: Array
+    mouth: Array
+    eyes: Array
 
     def together(self, amounts: Mapping[str, float]) -> Reshaped:
         """Return the sum of sliders, each times its amount; raises HeadError as `check_sliders`."""

@@ -14,6 +14,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..core.parameters import INDEX, PARAMETERS, check_value
 from ..errors import ParameterError
 from .ageing import DEFAULT_AGE
@@ -34,8 +35,6 @@ from .springs import Springs
 from .teeth import Teeth
 from .tongue import TongueShapes
 from .wrinkles import Wrinkles
-
-Array = npt.NDArray[np.float64]
 
 # Curves are sums of floating-point numbers: values this little outside their range are meant to be its end.
 ROUNDING = 1e-6

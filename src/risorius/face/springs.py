@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, IndexArray
 from ..core.parameters import NAMES
 from .biphasic import Biphasic
 from .jit import compiled_fast
@@ -19,8 +19,6 @@ from .links import NO_LINKS, Links
 from .muscles import Displaced, MuscleFields
 from .network import Network, pull
 from .stiffness import REST
-
-Array = npt.NDArray[np.float64]
 
 RATE = 120  # steps in a second
 # Hz, and share of the critical damping, of a point on its spring to the rest alone; the step damps too.
@@ -99,9 +97,7 @@ def _move(place: Array, velocity: Array, step: float) -> None:
 
 
 @compiled_fast
-def _place(
-    free: npt.NDArray[np.intp], before: Array, after: Array, share: float, displacement: Array
-) -> None:
+def _place(free: IndexArray, before: Array, after: Array, share: float, displacement: Array) -> None:
     for i in range(len(free)):
         for c in range(3):
             displacement[free[i], c] = before[i, c] + share * (after[i, c] - before[i, c])

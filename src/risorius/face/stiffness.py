@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
+
+from ..core.arrays import IntArray
 
 NEIGHBOUR, REST = 1.0, 0.1  # stiffness k of the springs between points, and k₀ of those to the rest
 
 
-def spring_stiffness(count: int, quads: npt.NDArray[np.integer]) -> sp.csc_matrix:
+def spring_stiffness(count: int, quads: IntArray) -> sp.csc_matrix:
     """Return K (count, count) of the mesh `quads` (Q, 4)."""
     return (NEIGHBOUR * laplacian(count, quads) + REST * sp.identity(count)).tocsc()
 
 
-def laplacian(count: int, quads: npt.NDArray[np.integer]) -> sp.csr_matrix:
+def laplacian(count: int, quads: IntArray) -> sp.csr_matrix:
     """Return L (count, count) over the edges of the mesh `quads` (Q, 4)."""
     ends = edges(quads)
     ones = np.ones(2 * len(ends))
@@ -22,7 +23,7 @@ def laplacian(count: int, quads: npt.NDArray[np.integer]) -> sp.csr_matrix:
     return sp.diags(np.asarray(beside.sum(axis=1)).ravel()) - beside
 
 
-def edges(quads: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
+def edges(quads: IntArray) -> IntArray:
     """Return the edges (E, 2) of the mesh `quads` (Q, 4), each once, lower index first."""
     sides = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
     return np.unique(np.sort(sides, axis=1), axis=0)

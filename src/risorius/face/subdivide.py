@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-FloatArray = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int32]
+from ..core.arrays import Int32Array, Int64Array, IntArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,18 +20,18 @@ class Subdivision:
     """
 
     matrix: sp.csr_matrix
-    quads: IntArray
-    triangles: IntArray
+    quads: Int32Array
+    triangles: Int32Array
 
 
 @dataclass(frozen=True, slots=True)
 class _Edges:
-    ends: npt.NDArray[np.int64]  # (E, 2), sorted
-    of_corner: npt.NDArray[np.int64]  # (Q, 4): the edge from each corner of a face to the next
-    faces: npt.NDArray[np.int64]  # (E,): how many faces share the edge
+    ends: Int64Array  # (E, 2), sorted
+    of_corner: Int64Array  # (Q, 4): the edge from each corner of a face to the next
+    faces: Int64Array  # (E,): how many faces share the edge
 
 
-def catmull_clark(vertices: int, quads: npt.NDArray[np.integer]) -> Subdivision:
+def catmull_clark(vertices: int, quads: IntArray) -> Subdivision:
     """Subdivide a mesh of `vertices` vertices and `quads` (Q, 4) once; borders follow the cubic B-spline
     rule.
 
@@ -53,25 +51,23 @@ def catmull_clark(vertices: int, quads: npt.NDArray[np.integer]) -> Subdivision:
     return Subdivision(matrix, fine, triangulate(fine))
 
 
-def triangulate(quads: npt.NDArray[np.integer]) -> IntArray:
+def triangulate(quads: IntArray) -> Int32Array:
     """Split quads (Q, 4) along the first diagonal into triangles (2 Q, 3), in the order of the quads."""
     return np.asarray(quads)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3).astype(np.int32)
 
 
-def _edges(quads: npt.NDArray[np.int64]) -> _Edges:
+def _edges(quads: Int64Array) -> _Edges:
     sides = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
     ends, of_corner, faces = np.unique(sides, axis=0, return_inverse=True, return_counts=True)
     return _Edges(ends, of_corner.reshape(-1, 4), faces)
 
 
-def _incidence(
-    rows: npt.NDArray[np.int64], columns: npt.NDArray[np.int64], height: int, width: int
-) -> sp.csr_matrix:
+def _incidence(rows: Int64Array, columns: Int64Array, height: int, width: int) -> sp.csr_matrix:
     return sp.csr_matrix((np.ones(len(rows)), (rows, columns)), shape=(height, width))
 
 
 def _edge_points(
-    edges: _Edges, quads: npt.NDArray[np.int64], face_points: sp.csr_matrix, middles: sp.csr_matrix
+    edges: _Edges, quads: Int64Array, face_points: sp.csr_matrix, middles: sp.csr_matrix
 ) -> sp.csr_matrix:
     faces = _incidence(
         edges.of_corner.ravel(), np.repeat(np.arange(len(quads)), 4), len(edges.ends), len(quads)
@@ -84,7 +80,7 @@ def _edge_points(
 def _vertex_points(
     vertices: int,
     edges: _Edges,
-    quads: npt.NDArray[np.int64],
+    quads: Int64Array,
     face_points: sp.csr_matrix,
     middles: sp.csr_matrix,
 ) -> sp.csr_matrix:
@@ -105,7 +101,7 @@ def _vertex_points(
     return sp.diags(1.0 - on_border) @ inner + sp.diags(on_border) @ border
 
 
-def _fine_quads(vertices: int, quads: npt.NDArray[np.int64], edges: _Edges) -> IntArray:
+def _fine_quads(vertices: int, quads: Int64Array, edges: _Edges) -> Int32Array:
     centre = vertices + len(edges.ends) + np.arange(len(quads))
     corner = vertices + edges.of_corner
     parts = [np.stack([quads[:, k], corner[:, k], centre, corner[:, k - 1]], axis=1) for k in range(4)]

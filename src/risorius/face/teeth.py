@@ -10,18 +10,15 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from ..core.arrays import Array, IndexArray, IntArray, UInt32Array
 from .crowding import struts
 from .head import Head
 from .jaw import Jaw
 from .jit import compiled, inlined
 from .rotations import about_axis
 from .tooth_row import NONE, ROUNDING, ROW, Row, column_of, look_up, sector_of
-
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.uint32]
 
 CLEARANCE = 0.3  # mm of skin before the teeth's front
 BETWEEN = 0.1  # mm of skin before the teeth's front at the middle of a long edge
@@ -39,7 +36,7 @@ class Teeth:
 
     upper: Row
     lower: Row
-    places: IntArray
+    places: UInt32Array
     jaw: Jaw
 
     @classmethod
@@ -76,9 +73,7 @@ class Teeth:
 _UPRIGHT = np.eye(3)
 
 
-def _spans(
-    rest: Array, pairs: npt.NDArray[np.integer], lining: npt.NDArray[np.intp], crowns: Array
-) -> npt.NDArray[np.integer]:
+def _spans(rest: Array, pairs: IntArray, lining: IndexArray, crowns: Array) -> IntArray:
     """Return those `pairs` (s, 2) of vertices in the `lining` that are long and near the `crowns` (c, 3)."""
     pairs = pairs[np.isin(pairs, lining).all(axis=1)]
     ends = rest[pairs]
@@ -106,7 +101,7 @@ def _from_row(x: float, y: float, z: float, turn: Array, hinge: Array, points: A
 
 @compiled
 def _keep_out(
-    skin: Array, places: IntArray, middle: Array, front: Array, around: Array, turn: Array, hinge: Array
+    skin: Array, places: UInt32Array, middle: Array, front: Array, around: Array, turn: Array, hinge: Array
 ) -> None:
     last = front.shape[1] - 1.001
     for k in range(len(places)):

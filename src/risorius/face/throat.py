@@ -7,20 +7,16 @@ chin over itself.
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, IntArray
 from .crowding import relieve, struts
 from .rotations import turned
-
-Array = npt.NDArray[np.float64]
 
 LEAST = 0.35  # of an edge's length along its direction that the open jaw leaves
 SWEEPS = 200
 
 
-def uncrowd(
-    quads: npt.NDArray[np.integer], rest: Array, below: float, axis: Array, angle: Array, opened: Array
-) -> None:
+def uncrowd(quads: IntArray, rest: Array, below: float, axis: Array, angle: Array, opened: Array) -> None:
     """Push the skin `opened` (N0, 3), mm, of a wide open jaw apart in place where it is crowded.
 
     It is that of `rest` (N0, 3), turned about `axis` by `angle` (N0,) radians and then some; only what lies

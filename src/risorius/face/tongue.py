@@ -9,15 +9,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
+from ..core.arrays import Array, IndexArray
 from ..core.parameters import INDEX
 from .head import TONGUE_FIELDS, Head
 from .jaw import Jaw
 from .jit import compiled
-
-Array = npt.NDArray[np.float64]
 
 LYING = 0.62  # share of its height above its floor that the tongue loses with the jaw wide open
 SUNK, DRAWN_BACK = 12.0, 6.0  # mm that its back sinks and its tip draws back then
@@ -37,7 +35,7 @@ class TongueShapes:
     shapes: Array
     over: Array
     lying: Array
-    columns: npt.NDArray[np.intp]
+    columns: IndexArray
 
     @classmethod
     def of(cls, head: Head) -> TongueShapes:

@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 from scipy.ndimage import maximum_filter, maximum_filter1d, minimum_filter
 
+from ..core.arrays import Array, IndexArray
 from .head import Mesh
 from .jit import device, inlined
-
-Array = npt.NDArray[np.float64]
 
 ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians to either side of the middle they span
 ROW = 0.8  # mm of height of a row of the tables
@@ -70,7 +68,7 @@ def _samples(mesh: Mesh) -> Array:
     return np.asarray((weights @ mesh.vertices[crowns]).reshape(-1, 3))
 
 
-def _polar(points: Array, middle: float) -> tuple[npt.NDArray[np.intp], Array]:
+def _polar(points: Array, middle: float) -> tuple[IndexArray, Array]:
     """Return the column (n,) and the distance (n,) of points (n, 3) about the `middle` z of an arch."""
     out = points[:, 2] - middle
     column = np.rint((np.arctan2(points[:, 0], out) / HALF_TURN + 1.0) * 0.5 * (ANGLES - 1)).astype(int)

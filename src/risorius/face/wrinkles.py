@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, IntArray, UInt32Array
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
@@ -19,10 +19,6 @@ from .jit import compiled, device
 from .layouts import Fold
 from .marks import Marks
 from .regions import Placed, check_factors, place_regions
-
-Array = npt.NDArray[np.float64]
-Array32 = npt.NDArray[np.float32]
-IntArray = npt.NDArray[np.uint32]
 
 # Excess length that lies flat before a fold rises: a square root alone would start infinitely steep, and the
 # least tremor would show.
@@ -54,7 +50,7 @@ class Wrinkles:
         self.shape = (head.skin.matrix.shape[0], len(placed))
         self._raised = _Raised(head, np.union1d(rows.row_vertex[self._relief != 0.0], self._bulges.vertices))
 
-    def fold(self, skin: Array, fine: Array, heights: Array32) -> None:
+    def fold(self, skin: Array, fine: Array, heights: Float32Array) -> None:
         """Write the `heights` (N1, R) in mm of folds on the level-0 skin (N0, 3), and raise `fine` (N1, 3).
 
         `fine` is moved along its normals by the bulges and by the part of the folds that the mesh can carry.
@@ -80,7 +76,7 @@ class Wrinkles:
 class _Raised:
     """Vertices (k,) that move along their normals, each with the quads `around` it."""
 
-    def __init__(self, head: Head, vertices: npt.NDArray[np.integer]) -> None:
+    def __init__(self, head: Head, vertices: IntArray) -> None:
         quads = head.skin.quads
         owner = np.repeat(np.arange(len(quads)), 4)
         order = np.argsort(quads.ravel(), kind="stable")
@@ -140,12 +136,12 @@ def fold_height(width: float, stretch: float, give: float) -> float:
 @compiled
 def _fold(
     stretch: Array,
-    vertex: IntArray,
-    zone: IntArray,
+    vertex: UInt32Array,
+    zone: UInt32Array,
     mask: Array,
     relief: Array,
     law: Array,
-    heights: Array32,
+    heights: Float32Array,
     lift: Array,
 ) -> None:
     for r in range(len(stretch)):
@@ -160,7 +156,7 @@ def _fold(
 
 @compiled
 def _steps(
-    vertices: IntArray, start: IntArray, around: IntArray, lift: Array, fine: Array, out: Array
+    vertices: UInt32Array, start: UInt32Array, around: UInt32Array, lift: Array, fine: Array, out: Array
 ) -> None:
     for k in range(len(vertices)):
         far = lift[vertices[k]]
@@ -180,7 +176,7 @@ def _steps(
 
 
 @compiled
-def _step(vertices: IntArray, step: Array, fine: Array) -> None:
+def _step(vertices: UInt32Array, step: Array, fine: Array) -> None:
     for k in range(len(vertices)):
         for c in range(3):
             fine[vertices[k], c] += step[k, c]

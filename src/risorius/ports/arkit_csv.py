@@ -14,16 +14,14 @@ from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
+from ..core.arrays import Array
 from ..errors import InputError, unknown
 from ..face.arkit_fit import ArkitTrack
 from .capture import Column, Header, Parse, Table, check_times, radians, read_table
 from .source import Material, WriteOptions, needed
 from .table import write_lines
-
-Array = npt.NDArray[np.float64]
 
 APP_RATE = 60.0  # frames per second of the app's takes
 _CLOCK = 4  # numbers of a time code, the first of each row

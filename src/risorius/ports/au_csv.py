@@ -16,10 +16,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.action_unit_fit import ActionUnitFit
 from ..core.action_units import action_unit
+from ..core.arrays import Array, Int64Array
 from ..errors import InputError, Place, unknown
 from ..face.frame import FaceFrame
 from ..face.rotations import about_axis, rotation_angles
@@ -27,8 +27,6 @@ from .capture import Column, Header, Table, check_times, radians, read_table
 from .landmarks_csv import MEASURES
 from .source import Material, WriteOptions
 from .table import write_lines
-
-Array = npt.NDArray[np.float64]
 
 INTENSITIES = (1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 45)
 PRESENCES = (1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 28, 45)
@@ -148,7 +146,7 @@ def _whole(header: Header, block: Sequence[str]) -> bool:
     return True
 
 
-def _held(table: Table) -> npt.NDArray[np.int64]:
+def _held(table: Table) -> Int64Array:
     """Return for each row (n,) the last one up to it in which a face was found."""
     rows = np.arange(len(table.values))
     if "success" not in table.names:

@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
-Array32 = npt.NDArray[np.float32]
+from ..core.arrays import Array, Float32Array, FloatArray
 
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
 MOST = 40
@@ -27,15 +25,15 @@ class ClipBasis:
     rest: Array
     tolerance: float = TOLERANCE
     most: int = MOST
-    _shapes: Array32 = field(init=False)
+    _shapes: Float32Array = field(init=False)
     _count: int = 0
-    _weights: list[Array32] = field(default_factory=list)
+    _weights: list[Float32Array] = field(default_factory=list)
     _errors: list[tuple[float, float]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self._shapes = np.zeros((ROOM, self.rest.size), np.float32)
 
-    def show(self, points: npt.NDArray[np.floating]) -> None:
+    def show(self, points: FloatArray) -> None:
         """Take in the next frame, points (n, 3) in mm."""
         weights, rest = self._split((points - self.rest).ravel().astype(np.float32))
         if _distances(rest).max() > self.tolerance and self._count < ROOM:
@@ -79,12 +77,12 @@ class ClipBasis:
         errors = np.array(self._errors)
         return float(np.sqrt(errors[:, 0].mean())), float(errors[:, 1].max())
 
-    def _split(self, rest: Array32) -> tuple[Array32, Array32]:
+    def _split(self, rest: Float32Array) -> tuple[Float32Array, Float32Array]:
         """Return the weights of the shapes so far, and what they leave over."""
         shapes = self._shapes[: self._count]
         weights = shapes @ rest
         return weights, np.asarray(rest - weights @ shapes, np.float32)
 
 
-def _distances(rest: Array32) -> Array32:
+def _distances(rest: Float32Array) -> Float32Array:
     return np.asarray(np.linalg.norm(rest.reshape(-1, 3), axis=1))

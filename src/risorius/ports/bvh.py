@@ -10,14 +10,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from .source import Material, WriteOptions, needed
 from .table import write_lines
 
-Array = npt.NDArray[np.float64]
 _CM = 0.1
 _ORDER = "Zrotation Xrotation Yrotation"
 

@@ -15,12 +15,11 @@ from itertools import accumulate
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..errors import InputError, Place
 from .score_json import MAX_SECONDS
 
-Array = npt.NDArray[np.float64]
 Parse = Callable[[str], Sequence[float]]
 """Reads a cell; raises ValueError saying what was expected."""
 

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray
 from ..core.performance import MAX_FPS
 from ..errors import InputError, Place
 from ..face.feature_points import COUNT, SHOWN, FeaturePoints
@@ -51,9 +51,9 @@ def _lines(material: Material) -> Iterator[str]:
 class FapTake:
     """What a file holds: times (n,) in seconds, values (n, 68), 0 where masked out, and which are used."""
 
-    times: npt.NDArray[np.float64]
-    values: npt.NDArray[np.float64]
-    used: npt.NDArray[np.bool_]
+    times: Array
+    values: Array
+    used: BoolArray
 
 
 def read_fap(path: Path) -> FapTake:
@@ -104,7 +104,7 @@ def _header(words: list[str], place: Place) -> tuple[float, int]:
         raise InputError("is no header '2.1 name fps frames'", place) from None
 
 
-def _flags(words: list[str], place: Place) -> npt.NDArray[np.bool_]:
+def _flags(words: list[str], place: Place) -> BoolArray:
     if len(words) not in (COUNT, COUNT + 1) or not set(words) <= {"0", "1"}:
         message = f"is no mask of {COUNT} or {COUNT + 1} flags 0 or 1; it has {len(words)} words"
         raise InputError(message, place)

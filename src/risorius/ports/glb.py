@@ -14,9 +14,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.arkit import SHAPES
+from ..core.arrays import Array, Float32Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.shapes import ArkitShapes, arkit_shapes
@@ -26,7 +26,6 @@ from .glb_scene import ON_SKIN, GlbScene, riding
 from .gltf import Animation, Gltf, quaternions
 from .source import Material, WriteOptions, needed
 
-Array = npt.NDArray[np.float64]
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: displacements below it are none
 _MOVED = ("skin", "tongue", "teeth_lower")
@@ -111,7 +110,7 @@ class Turns:
         ):
             rotations.append(turn)
 
-    def all(self) -> dict[str, npt.NDArray[np.float32]]:
+    def all(self) -> dict[str, Float32Array]:
         """Return quaternions (frames, 4) by node, without jumps of sign."""
         return {name: _continuous(quaternions(rotations)) for name, rotations in self._rotations.items()}
 
@@ -142,7 +141,7 @@ def _shape(shapes: ArkitShapes, index: int) -> dict[str, Array]:
     }
 
 
-def _continuous(rotations: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+def _continuous(rotations: Float32Array) -> Float32Array:
     against = (rotations[1:] * rotations[:-1]).sum(axis=1) < 0.0
     signs = np.concatenate([[1.0], np.cumprod(np.where(against, -1.0, 1.0))])
     return np.asarray(rotations * signs[:, None], np.float32)

@@ -7,13 +7,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, ByteArray, IntArray
 from ..face.head import Head
 from ..render.figure import Piece, iris_picture
 from .gltf import INDICES, VERTICES, Gltf
 
-Array = npt.NDArray[np.float64]
 METRES = 0.001
 ON_SKIN = ("brows", "lashes")
 _EYES = ("eye_left", "eye_right")
@@ -148,7 +147,7 @@ def riding(pieces: Mapping[str, Piece], skin: Array) -> dict[str, Array]:
     return moves
 
 
-def normals(points: Array, triangles: npt.NDArray[np.integer]) -> Array:
+def normals(points: Array, triangles: IntArray) -> Array:
     """Return unit normals (n, 3) of a mesh's vertices; up where no triangle has an area."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)
@@ -159,7 +158,7 @@ def normals(points: Array, triangles: npt.NDArray[np.integer]) -> Array:
     return np.where(length > 1e-12, total / np.maximum(length, 1e-12), [0.0, 1.0, 0.0])
 
 
-def _png(picture: npt.NDArray[np.uint8]) -> bytes:
+def _png(picture: ByteArray) -> bytes:
     from PIL import Image
 
     buffer = io.BytesIO()

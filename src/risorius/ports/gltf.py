@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import AnyArray, Array, Float32Array, FloatArray
 from .glb_file import GlbFile, save_glb
 
-Array = npt.NDArray[Any]
 Json = dict[str, Any]
 
 _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
@@ -53,7 +52,7 @@ class Gltf:
         view = {"buffer": 0, "byteOffset": start, "byteLength": len(data)}
         return self.add("bufferViews", view if target is None else {**view, "target": target})
 
-    def accessor(self, values: Array, target: int | None = None, *, normalized: bool = False) -> int:
+    def accessor(self, values: AnyArray, target: int | None = None, *, normalized: bool = False) -> int:
         """Add an array (n,) or (n, components) of uint8, uint32 or float32; return its index."""
         entry = self._described(values)
         entry["bufferView"] = self.view(np.ascontiguousarray(values).tobytes(), target)
@@ -61,7 +60,7 @@ class Gltf:
             entry["normalized"] = True
         return self.add("accessors", entry)
 
-    def sparse(self, values: Array) -> int:
+    def sparse(self, values: AnyArray) -> int:
         """Add displacements (n, 3) float32, leaving out the vertices that do not move."""
         moved = np.flatnonzero(np.abs(values).max(axis=1) > 0.0).astype(np.uint32)
         if len(moved) > _SPARSE_BELOW * len(values):
@@ -82,7 +81,7 @@ class Gltf:
         save_glb(GlbFile(path, self.document, b"".join(self._bytes)), path)
 
     @staticmethod
-    def _described(values: Array) -> Json:
+    def _described(values: AnyArray) -> Json:
         components = 1 if values.ndim == 1 else values.shape[1]
         flat = values.reshape(len(values), components)
         return {
@@ -97,13 +96,13 @@ class Gltf:
 class Animation:
     """The one animation of a document: channels on one clock, `times` (keys,) in seconds."""
 
-    def __init__(self, gltf: Gltf, times: npt.NDArray[np.float64]) -> None:
+    def __init__(self, gltf: Gltf, times: Array) -> None:
         self._gltf = gltf
         self._clock = gltf.accessor(times.astype(np.float32))
         self._samplers: list[Json] = []
         self._channels: list[Json] = []
 
-    def drive(self, node: int, path: str, values: npt.NDArray[np.floating]) -> None:
+    def drive(self, node: int, path: str, values: FloatArray) -> None:
         """Let `path` ("weights", "rotation" …) of a node go through values, straight from key to key."""
         output = self._gltf.accessor(np.ascontiguousarray(values, np.float32))
         self._samplers.append({"input": self._clock, "output": output, "interpolation": "LINEAR"})
@@ -115,7 +114,7 @@ class Animation:
         self._gltf.add("animations", entry)
 
 
-def quaternion(rotation: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+def quaternion(rotation: Array) -> Array:
     """Return the unit quaternion (x, y, z, w), w not negative, of a rotation (3, 3)."""
     m = rotation
     # Bar-Itzhack 2000: the eigenvector of the largest eigenvalue is exact and never divides by zero.
@@ -131,7 +130,7 @@ def quaternion(rotation: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     return np.asarray(vector if vector[3] >= 0.0 else -vector)
 
 
-def quaternions(rotations: Sequence[npt.NDArray[np.float64]]) -> npt.NDArray[np.float32]:
+def quaternions(rotations: Sequence[Array]) -> Float32Array:
     """Return quaternions (n, 4) of rotations, each of unit length in float32."""
     found = np.array([quaternion(rotation) for rotation in rotations], np.float32)
     return np.asarray(found / np.linalg.norm(found.astype(np.float64), axis=1, keepdims=True), np.float32)

@@ -10,11 +10,10 @@ from __future__ import annotations
 import io
 import zipfile
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import AnyArray
 from ..core.parameters import NAMES
 from ..core.performance import Performance
 from .source import Material, WriteOptions, needed
@@ -49,7 +48,7 @@ def _curves(archive: zipfile.ZipFile, performance: Performance) -> None:
     _add(archive, "fps", np.array([fps.numerator, fps.denominator]))
 
 
-def _add(archive: zipfile.ZipFile, name: str, values: npt.NDArray[Any]) -> None:
+def _add(archive: zipfile.ZipFile, name: str, values: AnyArray) -> None:
     buffer = io.BytesIO()
     np.lib.format.write_array(buffer, np.asarray(values, order="C"), allow_pickle=False)
     archive.writestr(_entry(name), buffer.getvalue())

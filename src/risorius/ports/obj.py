@@ -11,8 +11,8 @@ from itertools import islice
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..render.figure import Piece, figure_of
@@ -22,7 +22,6 @@ from .png import frame_at
 from .source import Material, WriteOptions, needed
 from .table import write_lines
 
-Array = npt.NDArray[np.float64]
 _EYES = ("eye_left", "eye_right")
 
 

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from .source import Material, WriteOptions
 from .table import table_lines, write_lines
 from .visemes import OCULUS, Cue, Viseme, cues, said
@@ -29,7 +29,7 @@ def _names(viseme: Viseme) -> tuple[str, ...]:
     return viseme.oculus
 
 
-def _rows(held: list[Cue], times: npt.NDArray[np.float64]) -> Iterator[npt.NDArray[np.float64]]:
+def _rows(held: list[Cue], times: Array) -> Iterator[Array]:
     edges = np.array([cue.start for cue in held[1:]])
     names = np.array([OCULUS.index(cue.shape) for cue in held])
     for time in times:

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..core.parameters import NAMES, PARAMETERS, Parameter
 from ..core.performance import Performance, frame_count, parse_fps
 from ..core.utterance import Utterance
@@ -71,7 +71,7 @@ def _rate(node: Node) -> str | float:
     return node.text() if isinstance(node.value, str) else node.number()
 
 
-def _curves(node: Node, count: int) -> npt.NDArray[np.float64]:
+def _curves(node: Node, count: int) -> Array:
     curves = node.members()
     for name, curve in curves.items():
         if name not in NAMES:

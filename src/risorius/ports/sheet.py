@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..core.arrays import ByteArray
 from ..errors import InputError
-from .source import Material, Picture, Size
+from .source import Material, Size
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage
@@ -67,7 +68,7 @@ def _blank(count: int, columns: int, size: Size) -> PillowImage:
     return Image.new("RGB", (GAP + columns * (size[0] + GAP), GAP + rows * (size[1] + LABEL)), BACKGROUND)
 
 
-def _paste(sheet: PillowImage, picture: Picture, corner: tuple[int, int], label: str) -> None:
+def _paste(sheet: PillowImage, picture: ByteArray, corner: tuple[int, int], label: str) -> None:
     from PIL import Image, ImageDraw, ImageFont
 
     image = Image.fromarray(picture)

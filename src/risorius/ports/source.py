@@ -7,9 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-import numpy as np
-import numpy.typing as npt
-
+from ..core.arrays import Array, ByteArray
 from ..core.audio import Audio
 from ..core.performance import Performance
 from ..core.utterance import Utterance
@@ -21,7 +19,6 @@ if TYPE_CHECKING:
     from ..face.head import Head
 
 T = TypeVar("T")
-Picture = npt.NDArray[np.uint8]
 Size = tuple[int, int]
 
 
@@ -42,8 +39,8 @@ class Material:
     utterance: Utterance | None
     audio: Audio | None
     frames: Callable[[], Iterator[FaceFrame]]
-    pictures: Callable[[Size, Sequence[int]], Iterator[Picture]]
-    measures: Callable[[FaceFrame], Sequence[float] | npt.NDArray[np.float64]]
+    pictures: Callable[[Size, Sequence[int]], Iterator[ByteArray]]
+    measures: Callable[[FaceFrame], Sequence[float] | Array]
     head: Callable[[], Head] | None = None
     arkit: Callable[[], ArkitTrack] | None = None
 

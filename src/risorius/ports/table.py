@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
-Row = Sequence[float] | npt.NDArray[np.float64]
+from ..core.arrays import Array
+
+Row = Sequence[float] | Array
 
 
 def table_lines(columns: Sequence[str], rows: Iterable[Row], decimals: Sequence[int]) -> Iterator[str]:
@@ -32,8 +33,6 @@ def write_lines(path: Path, lines: Iterable[str]) -> None:
         file.writelines(f"{line}\n" for line in lines)
 
 
-def _without_negative_zero(
-    values: npt.NDArray[np.float64], scale: npt.NDArray[np.float64]
-) -> npt.NDArray[np.float64]:
+def _without_negative_zero(values: Array, scale: Array) -> Array:
     """Set what would print as -0.000 to 0, so that a sign of no meaning makes no different file."""
     return np.where(np.abs(values) * scale <= 0.5, 0.0, values)

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.arkit import SHAPES
+from ..core.arrays import Array
 from ..errors import OutputError
 from ..face.arkit_fit import ArkitTrack
 from ..face.head import Head
@@ -24,7 +24,6 @@ from ..render.tone import srgb_encode
 from .gltf import quaternion
 from .source import Material, WriteOptions, needed
 
-Array = npt.NDArray[np.float64]
 METRES = 0.001
 _SMALL = 1e-3  # mm: displacements below it are none
 

@@ -11,16 +11,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.arkit import SHAPES
+from ..core.arrays import Array
 from ..core.parameters import INDEX
 from ..face.expressions import expressions, preset_weights
 from ..face.rotations import head_rotation
 from .gltf import Animation, Gltf, quaternions
 from .source import Material, WriteOptions, needed
 
-Array = npt.NDArray[np.float64]
 Json = dict[str, object]
 EXTENSION, VERSION = "VRMC_vrm_animation", "1.0"
 # The bones that a humanoid must have above its head, and where each stands above the one before, in metres.

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, FloatArray
 from ..face.head import Head
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,7 +62,7 @@ def find_anatomy(head: Head) -> Anatomy:
     )
 
 
-def smoothstep(low: float, high: float, x: npt.NDArray[np.floating]) -> Array:
+def smoothstep(low: float, high: float, x: FloatArray) -> Array:
     """Return 0 up to `low`, 1 from `high` on, smooth between."""
     t = np.clip((np.asarray(x, np.float64) - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t)

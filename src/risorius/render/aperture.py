@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from .materials.mouth import LIP_STEPS
-
-Array = npt.NDArray[np.float64]
 
 
 def lip_edges(pairs: Array) -> tuple[Array, Array]:

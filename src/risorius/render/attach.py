@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from .raster import IntArray
+from ..core.arrays import Array, Int32Array
 from .strands import Strands, root_frames
 
-Array = npt.NDArray[np.float64]
 _CANDIDATES = 10
 
 
@@ -21,9 +19,9 @@ class Surface:
 
     points: Array
     normals: Array
-    triangles: IntArray
+    triangles: Int32Array
 
-    def nearest(self, places: Array) -> tuple[IntArray, Array]:
+    def nearest(self, places: Array) -> tuple[Int32Array, Array]:
         """Return the triangles (S,) nearest to places (S, 3), and barycentric weights (S, 3) in them."""
         corners = self.points[self.triangles]
         _, candidates = cKDTree(corners.mean(axis=1)).query(places, k=min(_CANDIDATES, len(corners)))
@@ -35,7 +33,7 @@ class Surface:
         rows = np.arange(len(places))
         return candidates[rows, best].astype(np.int32), inside[rows, best]
 
-    def at(self, triangles: IntArray, weights: Array) -> tuple[Array, Array]:
+    def at(self, triangles: Int32Array, weights: Array) -> tuple[Array, Array]:
         """Return positions (S, 3) and unit normals (S, 3) at weights in triangles."""
         corners = self.triangles[triangles]
         normal = np.einsum("sk,skd->sd", weights, self.normals[corners])
@@ -44,7 +42,7 @@ class Surface:
 
     def root(
         self,
-        triangles: IntArray,
+        triangles: Int32Array,
         weights: Array,
         curves: Array,
         widths: Array,

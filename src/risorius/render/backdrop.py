@@ -5,18 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import ByteArray, Float32Array
 from ..core.look import TRANSPARENT
 from ..errors import InputError, Place
-from .raster import FloatArray
 from .tone import srgb_decode
 
 Colour = tuple[int, int, int]
 _SEED = 3
 
 
-def backdrop(width: int, height: int, asked: str | None, centre: Colour, edge: Colour) -> FloatArray:
+def backdrop(width: int, height: int, asked: str | None, centre: Colour, edge: Colour) -> Float32Array:
     """Return display light (height, width, 3) float32 of what is asked for as `Look.background`.
 
     `centre` and `edge` are those of the gradient that stands where nothing is asked for. Raises InputError
@@ -29,7 +28,7 @@ def backdrop(width: int, height: int, asked: str | None, centre: Colour, edge: C
     return np.tile(srgb_decode(np.array(colour_named(asked)) / 255.0).astype(np.float32), (height, width, 1))
 
 
-def gradient(width: int, height: int, centre: Colour, edge: Colour) -> FloatArray:
+def gradient(width: int, height: int, centre: Colour, edge: Colour) -> Float32Array:
     """Return display light (height, width, 3) float32: `centre` behind the head, `edge` in the corners.
 
     Half a step of fixed noise hides the bands that eight bits would show.
@@ -58,7 +57,7 @@ def colour_named(asked: str) -> Colour:
     return red, green, blue
 
 
-def _picture(path: Path, width: int, height: int) -> FloatArray:
+def _picture(path: Path, width: int, height: int) -> Float32Array:
     """Return a picture cut to the proportions asked for, about its middle, and brought to that size."""
     from PIL import Image, ImageOps, UnidentifiedImageError
 
@@ -67,5 +66,5 @@ def _picture(path: Path, width: int, height: int) -> FloatArray:
             fitted = ImageOps.fit(image.convert("RGB"), (width, height), Image.Resampling.LANCZOS)
     except (UnidentifiedImageError, OSError, Image.DecompressionBombError) as error:
         raise InputError(f"not a picture: {error}", Place(str(path))) from error
-    encoded: npt.NDArray[np.uint8] = np.asarray(fitted)
+    encoded: ByteArray = np.asarray(fitted)
     return srgb_decode(encoded / 255.0).astype(np.float32)

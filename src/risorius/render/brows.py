@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat
 from .strands import Strands, join
 
-Array = npt.NDArray[np.float64]
 POINTS = 5
 _SEED = 7
 

@@ -6,11 +6,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, Int32Array
 from ..errors import InputError
 from .jit import exact, exact_kernel, f4, i4
-from .raster import SUBPIXEL, FloatArray, IntArray
+from .raster import SUBPIXEL
 
 Vector = tuple[float, float, float]
 _FAR = f4(1 << 22)  # snapped positions stay within ±16384 samples, so that edge products fit in 64 bits
@@ -37,7 +37,7 @@ class Camera:
         if math.hypot(self.eye[0] - self.target[0], self.eye[2] - self.target[2]) < 1e-3:
             raise InputError("the camera looks straight up or down; expected a direction that has a side")
 
-    def axes(self) -> npt.NDArray[np.float64]:
+    def axes(self) -> Array:
         """Return the camera's axes as rows (3, 3): right, up, and backward (towards the camera)."""
         backward = np.subtract(self.eye, self.target, dtype=np.float64)
         backward /= np.linalg.norm(backward)
@@ -49,7 +49,7 @@ class Camera:
         """Return the focal length in units of samples for a picture of this many rows."""
         return 0.5 * height / math.tan(math.radians(self.field_of_view) / 2)
 
-    def matrix(self, width: int, height: int) -> FloatArray:
+    def matrix(self, width: int, height: int) -> Float32Array:
         """Return the projection (3, 4) float32: its rows give x·d and y·d in samples, and the distance d."""
         axes, focal = self.axes(), self.focal(height)
         rows = np.stack(
@@ -83,7 +83,7 @@ def snap(position: float) -> int:
 
 
 @exact_kernel
-def project(points: FloatArray, matrix: FloatArray, xy: IntArray, key: FloatArray) -> None:
+def project(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Float32Array) -> None:
     """Write positions in 1/256 sample and keys (1 / distance) of points (n, 3) for `Camera.matrix`."""
     for i in range(len(points)):
         x, y, z = points[i, 0], points[i, 1], points[i, 2]

@@ -6,9 +6,10 @@ middle; so smooth skin costs one evaluation a pixel and outlines as many as need
 
 from __future__ import annotations
 
+from ..core.arrays import Float32Array, Int32Array
 from .inputs import Batch, Mesh, Sight
 from .jit import device, f4, f8, index, inlined
-from .raster import SUBPIXEL, FloatArray, IntArray
+from .raster import SUBPIXEL
 from .vec import Vec, saturate
 
 _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one surface count as connected
@@ -94,7 +95,7 @@ def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: Mesh, bat
 
 
 @device
-def _weights(x: float, y: float, t: int, triangles: IntArray, xy: IntArray, key: FloatArray) -> Vec:
+def _weights(x: float, y: float, t: int, triangles: Int32Array, xy: Int32Array, key: Float32Array) -> Vec:
     """Return where a place (x, y) in samples lies in triangle t, brought into it, in true perspective."""
     a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
     # In double precision: the differences of large products decide whether anything is left to divide by.

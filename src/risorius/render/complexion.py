@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array
 from ..face.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .inputs import ALBEDO, ATTRIBUTES, CURVATURE, EXTRA, INNER, ROUGHNESS, SPECULAR
 from .noise import noise_at
-from .raster import FloatArray
 from .subsurface import MAX_CURVATURE
 from .tone import srgb_decode
-
-Array = npt.NDArray[np.float64]
-
 
 # What the albedo of a region is multiplied by.
 _TINTS = {
@@ -35,7 +31,7 @@ def linear(colour: tuple[int, int, int]) -> Array:
     return srgb_decode(np.asarray(colour) / 255.0)
 
 
-def paint_skin(anatomy: Anatomy, looks: Looks, neckline: Array, curvature: Array) -> FloatArray:
+def paint_skin(anatomy: Anatomy, looks: Looks, neckline: Array, curvature: Array) -> Float32Array:
     """Return attributes (N1, ATTRIBUTES) of the skin, whose column OCCLUSION is still to be filled.
 
     `neckline` (N1,) are mm into the cloth, `curvature` (N1,) 1/mm.

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, Int32Array, IntArray
 from ..face.head import Head
 from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
@@ -14,9 +14,6 @@ from ..face.regions import Placed, place_regions
 from ..kept import kept
 from .jit import exact_kernel, f4, i4
 from .noise import noise_at
-from .raster import FloatArray, IntArray
-
-Array = npt.NDArray[np.float64]
 
 LINES, FOLD, DIMPLES = 0, 1, 2
 # Columns of `style`.
@@ -35,11 +32,11 @@ class Creases(NamedTuple):
     height that is shaded.
     """
 
-    regions: IntArray
-    raised: IntArray
-    place: FloatArray
-    height: FloatArray
-    style: FloatArray
+    regions: Int32Array
+    raised: Int32Array
+    place: Float32Array
+    height: Float32Array
+    style: Float32Array
 
 
 def lay_creases(head: Head, triangles: int) -> Creases:
@@ -61,14 +58,14 @@ def lay_creases(head: Head, triangles: int) -> Creases:
     )
 
 
-def raise_creases(creases: Creases, triangles: IntArray, wrinkles: FloatArray) -> None:
+def raise_creases(creases: Creases, triangles: Int32Array, wrinkles: Float32Array) -> None:
     """Set the wrinkles' heights (N1, R) mm, and find on which of `triangles` (n, 3) they can be seen."""
     creases.height[:] = wrinkles
     _find_raised(creases, triangles)
 
 
 @exact_kernel
-def _find_raised(creases: Creases, triangles: IntArray) -> None:
+def _find_raised(creases: Creases, triangles: Int32Array) -> None:
     for t in range(len(triangles)):
         bits, r, raised = creases.regions[t], i4(0), i4(0)
         while bits:
@@ -90,12 +87,12 @@ def _style(placed: Placed, unit: float) -> tuple[float, float, float, float]:
     return kind, furrow, sizes.shadow, 1.0 - MESH_CARRIES * sizes.relief
 
 
-def _places(phases: Array, stray: Array, points: Array, faces: npt.NDArray[np.integer]) -> FloatArray:
+def _places(phases: Array, stray: Array, points: Array, faces: IntArray) -> Float32Array:
     """Return phase and slope (N1, R, 4) of regions whose phases are (R, N1)."""
     return np.stack([_place(phase, stray, points, faces) for phase in phases], axis=1).astype(np.float32)
 
 
-def _place(phase: Array, stray: Array, points: Array, faces: npt.NDArray[np.integer]) -> Array:
+def _place(phase: Array, stray: Array, points: Array, faces: IntArray) -> Array:
     """Return phase and slope (N1, 4) of a region whose creases stray by so many mm (N1,).
 
     Unlike the regions, the straying is not alike on both sides of the face.
@@ -104,7 +101,7 @@ def _place(phase: Array, stray: Array, points: Array, faces: npt.NDArray[np.inte
     return np.column_stack([ragged, _slope(points, faces, ragged)])
 
 
-def _slope(points: Array, faces: npt.NDArray[np.integer], values: Array) -> Array:
+def _slope(points: Array, faces: IntArray, values: Array) -> Array:
     """Return the slope (N1, 3) of `values` (N1,) along the surface: the triangles' own, averaged by area."""
     a, b, c = (points[faces[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a)

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from queue import SimpleQueue
 
+from ..core.arrays import Array, ByteArray
 from ..face.frame import FaceFrame
-from .raster import ByteArray
-from .renderer import Array, Renderer
+from .renderer import Renderer
 
 MOST = 4
 """Pictures at once; faces are solved one after the other, and would not keep more renderers busy."""

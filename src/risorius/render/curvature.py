@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
+
+from ..core.arrays import Array, FloatArray, IntArray
 
 
 def mean_curvature(
-    points: npt.NDArray[np.floating],
-    normals: npt.NDArray[np.floating],
-    quads: npt.NDArray[np.integer],
+    points: FloatArray,
+    normals: FloatArray,
+    quads: IntArray,
     rounds: int = 3,
-) -> npt.NDArray[np.float64]:
+) -> Array:
     """Return the curvature's size (n,) in 1/mm: the normals' change along edges, smoothed `rounds` times."""
     sides = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
     i, j = np.unique(sides, axis=0).T

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from .raster import ByteArray, FloatArray, IntArray
+from ..core.arrays import ByteArray, Float32Array, Int32Array
 from .tone import srgb_decode, srgb_encode
 
 _LEAST = 1 / 512
 
 
-def covered(ids: IntArray, samples: int) -> FloatArray:
+def covered(ids: Int32Array, samples: int) -> Float32Array:
     """Return the share (height, width) float32 of each pixel's samples that show something."""
     shown = ids >= 0
     total = np.zeros((shown.shape[0] // samples, shown.shape[1] // samples), np.float32)
@@ -21,7 +21,7 @@ def covered(ids: IntArray, samples: int) -> FloatArray:
     return total
 
 
-def cut_out(picture: ByteArray, share: FloatArray, out: ByteArray) -> None:
+def cut_out(picture: ByteArray, share: Float32Array, out: ByteArray) -> None:
     """Write a picture (height, width, 3) drawn on black as RGBA into `out`, with straight alpha."""
     out[..., :3] = picture
     out[..., 3] = share * 255.0 + 0.5

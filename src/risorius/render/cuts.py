@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-import numpy.typing as npt
-
+from ..core.arrays import Array
 from ..face.identity import Looks
 from .anatomy import Anatomy
 from .attach import Surface
@@ -12,8 +10,6 @@ from .medium_hair import grow_medium
 from .short_hair import grow_short
 from .strands import Strands
 from .stubble import grow_stubble
-
-Array = npt.NDArray[np.float64]
 
 _CUTS = {"short": grow_short, "medium": grow_medium, "shaved": grow_stubble}
 

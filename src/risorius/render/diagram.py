@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from ..core.arrays import ByteArray
 from .collect import collect
 from .inputs import Batch, Light, Mesh, Paint, Pose, Sight, Tables
 from .jit import kernel
 from .materials.hair import shade_hairs
 from .materials.plain import shade_plain
-from .raster import ByteArray
 from .shade import resolve, uncover
 
 

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, Int32Array
 from .materials.eye import LID_STEPS
 from .noise import noise_at
-from .raster import FloatArray, IntArray
 from .tone import srgb_decode
 
 _RINGS, _SECTORS = 16, 40
 _WIDEST = np.radians(80.0)
 _IRIS_RINGS, _IRIS_ANGLES = 64, 720
 
-Array = npt.NDArray[np.float64]
 
-
-def cap() -> tuple[Array, IntArray]:
+def cap() -> tuple[Array, Int32Array]:
     """Return the front of the unit sphere: vertices (n, 3) about +z, triangles (m, 3) wound outwards."""
     polar = _WIDEST * np.arange(1, _RINGS + 1) / _RINGS
     around = 2 * np.pi * np.arange(_SECTORS) / _SECTORS
@@ -38,7 +35,7 @@ def cap() -> tuple[Array, IntArray]:
     return vertices, np.concatenate([fan, first, second]).astype(np.int32)
 
 
-def iris_image(inner: tuple[int, int, int], outer: tuple[int, int, int]) -> FloatArray:
+def iris_image(inner: tuple[int, int, int], outer: tuple[int, int, int]) -> Float32Array:
     """Return the iris' albedo (rings, angles, 3) from the pupil outwards, between two sRGB colours.
 
     Radial fibres, a ruff about the pupil, a few furrows, and the dark limbus.

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, ByteArray, Int64Array
 from ..face.head import Head
 from .anatomy import find_anatomy
 from .attach import Surface
@@ -22,8 +22,6 @@ from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_
 from .strands import Strands, root_frames
 from .tone import srgb_encode
 
-Array = npt.NDArray[np.float64]
-IntArray = npt.NDArray[np.int64]
 _IRIS, _PUPIL = float(IRIS), 0.36 * float(IRIS)  # of the eyeball's radius
 HEM = 10.0  # mm over which skin becomes cloth: triangles there are that wide
 _SCLERA = (228, 220, 212)
@@ -39,10 +37,10 @@ class Piece:
 
     name: str
     points: Array
-    triangles: IntArray
+    triangles: Int64Array
     colours: Array
     roughness: float
-    roots: IntArray | None = None
+    roots: Int64Array | None = None
     weights: Array | None = None
     two_sided: bool = False
 
@@ -68,7 +66,7 @@ def figure_of(head: Head) -> dict[str, Piece]:
     return {piece.name: piece for piece in pieces}
 
 
-def iris_picture(head: Head, side: int = 256) -> npt.NDArray[np.uint8]:
+def iris_picture(head: Head, side: int = 256) -> ByteArray:
     """Return the front of an eye seen straight on, sRGB (side, side, 3), as wide as the eyeball."""
     image = iris_image(*head.identity.looks.iris)
     x = (np.arange(side) + 0.5) / side * 2.0 - 1.0

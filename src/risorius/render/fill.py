@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from ..core.arrays import Float32Array, Int32Array
 from .jit import exact, f4, f8, i4, i8, index, inlined
-from .raster import HALF, SUBPIXEL, FloatArray, IntArray, area_of, extent
+from .raster import HALF, SUBPIXEL, area_of, extent
 from .row_block import LANES, cover, cover_depth
 from .vec import Vec
 
@@ -38,14 +39,14 @@ class Scan(NamedTuple):
 
 @inlined
 def fill(
-    xy: IntArray,
-    key: FloatArray,
-    triangles: IntArray,
+    xy: Int32Array,
+    key: Float32Array,
+    triangles: Int32Array,
     t: int,
     first: int,
     last: int,
-    depth: FloatArray,
-    ids: IntArray,
+    depth: Float32Array,
+    ids: Int32Array,
     keep: bool,
 ) -> None:
     """Draw the rows from `first` to `last` of triangle t; `keep` tells whether `ids` is written, too."""
@@ -81,7 +82,9 @@ def fill(
 
 
 @inlined
-def _fill_blocks(t: int, scan: Scan, corners: Corners, depth: FloatArray, ids: IntArray, keep: bool) -> None:
+def _fill_blocks(
+    t: int, scan: Scan, corners: Corners, depth: Float32Array, ids: Int32Array, keep: bool
+) -> None:
     """Draw the triangle in columns of LANES samples, in each of them the rows that it may reach there."""
     first, last, left, right, edges, steps, downs, near = scan
     for column in range(left, right + 1, LANES):
@@ -168,7 +171,7 @@ def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
 
 
 @exact
-def _fill_rows(t: int, scan: Scan, depth: FloatArray, ids: IntArray, keep: bool) -> None:
+def _fill_rows(t: int, scan: Scan, depth: Float32Array, ids: Int32Array, keep: bool) -> None:
     """Draw the triangle row by row, from where to where it reaches in each."""
     first, last, left, right, edges, steps, downs, near = scan
     (qa, ra), (da, ea) = _divide(edges[0], steps[0]), _divide(downs[0], steps[0])

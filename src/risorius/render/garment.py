@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .materials.cloth import COLLAR
 
-Array = npt.NDArray[np.float64]
 _THICKNESS = 2.6  # mm
 
 

@@ -5,16 +5,15 @@ from __future__ import annotations
 from copy import copy
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Float32Array, Int32Array, IntArray
 from .jit import exact_kernel, f4
-from .raster import FloatArray, IntArray
 from .vec import at, cross, sub, unit
 
 
 @exact_kernel
 def turn(
-    points: FloatArray, weight: FloatArray, rotation: FloatArray, pivot: FloatArray, out: FloatArray
+    points: Float32Array, weight: Float32Array, rotation: Float32Array, pivot: Float32Array, out: Float32Array
 ) -> None:
     """Rotate points (n, 3) about `pivot` (3,), each by its share `weight` (n,) of `rotation` (3, 3)."""
     for i in range(len(points)):
@@ -25,7 +24,7 @@ def turn(
 
 
 @exact_kernel
-def face_normals(points: FloatArray, faces: IntArray, out: FloatArray) -> None:
+def face_normals(points: Float32Array, faces: Int32Array, out: Float32Array) -> None:
     """Write the normals of `faces` (m, 4), twice their areas long; a triangle repeats its last corner."""
     for f in range(len(faces)):
         first = sub(at(points, faces[f, 2]), at(points, faces[f, 0]))
@@ -34,7 +33,7 @@ def face_normals(points: FloatArray, faces: IntArray, out: FloatArray) -> None:
 
 
 @exact_kernel
-def vertex_normals(normals: FloatArray, starts: IntArray, around: IntArray, out: FloatArray) -> None:
+def vertex_normals(normals: Float32Array, starts: Int32Array, around: Int32Array, out: Float32Array) -> None:
     """Write unit normals of vertices from those of the faces at each, `around[starts[i]:starts[i + 1]]`."""
     for i in range(len(starts) - 1):
         x, y, z = f4(0), f4(0), f4(0)
@@ -48,16 +47,16 @@ def vertex_normals(normals: FloatArray, starts: IntArray, around: IntArray, out:
 class Normals:
     """Smooth normals of a mesh of fixed faces (m, 4), recomputed as its vertices move."""
 
-    def __init__(self, faces: IntArray, vertices: int) -> None:
+    def __init__(self, faces: Int32Array, vertices: int) -> None:
         self._faces = faces
         distinct = np.ones(faces.shape, bool)
         distinct[:, 3] = faces[:, 3] != faces[:, 2]
         corners, owners = faces[distinct], np.nonzero(distinct)[0]
         order = np.argsort(corners, kind="stable")
-        self._around: IntArray = owners[order].astype(np.int32)
+        self._around: Int32Array = owners[order].astype(np.int32)
         counts = np.bincount(corners, minlength=vertices)
-        self._starts: IntArray = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
-        self._face_normals: FloatArray = np.zeros((len(faces), 3), np.float32)
+        self._starts: Int32Array = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
+        self._face_normals: Float32Array = np.zeros((len(faces), 3), np.float32)
 
     def twin(self) -> Normals:
         """Return one that can be updated at the same time as this."""
@@ -65,12 +64,12 @@ class Normals:
         other._face_normals = np.zeros_like(self._face_normals)
         return other
 
-    def update(self, points: FloatArray, out: FloatArray) -> None:
+    def update(self, points: Float32Array, out: Float32Array) -> None:
         """Write unit normals (n, 3) of the vertices `points` (n, 3)."""
         face_normals(points, self._faces, self._face_normals)
         vertex_normals(self._face_normals, self._starts, self._around, out)
 
 
-def triangles_as_faces(triangles: npt.NDArray[np.integer]) -> IntArray:
+def triangles_as_faces(triangles: IntArray) -> Int32Array:
     """Return triangles (m, 3) as faces (m, 4) that repeat their last corner."""
     return np.concatenate([triangles, triangles[:, 2:]], axis=1).astype(np.int32)

@@ -10,16 +10,13 @@ import math
 from copy import copy
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, FloatArray, Int8Array, Int32Array
 from .camera import Camera, project
 from .inputs import HAIR
-from .raster import FloatArray, IntArray
 from .scene import HeadScene
 from .strands import NOTHING, WHOLE
 from .visibility import Visibility
-
-Array = npt.NDArray[np.float64]
 
 STEP = 12.0
 """Degrees between directions."""
@@ -38,7 +35,7 @@ class HairViews:
         centre, self._radius = scene.anatomy.sphere()
         self._side = min(math.ceil(2.0 * self._radius / sample), _LARGEST)
         self._centre = (0.0, float(centre[1]), float(centre[2]))
-        self._nodes: dict[tuple[int, int], npt.NDArray[np.int8]] = {}
+        self._nodes: dict[tuple[int, int], Int8Array] = {}
         self._buffers: _Buffers | None = None
 
     def twin(self, scene: HeadScene) -> HairViews:
@@ -52,7 +49,7 @@ class HairViews:
         """Whether the picture's samples are not much finer than those that are drawn here."""
         return self._sample * self._side >= _FINER * 2.0 * self._radius
 
-    def seen(self, eye: npt.NDArray[np.floating], rotation: Array) -> npt.NDArray[np.int8]:
+    def seen(self, eye: FloatArray, rotation: Array) -> Int8Array:
         """Return the first and the last point of each hair (H, 2) that may be seen from `eye` (3,).
 
         The head is rotated (3, 3). The first lies behind the last where nothing is seen of a hair. The scene
@@ -66,12 +63,12 @@ class HairViews:
         corners = np.stack([self._node(m % _AROUND, n) for m in (i, i + 1) for n in (j, j + 1)])
         return np.stack([corners[:, :, 0].min(axis=0), corners[:, :, 1].max(axis=0)], axis=1)
 
-    def _node(self, across: int, up: int) -> npt.NDArray[np.int8]:
+    def _node(self, across: int, up: int) -> Int8Array:
         if (across, up) not in self._nodes:
             self._nodes[across, up] = self._look(math.radians(across * STEP), math.radians(up * STEP))
         return self._nodes[across, up]
 
-    def _look(self, across: float, up: float) -> npt.NDArray[np.int8]:
+    def _look(self, across: float, up: float) -> Int8Array:
         """Draw the head at rest from a direction; return from where to where each hair (H, 2) is seen."""
         scene, level = self._scene, math.cos(up) * self._distance
         way = (math.sin(across) * level, math.sin(up) * self._distance, math.cos(across) * level)
@@ -84,7 +81,7 @@ class HairViews:
         buffers.seen.draw(buffers.xy, buffers.key, scene.triangles, scene.two_sided)
         return self._winners(buffers.seen.ids)
 
-    def _winners(self, ids: IntArray) -> npt.NDArray[np.int8]:
+    def _winners(self, ids: Int32Array) -> Int8Array:
         scene = self._scene
         drawn = np.unique(ids[ids >= scene.solid])
         hair, part = scene.surfaces[drawn] - HAIR, scene.hair_parts[drawn - scene.solid]
@@ -100,6 +97,6 @@ class _Buffers:
     """What a scene is drawn with, `side` samples high and wide."""
 
     def __init__(self, scene: HeadScene, side: int) -> None:
-        self.xy: IntArray = np.zeros((len(scene.positions), 2), np.int32)
-        self.key: FloatArray = np.zeros(len(scene.positions), np.float32)
+        self.xy: Int32Array = np.zeros((len(scene.positions), 2), np.int32)
+        self.key: Float32Array = np.zeros(len(scene.positions), np.float32)
         self.seen = Visibility(side, side, len(scene.triangles))

@@ -5,12 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import ByteArray, Float32Array, Int32Array, Int64Array
 from .lanes import LANES, empty_block
-from .raster import ByteArray, FloatArray, IntArray
-
-BitArray = npt.NDArray[np.int64]
 
 # Columns of a vertex's attributes.
 ALBEDO, OCCLUSION, ROUGHNESS, SPECULAR, CURVATURE, INNER, EXTRA = 0, 3, 4, 5, 6, 7, 8
@@ -32,21 +29,21 @@ class Mesh(NamedTuple):
     `creases.Creases`, the skin's wrinkles.
     """
 
-    xy: IntArray
-    key: FloatArray
-    positions: FloatArray
-    normals: FloatArray
-    attributes: FloatArray
-    rest: FloatArray
-    reach: FloatArray
-    shadow: FloatArray
-    hair_light: FloatArray
-    triangles: IntArray
-    surfaces: IntArray
-    crease_raised: IntArray
-    crease_place: FloatArray
-    crease_height: FloatArray
-    crease_style: FloatArray
+    xy: Int32Array
+    key: Float32Array
+    positions: Float32Array
+    normals: Float32Array
+    attributes: Float32Array
+    rest: Float32Array
+    reach: Float32Array
+    shadow: Float32Array
+    hair_light: Float32Array
+    triangles: Int32Array
+    surfaces: Int32Array
+    crease_raised: Int32Array
+    crease_place: Float32Array
+    crease_height: Float32Array
+    crease_style: Float32Array
 
 
 class Light(NamedTuple):
@@ -55,12 +52,12 @@ class Light(NamedTuple):
     `pupil` is the radius that the pupils take in this light, in radii of the iris.
     """
 
-    lamps: FloatArray
-    room: FloatArray
-    shadow: FloatArray
-    shadow_low: FloatArray
-    shadow_high: FloatArray
-    shadow_matrix: FloatArray
+    lamps: Float32Array
+    room: Float32Array
+    shadow: Float32Array
+    shadow_low: Float32Array
+    shadow_high: Float32Array
+    shadow_matrix: Float32Array
     bias: float
     pupil: float
 
@@ -74,15 +71,15 @@ class Pose(NamedTuple):
     (LIP_STEPS, 4) upper y and z, lower y and z, at x from `lip_span[0]` to `lip_span[1]`.
     """
 
-    rotation: FloatArray
-    pivot: FloatArray
-    eyes: FloatArray
-    eye_axes: FloatArray
-    eye_radius: FloatArray
-    lids: FloatArray
-    lid_span: FloatArray
-    lips: FloatArray
-    lip_span: FloatArray
+    rotation: Float32Array
+    pivot: Float32Array
+    eyes: Float32Array
+    eye_axes: Float32Array
+    eye_radius: Float32Array
+    lids: Float32Array
+    lid_span: Float32Array
+    lips: Float32Array
+    lip_span: Float32Array
 
 
 class Tables(NamedTuple):
@@ -92,11 +89,11 @@ class Tables(NamedTuple):
     scene light to bytes, one after the other and `direct`.
     """
 
-    diffuse: FloatArray
-    grain: FloatArray
-    iris: FloatArray
-    cloth: FloatArray
-    film: FloatArray
+    diffuse: Float32Array
+    grain: Float32Array
+    iris: Float32Array
+    cloth: Float32Array
+    film: Float32Array
     bytes: ByteArray
     direct: ByteArray
 
@@ -109,11 +106,11 @@ class Paint(NamedTuple):
     (4,) the lines' colour and opacity.
     """
 
-    covered: BitArray
-    place: FloatArray
-    colours: FloatArray
-    edges: FloatArray
-    ink: FloatArray
+    covered: Int64Array
+    place: Float32Array
+    colours: Float32Array
+    edges: Float32Array
+    ink: Float32Array
 
 
 class Sight(NamedTuple):
@@ -123,14 +120,14 @@ class Sight(NamedTuple):
     `empty` (height, width, 3) uint8 is the picture of the background alone.
     """
 
-    ids: IntArray
-    depth: FloatArray
-    rows: IntArray
-    chunks: IntArray
+    ids: Int32Array
+    depth: Float32Array
+    rows: Int32Array
+    chunks: Int32Array
     samples: int
-    eye: FloatArray
+    eye: Float32Array
     pixel: float
-    background: FloatArray
+    background: Float32Array
     empty: ByteArray
 
 
@@ -143,13 +140,13 @@ class Batch(NamedTuple):
     shaded in blocks, `chosen` (LANES,) are the numbers and `block` is the rest (`lanes`).
     """
 
-    triangle: IntArray
-    column: IntArray
-    samples: IntArray
-    weights: FloatArray
-    colour: FloatArray
-    chosen: IntArray
-    block: FloatArray
+    triangle: Int32Array
+    column: Int32Array
+    samples: Int32Array
+    weights: Float32Array
+    colour: Float32Array
+    chosen: Int32Array
+    block: Float32Array
 
 
 def empty_batch(capacity: int) -> Batch:

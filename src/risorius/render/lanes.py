@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.arrays import Float32Array
 from .jit import device
-from .raster import FloatArray
 from .vec import Vec, sub, unit
 
 LANES = 64
@@ -29,25 +29,25 @@ REACH = GRAIN + 8 * LANES
 _SIZE = REACH + LAMPS * LANES
 
 
-def empty_block() -> FloatArray:
+def empty_block() -> Float32Array:
     """Return room for one block, full of ones: lanes without a patch are calculated, too."""
     return np.ones(_SIZE, np.float32)
 
 
 @device
-def get(block: FloatArray, first: int, k: int) -> Vec:
+def get(block: Float32Array, first: int, k: int) -> Vec:
     """Return the vector of patch k."""
     return block[first + k], block[first + LANES + k], block[first + 2 * LANES + k]
 
 
 @device
-def put(block: FloatArray, first: int, k: int, vector: Vec) -> None:
+def put(block: Float32Array, first: int, k: int, vector: Vec) -> None:
     """Set the vector of patch k."""
     block[first + k], block[first + LANES + k], block[first + 2 * LANES + k] = vector
 
 
 @device
-def face(block: FloatArray, eye: Vec) -> None:
+def face(block: Float32Array, eye: Vec) -> None:
     """Bring the normals to length 1, and find the directions to the camera."""
     for k in range(LANES):
         put(block, NORMAL, k, unit(get(block, NORMAL, k)))

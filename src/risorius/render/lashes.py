@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..face.head import Head
 from .attach import Surface, unit
 from .strands import Strands, join
 
-Array = npt.NDArray[np.float64]
 POINTS = 5
 _SEED = 11
 

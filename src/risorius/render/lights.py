@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..core.arrays import Float32Array
 from ..errors import InputError
 from .lanes import LAMPS
-from .raster import FloatArray
 
 Colour = tuple[float, float, float]
 
@@ -67,8 +67,8 @@ class LightRig:
 class Lighting(NamedTuple):
     """Lamps (n, 7) float32: direction, colour, softness; room (2, 3): from above, from below; the pupil."""
 
-    lamps: FloatArray
-    room: FloatArray
+    lamps: Float32Array
+    room: Float32Array
     pupil: float
 
 

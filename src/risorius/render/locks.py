@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from ..core.arrays import Array
 from .attach import Surface, unit
 
-Array = npt.NDArray[np.float64]
 _LOCKS = 700
 _EVEN = 0.35  # of the points of a curve, the weight of those spread evenly beside those where it bends
 

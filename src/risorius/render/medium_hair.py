@@ -5,9 +5,9 @@ from __future__ import annotations
 import dataclasses
 
 import numpy as np
-import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat, unit
 from .locks import gather_locks, over_skin, respaced, smoothed
@@ -15,7 +15,6 @@ from .noise import noise_at
 from .scalp import grow_roots, hair_density, inside_hairline
 from .strands import Strands
 
-Array = npt.NDArray[np.float64]
 POINTS = 11
 _STEPS = 28  # of the way that a hair goes, of which its points are chosen
 _LAYERS = 4

@@ -6,19 +6,16 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray, Float32Array, IndexArray, Int64Array
 from ..core.parameters import INDEX, MUSCLES
 from ..face.head import Head, load_head
 from ..face.muscle_table import Muscle
 from .anatomy import Anatomy, find_anatomy
 from .attach import unit
-from .inputs import BitArray
 from .materials.painted import SOFT
 from .parts import skin_surface
-from .raster import FloatArray
 
-Array = npt.NDArray[np.float64]
 _OUTSIDE = -20.0  # mm
 
 # Linear albedo at rest, contracted, and where a rival keeps it down (that one glows).
@@ -37,9 +34,9 @@ class MusclePaint(NamedTuple):
     parameters.
     """
 
-    covered: BitArray
-    place: FloatArray
-    columns: npt.NDArray[np.intp]
+    covered: Int64Array
+    place: Float32Array
+    columns: IndexArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +98,7 @@ def lay_muscles(head: Head, triangles: int) -> MusclePaint:
     return MusclePaint(covered, np.ascontiguousarray(place, np.float32), np.array(columns, np.intp))
 
 
-def colours(paint: MusclePaint, parameters: Array, kept_down: Array) -> FloatArray:
+def colours(paint: MusclePaint, parameters: Array, kept_down: Array) -> Float32Array:
     """Return colour and opacity (M, 4) float32 of each muscle.
 
     `parameters` (46,) are activations 0..1, `kept_down` (46,) how much rivals took from each.
@@ -146,7 +143,7 @@ def _around(ring: _Ring, points: Array, centre: Array) -> tuple[Array, Array]:
     return ring.half - np.abs(way), way
 
 
-def _along(band: _Band, points: Array, normals: Array) -> tuple[Array, Array, npt.NDArray[np.bool_]]:
+def _along(band: _Band, points: Array, normals: Array) -> tuple[Array, Array, BoolArray]:
     origin, insertion = np.array(band.origin), np.array(band.insertion)
     length = float(np.linalg.norm(insertion - origin))
     ahead = (insertion - origin) / length

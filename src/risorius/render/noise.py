@@ -9,10 +9,9 @@ import math
 from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, FloatArray
 from .jit import device, exact_kernel, f4, f8, i8, index
-from .raster import FloatArray
 from .vec import Vec
 
 SIZE = 64
@@ -26,7 +25,7 @@ Heights = tuple[float, float, float, float, float, float, float, float]
 
 
 @lru_cache(maxsize=1)
-def noise_tile() -> FloatArray:
+def noise_tile() -> Float32Array:
     """Return the tile (SIZE, SIZE, SIZE) float32, indexed z, y, x: heights of variance 1.
 
     Waves of 4 to 10 cells: fine grain without a direction and without visible repetition at that scale.
@@ -36,12 +35,12 @@ def noise_tile() -> FloatArray:
     fz, fy, fx = np.meshgrid(axis, axis, axis, indexing="ij")
     spectrum *= np.exp(-(((np.sqrt(fx**2 + fy**2 + fz**2) - 0.15) / 0.06) ** 2))
     height = np.fft.ifftn(spectrum).real
-    tile: FloatArray = (height / height.std()).astype(np.float32)
+    tile: Float32Array = (height / height.std()).astype(np.float32)
     tile.setflags(write=False)
     return tile
 
 
-def noise_at(points: npt.NDArray[np.floating], wavelength: float) -> npt.NDArray[np.float64]:
+def noise_at(points: FloatArray, wavelength: float) -> Array:
     """Return heights (n,) of variance 1 at points (n, 3) mm whose waves are about `wavelength` mm long."""
     heights = np.empty(len(points))
     _interpolate(noise_tile(), points * (6.5 / wavelength) + 0.37 * SIZE, heights)
@@ -49,7 +48,7 @@ def noise_at(points: npt.NDArray[np.floating], wavelength: float) -> npt.NDArray
 
 
 @exact_kernel
-def _interpolate(tile: FloatArray, cells: npt.NDArray[np.floating], out: npt.NDArray[np.float64]) -> None:
+def _interpolate(tile: Float32Array, cells: FloatArray, out: Array) -> None:
     """Write heights (n,) at places (n, 3) in cells, linearly between the corners of each cell."""
     for k in range(len(cells)):
         i, j, m = i8(math.floor(cells[k, 0])), i8(math.floor(cells[k, 1])), i8(math.floor(cells[k, 2]))
@@ -71,7 +70,7 @@ def cell_of(point: Vec, cells: float) -> tuple[Cell, Vec]:
 
 
 @device
-def heights_about(tile: FloatArray, cell: Cell) -> Heights:
+def heights_about(tile: Float32Array, cell: Cell) -> Heights:
     """Return the heights at the eight corners of a cell: x runs first, z last."""
     i, j, k = cell
     right, down, deep = (i + _ONE) & _MASK, (j + _ONE) & _MASK, (k + _ONE) & _MASK
@@ -102,7 +101,7 @@ def between(h: Heights, way: Vec, cells: float) -> tuple[float, float, float, fl
 
 
 @device
-def grain(tile: FloatArray, point: Vec, cells: float) -> tuple[float, float, float, float]:
+def grain(tile: Float32Array, point: Vec, cells: float) -> tuple[float, float, float, float]:
     """Return height and slope (per mm) of the tile at a point in mm, with `cells` cells to the millimetre."""
     cell, way = cell_of(point, cells)
     return between(heights_about(tile, cell), way, cells)

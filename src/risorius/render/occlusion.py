@@ -5,22 +5,19 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, ByteArray, Float32Array, FloatArray, Int32Array
 from ..kept import kept
 from .jit import exact_kernel, f4
-from .raster import ByteArray, FloatArray, IntArray
 from .shadow import flatten, light_matrix, transform
 from .visibility import Visibility
-
-Array = npt.NDArray[np.float64]
 
 _SIZE = 512
 _CONE = np.radians(20.0)  # half the angle under which a broad lamp is seen
 _CONE_DIRECTIONS = 260  # over the whole sphere: eight within the cone
 
 
-def sky_directions(count: int) -> npt.NDArray[np.float64]:
+def sky_directions(count: int) -> Array:
     """Return `count` unit vectors (count, 3) spread evenly over the sphere (a golden spiral)."""
     k = np.arange(count) + 0.5
     height, angle = 1 - 2 * k / count, np.pi * (1 + 5**0.5) * k
@@ -31,19 +28,21 @@ def sky_directions(count: int) -> npt.NDArray[np.float64]:
 class Occluder(NamedTuple):
     """A mesh that shades itself: vertices and normals (n, 3), triangles (m, 3), which have two sides (m,)."""
 
-    points: FloatArray
-    normals: FloatArray
-    triangles: IntArray
+    points: Float32Array
+    normals: Float32Array
+    triangles: Int32Array
     two_sided: ByteArray
 
 
-def bake(mesh: Occluder, centre: Array, radius: float, lamps: FloatArray) -> tuple[FloatArray, FloatArray]:
+def bake(
+    mesh: Occluder, centre: Array, radius: float, lamps: Float32Array
+) -> tuple[Float32Array, Float32Array]:
     """Return what each vertex sees of its surroundings (n,), and of each of the `lamps` (k, 7) but the first.
 
     The second is (n, k − 1). Only what lies within `radius` of `centre` (3,) casts shade.
     """
 
-    def find() -> tuple[FloatArray, FloatArray]:
+    def find() -> tuple[Float32Array, Float32Array]:
         reach = [lamp_reach(mesh, centre, radius, lamp) for lamp in lamps[1:, :3]]
         free = ambient_occlusion(mesh, centre, radius)
         return free, np.stack(reach, axis=1) if reach else np.ones((len(free), 0), np.float32)
@@ -52,7 +51,7 @@ def bake(mesh: Occluder, centre: Array, radius: float, lamps: FloatArray) -> tup
     return free, reach
 
 
-def ambient_occlusion(mesh: Occluder, centre: Array, radius: float, directions: int = 64) -> FloatArray:
+def ambient_occlusion(mesh: Occluder, centre: Array, radius: float, directions: int = 64) -> Float32Array:
     """Return the share (n,) float32 of the hemisphere over each vertex that is free, weighted by the cosine.
 
     It is looked for in `directions` directions.
@@ -60,14 +59,14 @@ def ambient_occlusion(mesh: Occluder, centre: Array, radius: float, directions: 
     return _seen(mesh, centre, radius, sky_directions(directions), cosine=True)
 
 
-def lamp_reach(mesh: Occluder, centre: Array, radius: float, lamp: npt.NDArray[np.floating]) -> FloatArray:
+def lamp_reach(mesh: Occluder, centre: Array, radius: float, lamp: FloatArray) -> Float32Array:
     """Return the share (n,) float32 of a broad lamp in direction `lamp` (3,) that the scene lets through."""
     around = sky_directions(_CONE_DIRECTIONS)
     cone = around[around @ lamp > np.cos(_CONE)]
     return _seen(mesh, centre, radius, cone, cosine=False)
 
 
-def _seen(mesh: Occluder, centre: Array, radius: float, directions: Array, *, cosine: bool) -> FloatArray:
+def _seen(mesh: Occluder, centre: Array, radius: float, directions: Array, *, cosine: bool) -> Float32Array:
     """Return the share (n,) of the directions (k, 3) that are free, weighted by the cosine or all alike."""
     points, normals = mesh.points, mesh.normals
     buffer = Visibility(_SIZE, _SIZE, len(mesh.triangles), keep_ids=False)
@@ -84,14 +83,14 @@ def _seen(mesh: Occluder, centre: Array, radius: float, directions: Array, *, co
 
 @exact_kernel
 def _gather(
-    points: FloatArray,
-    normals: FloatArray,
-    direction: FloatArray,
-    matrix: FloatArray,
-    depth: FloatArray,
+    points: Float32Array,
+    normals: Float32Array,
+    direction: Float32Array,
+    matrix: Float32Array,
+    depth: Float32Array,
     bias: float,
     by_cosine: bool,
-    sums: FloatArray,
+    sums: Float32Array,
 ) -> None:
     """Add what each vertex sees in one direction to its free (column 0) and its whole (column 1) weight."""
     for i in range(len(points)):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, Int32Array
 from ..face.head import Head
 from ..face.head import Mesh as RigidMesh
 from ..face.identity import Looks
@@ -31,10 +31,8 @@ from .inputs import (
     TEETH,
     TONGUE,
 )
-from .raster import FloatArray, IntArray
 from .scalp import scalp_shade
 
-Array = npt.NDArray[np.float64]
 _TOOTH, _GUM, _TONGUE = (244, 234, 214), (186, 98, 92), (206, 122, 114)
 
 
@@ -43,9 +41,9 @@ class Part:
     """Vertices (n, 3) mm at rest, faces (f, 4), triangles (m, 3), attributes (n, ATTRIBUTES), and surface."""
 
     vertices: Array
-    faces: IntArray
-    triangles: IntArray
-    attributes: FloatArray
+    faces: Int32Array
+    triangles: Int32Array
+    attributes: Float32Array
     surface: int
 
 
@@ -115,7 +113,7 @@ def tongue_part(head: Head) -> Part:
     )
 
 
-def _attributes(count: int, colour: tuple[int, int, int], roughness: float, strength: float) -> FloatArray:
+def _attributes(count: int, colour: tuple[int, int, int], roughness: float, strength: float) -> Float32Array:
     result = np.zeros((count, ATTRIBUTES), np.float32)
     result[:, ALBEDO : ALBEDO + 3] = linear(colour)
     result[:, OCCLUSION] = 1.0
@@ -125,7 +123,7 @@ def _attributes(count: int, colour: tuple[int, int, int], roughness: float, stre
     return result
 
 
-def _outward(vertices: Array, triangles: IntArray) -> IntArray:
+def _outward(vertices: Array, triangles: Int32Array) -> Int32Array:
     """Return triangles wound so that they enclose a positive volume."""
     a, b, c = (vertices[triangles[:, k]] - vertices.mean(axis=0) for k in range(3))
     return (

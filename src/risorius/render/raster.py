@@ -6,22 +6,16 @@ edge that two triangles share belongs to exactly one of them (the top-left rule)
 
 from __future__ import annotations
 
-import numpy as np
-import numpy.typing as npt
-
+from ..core.arrays import ByteArray, Int32Array
 from .jit import exact, exact_kernel, i8, index
 
 SUBPIXEL = 256
 HALF = SUBPIXEL // 2
 CHUNK = 64  # triangles whose joint extent is tested at once
 
-IntArray = npt.NDArray[np.int32]
-FloatArray = npt.NDArray[np.float32]
-ByteArray = npt.NDArray[np.uint8]
-
 
 @exact
-def area_of(xy: IntArray, a: int, b: int, c: int) -> int:
+def area_of(xy: Int32Array, a: int, b: int, c: int) -> int:
     """Twice the signed area: positive where the corners run clockwise in the picture (y down)."""
     abx = i8(xy[b, 0]) - i8(xy[a, 0])
     aby = i8(xy[b, 1]) - i8(xy[a, 1])
@@ -40,13 +34,13 @@ def extent(p: int, q: int, r: int, limit: int) -> tuple[int, int]:
 
 @exact_kernel
 def find_rows(
-    xy: IntArray,
-    triangles: IntArray,
+    xy: Int32Array,
+    triangles: Int32Array,
     two_sided: ByteArray,
     height: int,
     width: int,
-    rows: IntArray,
-    chunks: IntArray,
+    rows: Int32Array,
+    chunks: Int32Array,
 ) -> None:
     """Write the first and last row of each triangle (first > last: not drawn) and of each chunk."""
     for chunk in range(len(chunks)):

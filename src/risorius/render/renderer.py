@@ -6,8 +6,8 @@ import math
 from copy import copy
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
 from ..core.look import QUALITIES, STYLES
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
@@ -26,7 +26,6 @@ from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
 from .noise import noise_tile
-from .raster import ByteArray, FloatArray, IntArray
 from .scene import HeadScene
 from .shade import shade
 from .shadow import ShadowMap
@@ -35,7 +34,6 @@ from .subsurface import diffuse_table
 from .tone import film_table, to_bytes, tone_table
 from .visibility import Visibility
 
-Array = npt.NDArray[np.float64]
 SMALLEST, LARGEST = 16, 4096
 
 
@@ -54,7 +52,7 @@ class Renderer:
         camera: Camera | None = None,
         lights: LightRig = STUDIO,
         looks: Looks | None = None,
-        background: FloatArray | None = None,
+        background: Float32Array | None = None,
         alpha: bool = False,
         style: str = "realistic",
     ) -> None:
@@ -97,8 +95,8 @@ class Renderer:
         scene, (width, height), samples = self.scene, self.size, self._samples
         self._drawn: ByteArray | None = np.empty((height, width, 3), np.uint8) if self._alpha else None
         self._buffer = Visibility(width * samples, height * samples, len(scene.triangles))
-        self._xy: IntArray = np.zeros((len(scene.positions), 2), np.int32)
-        self._key: FloatArray = np.zeros(len(scene.positions), np.float32)
+        self._xy: Int32Array = np.zeros((len(scene.positions), 2), np.int32)
+        self._key: Float32Array = np.zeros(len(scene.positions), np.float32)
         self._batch = empty_batch(width * samples * samples)
         centre, radius = scene.anatomy.sphere()
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
@@ -222,7 +220,7 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
     return width, height
 
 
-def _check_background(background: FloatArray, width: int, height: int) -> FloatArray:
+def _check_background(background: Float32Array, width: int, height: int) -> Float32Array:
     if background.shape != (height, width, 3):
         raise InputError(f"background {background.shape}; expected {(height, width, 3)}")
     return np.array(background, np.float32)

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, FloatArray, Int32Array
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat, unit
 from .noise import noise_at
-from .raster import IntArray
-
-Array = npt.NDArray[np.float64]
 
 # Height of the hairline over the eyes (mm) by the angle from the front, about an axis through the skull.
 _ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
@@ -42,7 +39,7 @@ def scalp_shade(anatomy: Anatomy, style: str) -> Array:
     return np.asarray(strength * hair_density(anatomy, anatomy.skin, anatomy.masks["ears"]) ** 1.5)
 
 
-def hair_shade(anatomy: Anatomy, style: str, lamp: npt.NDArray[np.floating]) -> tuple[Array, Array, Array]:
+def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray) -> tuple[Array, Array, Array]:
     """Return the shares of light (n,) that hair keeps from each skin vertex, all 0 under no hair to speak of.
 
     First what it covers keeps from all lamps, then what the hair above the hairline keeps from the key lamp
@@ -53,7 +50,7 @@ def hair_shade(anatomy: Anatomy, style: str, lamp: npt.NDArray[np.floating]) -> 
     if thick == 0.0:
         return np.zeros(len(skin)), np.zeros(len(skin)), np.zeros(len(skin))
 
-    def ahead(way: npt.NDArray[np.floating]) -> Array:
+    def ahead(way: FloatArray) -> Array:
         steps = np.linspace(0.0, 1.0, 5)[1:]
         seen = [(1.0 - 0.7 * s) * hair_density(anatomy, skin + s * thick * way, ears) for s in steps]
         return np.asarray(np.max(seen, axis=0))
@@ -80,7 +77,7 @@ def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
 
 def grow_roots(
     anatomy: Anatomy, surface: Surface, density: Array, count: int, seed: int
-) -> tuple[IntArray, Array]:
+) -> tuple[Int32Array, Array]:
     """Return `count` triangles and weights in them, spread over the skin by area times `density` (N1,)."""
     rng = np.random.default_rng(seed)
     corners = surface.points[surface.triangles]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from copy import copy
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import ByteArray, Float32Array, Int8Array, Int32Array
 from ..errors import InputError
 from ..face.frame import FaceFrame
 from ..face.head import Head
@@ -26,11 +26,9 @@ from .lanes import LAMPS
 from .lashes import grow_lashes
 from .occlusion import Occluder, bake
 from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
-from .raster import ByteArray, FloatArray, IntArray
 from .scalp import hair_shade
-from .strands import WHOLE, Shown, Strands, ribbons
+from .strands import WHOLE, Strands, ribbons
 
-Array = npt.NDArray[np.float64]
 _SOFTENED = 0.8  # light reflected within folds fills them a little
 
 
@@ -44,7 +42,7 @@ class HeadScene:
     triangle is. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32 in the world.
     """
 
-    def __init__(self, head: Head, lamps: FloatArray, looks: Looks | None = None) -> None:
+    def __init__(self, head: Head, lamps: Float32Array, looks: Looks | None = None) -> None:
         """Make the scene of a head lit by `lamps` (n, 7); `looks` are its own where None."""
         self.head = head
         self.looks = looks or head.identity.looks
@@ -52,7 +50,7 @@ class HeadScene:
         surface = skin_surface(head, self.anatomy)
         looks = self.looks
         hair, brows = linear(looks.hair), linear(looks.brows or looks.hair)
-        self.cloth: FloatArray = linear(looks.cloth).astype(np.float32)
+        self.cloth: Float32Array = linear(looks.cloth).astype(np.float32)
         skin = skin_part(head, self.anatomy, surface, looks, brows, hair)
         teeth = [teeth_part(head.teeth_upper), teeth_part(head.teeth_lower)]
         parts = [skin, *eye_parts(head), *teeth, tongue_part(head)]
@@ -90,21 +88,21 @@ class HeadScene:
         self.facial_hairs = sum(len(group.widths) for group in self._hairs[:2])
         self.hair_parts = np.concatenate([group.parts() for group in self._hairs])
         self._all = np.tile(np.array([WHOLE], np.int8), (self.hairs, 1))
-        self.triangles: IntArray = np.concatenate(triangles).astype(np.int32)
-        self.surfaces: IntArray = np.concatenate(surfaces).astype(np.int32)
+        self.triangles: Int32Array = np.concatenate(triangles).astype(np.int32)
+        self.surfaces: Int32Array = np.concatenate(surfaces).astype(np.int32)
         self.two_sided: ByteArray = (self.surfaces >= HAIR).astype(np.uint8)
-        self.attributes: FloatArray = np.concatenate(attributes)
-        self._local: FloatArray = np.concatenate([part.vertices for part in parts]).astype(np.float32)
+        self.attributes: Float32Array = np.concatenate(attributes)
+        self._local: Float32Array = np.concatenate([part.vertices for part in parts]).astype(np.float32)
         self._local[: len(self._offset)] += self._offset
-        self.rest: FloatArray = np.zeros((first, 3), np.float32)
+        self.rest: Float32Array = np.zeros((first, 3), np.float32)
         self.rest[: self.mesh_vertices] = self._local
-        self.positions: FloatArray = self.rest.copy()
-        self.normals: FloatArray = np.zeros((first, 3), np.float32)
-        self.hair_light: FloatArray = np.zeros((first, 3), np.float32)
-        self._weight: FloatArray = np.ones(self.mesh_vertices, np.float32)
+        self.positions: Float32Array = self.rest.copy()
+        self.normals: Float32Array = np.zeros((first, 3), np.float32)
+        self.hair_light: Float32Array = np.zeros((first, 3), np.float32)
+        self._weight: Float32Array = np.ones(self.mesh_vertices, np.float32)
         self._weight[: len(self._offset)] = self.head.skin.matrix @ self.head.neck_weight
 
-    def _bake(self, lamps: FloatArray) -> None:
+    def _bake(self, lamps: Float32Array) -> None:
         """Fill in what the skin at rest sees of its surroundings and of all lamps (n, 7) but the first."""
         count = self.skin_vertices
         self._normals.update(self._local, self.normals[: self.mesh_vertices])
@@ -113,12 +111,12 @@ class HeadScene:
         free, reach = bake(mesh, *self.anatomy.sphere(), lamps)
         self.attributes[:count, OCCLUSION] = free[:count] ** _SOFTENED
         columns = max(len(lamps), LAMPS)  # as many as kernels read
-        self.reach: FloatArray = np.ones((len(self.rest), columns), np.float32)
+        self.reach: Float32Array = np.ones((len(self.rest), columns), np.float32)
         self.reach[:count, 1 : len(lamps)] = reach[:count]
         covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast
-        self.shadow: FloatArray = np.ones(count, np.float32)
+        self.shadow: Float32Array = np.ones(count, np.float32)
         self.attributes[:count, OCCLUSION] *= 1.0 - around
 
     def twin(self) -> HeadScene:
@@ -144,7 +142,9 @@ class HeadScene:
             if points.shape != (size, 3):
                 raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
-    def pose(self, frame: FaceFrame, eye: FloatArray, sample: float, shown: Shown | None = None) -> Pose:
+    def pose(
+        self, frame: FaceFrame, eye: Float32Array, sample: float, shown: Int8Array | None = None
+    ) -> Pose:
         """Move all vertices to a frame.
 
         `eye` (3,) float32 is where the camera stands; `sample` mm is the least width that it can show;
@@ -157,12 +157,12 @@ class HeadScene:
         self._dress(eye, sample, self._all if shown is None else shown)
         return self._read_pose(frame, rotation, pivot)
 
-    def rest_at(self, eye: FloatArray, sample: float) -> None:
+    def rest_at(self, eye: Float32Array, sample: float) -> None:
         """Move all vertices to rest, seen from `eye` (see `pose`)."""
         self.positions[: self.mesh_vertices] = self.rest[: self.mesh_vertices]
         self._dress(eye, sample, self._all)
 
-    def _dress(self, eye: FloatArray, sample: float, shown: Shown) -> None:
+    def _dress(self, eye: Float32Array, sample: float, shown: Int8Array) -> None:
         """Let normals and hairs follow the mesh."""
         mesh, first = slice(0, self.mesh_vertices), 0
         self._normals.update(self.positions[mesh], self.normals[mesh])
@@ -190,7 +190,7 @@ class HeadScene:
         self._local[starts[4] : starts[5]] = frame.teeth_lower
         self._local[starts[5] : starts[6]] = frame.tongue
 
-    def _read_pose(self, frame: FaceFrame, rotation: FloatArray, pivot: FloatArray) -> Pose:
+    def _read_pose(self, frame: FaceFrame, rotation: Float32Array, pivot: Float32Array) -> Pose:
         """Collect what the shaders of eyes and mouth need to know."""
         head = self.head
         centres = (head.eye_centre - head.head_pivot) @ frame.head_rotation.T + head.head_pivot
@@ -216,7 +216,7 @@ class HeadScene:
         )
 
 
-def _hair_attributes(group: Strands) -> FloatArray:
+def _hair_attributes(group: Strands) -> Float32Array:
     """Return attributes of the ribbons' vertices: colour, depth, gloss, and the way from root to tip."""
     strands, points = group.widths.shape
     result = np.zeros((strands, points, 2, ATTRIBUTES), np.float32)

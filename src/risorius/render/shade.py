@@ -6,6 +6,7 @@ answers for its own.
 
 from __future__ import annotations
 
+from ..core.arrays import ByteArray
 from .collect import collect
 from .inputs import Batch, Light, Mesh, Pose, Sight, Tables
 from .jit import device, f4, index, kernel
@@ -14,7 +15,6 @@ from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
 from .materials.mouth import shade_mouth
 from .materials.skin import shade_skin
-from .raster import ByteArray
 from .tone import developed, exposed, to_byte
 from .visibility import BAND, rasterize
 

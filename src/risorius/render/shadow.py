@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import ByteArray, Float32Array, FloatArray, Int32Array
 from .camera import snap
 from .jit import device, exact, exact_kernel, f4, index, summing
-from .raster import ByteArray, FloatArray, IntArray
 from .vec import Vec, at
 from .visibility import Visibility
 
@@ -26,34 +25,32 @@ class ShadowMap:
 
     def __init__(
         self,
-        direction: npt.NDArray[np.floating],
-        centre: npt.NDArray[np.floating],
+        direction: FloatArray,
+        centre: FloatArray,
         radius: float,
         vertices: int,
         triangles: int,
     ) -> None:
         self.matrix = light_matrix(direction, centre, radius, SIZE)
         self.bias = 3.2 * radius / SIZE  # mm: what a texel spans in depth on a slanted surface
-        self._xy: IntArray = np.zeros((vertices, 2), np.int32)
-        self._key: FloatArray = np.zeros(vertices, np.float32)
+        self._xy: Int32Array = np.zeros((vertices, 2), np.int32)
+        self._key: Float32Array = np.zeros(vertices, np.float32)
         self.low, self.high, self._rows = (np.zeros((SIZE, SIZE), np.float32) for _ in range(3))
         self._buffer = Visibility(SIZE, SIZE, triangles, keep_ids=False)
 
     @property
-    def depth(self) -> FloatArray:
+    def depth(self) -> Float32Array:
         """The map (SIZE, SIZE) float32: mm towards the lamp from the sphere's far side, 0 where empty."""
         return self._buffer.depth
 
-    def update(self, points: FloatArray, triangles: IntArray, two_sided: ByteArray) -> None:
+    def update(self, points: Float32Array, triangles: Int32Array, two_sided: ByteArray) -> None:
         """Draw the map anew."""
         flatten(points, self.matrix, self._xy, self._key)
         self._buffer.draw(self._xy, self._key, triangles, two_sided)
         find_bounds(self.depth, self._rows, self.low, self.high)
 
 
-def light_matrix(
-    direction: npt.NDArray[np.floating], centre: npt.NDArray[np.floating], radius: float, size: int
-) -> FloatArray:
+def light_matrix(direction: FloatArray, centre: FloatArray, radius: float, size: int) -> Float32Array:
     """Return the matrix (3, 4) float32 whose rows give x and y in texels and mm towards the lamp.
 
     The map covers the sphere of this radius about `centre`, whose far side has depth 1 mm.
@@ -68,7 +65,7 @@ def light_matrix(
 
 
 @device
-def transform(matrix: FloatArray, p: Vec) -> Vec:
+def transform(matrix: Float32Array, p: Vec) -> Vec:
     """Return matrix (3, 4) · (p, 1)."""
     return (
         matrix[0, 0] * p[0] + matrix[0, 1] * p[1] + matrix[0, 2] * p[2] + matrix[0, 3],
@@ -78,7 +75,7 @@ def transform(matrix: FloatArray, p: Vec) -> Vec:
 
 
 @exact_kernel
-def flatten(points: FloatArray, matrix: FloatArray, xy: IntArray, key: FloatArray) -> None:
+def flatten(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Float32Array) -> None:
     """Write positions in 1/256 texel and depths of points (n, 3) for `light_matrix`."""
     for i in range(len(points)):
         u, v, d = transform(matrix, at(points, i))
@@ -88,7 +85,7 @@ def flatten(points: FloatArray, matrix: FloatArray, xy: IntArray, key: FloatArra
 
 
 @exact_kernel
-def find_bounds(depth: FloatArray, rows: FloatArray, low: FloatArray, high: FloatArray) -> None:
+def find_bounds(depth: Float32Array, rows: Float32Array, low: Float32Array, high: Float32Array) -> None:
     """Write the least and the greatest depth among _TAPS texels from each on, across and down."""
     size = depth.shape[0]
     last = size - _TAPS + 1
@@ -99,7 +96,7 @@ def find_bounds(depth: FloatArray, rows: FloatArray, low: FloatArray, high: Floa
 
 @exact
 def _greatest(
-    of: FloatArray, out: FloatArray, height: int, width: int, down: int, right: int, sign: float
+    of: Float32Array, out: Float32Array, height: int, width: int, down: int, right: int, sign: float
 ) -> None:
     """Write the greatest of _TAPS values from each on, `down` or `right`; for a sign of −1 the least."""
     for j in range(height):
@@ -112,7 +109,7 @@ def _greatest(
 
 @device
 def lit(
-    depth: FloatArray, low: FloatArray, high: FloatArray, matrix: FloatArray, p: Vec, bias: float
+    depth: Float32Array, low: Float32Array, high: Float32Array, matrix: Float32Array, p: Vec, bias: float
 ) -> float:
     """Return the share of the lamp seen from p, 0..1: a tent over _TAPS texels each way."""
     u, v, d = transform(matrix, p)
@@ -130,7 +127,7 @@ def lit(
 
 
 @summing
-def _tent(depth: FloatArray, i: int, j: int, s: float, t: float, near: float) -> float:
+def _tent(depth: Float32Array, i: int, j: int, s: float, t: float, near: float) -> float:
     """Return the share of texels about (i + s, j + t) that lie no nearer to the lamp than `near`.
 
     All taps in one loop of rows of eight, the last two of no weight: so it becomes vector code.

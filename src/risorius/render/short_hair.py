@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, flat
 from .locks import gather_locks, over_skin, smoothed
 from .scalp import flow, grow_roots, hair_density, inside_hairline
 from .strands import Strands
 
-Array = npt.NDArray[np.float64]
 POINTS = 6
 _LAYERS = 4
 _SEED = 21

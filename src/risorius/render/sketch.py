@@ -5,16 +5,14 @@ from __future__ import annotations
 from copy import copy
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array
 from ..core.parameters import NEUTRAL
 from ..face.head import Head
 from .inputs import Paint
 from .muscle_paint import MusclePaint, colours, lay_muscles
-from .raster import FloatArray
 from .wires import edge_strengths
 
-Array = npt.NDArray[np.float64]
 _NO_LINES, _LINES = (0.0, 0.0, 0.0, 0.0), (0.75, 1.15, 1.5, 0.9)  # linear colour and opacity
 
 
@@ -24,7 +22,7 @@ class Sketch:
     def __init__(self, head: Head, triangles: int, style: str) -> None:
         """Prepare for a scene of so many `triangles`; `style` is clay, muscles or wireframe."""
         self._muscles = lay_muscles(head, triangles) if style == "muscles" else _no_muscles(triangles)
-        edges: FloatArray = np.zeros((triangles, 3), np.float32)
+        edges: Float32Array = np.zeros((triangles, 3), np.float32)
         ink = np.array(_NO_LINES, np.float32)
         if style == "wireframe":
             edges, ink = edge_strengths(head, triangles), np.array(_LINES, np.float32)
@@ -45,5 +43,5 @@ class Sketch:
 
 
 def _no_muscles(triangles: int) -> MusclePaint:
-    place: FloatArray = np.zeros((1, 1, 2), np.float32)
+    place: Float32Array = np.zeros((1, 1, 2), np.float32)
     return MusclePaint(np.zeros(triangles, np.int64), place, np.zeros(0, np.intp))

@@ -7,13 +7,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, FloatArray, Int8Array, Int32Array
 from .jit import exact, exact_kernel, f4, i8
-from .raster import FloatArray, IntArray
 from .vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
 
-Shown = npt.NDArray[np.int8]
 WHOLE, NOTHING = (0, 127), (127, -1)
 """First and last point to be drawn of a hair of any number of points, and of one that is not drawn."""
 _GOLDEN = f4(0.61803)  # steps of this part of a turn are spread evenly, however many there are
@@ -30,12 +28,12 @@ class Strands:
     the cosine between its root's normal and the way to the camera is more than `behind`.
     """
 
-    roots: IntArray
-    weights: FloatArray
-    curves: FloatArray
-    widths: FloatArray
-    colours: FloatArray
-    depths: FloatArray
+    roots: Int32Array
+    weights: Float32Array
+    curves: Float32Array
+    widths: Float32Array
+    colours: Float32Array
+    depths: Float32Array
     gloss: float
     behind: float = -0.45
 
@@ -44,14 +42,14 @@ class Strands:
         """How many vertices the ribbons have: two for each point."""
         return 2 * self.widths.size
 
-    def triangles(self) -> IntArray:
+    def triangles(self) -> Int32Array:
         """Return the ribbons' triangles (2 S (P − 1), 3), counting vertices from 0, hair by hair."""
         strands, points = self.widths.shape
         pair = 2 * np.arange(strands * points).reshape(strands, points)[:, :-1, None, None]
         corners = (pair + np.array([[0, 1, 2], [1, 3, 2]])).reshape(-1, 3)
         return np.asarray(corners, np.int32)
 
-    def parts(self) -> Shown:
+    def parts(self) -> Int8Array:
         """Return which part of its hair, counted from the root, each of `triangles` is."""
         strands, points = self.widths.shape
         return np.tile(np.repeat(np.arange(points - 1, dtype=np.int8), 2), strands)
@@ -65,11 +63,11 @@ def join(groups: list[Strands]) -> Strands:
 
 
 def root_frames(
-    positions: npt.NDArray[np.floating],
-    normals: npt.NDArray[np.floating],
-    roots: IntArray,
-    weights: FloatArray,
-) -> npt.NDArray[np.float64]:
+    positions: FloatArray,
+    normals: FloatArray,
+    roots: Int32Array,
+    weights: Float32Array,
+) -> Array:
     """Return the frames (S, 3, 3) of roots, as rows: along the first edge, across it, normal."""
     normal = np.einsum("skc,sk->sc", np.asarray(normals, np.float64)[roots], weights)
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
@@ -81,7 +79,7 @@ def root_frames(
 
 @exact
 def _frame(
-    positions: FloatArray, normals: FloatArray, corners: tuple[int, int, int], place: Vec
+    positions: Float32Array, normals: Float32Array, corners: tuple[int, int, int], place: Vec
 ) -> tuple[Vec, Vec, Vec]:
     normal = unit(weigh(normals, corners, place, 0))
     edge = sub(at(positions, corners[1]), at(positions, corners[0]))
@@ -90,14 +88,14 @@ def _frame(
 
 
 @exact
-def _point(curves: FloatArray, s: int, k: int, origin: Vec, frame: tuple[Vec, Vec, Vec]) -> Vec:
+def _point(curves: Float32Array, s: int, k: int, origin: Vec, frame: tuple[Vec, Vec, Vec]) -> Vec:
     p = along(origin, frame[0], curves[s, k, 0])
     p = along(p, frame[1], curves[s, k, 1])
     return along(p, frame[2], curves[s, k, 2])
 
 
 @exact
-def _collapse(positions: FloatArray, normals: FloatArray, start: int, end: int, place: Vec) -> None:
+def _collapse(positions: Float32Array, normals: Float32Array, start: int, end: int, place: Vec) -> None:
     """Bring vertices of a ribbon to one place, so that nothing of it is drawn, nor lit."""
     for row in range(start, end):
         positions[row, 0], positions[row, 1], positions[row, 2] = place
@@ -105,7 +103,7 @@ def _collapse(positions: FloatArray, normals: FloatArray, start: int, end: int, 
 
 
 @exact
-def _double(positions: FloatArray, normals: FloatArray, start: int, end: int, like: int) -> None:
+def _double(positions: Float32Array, normals: Float32Array, start: int, end: int, like: int) -> None:
     """Bring pairs of vertices of a ribbon to where the pair `like` is, so that it ends there."""
     for row in range(start, end, 2):
         for side in range(2):
@@ -116,14 +114,14 @@ def _double(positions: FloatArray, normals: FloatArray, start: int, end: int, li
 
 @exact_kernel
 def ribbons(
-    positions: FloatArray,
-    normals: FloatArray,
-    roots: IntArray,
-    weights: FloatArray,
-    curves: FloatArray,
-    widths: FloatArray,
-    shown: Shown,
-    eye: FloatArray,
+    positions: Float32Array,
+    normals: Float32Array,
+    roots: Int32Array,
+    weights: Float32Array,
+    curves: Float32Array,
+    widths: Float32Array,
+    shown: Int8Array,
+    eye: Float32Array,
     first: int,
     behind: float,
     least: float,

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .attach import Surface, unit
 from .scalp import flow, grow_roots, hair_density, inside_hairline
 from .strands import Strands
 
-Array = npt.NDArray[np.float64]
 POINTS = 3
 _SEED = 33
 

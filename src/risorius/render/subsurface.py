@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.arrays import Float32Array
 from .jit import device, f4, index
-from .raster import FloatArray
 from .vec import Vec, bounded
 
 _VARIANCES = np.array([0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41])  # mm²
@@ -35,7 +35,7 @@ def _profile(distance: np.ndarray) -> np.ndarray:
     return np.asarray(gauss @ _WEIGHTS)
 
 
-def diffuse_table() -> FloatArray:
+def diffuse_table() -> Float32Array:
     """Return the light leaving skin, (ANGLES, CURVATURES, 3) float32.
 
     Rows run over the cosine between normal and light from −1 to 1, columns over curvature (1 / radius in mm)
@@ -67,7 +67,7 @@ def curvature_place(curvature: float) -> float:
 
 
 @device
-def scattered(table: FloatArray, x: float, y: float) -> Vec:
+def scattered(table: Float32Array, x: float, y: float) -> Vec:
     """Look the table up at `angle_place` and `curvature_place`, linearly between its entries."""
     i, j = index(x), index(y)
     below, right = i + _ONE, j + _ONE

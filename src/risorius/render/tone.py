@@ -5,36 +5,35 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, ByteArray, Float32Array, FloatArray
 from .jit import device, f4, index
-from .raster import ByteArray, FloatArray
 from .vec import bounded
 
 TONES = 4096
 WHITE = 6.0  # scene light that becomes full white
 
 
-def srgb_encode(linear: npt.NDArray[np.floating]) -> npt.NDArray[np.float64]:
+def srgb_encode(linear: FloatArray) -> Array:
     """Return sRGB values 0..1 of linear light 0..1 (IEC 61966-2-1)."""
     x = np.clip(np.asarray(linear, np.float64), 0.0, 1.0)
     return np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
 
 
-def srgb_decode(encoded: npt.NDArray[np.floating]) -> npt.NDArray[np.float64]:
+def srgb_decode(encoded: FloatArray) -> Array:
     """Return linear light of sRGB values 0..1."""
     x = np.asarray(encoded, np.float64)
     return np.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)
 
 
-def film(linear: npt.NDArray[np.floating]) -> npt.NDArray[np.float64]:
+def film(linear: FloatArray) -> Array:
     """Return display light 0..1 of scene light: a toe that deepens shadows, a soft shoulder up to WHITE."""
     x = np.clip(np.asarray(linear, np.float64), 0.0, WHITE)
     rolled = x * (1 + x / WHITE**2) / (1 + 0.55 * x) * ((1 + 0.55 * WHITE) / (WHITE + 1))
     return np.clip(1.30 * rolled**1.18 / (1 + 0.30 * rolled**1.18), 0.0, 1.0)
 
 
-def film_table() -> FloatArray:
+def film_table() -> Float32Array:
     """Return display light (TONES,) float32 for each square root of scene light from 0 to √WHITE."""
     return film(np.linspace(0.0, np.sqrt(WHITE), TONES) ** 2).astype(np.float32)
 
@@ -45,14 +44,14 @@ def tone_table() -> ByteArray:
     return np.asarray(srgb_encode(light) * 255 + 0.5).astype(np.uint8)
 
 
-def to_bytes(light: FloatArray) -> ByteArray:
+def to_bytes(light: Float32Array) -> ByteArray:
     """Return the sRGB bytes of display light 0..1 as `to_byte` gives them."""
     place = np.sqrt(np.clip(light, np.float32(0), np.float32(1))) * np.float32(TONES - 1) + np.float32(0.5)
     return tone_table()[place.astype(np.uint32)]
 
 
 @device
-def exposed(table: FloatArray, light: float) -> float:
+def exposed(table: Float32Array, light: float) -> float:
     """Look up the display light of scene light in `film_table`."""
     display: float = table[_place(light)]
     return display

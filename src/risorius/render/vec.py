@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 
+from ..core.arrays import Float32Array
 from .jit import device, f4
-from .raster import FloatArray
 
 Vec = tuple[float, float, float]
 Rows = tuple[Vec, Vec, Vec]
 
 
 @device
-def at(array: FloatArray, i: int) -> Vec:
+def at(array: Float32Array, i: int) -> Vec:
     """Return row i, columns 0 to 2."""
     return array[i, 0], array[i, 1], array[i, 2]
 
@@ -79,7 +79,7 @@ def tilted(a: Vec, slope: Vec) -> Vec:
 
 
 @device
-def rows_of(matrix: FloatArray) -> Rows:
+def rows_of(matrix: Float32Array) -> Rows:
     """Return the rows of a matrix (3, 3)."""
     return at(matrix, 0), at(matrix, 1), at(matrix, 2)
 
@@ -91,13 +91,13 @@ def turned(rows: Rows, a: Vec) -> Vec:
 
 
 @device
-def rotate(matrix: FloatArray, a: Vec) -> Vec:
+def rotate(matrix: Float32Array, a: Vec) -> Vec:
     """Return matrix · a, for a matrix (3, 3)."""
     return turned(rows_of(matrix), a)
 
 
 @device
-def unrotate(matrix: FloatArray, a: Vec) -> Vec:
+def unrotate(matrix: Float32Array, a: Vec) -> Vec:
     """Return the transposed matrix (3, 3) · a: the inverse of `rotate` for a rotation."""
     return (
         matrix[0, 0] * a[0] + matrix[1, 0] * a[1] + matrix[2, 0] * a[2],
@@ -107,7 +107,7 @@ def unrotate(matrix: FloatArray, a: Vec) -> Vec:
 
 
 @device
-def weigh(array: FloatArray, corners: tuple[int, int, int], weights: Vec, first: int) -> Vec:
+def weigh(array: Float32Array, corners: tuple[int, int, int], weights: Vec, first: int) -> Vec:
     """Return three columns from `first` on of a vertex array, at the barycentric weights in a triangle."""
     a, b, c = corners
     u, v, w = weights

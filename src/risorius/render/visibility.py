@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.arrays import ByteArray, Float32Array, Int32Array
 from .fill import fill
 from .jit import exact, exact_kernel, f4
-from .raster import CHUNK, ByteArray, FloatArray, IntArray, find_rows
+from .raster import CHUNK, find_rows
 
 BAND = 64  # rows of samples drawn at once
 
@@ -24,12 +25,12 @@ class Visibility:
     """
 
     def __init__(self, width: int, height: int, triangles: int, *, keep_ids: bool = True) -> None:
-        self.depth: FloatArray = np.zeros((height, width), np.float32)
-        self.ids: IntArray = np.full((height, width) if keep_ids else (1, 1), -1, np.int32)
-        self.rows: IntArray = np.zeros((triangles, 2), np.int32)
-        self.chunks: IntArray = np.zeros((-(-triangles // CHUNK), 2), np.int32)
+        self.depth: Float32Array = np.zeros((height, width), np.float32)
+        self.ids: Int32Array = np.full((height, width) if keep_ids else (1, 1), -1, np.int32)
+        self.rows: Int32Array = np.zeros((triangles, 2), np.int32)
+        self.chunks: Int32Array = np.zeros((-(-triangles // CHUNK), 2), np.int32)
 
-    def draw(self, xy: IntArray, key: FloatArray, triangles: IntArray, two_sided: ByteArray) -> None:
+    def draw(self, xy: Int32Array, key: Float32Array, triangles: Int32Array, two_sided: ByteArray) -> None:
         """Clear the buffers and draw.
 
         `xy` (n, 2) int32 are positions in 1/256 sample, x to the right and y down, the centre of the first
@@ -42,20 +43,20 @@ class Visibility:
         self.prepare(xy, triangles, two_sided)
         rasterize_all(xy, key, triangles, self.rows, self.chunks, self.depth, self.ids)
 
-    def prepare(self, xy: IntArray, triangles: IntArray, two_sided: ByteArray) -> None:
+    def prepare(self, xy: Int32Array, triangles: Int32Array, two_sided: ByteArray) -> None:
         """Find the rows that the triangles cover (see `draw`)."""
         find_rows(xy, triangles, two_sided, self.depth.shape[0], self.depth.shape[1], self.rows, self.chunks)
 
 
 @exact_kernel
 def rasterize_all(
-    xy: IntArray,
-    key: FloatArray,
-    triangles: IntArray,
-    rows: IntArray,
-    chunks: IntArray,
-    depth: FloatArray,
-    ids: IntArray,
+    xy: Int32Array,
+    key: Float32Array,
+    triangles: Int32Array,
+    rows: Int32Array,
+    chunks: Int32Array,
+    depth: Float32Array,
+    ids: Int32Array,
 ) -> None:
     """Draw all triangles, all rows."""
     for top in range(0, depth.shape[0], BAND):
@@ -64,15 +65,15 @@ def rasterize_all(
 
 @exact
 def rasterize(
-    xy: IntArray,
-    key: FloatArray,
-    triangles: IntArray,
-    rows: IntArray,
-    chunks: IntArray,
+    xy: Int32Array,
+    key: Float32Array,
+    triangles: Int32Array,
+    rows: Int32Array,
+    chunks: Int32Array,
     top: int,
     bottom: int,
-    depth: FloatArray,
-    ids: IntArray,
+    depth: Float32Array,
+    ids: Int32Array,
 ) -> None:
     """Draw the rows from `top` to `bottom`; a later triangle wins only where it is strictly nearer."""
     keep = ids.shape[0] == depth.shape[0]

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.arrays import Float32Array
 from ..face.head import Head
-from .raster import FloatArray
 
 _FINE = 0.28  # strength of the lines that subdivision added
 
 
-def edge_strengths(head: Head, triangles: int) -> FloatArray:
+def edge_strengths(head: Head, triangles: int) -> Float32Array:
     """Return the strength (m, 3) float32, 0..1, of the edge opposite each corner of a scene's triangles.
 
     The edges of the skin's coarse quads count in full, those that subdivision adds less, diagonals not.

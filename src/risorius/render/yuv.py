@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-import numpy.typing as npt
-
+from ..core.arrays import ByteArray
 from .jit import exact, exact_kernel, i4
-
-Bytes = npt.NDArray[np.uint8]
 
 _BITS = 15
 # ITU-R BT.709-6, sections 3.2 and 4: shares of red and blue in the brightness; the ranges of the numbers.
@@ -27,7 +23,7 @@ _CB = _row(-_RED, -_GREEN, 1.0 - _BLUE, _COLOURED / (2.0 * (1.0 - _BLUE)))
 _CR = _row(1.0 - _RED, -_GREEN, -_BLUE, _COLOURED / (2.0 * (1.0 - _RED)))
 
 
-def planes(rgb: Bytes, out: Bytes) -> None:
+def planes(rgb: ByteArray, out: ByteArray) -> None:
     """Write a picture (height, width, 3) of even sides as yuv420p: Y, Cb and Cr, each row by row.
 
     `out` (height · width · 3 / 2,) uint8. A colour is the mean of its four pixels'.
@@ -40,14 +36,14 @@ def planes(rgb: Bytes, out: Bytes) -> None:
 
 
 @exact_kernel
-def _brightness(rgb: Bytes, out: Bytes) -> None:
+def _brightness(rgb: ByteArray, out: ByteArray) -> None:
     for y in range(out.shape[0]):
         for x in range(out.shape[1]):
             out[y, x] = _weighed(i4(rgb[y, x, 0]), i4(rgb[y, x, 1]), i4(rgb[y, x, 2]), _Y, _LOWEST, _BITS)
 
 
 @exact_kernel
-def _colour(rgb: Bytes, blue: Bytes, red: Bytes) -> None:
+def _colour(rgb: ByteArray, blue: ByteArray, red: ByteArray) -> None:
     for y in range(blue.shape[0]):
         for x in range(blue.shape[1]):
             r, g, b = _four(rgb, y, x, 0), _four(rgb, y, x, 1), _four(rgb, y, x, 2)
@@ -56,7 +52,7 @@ def _colour(rgb: Bytes, blue: Bytes, red: Bytes) -> None:
 
 
 @exact
-def _four(rgb: Bytes, y: int, x: int, channel: int) -> int:
+def _four(rgb: ByteArray, y: int, x: int, channel: int) -> int:
     """Return the sum of a channel's four numbers that share place (y, x) of a plane of half the size."""
     top, left = 2 * y, 2 * x
     upper = i4(rgb[top, left, channel]) + i4(rgb[top, left + 1, channel])

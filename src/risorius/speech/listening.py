@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 from scipy.signal import resample_poly
 
+from ..core.arrays import Array, Float32Array
 from ..core.audio import Audio
 
 RATE = 16_000
@@ -22,8 +22,6 @@ _CHUNK_SECONDS = 10.0
 # The resampling filter reaches ten samples of the slower rate to both sides; taken twice to be safe.
 _MARGIN = 20
 
-Sound = npt.NDArray[np.float64]
-
 
 @dataclass(frozen=True)
 class Listening:
@@ -31,7 +29,7 @@ class Listening:
 
     audio: Audio
 
-    def read(self, start: float, end: float) -> Sound:
+    def read(self, start: float, end: float) -> Array:
         """Return the sound of [start, end) in seconds at 16 kHz, shape (n,), in units of 16-bit samples.
 
         The first sample is the one nearest to `start`. What lies outside the recording is silent. The level
@@ -47,7 +45,7 @@ class Listening:
         return SPEECH_LEVEL / float(10.0 ** (loud / 20.0))
 
     @cached_property
-    def levels(self) -> npt.NDArray[np.float32]:
+    def levels(self) -> Float32Array:
         """Root mean square per 10 ms as dB of one 16-bit step, at least -20, shape (frames,)."""
         step = LEVEL_STEP * self.audio.sample_rate
         frames_per_chunk = round(_CHUNK_SECONDS / LEVEL_STEP)
@@ -59,7 +57,7 @@ class Listening:
         return np.concatenate(found)
 
 
-def _frame_levels(audio: Audio, frames: range, step: float) -> npt.NDArray[np.float32]:
+def _frame_levels(audio: Audio, frames: range, step: float) -> Float32Array:
     edges = np.round(np.arange(frames.start, frames.stop + 1) * step).astype(int)
     samples = audio.read(int(edges[0]), int(edges[-1] - edges[0])).astype(np.float64)
     power = np.concatenate(([0.0], np.cumsum(samples**2)))
@@ -68,7 +66,7 @@ def _frame_levels(audio: Audio, frames: range, step: float) -> npt.NDArray[np.fl
     return np.asarray(10.0 * np.log10(mean + 0.01), dtype=np.float32)
 
 
-def _resampled(audio: Audio, first: int, count: int) -> Sound:
+def _resampled(audio: Audio, first: int, count: int) -> Array:
     """Return `count` samples at 16 kHz from sample `first` (at 16 kHz) on, zeros where there is no sound."""
     divisor = math.gcd(RATE, audio.sample_rate)
     up, down = RATE // divisor, audio.sample_rate // divisor
@@ -82,7 +80,7 @@ def _resampled(audio: Audio, first: int, count: int) -> Sound:
     return np.ascontiguousarray(resampled[skipped : skipped + count])
 
 
-def _padded(audio: Audio, begin: int, end: int) -> Sound:
+def _padded(audio: Audio, begin: int, end: int) -> Array:
     samples = audio.read(max(begin, 0), max(end - max(begin, 0), 0)).astype(np.float64)
     before = min(max(-begin, 0), end - begin)
     return np.pad(samples, (before, max(end - begin - before - len(samples), 0)))

@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, BoolArray
 from ..core.audio import Audio
 from ..core.utterance import SILENCE, Utterance, Word
 from ..errors import InputError
@@ -35,7 +35,7 @@ from .alignment.decoder import (
 from .alignment.doubt import POOR_WORD, mean_score
 from .alignment.lexicon import ScriptWord, read_transcript, written_readings
 from .alignment.silences import without_gaps
-from .listening import LEVEL_STEP, RATE, Listening, Sound
+from .listening import LEVEL_STEP, RATE, Listening
 
 if TYPE_CHECKING:
     from pocketsphinx import Decoder
@@ -77,7 +77,7 @@ def stretches(listening: Listening) -> Iterator[tuple[float, float]]:
     yield start * LEVEL_STEP, listening.audio.duration
 
 
-def _longest_run(true: npt.NDArray[np.bool_], shortest: int) -> int | None:
+def _longest_run(true: BoolArray, shortest: int) -> int | None:
     """Return the middle of the longest run of True, None if none is long enough."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], true, [False])))).reshape(-1, 2)
     lengths = edges[:, 1] - edges[:, 0]
@@ -86,7 +86,7 @@ def _longest_run(true: npt.NDArray[np.bool_], shortest: int) -> int | None:
     return int(edges[lengths.argmax()].mean())
 
 
-def _recognized(sound: Sound) -> tuple[list[Found], list[str]]:
+def _recognized(sound: Array) -> tuple[list[Found], list[str]]:
     """Return the phones of a stretch, and the names of its words."""
     names = [_ALTERNATIVE.sub("", segment.word) for segment in _spoken(_word_decoder(), sound)]
     if names:
@@ -97,7 +97,7 @@ def _recognized(sound: Sound) -> tuple[list[Found], list[str]]:
     return _phone_runs(sound)
 
 
-def _phone_runs(sound: Sound) -> tuple[list[Found], list[str]]:
+def _phone_runs(sound: Array) -> tuple[list[Found], list[str]]:
     """Return the phones that a loop over all phones hears; each run without a pause is called a word."""
     duration = len(sound) / RATE
     found: list[Found] = []
@@ -127,11 +127,11 @@ def _script_words(names: list[str]) -> Iterator[ScriptWord]:
         at += len(name) + 1
 
 
-def _spoken(decoder: Decoder, sound: Sound) -> list[Any]:
+def _spoken(decoder: Decoder, sound: Array) -> list[Any]:
     return [segment for segment in _segments(decoder, sound) if not segment.word.startswith(UNSPOKEN)]
 
 
-def _segments(decoder: Decoder, sound: Sound) -> list[Any]:
+def _segments(decoder: Decoder, sound: Array) -> list[Any]:
     decode(decoder, prepared(sound))
     return [] if decoder.hyp() is None else list(decoder.seg())
 

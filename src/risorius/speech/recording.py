@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import BoolArray, Float32Array
 from ..core.audio import Audio, AudioWriter
 from ..errors import InputError, Place
 from .engine import SpeechWarning
@@ -33,8 +33,6 @@ CLIPPED_LEVEL, CLIPPED_RUN = 0.985, 4
 CLIPPED_SHARE = 2e-4
 _BLOCK = 65_536
 _FULL_SCALE = 32_767
-
-Mono = npt.NDArray[np.float32]
 
 
 def read_recording(path: str | PathLike[str]) -> Audio:
@@ -76,7 +74,7 @@ def _opened(path: Path, place: Place) -> SoundFile:
     return source
 
 
-def _blocks(source: SoundFile, place: Place) -> Iterator[Mono]:
+def _blocks(source: SoundFile, place: Place) -> Iterator[Float32Array]:
     """Yield the file's sound, its channels averaged, in blocks."""
     import soundfile
 
@@ -108,7 +106,7 @@ class _Checks:
     odd: int = 0
     odd_from: int = -1
 
-    def mended(self, block: Mono, offset: int) -> Mono:
+    def mended(self, block: Float32Array, offset: int) -> Float32Array:
         """Return the block that starts at sample `offset`, with zeros for what is no number."""
         odd = ~np.isfinite(block)
         if odd.any():
@@ -120,7 +118,7 @@ class _Checks:
             self._count_clipped(np.abs(block) >= CLIPPED_LEVEL, offset)
         return block
 
-    def _count_clipped(self, full: npt.NDArray[np.bool_], offset: int) -> None:
+    def _count_clipped(self, full: BoolArray, offset: int) -> None:
         edges = np.flatnonzero(np.diff(np.concatenate(([False], full, [False]))))
         runs = edges.reshape(-1, 2)
         long = runs[runs[:, 1] - runs[:, 0] >= CLIPPED_RUN]

@@ -9,12 +9,10 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Int8Array, Int64Array
 from ..core.audio import Samples
 from .engine import Rendition, SpokenPhone
-
-Floats = npt.NDArray[np.float64]
 
 HOP, WINDOW = 0.010, 0.025
 _BANDS, _LOWEST, _HIGHEST = 20, 100.0, 5000.0
@@ -41,7 +39,7 @@ def warped(reference: Rendition, samples: Samples, sample_rate: int) -> tuple[Sp
     )
 
 
-def _map(times: Floats, a: Floats, b: Floats) -> Floats:
+def _map(times: Array, a: Array, b: Array) -> Array:
     path = _path(a, b)
     first, rows = np.unique(path[:, 0], return_index=True)
     last = np.append(rows[1:], len(path)) - 1
@@ -49,7 +47,7 @@ def _map(times: Floats, a: Floats, b: Floats) -> Floats:
     return np.asarray(np.interp(times, first * HOP, middle * HOP))
 
 
-def _path(a: Floats, b: Floats) -> npt.NDArray[np.int64]:
+def _path(a: Array, b: Array) -> Int64Array:
     """Return the cheapest path (steps, 2) of frames from the first to the last of both."""
     step = _steps(_distances(a, b))
     i, j = len(a) - 1, len(b) - 1
@@ -61,13 +59,13 @@ def _path(a: Floats, b: Floats) -> npt.NDArray[np.int64]:
     return np.array(path[::-1])
 
 
-def _distances(a: Floats, b: Floats) -> Floats:
+def _distances(a: Array, b: Array) -> Array:
     """Return the distances (frames of a, frames of b) of spectra."""
     squared = (a**2).sum(axis=1)[:, None] + (b**2).sum(axis=1)[None, :] - 2.0 * a @ b.T
     return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
 
 
-def _steps(distance: Floats) -> npt.NDArray[np.int8]:
+def _steps(distance: Array) -> Int8Array:
     """Return from where the cheapest path comes to each pair of frames, diagonal by diagonal."""
     n, m = distance.shape
     total = np.full((n + 1, m + 1), np.inf)
@@ -84,7 +82,7 @@ def _steps(distance: Floats) -> npt.NDArray[np.int8]:
     return step
 
 
-def _features(samples: Samples, sample_rate: int) -> Floats:
+def _features(samples: Samples, sample_rate: int) -> Array:
     """Return log mel spectra (frames, bands), each band with mean 0 and deviation 1 over the stretch."""
     hop, window = round(HOP * sample_rate), round(WINDOW * sample_rate)
     padded = np.pad(samples.astype(np.float64), (window // 2, window))
@@ -97,7 +95,7 @@ def _features(samples: Samples, sample_rate: int) -> Floats:
 
 
 @cache
-def _filters(window: int, sample_rate: int) -> Floats:
+def _filters(window: int, sample_rate: int) -> Array:
     """Return triangular filters (frequencies, bands), evenly spaced in mel."""
     frequencies = np.fft.rfftfreq(window, 1.0 / sample_rate)
     low, high = (2595.0 * np.log10(1.0 + f / 700.0) for f in (_LOWEST, min(_HIGHEST, 0.5 * sample_rate)))

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..core.audio import Samples
-
-Floats = npt.NDArray[np.float64]
 
 # Seconds: of a window, and how far around its place the best match is sought.
 WINDOW, SEARCH = 0.024, 0.006
 
 
-def stretch(samples: Samples, source: Floats, target: Floats, sample_rate: int) -> Samples:
+def stretch(samples: Samples, source: Array, target: Array, sample_rate: int) -> Samples:
     """Return the sound whose moment `target[k]` is moment `source[k]` of `samples`; both count samples.
 
     It lasts from `target[0]` to `target[-1]`; between the given moments time runs evenly.
@@ -37,7 +35,7 @@ def stretch(samples: Samples, source: Floats, target: Floats, sample_rate: int) 
     return np.clip(np.round(stretched), -32768, 32767).astype(np.int16)
 
 
-def _best(sound: Floats, wanted: int, follows: int | None, half: int, reach: int) -> int:
+def _best(sound: Array, wanted: int, follows: int | None, half: int, reach: int) -> int:
     """Return where near `wanted` a window best continues the one before it, which goes on at `follows`."""
     wanted = max(0, min(wanted, len(sound) - 2 * half))
     if follows is None or follows + 2 * half > len(sound):

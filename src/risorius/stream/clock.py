@@ -6,9 +6,7 @@ import time
 from types import TracebackType
 from typing import Protocol
 
-import numpy as np
-import numpy.typing as npt
-
+from ..core.arrays import Int16Array
 from ..core.audio import Audio
 from ..errors import OutputError
 
@@ -95,7 +93,7 @@ class SoundClock(MachineClock):
         self._stream.stop()
         self._stream.close()
 
-    def _fill(self, out: npt.NDArray[np.int16], frames: int, timing: object, status: object) -> None:
+    def _fill(self, out: Int16Array, frames: int, timing: object, status: object) -> None:
         """Hand the next block to the device: it is heard after the device's latency."""
         block = self._audio.read(self._given, frames)
         out[: len(block), 0] = block

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
-import numpy.typing as npt
 
 from ..core.arkit import SHAPES, column_of
+from ..core.arrays import Array
 from ..face.arkit_fit import ArkitTrack
 from ..face.expressions import expressions, preset_weights
 from ..face.rotations import head_rotation
@@ -21,7 +21,6 @@ from ..ports.gltf import quaternion
 from .osc import bundles, message
 from .protocols import Options, Packets
 
-Array = npt.NDArray[np.float64]
 BONES = ("Head", "LeftEye", "RightEye")
 
 

@@ -6,8 +6,8 @@ import base64
 from collections.abc import Mapping
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Int16Array
 from ..core.audio import Audio
 from ..core.edits import is_edited
 from ..core.movement import CHANNEL_PRIORITY, Cause, LipSegment, ManualCurve, Movement, fitted
@@ -43,7 +43,7 @@ def waves(audio: Audio) -> tuple[wire.Wave, ...]:
     return tuple(_wave(samples, round(zoom * audio.sample_rate), audio.sample_rate) for zoom in zooms)
 
 
-def _wave(samples: npt.NDArray[np.int16], size: int, rate: int) -> wire.Wave:
+def _wave(samples: Int16Array, size: int, rate: int) -> wire.Wave:
     edges = np.arange(0, max(len(samples), 1), size)
     padded = samples if len(samples) else np.zeros(1, np.int16)
     low, high = np.minimum.reduceat(padded, edges), np.maximum.reduceat(padded, edges)
@@ -121,7 +121,7 @@ def _drawn(name: str, curve: ManualCurve) -> wire.Drawn:
     return wire.Drawn(name, tuple(curve.keys[name]), sentence(curve.cause), curve.replaces)
 
 
-def curves(values: npt.NDArray[np.float64]) -> dict[str, str]:
+def curves(values: Array) -> dict[str, str]:
     """Return the curves of (frames, 46) values that leave their neutral, by name."""
     moving = np.flatnonzero((values != NEUTRAL).any(axis=0))
     return {NAMES[column]: packed(values[:, column]) for column in moving}
@@ -133,6 +133,6 @@ def changed_curves(before: Mapping[str, str], after: Mapping[str, str]) -> dict[
     return {name: after.get(name, "") for name in names if before.get(name, "") != after.get(name, "")}
 
 
-def packed(values: npt.NDArray[np.float64]) -> str:
+def packed(values: Array) -> str:
     """Return numbers as base64 of little-endian float32."""
     return base64.b64encode(np.ascontiguousarray(values, "<f4").tobytes()).decode()

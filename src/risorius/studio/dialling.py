@@ -9,8 +9,8 @@ from concurrent.futures import Executor
 from contextlib import ExitStack
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..core.parameters import NAMES
 from ..errors import InputError, unknown
 from ..face.head import shipped_heads
@@ -38,7 +38,7 @@ class Dialling:
         self._held = ExitStack()
         self._looks: tuple[str, float | None] | None = None
         self._dial: Dial | None = None
-        self._values: npt.NDArray[np.float64] = np.zeros(len(NAMES))
+        self._values: Array = np.zeros(len(NAMES))
         self._number, self._until = 0, 0.0
         self._last_turn, self._dragged = 0.0, False
         self._moving: asyncio.Task[None] | None = None

@@ -6,15 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array
 from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from ..face.frame import FaceFrame
 from ..face.solve import FaceSolver
 from ..face.springs import RATE, Springs
 from ..pipeline import pose_values
 
-Array = npt.NDArray[np.float64]
 # Seconds after which the skin lies still, and the most that it moves on between two faces.
 SETTLED, LONGEST = 0.6, 0.1
 # Seconds in which a dial turned all the way is followed, as by a quick muscle: the skin would tear at a jump.

@@ -13,8 +13,8 @@ import struct
 from collections.abc import Iterator
 
 import numpy as np
-import numpy.typing as npt
 
+from ..core.arrays import Array, Float32Array, Int16Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..ports.glb_scene import riding
@@ -75,7 +75,7 @@ class Stage:
         header = HEADER.pack(kind, take, first, len(faces), self.vertices, POSE)
         return b"".join((header, poses.astype("<f4").tobytes(), positions.tobytes()))
 
-    def _positions(self, face: FaceFrame) -> npt.NDArray[np.int16]:
+    def _positions(self, face: FaceFrame) -> Int16Array:
         skin = face.skin.astype(np.float64)
         hairs = riding(self.pieces, skin - self._rest)
         grown = [self.pieces[name].points + move for name, move in hairs.items()]
@@ -83,11 +83,11 @@ class Stage:
         return np.asarray(np.round((points - self.origin) / STEP).clip(-32768, 32767), "<i2")
 
 
-def _pose(face: FaceFrame) -> npt.NDArray[np.float32]:
+def _pose(face: FaceFrame) -> Float32Array:
     turns = quaternions([face.head_rotation, *face.eye_rotation]).ravel()
     return np.concatenate([turns, np.array([face.jaw_angle], np.float32)])
 
 
-def _place(point: npt.NDArray[np.float64]) -> tuple[float, float, float]:
+def _place(point: Array) -> tuple[float, float, float]:
     x, y, z = point.tolist()
     return x, y, z

@@ -11,16 +11,15 @@ from typing import Any
 
 import av
 import numpy as np
-import numpy.typing as npt
 import pytest
 
+from risorius.core.arrays import Array, ByteArray
 from risorius.core.audio import Audio
 from risorius.ports.source import Material, WriteOptions
 from risorius.ports.video.mp4 import write_mp4
 
 MaterialMaker = Callable[..., Material]
 SoundMaker = Callable[..., Audio]
-Pixels = npt.NDArray[np.uint8]
 BARS = np.array(
     [
         (255, 255, 255), (191, 191, 0), (0, 191, 191), (0, 191, 0), (191, 0, 191), (191, 0, 0),
@@ -34,8 +33,8 @@ BARS = np.array(
 class Film:
     """A decoded film: (time, planes) of each picture, the sound, its start and rate."""
 
-    pictures: list[tuple[Fraction, npt.NDArray[np.float64]]]
-    sound: npt.NDArray[np.float64]
+    pictures: list[tuple[Fraction, Array]]
+    sound: Array
     sound_start: Fraction
     sound_rate: int
     size: tuple[int, int]
@@ -55,7 +54,7 @@ def _decoded(path: Path) -> Film:
     return Film(pictures, sound.astype(float), start, rate, size, video)
 
 
-def _rgb(planes: npt.NDArray[np.float64], size: tuple[int, int]) -> npt.NDArray[np.float64]:
+def _rgb(planes: Array, size: tuple[int, int]) -> Array:
     """Turn yuv420p of limited range into RGB by the matrix of ITU-R BT.709, (height, width, 3)."""
     width, height = size
     y = (planes[:height] - 16.0) / 219.0
@@ -70,8 +69,8 @@ def _write(material: Material, path: Path, size: tuple[int, int]) -> Film:
     return _decoded(path)
 
 
-def _flashes(marked: set[int]) -> Callable[..., Iterator[Pixels]]:
-    def pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[Pixels]:
+def _flashes(marked: set[int]) -> Callable[..., Iterator[ByteArray]]:
+    def pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray]:
         for index in indices:
             yield np.full((size[1], size[0], 3), 255 if index in marked else 20, np.uint8)
 
@@ -132,7 +131,7 @@ def test_colours_are_exact_and_tagged_bt709(tmp_path: Path, material_of: Materia
     size = (12 * 40, 80)
     bars = BARS.repeat(40, 0)[None].repeat(size[1], 0)
 
-    def pictures(_: tuple[int, int], indices: Sequence[int]) -> Iterator[Pixels]:
+    def pictures(_: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray]:
         yield from (bars for _ in indices)
 
     film = _write(material_of(0.5, pictures=pictures), tmp_path / "x.mp4", size)
@@ -163,7 +162,7 @@ def test_the_same_take_gives_the_same_bytes_on_one_processor_and_on_many(
 ) -> None:
     noise = np.random.default_rng(0).integers(0, 256, (120, 160, 3)).astype(np.uint8)
 
-    def pictures(_: tuple[int, int], indices: Sequence[int]) -> Iterator[Pixels]:
+    def pictures(_: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray]:
         yield from (np.roll(noise, (index, 3 * index), (0, 1)) for index in indices)
 
     audio = sound_of(np.random.default_rng(1).integers(-9000, 9000, 44_100).astype(np.int16))

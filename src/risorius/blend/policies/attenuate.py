@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...core.arrays import Array
 from ..channels import Channel
 from ..conflict import POLICIES, Field, Hindrance, Join, Settle
-from ..intervals import Array
 from .strength import Strengths
 
 SHARE = 0.8

@@ -13,10 +13,10 @@ from functools import lru_cache
 
 import numpy as np
 
+from ...core.arrays import Array
 from ...core.parameters import RIVALS
 from ..channels import Channel
 from ..conflict import POLICIES, Field, Hindrance, Join, Settle
-from ..intervals import Array
 from ..knots import LEAST_ASKED, STEEPEST, Knots, eased, paced, smoothstep
 from .strength import Strengths
 

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...core.arrays import Array
 from ..channels import Channel
 from ..conflict import POLICIES, Effect, Field, Hindrance, Join, Settle
-from ..intervals import Array, Spans, difference, dilated, intersection, neighbours, union
+from ..intervals import Spans, difference, dilated, intersection, neighbours, union
 
 
 @POLICIES.register("inhibit")

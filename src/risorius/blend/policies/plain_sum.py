@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ...core.arrays import Array
 from ..channels import Channel
 from ..conflict import POLICIES, Field, Hindrance, Join, Settle
-from ..intervals import Array
 
 
 @POLICIES.register("sum")

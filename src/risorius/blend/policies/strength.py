@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ...core.arrays import Array
 from ..channels import Channel
 from ..conflict import Effect, Field, Hindrance
-from ..intervals import Array
 
 Strength = Callable[[str, Array], Array]
 """(rival parameter, its settled activity (n,)) -> how strong it is, 0..1 (n,)."""

@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from ...core.arrays import ByteArray
 from ...core.look import OVERLAYS
-from ..source import Picture, Size
+from ..source import Size
 from .bars import Bars
 from .caption import Caption
 from .ink import Layer, Subject
@@ -35,7 +36,7 @@ class Overlays:
         below = sum(layer.below for layer in self._layers)
         self.picture_size = (size[0], size[1] - below)
 
-    def draw(self, picture: Picture, frame: int) -> Picture:
+    def draw(self, picture: ByteArray, frame: int) -> ByteArray:
         """Return a picture of `picture_size` with the layers of that frame, at the whole size."""
         from PIL import Image
 

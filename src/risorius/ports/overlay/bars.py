@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
 from ...core.action_units import ACTION_UNITS, ActionUnit
+from ...core.arrays import Array
 from ...core.parameters import BASES, INDEX
 from ...core.performance import Performance
 from ..source import Size
@@ -48,7 +48,7 @@ class Bars:
                 pen.rectangle((x, y + 0.25 * high, x + value * wide, y + 0.95 * high), fill=BRIGHT)
 
 
-def unit_values(performance: Performance, units: list[ActionUnit]) -> npt.NDArray[np.float64]:
+def unit_values(performance: Performance, units: list[ActionUnit]) -> Array:
     """Return intensities 0..1 of action units, (frames, units): the mean of the muscles that perform each."""
     columns = []
     for unit in units:

@@ -18,9 +18,9 @@ from types import TracebackType
 from typing import cast
 
 import numpy as np
-import numpy.typing as npt
 
 from ... import workers
+from ...core.arrays import ByteArray, Int16Array
 from ...errors import OutputError
 from ...render.yuv import planes
 from . import messages
@@ -53,7 +53,7 @@ class VideoEncoder:
         self._shape = (size[1], size[0], channels)
         width, height = size[0] + size[0] % 2, size[1] + size[1] % 2
         pixels = "rgba" if channels == 4 else "rgb24"
-        self._planes: npt.NDArray[np.uint8] | None = None
+        self._planes: ByteArray | None = None
         if channels == 3 and CODECS[codec].pixels == "yuv420p":
             pixels, self._planes = "yuv420p", np.empty(width * height * 3 // 2, np.uint8)
         self._patience = patience
@@ -79,7 +79,7 @@ class VideoEncoder:
         """The worker's process id."""
         return self._process.pid
 
-    def picture(self, rgb: npt.NDArray[np.uint8]) -> None:
+    def picture(self, rgb: ByteArray) -> None:
         """Add the next picture, uint8 of shape (height, width, channels); it may be changed afterwards."""
         if rgb.shape != self._shape or rgb.dtype != np.uint8:
             raise ValueError(f"a picture is {rgb.dtype}{rgb.shape}; expected uint8{self._shape}")
@@ -89,7 +89,7 @@ class VideoEncoder:
             numbers = self._planes
         self._send(messages.PICTURE, numbers.data.cast("B"))
 
-    def sound(self, samples: npt.NDArray[np.int16]) -> None:
+    def sound(self, samples: Int16Array) -> None:
         """Add int16 samples, shape (n,)."""
         if len(samples):
             self._send(messages.SOUND, samples.astype("<i2", copy=False).tobytes())
@@ -172,7 +172,7 @@ class VideoEncoder:
             self._stop()
 
 
-def _even(rgb: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
+def _even(rgb: ByteArray) -> ByteArray:
     """Repeat the last row and column of an odd picture: most formats have even sides only."""
     height, width = rgb.shape[:2]
     if height % 2 == 0 and width % 2 == 0:

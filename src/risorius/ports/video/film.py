@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
-import numpy.typing as npt
-
+from ...core.arrays import Int16Array
 from ...core.audio import Audio
 from ..source import Material, WriteOptions
 from .encoder import VideoEncoder
@@ -46,7 +44,7 @@ class _Sound:
         self._blocks = iter(()) if audio is None else audio.blocks(audio.sample_rate)
         self._given = 0
 
-    def until(self, seconds: float) -> Iterator[npt.NDArray[np.int16]]:
+    def until(self, seconds: float) -> Iterator[Int16Array]:
         """Yield blocks until at least `seconds` of the sound are given, or its end is reached."""
         while self._given < seconds * self._rate:
             block = next(self._blocks, None)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from ...core.arrays import Float32Array
 from ..inputs import CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Sight, Tables
 from ..jit import device, f4, inlined
 from ..noise import grain
-from ..raster import FloatArray
 from ..vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
 from .lit import lamp_colour, lamp_direction, lamp_share, room_light
 from .patch import Corners, corners_of, put, towards, weights_of
@@ -59,7 +59,7 @@ def _cloth(
 
 
 @device
-def _knit(tile: FloatArray, rest: Vec, albedo: Vec, normal: Vec, depth: float) -> tuple[Vec, Vec]:
+def _knit(tile: Float32Array, rest: Vec, albedo: Vec, normal: Vec, depth: float) -> tuple[Vec, Vec]:
     """Return albedo and normal with stitches, and over the collar's width with ribs and a rolled edge."""
     thread = grain(tile, (rest[0], rest[1] * f4(0.6), rest[2]), f4(3.2))[0]
     light = f4(1) + f4(0.09) * thread

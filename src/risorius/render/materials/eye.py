@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
+from ...core.arrays import Float32Array
 from ..brdf import gloss, schlick
 from ..inputs import EYE_LEFT, Batch, Light, Mesh, Pose, Sight, Tables
 from ..jit import device, f4, inlined
 from ..noise import grain
-from ..raster import FloatArray
 from ..vec import (
     Vec,
     add,
@@ -87,7 +87,7 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
 
 @device
 def lid_distances(
-    lids: FloatArray, span: FloatArray, side: int, in_head: Vec, radius: float
+    lids: Float32Array, span: Float32Array, side: int, in_head: Vec, radius: float
 ) -> tuple[float, float]:
     """Return mm below the upper and above the lower lid's margin."""
     low, high = span[side, 0], span[side, 1]
@@ -101,7 +101,7 @@ def lid_distances(
 
 
 @device
-def _corner_distances(span: FloatArray, side: int, in_head: Vec, radius: float) -> tuple[float, float]:
+def _corner_distances(span: Float32Array, side: int, in_head: Vec, radius: float) -> tuple[float, float]:
     """Return mm across from the inner and from the outer corner of the lids."""
     x = in_head[0] * radius
     first, second = max(x - span[side, 0], f4(0)), max(span[side, 1] - x, f4(0))
@@ -183,7 +183,7 @@ def _iris(
 
 
 @device
-def _iris_colour(image: FloatArray, pupil: float, x: float, y: float, distance: float) -> Vec:
+def _iris_colour(image: Float32Array, pupil: float, x: float, y: float, distance: float) -> Vec:
     """Return the albedo at a place in the iris' plane (radius 1): pupil, fibres, dark limbus."""
     rings, angles = image.shape[0], image.shape[1]
     ring = saturate((distance - pupil) / (f4(1) - pupil)) * f4(rings - 1.001)
@@ -197,14 +197,14 @@ def _iris_colour(image: FloatArray, pupil: float, x: float, y: float, distance: 
 
 
 @device
-def _texel(image: FloatArray, i: int, j: int) -> Vec:
+def _texel(image: Float32Array, i: int, j: int) -> Vec:
     return image[i, j, 0], image[i, j, 1], image[i, j, 2]
 
 
 @device
 def _wet(
-    lamps: FloatArray,
-    room: FloatArray,
+    lamps: Float32Array,
+    room: Float32Array,
     facing: Vec,
     outward: Vec,
     view: Vec,

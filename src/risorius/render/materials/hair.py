@@ -7,16 +7,16 @@ from __future__ import annotations
 
 import math
 
+from ...core.arrays import Float32Array
 from ..inputs import EXTRA, HAIR, OCCLUSION, SPECULAR, Batch, Light, Mesh
 from ..jit import device, f4, inlined, kernel
-from ..raster import FloatArray
 from ..vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from .lit import key_share, lamp_colour, lamp_direction, room_light
 from .patch import corners_of, put, weights_of
 
 
 @kernel
-def light_hairs(mesh: Mesh, light: Light, eye: FloatArray, first: int) -> None:
+def light_hairs(mesh: Mesh, light: Light, eye: Float32Array, first: int) -> None:
     """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.hair_light`."""
     camera = (eye[0], eye[1], eye[2])
     for i in range(first, len(mesh.positions), 2):

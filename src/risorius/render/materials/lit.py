@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from ...core.arrays import Float32Array
 from ..inputs import Light
 from ..jit import device, f4, inlined
 from ..lanes import LAMPS, LANES, REACH
-from ..raster import FloatArray
 from ..shadow import lit
 from ..vec import Vec, mix
 
@@ -13,7 +13,7 @@ Room = tuple[Vec, Vec]
 
 
 @device
-def room_of(room: FloatArray) -> Room:
+def room_of(room: Float32Array) -> Room:
     """Return the room's light from below and from above."""
     return (room[1, 0], room[1, 1], room[1, 2]), (room[0, 0], room[0, 1], room[0, 2])
 
@@ -27,7 +27,7 @@ def glow(room: Room, normal: Vec, free: float) -> Vec:
 
 
 @device
-def room_light(room: FloatArray, normal: Vec, free: float) -> Vec:
+def room_light(room: Float32Array, normal: Vec, free: float) -> Vec:
     """Return `glow` of the room (2, 3)."""
     return glow(room_of(room), normal, free)
 
@@ -39,19 +39,19 @@ def key_share(light: Light, p: Vec) -> float:
 
 
 @device
-def lamp_direction(lamps: FloatArray, k: int) -> Vec:
+def lamp_direction(lamps: Float32Array, k: int) -> Vec:
     """Return the unit vector towards lamp k."""
     return lamps[k, 0], lamps[k, 1], lamps[k, 2]
 
 
 @device
-def lamp_colour(lamps: FloatArray, k: int) -> Vec:
+def lamp_colour(lamps: Float32Array, k: int) -> Vec:
     """Return the colour of lamp k."""
     return lamps[k, 3], lamps[k, 4], lamps[k, 5]
 
 
 @device
-def lamp_share(reach: FloatArray, corners: tuple[int, int, int], weights: Vec, k: int) -> float:
+def lamp_share(reach: Float32Array, corners: tuple[int, int, int], weights: Vec, k: int) -> float:
     """Return how much of lamp k arrives at a place in a triangle, as far as its corners tell."""
     a, b, c = corners
     share: float = weights[0] * reach[a, k] + weights[1] * reach[b, k] + weights[2] * reach[c, k]
@@ -60,7 +60,7 @@ def lamp_share(reach: FloatArray, corners: tuple[int, int, int], weights: Vec, k
 
 @device
 def read_reach(
-    block: FloatArray, lane: int, reach: FloatArray, corners: tuple[int, int, int], weights: Vec
+    block: Float32Array, lane: int, reach: Float32Array, corners: tuple[int, int, int], weights: Vec
 ) -> None:
     """Read into a lane how much of each lamp arrives at a place in a triangle, as far as its corners tell."""
     for lamp in range(LAMPS):

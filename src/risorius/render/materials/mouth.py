@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from ...core.arrays import Float32Array
 from ..brdf import gloss
 from ..inputs import ALBEDO, OCCLUSION, TEETH, TONGUE, Batch, Light, Mesh, Pose, Sight
 from ..jit import device, f4, inlined
-from ..raster import FloatArray
 from ..vec import Vec, along, dot, saturate, scale, smooth, sub, times, unit, unrotate, weigh
 from .lit import key_share, lamp_colour, lamp_direction, room_light
 from .patch import Corners, corners_of, put, towards, weights_of
@@ -19,7 +19,9 @@ _DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate take half of the light on this wa
 
 
 @device
-def past_lips(rotation: FloatArray, pivot: FloatArray, lips: FloatArray, span: FloatArray, p: Vec) -> float:
+def past_lips(
+    rotation: Float32Array, pivot: Float32Array, lips: Float32Array, span: Float32Array, p: Vec
+) -> float:
     """Return how much light 0..1 comes to a point within the mouth past the lips, and out again.
 
     The slit of the lips is taken as an endless strip, at the point's own x and, since light also falls in
@@ -36,7 +38,7 @@ def past_lips(rotation: FloatArray, pivot: FloatArray, lips: FloatArray, span: F
 
 
 @device
-def _strip(lips: FloatArray, span: FloatArray, x: float, y: float, z: float) -> float:
+def _strip(lips: Float32Array, span: Float32Array, x: float, y: float, z: float) -> float:
     """Return the form factor of the slit over x: half the difference of the sines towards its two edges."""
     left: float = span[0]
     right: float = span[1]
@@ -54,7 +56,7 @@ def _strip(lips: FloatArray, span: FloatArray, x: float, y: float, z: float) -> 
 
 
 @device
-def _edge(lips: FloatArray, i: int, s: float, column: int) -> tuple[float, float]:
+def _edge(lips: Float32Array, i: int, s: float, column: int) -> tuple[float, float]:
     y, z = lips[i, column], lips[i, column + 1]
     return y + (lips[i + 1, column] - y) * s, z + (lips[i + 1, column + 1] - z) * s
 

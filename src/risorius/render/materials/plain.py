@@ -5,6 +5,7 @@ Skin is shaded in blocks (`lanes`), each step for all patches of a block; for th
 
 from __future__ import annotations
 
+from ...core.arrays import Float32Array
 from .. import inputs
 from ..brdf import gloss
 from ..inputs import SKIN, TONGUE, Batch, Light, Mesh, Paint, Pose, Sight, Tables
@@ -27,7 +28,6 @@ from ..lanes import (
     get,
     put,
 )
-from ..raster import FloatArray
 from ..vec import Vec, add, along, dot, mix, scale, times, weigh
 from .folds import bent, creased
 from .lit import glow, lamp_colour, lamp_direction, read_reach, room_of
@@ -132,7 +132,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 
 
 @device
-def _shadow(count: int, block: FloatArray, pose: Pose) -> None:
+def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
     """Find how much of the lamps and of the room's light arrives."""
     for lane in range(count):
         free, inner = block[FREE + lane], block[INNER + lane]
@@ -162,7 +162,7 @@ def _paint(count: int, batch: Batch, mesh: Mesh, paint: Paint, pixel: float) -> 
 
 
 @device
-def _fill(block: FloatArray, light: Light) -> None:
+def _fill(block: Float32Array, light: Light) -> None:
     """Begin with the room's light and what glows."""
     room = room_of(light.room)
     for k in range(LANES):
@@ -171,7 +171,7 @@ def _fill(block: FloatArray, light: Light) -> None:
 
 
 @device
-def _add_lamp(block: FloatArray, lamp: int, direction: Vec, colour: Vec) -> None:
+def _add_lamp(block: Float32Array, lamp: int, direction: Vec, colour: Vec) -> None:
     """Add the matt light of one lamp."""
     for k in range(LANES):
         share = block[REACH + lamp * LANES + k] * facing(get(block, NORMAL, k), direction)
@@ -180,7 +180,7 @@ def _add_lamp(block: FloatArray, lamp: int, direction: Vec, colour: Vec) -> None
 
 
 @device
-def _add_gloss(block: FloatArray, direction: Vec, colour: Vec) -> None:
+def _add_gloss(block: Float32Array, direction: Vec, colour: Vec) -> None:
     """Add a broad, faint gloss of the key lamp."""
     for k in range(LANES):
         shine = gloss(get(block, NORMAL, k), get(block, VIEW, k), direction, ROUGH, MIRRORED)

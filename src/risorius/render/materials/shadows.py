@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ...core.arrays import Float32Array
 from ..inputs import Light, Mesh
 from ..jit import f4, inlined, kernel
-from ..raster import FloatArray
 from ..vec import Vec, at
 from .lit import key_share
 from .patch import Corners
@@ -13,7 +13,7 @@ _EVEN = f4(0.1)  # shares of the key lamp that differ by less have nothing betwe
 
 
 @kernel
-def cast_shadows(positions: FloatArray, light: Light, shadow: FloatArray) -> None:
+def cast_shadows(positions: Float32Array, light: Light, shadow: Float32Array) -> None:
     """Write the share of the key lamp that reaches each of the first vertices into `shadow` (n,)."""
     for i in range(len(shadow)):
         shadow[i] = key_share(light, at(positions, i))

@@ -5,6 +5,7 @@ Its patches are shaded in blocks (`lanes`), each step for all patches of a block
 
 from __future__ import annotations
 
+from ...core.arrays import Float32Array
 from .. import inputs
 from ..inputs import SKIN, Batch, Light, Mesh, Pose, Sight, Tables
 from ..jit import device, f4, i8, inlined
@@ -34,7 +35,6 @@ from ..lanes import (
     put,
 )
 from ..noise import between, cell_of, heights_about
-from ..raster import FloatArray
 from ..vec import add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from .folds import bent, creased
 from .lit import glow, read_reach, room_of
@@ -105,7 +105,7 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light, pixel: floa
 
 
 @device
-def _find_grain(count: int, block: FloatArray, tile: FloatArray) -> None:
+def _find_grain(count: int, block: Float32Array, tile: Float32Array) -> None:
     """Look the pores up."""
     for k in range(count):
         cell, way = cell_of(get(block, REST, k), _PORES)
@@ -116,7 +116,7 @@ def _find_grain(count: int, block: FloatArray, tile: FloatArray) -> None:
 
 
 @device
-def _roughen(block: FloatArray, pose: Pose, pixel: float) -> None:
+def _roughen(block: Float32Array, pose: Pose, pixel: float) -> None:
     """Let the pores turn the normal and vary colour and gloss."""
     rotation = rows_of(pose.rotation)
     # Pores smaller than two pixels would flicker as the head moves.
@@ -166,7 +166,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 
 
 @device
-def _shadow(count: int, block: FloatArray, pose: Pose) -> None:
+def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
     """Find how much of the key lamp and of the room's light arrives."""
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
@@ -178,7 +178,7 @@ def _shadow(count: int, block: FloatArray, pose: Pose) -> None:
 
 
 @device
-def _fill(block: FloatArray, light: Light) -> None:
+def _fill(block: Float32Array, light: Light) -> None:
     """Begin with the room's light."""
     room = room_of(light.room)
     for k in range(LANES):

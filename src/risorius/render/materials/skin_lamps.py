@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...core.arrays import Float32Array
 from ..brdf import mirrored, schlick
 from ..jit import device, f4
 from ..lanes import (
@@ -24,7 +25,6 @@ from ..lanes import (
     get,
     put,
 )
-from ..raster import FloatArray
 from ..subsurface import angle_place, curvature_place, scattered
 from ..vec import Vec, add, along, dot, times
 from .lit import glow, lamp_colour, lamp_direction, room_of, warm_edge
@@ -35,7 +35,9 @@ _FRONT = 2  # lamps: those further on stand behind the head
 
 
 @device
-def lamp_light(count: int, lamp: int, block: FloatArray, lamps: FloatArray, diffuse: FloatArray) -> None:
+def lamp_light(
+    count: int, lamp: int, block: Float32Array, lamps: Float32Array, diffuse: Float32Array
+) -> None:
     """Add the light of one lamp."""
     if not _arrive(count, lamp, block):
         return
@@ -52,7 +54,7 @@ def lamp_light(count: int, lamp: int, block: FloatArray, lamps: FloatArray, diff
 
 
 @device
-def _arrive(count: int, lamp: int, block: FloatArray) -> bool:
+def _arrive(count: int, lamp: int, block: Float32Array) -> bool:
     """Find how much of a lamp arrives at each patch; return whether it is worth looking at anywhere."""
     for k in range(LANES):
         share = block[REACH + lamp * LANES + k]
@@ -68,7 +70,7 @@ def _arrive(count: int, lamp: int, block: FloatArray) -> bool:
 
 
 @device
-def _look_up(count: int, block: FloatArray, diffuse: FloatArray) -> None:
+def _look_up(count: int, block: Float32Array, diffuse: Float32Array) -> None:
     """Find what of a lamp the skin scatters."""
     for k in range(count):
         if block[SHARE + k] > f4(0):
@@ -77,7 +79,7 @@ def _look_up(count: int, block: FloatArray, diffuse: FloatArray) -> None:
 
 
 @device
-def _add_scattered(block: FloatArray, colour: Vec) -> None:
+def _add_scattered(block: Float32Array, colour: Vec) -> None:
     for k in range(LANES):
         below = times(get(block, BELOW, k), warm_edge(block[SHARE + k]))
         lit = times(times(get(block, ALBEDO, k), colour), below)
@@ -85,7 +87,7 @@ def _add_scattered(block: FloatArray, colour: Vec) -> None:
 
 
 @device
-def _add_gloss(block: FloatArray, direction: Vec, colour: Vec, softness: float, part: float) -> None:
+def _add_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: float, part: float) -> None:
     for k in range(LANES):
         glint = _mirrored(block, k, direction, block[ROUGHNESS + k] + softness)
         amount = part * glint * block[SHARE + k] * block[STRENGTH + k]
@@ -93,7 +95,7 @@ def _add_gloss(block: FloatArray, direction: Vec, colour: Vec, softness: float, 
 
 
 @device
-def _add_key_gloss(block: FloatArray, direction: Vec, colour: Vec, softness: float) -> None:
+def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: float) -> None:
     """Add the key lamp's gloss: a sharp one and, of the oil's uneven film, a broad one."""
     for k in range(LANES):
         wide = block[ROUGHNESS + k] + softness
@@ -104,13 +106,13 @@ def _add_key_gloss(block: FloatArray, direction: Vec, colour: Vec, softness: flo
 
 
 @device
-def _mirrored(block: FloatArray, k: int, direction: Vec, wide: float) -> float:
+def _mirrored(block: Float32Array, k: int, direction: Vec, wide: float) -> float:
     bumpy, half = get(block, BUMPY, k), add(get(block, VIEW, k), direction)
     return mirrored(dot(bumpy, direction), dot(bumpy, half), dot(half, half), wide, _FACING)
 
 
 @device
-def edge_light(block: FloatArray, room: FloatArray) -> None:
+def edge_light(block: Float32Array, room: Float32Array) -> None:
     """Add what the skin mirrors of the room along its outline."""
     around = room_of(room)
     for k in range(LANES):

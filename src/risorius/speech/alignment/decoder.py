@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ...core.arrays import Array
 from ...core.utterance import SILENCE
-from ..listening import RATE, Sound
+from ..listening import RATE
 
 if TYPE_CHECKING:
     from pocketsphinx import Decoder
@@ -49,7 +50,7 @@ class Found(NamedTuple):
     score: float
 
 
-def align_words(sound: Sound, words: Sequence[Readings]) -> list[Found]:
+def align_words(sound: Array, words: Sequence[Readings]) -> list[Found]:
     """Return the phones and silences of `sound` (16 kHz), in which all `words` are said in order.
 
     They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
@@ -65,7 +66,7 @@ def align_words(sound: Sound, words: Sequence[Readings]) -> list[Found]:
     return list(_phones(decoder.get_alignment(), len(sound) / RATE))
 
 
-def follow_words(sound: Sound, words: Sequence[Readings]) -> list[tuple[float, float]]:
+def follow_words(sound: Array, words: Sequence[Readings]) -> list[tuple[float, float]]:
     """Return the spans in seconds of as many of `words`, from the first on, as are said in `sound`."""
     decoder, data = _decoder(_BEAM), prepared(sound)
     _set_grammar(decoder, words, stops=True)
@@ -93,7 +94,7 @@ def _decoder(beam: float) -> Decoder:
     )
 
 
-def prepared(sound: Sound) -> bytes:
+def prepared(sound: Array) -> bytes:
     """Return the sound as the decoder takes it: with noise everywhere and PAD_SECONDS of it at both ends."""
     padded = np.pad(sound, round(PAD_SECONDS * RATE))
     padded += np.random.default_rng(0).normal(0.0, _NOISE, len(padded))

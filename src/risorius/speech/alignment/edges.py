@@ -18,11 +18,11 @@ from dataclasses import dataclass
 from importlib import resources
 
 import numpy as np
-import numpy.typing as npt
 
+from ...core.arrays import Array, Int64Array
 from ...core.toml import parse
 from ...errors import InputError
-from .spectra import BANDS, STEP_SECONDS, Levels
+from .spectra import BANDS, STEP_SECONDS
 
 # Candidates to either side of a corrected edge, in steps of 2.5 ms.
 REACH = 16
@@ -30,9 +30,6 @@ REACH = 16
 _NEAR, _FAR = 4, 11
 FEATURES = 4 * BANDS + 4
 SHORTEST_STEPS = 4
-
-Floats = npt.NDArray[np.float64]
-Indices = npt.NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,28 +48,28 @@ class EdgeModel:
     """The table as arrays: classes are numbered; `bias` (classes, classes), weights (classes, FEATURES)."""
 
     numbers: Mapping[str, int]
-    bias: Floats
-    left: Floats
-    right: Floats
+    bias: Array
+    left: Array
+    right: Array
 
-    def classes(self, symbols: Sequence[str]) -> Indices:
+    def classes(self, symbols: Sequence[str]) -> Int64Array:
         """Return the classes of phones, "" being silence."""
         return np.array([self.numbers[symbol] for symbol in symbols], dtype=np.int64)
 
-    def corrected(self, symbols: Sequence[str], edges: Floats) -> Floats:
+    def corrected(self, symbols: Sequence[str], edges: Array) -> Array:
         """Return the edges (n - 1,) between n phones less the bias of their classes, in order still."""
         classes = self.classes(symbols)
         moved = edges - self.bias[classes[:-1], classes[1:]]
         return np.asarray(np.maximum.accumulate(moved))
 
-    def scores(self, symbols: Sequence[str], features: Floats) -> Floats:
+    def scores(self, symbols: Sequence[str], features: Array) -> Array:
         """Return the scores (n - 1, candidates) of `features` (n - 1, candidates, FEATURES)."""
         classes = self.classes(symbols)
         weights = self.left[classes[:-1]] + self.right[classes[1:]]
         return np.asarray(np.einsum("ecf,ef->ec", features, weights))
 
 
-def place_edges(levels: Levels, symbols: Sequence[str], edges: Floats) -> Floats:
+def place_edges(levels: Array, symbols: Sequence[str], edges: Array) -> Array:
     """Return better times for the `edges` (n - 1,) in seconds between n phones, in order.
 
     `levels` are those of the whole stretch of sound (`spectra.band_levels`), whose start is time 0.
@@ -85,13 +82,13 @@ def place_edges(levels: Levels, symbols: Sequence[str], edges: Floats) -> Floats
     return np.asarray(best_in_order(steps, scores) * STEP_SECONDS, dtype=np.float64)
 
 
-def candidate_features(levels: Levels, steps: Indices) -> Floats:
+def candidate_features(levels: Array, steps: Int64Array) -> Array:
     """Return what distinguishes the candidates within REACH of each step: (n, 2 REACH + 1, FEATURES)."""
     count = len(levels)
     sums = np.concatenate((np.zeros((1, BANDS)), np.cumsum(levels, axis=0)))
     at = steps[:, None] + np.arange(-REACH, REACH + 1)
 
-    def mean(first: int, last: int) -> Floats:
+    def mean(first: int, last: int) -> Array:
         begin = np.clip(at + first, 0, count - 1)
         end = np.clip(at + last, begin + 1, count)
         return np.asarray((sums[end] - sums[begin]) / (end - begin)[..., None])
@@ -104,7 +101,7 @@ def candidate_features(levels: Levels, steps: Indices) -> Floats:
     return np.concatenate((step, before, after, total, change, distance, distance**2), axis=-1)
 
 
-def best_in_order(steps: Indices, scores: Floats) -> Indices:
+def best_in_order(steps: Int64Array, scores: Array) -> Int64Array:
     """Return the steps with the greatest sum of scores in which every edge is SHORTEST_STEPS after the last.
 
     Candidates lie within REACH of `steps` (n,), their scores are (n, 2 REACH + 1). Where even that leaves no
@@ -112,7 +109,7 @@ def best_in_order(steps: Indices, scores: Floats) -> Indices:
     """
     offsets = np.arange(-REACH, REACH + 1)
     best = scores[0].copy()
-    choices: list[Indices] = []
+    choices: list[Int64Array] = []
     for index in range(1, len(steps)):
         # The last candidate of the edge before that leaves room for each candidate of this one.
         latest = np.minimum(steps[index] - steps[index - 1] - SHORTEST_STEPS + offsets + REACH, 2 * REACH)
@@ -130,7 +127,7 @@ def best_in_order(steps: Indices, scores: Floats) -> Indices:
     return np.asarray(np.maximum.accumulate(placed - ladder) + ladder)
 
 
-def _running_argmax(values: Floats) -> Indices:
+def _running_argmax(values: Array) -> Int64Array:
     """Return where the greatest of values[: i + 1] stands, for each i."""
     new = values > np.concatenate(([-np.inf], np.maximum.accumulate(values)[:-1]))
     return np.asarray(np.maximum.accumulate(np.where(new, np.arange(len(values)), 0)))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import functools
 
 import numpy as np
-import numpy.typing as npt
 
-from ..listening import RATE, Sound
+from ...core.arrays import Array
+from ..listening import RATE
 
 # Samples at 16 kHz: 2.5 ms steps, 8 ms windows.
 STEP, WINDOW = 40, 128
@@ -18,10 +18,8 @@ _LOWEST, _HIGHEST = 80.0, 8_000.0
 _FLOOR = 10.0 * WINDOW
 _LOUD_PERCENTILE = 95.0
 
-Levels = npt.NDArray[np.float64]
 
-
-def band_levels(sound: Sound) -> Levels:
+def band_levels(sound: Array) -> Array:
     """Return natural-log power in 12 bands, even on the mel scale, every 2.5 ms: shape (steps, 12).
 
     Row k is of the window around sample 40 k. Levels are relative to the mean of the loudest steps.
@@ -35,7 +33,7 @@ def band_levels(sound: Sound) -> Levels:
 
 
 @functools.cache
-def _bank() -> npt.NDArray[np.float64]:
+def _bank() -> Array:
     """Return triangular filters, shape (WINDOW / 2 + 1, BANDS), each of weight 1."""
     frequencies = np.fft.rfftfreq(WINDOW, 1.0 / RATE)
     edges = _hertz(np.linspace(_mel(_LOWEST), _mel(_HIGHEST), BANDS + 2))
@@ -53,5 +51,5 @@ def _mel(hertz: float) -> float:
     return 2595.0 * float(np.log10(1.0 + hertz / 700.0))
 
 
-def _hertz(mel: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+def _hertz(mel: Array) -> Array:
     return np.asarray(700.0 * (10.0 ** (mel / 2595.0) - 1.0))

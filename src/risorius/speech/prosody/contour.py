@@ -5,17 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from scipy.ndimage import median_filter, uniform_filter1d
 
+from ...core.arrays import Array, BoolArray
 from .pitch import STEP, Pitch
 
 # Frames: a median against single slips, then a mean.
 _MEDIAN, _MEAN = 5, 5
 # The speaker's floor and ceiling: percentiles of what is voiced, and the least semitones between them.
 _FLOOR, _CEILING, _LEAST_RANGE = 5.0, 95.0, 4.0
-
-Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,11 +24,11 @@ class Contour:
     `voiced` tells where there is. `span`: semitones from floor to ceiling.
     """
 
-    semitones: Floats
-    voiced: npt.NDArray[np.bool_]
+    semitones: Array
+    voiced: BoolArray
     span: float
 
-    def within(self, start: float, end: float) -> Floats:
+    def within(self, start: float, end: float) -> Array:
         """Return the values in [start, end] seconds, at least one."""
         first = min(max(round(start / STEP), 0), len(self.semitones) - 1)
         return self.semitones[first : max(round(end / STEP) + 1, first + 1)]

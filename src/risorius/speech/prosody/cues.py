@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from ...core.arrays import Array
 from ...core.utterance import Phone, Syllable, Utterance
 from .. import phonesets
 from ..listening import LEVEL_STEP, Listening
@@ -20,8 +20,6 @@ _FEWEST_FOR_A_LINE = 4
 # Standard deviations that a single cue may count for.
 _MOST = 3.0
 
-Floats = npt.NDArray[np.float64]
-
 
 @dataclass(frozen=True, slots=True)
 class Cues:
@@ -32,11 +30,11 @@ class Cues:
     mean, `prominence` in standard deviations.
     """
 
-    pitch: Floats
-    height: Floats
-    loudness: Floats
-    length: Floats
-    prominence: Floats
+    pitch: Array
+    height: Array
+    loudness: Array
+    length: Array
+    prominence: Array
 
 
 def cues_of(utterance: Utterance, listening: Listening, contour: Contour | None) -> Cues:
@@ -57,7 +55,7 @@ def cues_of(utterance: Utterance, listening: Listening, contour: Contour | None)
     return Cues(pitch, heights_of(vowels, contour), louder, length, _standard(standing))
 
 
-def heights_of(vowels: Sequence[Phone], contour: Contour | None) -> Floats:
+def heights_of(vowels: Sequence[Phone], contour: Contour | None) -> Array:
     """Return the mean pitch of each vowel in standard deviations of all, shape (n,)."""
     if contour is None:
         return np.zeros(len(vowels))
@@ -81,7 +79,7 @@ def _level(listening: Listening, vowel: Phone) -> float:
     )
 
 
-def _relative_lengths(vowels: Sequence[Phone]) -> Floats:
+def _relative_lengths(vowels: Sequence[Phone]) -> Array:
     """Return the log lengths of vowels above the mean of the same vowel, drawn to the mean of all."""
     logs = np.log(np.array([vowel.duration for vowel in vowels]))
     if not len(logs):
@@ -107,7 +105,7 @@ def _phrases(utterance: Utterance) -> list[range]:
     return runs
 
 
-def _above_line(values: Floats, phrases: Sequence[range]) -> Floats:
+def _above_line(values: Array, phrases: Sequence[range]) -> Array:
     """Return the values less the line that falls or rises through each phrase."""
     found = values.copy()
     for phrase in phrases:
@@ -120,7 +118,7 @@ def _above_line(values: Floats, phrases: Sequence[range]) -> Floats:
     return found
 
 
-def _standard(values: Floats) -> Floats:
+def _standard(values: Array) -> Array:
     spread = float(values.std()) if len(values) else 0.0
     if spread < 1e-9:
         return np.zeros_like(values)

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 from scipy.signal import firwin
 
-from ..listening import RATE, Listening, Sound
+from ...core.arrays import Array, BoolArray, Int64Array
+from ..listening import RATE, Listening
 
 # Seconds between frames, and of each frame's window.
 STEP, WINDOW = 0.01, 0.03
@@ -35,22 +35,20 @@ _CHUNK_SECONDS = 10.0
 _LOW_PASS = firwin(31, 2_500.0, fs=RATE)
 _LOUD_PERCENTILE = 95.0
 
-Floats = npt.NDArray[np.float64]
-
 
 @dataclass(frozen=True, slots=True)
 class Pitch:
     """F0 in Hz every STEP seconds, frame k at k STEP, NaN where there is no voice; shape (frames,)."""
 
-    hertz: Floats
+    hertz: Array
 
     @property
-    def times(self) -> Floats:
+    def times(self) -> Array:
         """Seconds."""
         return np.asarray(STEP * np.arange(len(self.hertz)), dtype=np.float64)
 
     @property
-    def semitones(self) -> Floats:
+    def semitones(self) -> Array:
         """F0 in semitones above 1 Hz, NaN where there is no voice."""
         return np.asarray(12.0 * np.log2(self.hertz))
 
@@ -58,8 +56,8 @@ class Pitch:
 class _Candidates(NamedTuple):
     """Per frame: frequencies in Hz and their aperiodicities, (frames, CANDIDATES), NaN and inf where none."""
 
-    hertz: Floats
-    aperiodicity: Floats
+    hertz: Array
+    aperiodicity: Array
 
 
 def measure_pitch(listening: Listening) -> Pitch:
@@ -97,12 +95,12 @@ def _candidates(listening: Listening, frames: range) -> _Candidates:
     return _minima(normalised)
 
 
-def _long_enough(sound: Sound, frames: range, hop: int, width: int) -> Sound:
+def _long_enough(sound: Array, frames: range, hop: int, width: int) -> Array:
     missing = (len(frames) - 1) * hop + width - len(sound)
     return np.pad(sound, (0, max(missing, 0)))
 
 
-def _normalised_difference(rows: Sound, size: int, longest: int) -> Floats:
+def _normalised_difference(rows: Array, size: int, longest: int) -> Array:
     """Return d'(τ) for τ = 0 … longest - 1, shape (frames, longest)."""
     rows = rows - rows.mean(axis=1, keepdims=True)
     length = 1 << int(np.ceil(np.log2(rows.shape[1] + size)))
@@ -117,7 +115,7 @@ def _normalised_difference(rows: Sound, size: int, longest: int) -> Floats:
     return normalised
 
 
-def _minima(normalised: Floats) -> _Candidates:
+def _minima(normalised: Array) -> _Candidates:
     """Return the deepest minima of each row between the shortest and longest period, placed by parabolas."""
     shortest = int(RATE / HIGHEST)
     inner = normalised[:, shortest:-1]
@@ -134,7 +132,7 @@ def _minima(normalised: Floats) -> _Candidates:
     return _Candidates(hertz, aperiodicity)
 
 
-def _centred(hertz: Floats) -> Floats:
+def _centred(hertz: Array) -> Array:
     """Return the F0 at the frames' times: what was compared lies the earlier, the shorter the period."""
     longest = int(RATE / LOWEST) + 2
     times = STEP * np.arange(len(hertz)) - 0.5 * (longest / RATE - 1.0 / hertz)
@@ -145,7 +143,7 @@ def _centred(hertz: Floats) -> Floats:
     return centred
 
 
-def _quiet(listening: Listening, frames: int) -> npt.NDArray[np.bool_]:
+def _quiet(listening: Listening, frames: int) -> BoolArray:
     """Return which frames are too quiet to be voiced."""
     levels = np.asarray(listening.levels, dtype=np.float64)
     # A window of three: a frame lies at the edge of two.
@@ -154,7 +152,7 @@ def _quiet(listening: Listening, frames: int) -> npt.NDArray[np.bool_]:
     return np.asarray(smooth[at] < np.percentile(smooth, _LOUD_PERCENTILE) - SILENCE_BELOW)
 
 
-def _path(candidates: _Candidates, quiet: npt.NDArray[np.bool_], floor: float, ceiling: float) -> Floats:
+def _path(candidates: _Candidates, quiet: BoolArray, floor: float, ceiling: float) -> Array:
     """Return the F0 of each frame on the cheapest path, NaN where it is unvoiced."""
     octaves = np.log2(np.where(np.isfinite(candidates.hertz), candidates.hertz, HIGHEST))
     cost = candidates.aperiodicity + LOW_COST * (np.log2(HIGHEST) - octaves)
@@ -166,7 +164,7 @@ def _path(candidates: _Candidates, quiet: npt.NDArray[np.bool_], floor: float, c
     return np.asarray(np.take_along_axis(hertz, chosen[:, None], axis=1)[:, 0])
 
 
-def _cheapest(octaves: Floats, cost: Floats) -> npt.NDArray[np.int64]:
+def _cheapest(octaves: Array, cost: Array) -> Int64Array:
     """Return the column of each row on the cheapest path; the last column is "unvoiced"."""
     states = cost.shape[1]
     jumps = np.full((states, states), VOICING_COST)
