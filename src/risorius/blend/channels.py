@@ -3,44 +3,20 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
 
 import numpy as np
 
 from ..core.arrays import Array, IndexArray
-from ..core.movement import CHANNEL_PRIORITY, CHANNELS, LipSegment, ManualCurve, Movement
+from ..core.movement import CHANNEL_PRIORITY, CHANNELS, Movement
 from ..core.score import Score
 from .concatenate import Layer, concatenate
-from .intervals import Piece, Spans, union
+from .curve import Curve
+from .intervals import Spans, union
 from .levels import Course, Levels, levels_of
 from .lips import LipCurve, Lips
 from .manual import Replaced, key_curves, replaced_spans
-
-Origin = Movement | LipSegment | ManualCurve
-
-
-class Curve(Protocol):
-    """One parameter of one layer, as a deviation from its neutral."""
-
-    def sample(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return where the curve is not at rest among the sorted times, and its values there."""
-
-    def lines(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return the same as `sample`, but by lines between knots where that is much quicker."""
-
-    def above(self, threshold: float) -> Spans:
-        """Return when the curve is higher than `threshold`, shape (n, 2)."""
-
-    def origin(self, time: float) -> Origin:
-        """Return what stands behind the curve at a time."""
-
-    def pieces(self) -> Iterator[Piece]:
-        """Yield what the curve is made of: from when to when it is in force, then all that tells it apart."""
-
-    def breakpoints(self) -> Array:
-        """Return when the curve's parts begin and end, unsorted, shape (n,)."""
 
 
 @dataclass(slots=True)

@@ -15,10 +15,11 @@ from ..core.movement import Cause, LipSegment, Movement
 from ..core.parameters import INDEX
 from ..core.score import Score
 from ..errors import InputError, ParameterError, unknown
-from .channels import Channel, Curve, Origin
+from .channels import Channel
 from .concatenate import SIGNED
 from .conflict import Hindrance
 from .contact import CONTACTS, SEAL, TUCK
+from .curve import Curve, Origin
 from .directions import shares_of
 from .limits import LIPS
 from .lips import Lips

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..core.arrays import Array, IndexArray
 from ..core.movement import ManualCurve
 from .concatenate import NEUTRALS
+from .curve import Curve, Origin
 from .intervals import Piece, Spans, above_line, covers, difference, merged
-
-if TYPE_CHECKING:
-    from .channels import Curve, Origin
 
 
 class KeyCurve:

@@ -21,11 +21,12 @@ from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import dominance, lookahead, policies  # noqa: F401 - they register themselves
 from .approach import Parted
-from .channels import Channel, Curve, compile_channels
+from .channels import Channel, compile_channels
 from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
 from .conflict import POLICIES, Field, Join
 from .contact import CONTACTS, SEAL, TUCK, beside_tuck
+from .curve import Curve
 from .directions import combine_directions
 from .knots import BLOCK
 from .levels import steady

@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, Protocol, TypeVar
 
 from ..errors import OutputError, RisoriusError
 from ..take import Progress, Take
@@ -15,9 +15,6 @@ from .autosave import Autosave
 from .exports import Exports
 from .project import open_project, project_file
 from .session import Session
-
-if TYPE_CHECKING:
-    from .connection import Connection
 
 T = TypeVar("T")
 Handler = Callable[[Session, Any, Progress], Any]
@@ -43,13 +40,20 @@ CHANGING = (wire.Perform, wire.Choose, *wire.EDITS.values(), wire.Undo, wire.Red
 SAVING = (*CHANGING, wire.View)
 
 
+class Page(Protocol):
+    """What shows a session: told of what happens, it must not wait."""
+
+    def tell(self, told: Any) -> None:
+        """Take up an event."""
+
+
 class Room:
     """A session with its pages."""
 
     def __init__(self, name: str, folder: Path) -> None:
         self.session = Session(name, folder)
         self.exports = Exports(folder)
-        self.pages: set[Connection] = set()
+        self.pages: set[Page] = set()
         self._autosave = Autosave(folder)
         self._loaded = False
         self._tasks: set[asyncio.Task[Any]] = set()
@@ -57,7 +61,7 @@ class Room:
         self._worker = ThreadPoolExecutor(1, thread_name_prefix=f"session-{name}")
         self._exporter = ThreadPoolExecutor(1, thread_name_prefix=f"export-{name}")
 
-    async def done(self, asked: Any, progress: Progress, page: Connection) -> Any:
+    async def done(self, asked: Any, progress: Progress, page: Page) -> Any:
         """Return the answer to a request of a page; save and tell other pages what it changes.
 
         What is begun is done and saved even if the page goes meanwhile.
@@ -66,7 +70,7 @@ class Room:
         self._keep(task, self._tasks)
         return await asyncio.shield(task)
 
-    async def _do(self, asked: Any, progress: Progress, page: Connection) -> Any:
+    async def _do(self, asked: Any, progress: Progress, page: Page) -> Any:
         answered = await self._run(lambda: HANDLERS[type(asked)](self.session, asked, progress))
         if isinstance(asked, CHANGING):
             await self.tell_others(page)
@@ -137,7 +141,7 @@ class Room:
         for page in tuple(self.pages):
             page.tell(event)
 
-    async def tell_others(self, page: Connection | None) -> None:
+    async def tell_others(self, page: Page | None) -> None:
         """Tell all other pages that the session's take is another."""
         current = self.session.current
         for other in self.pages - {page}:
