@@ -20,7 +20,7 @@ from timit import Label, matched, sentences
 from risorius.errors import RisoriusError
 from risorius.speech import phonesets
 from risorius.speech.alignment import align
-from risorius.speech.recording import read_recording
+from risorius.speech.recordings.recording import read_recording
 
 KINDS = {
     "affricate": ("CH", "JH"),

@@ -25,7 +25,7 @@ from risorius.core.utterance import Phone, Utterance
 from risorius.face.lip_fit import load_lip_rig
 from risorius.speech import phonesets
 from risorius.speech.alignment import align
-from risorius.speech.recording import read_recording
+from risorius.speech.recordings.recording import read_recording
 
 FPS = 50.0
 JITTER = 0.02

@@ -7,7 +7,7 @@ from risorius.core.parameters import INDEX
 from risorius.errors import InputError, RisoriusWarning
 from risorius.pipeline import play, pose
 from risorius.settings import Settings
-from risorius.speech.recording import read_recording
+from risorius.speech.recordings.recording import read_recording
 from risorius.take import Take
 
 

@@ -32,8 +32,8 @@ from risorius.speech.alignment.edges import (
 )
 from risorius.speech.alignment.lexicon import read_transcript
 from risorius.speech.alignment.spectra import STEP_SECONDS, band_levels
-from risorius.speech.listening import Listening
-from risorius.speech.recording import read_recording
+from risorius.speech.recordings.recording import read_recording
+from risorius.speech.recordings.resampled import Listening
 
 TABLE = Path("src/risorius/speech/alignment/data/edges.toml")
 CLASSES = {

@@ -40,6 +40,10 @@ class RisoriusWarning(UserWarning):
     """Something was done otherwise than asked, or left out; one line saying what and where."""
 
 
+class SpeechWarning(RisoriusWarning):
+    """Something was spoken or read from a recording, but not known exactly."""
+
+
 class InputError(RisoriusError):
     """The text, markup, score or option that the user gave cannot be used."""
 

@@ -53,7 +53,7 @@ def emotions() -> Listing:
 
 def voices() -> Listing:
     """The voices of the speech engine."""
-    from .speech.voices import voices as all_voices
+    from .speech.engines.voices import voices as all_voices
 
     return ("voice", "language", "name"), [(v.name, v.language, v.description) for v in all_voices()]
 

@@ -28,8 +28,8 @@ from .rules.profiles import Profile, attitude, profile_of
 from .script import Script, felt_in, listening_in, movements_of, read_script
 from .settings import Settings
 from .speech import feelings, say
-from .speech.heard import holds_labels, listen
-from .speech.recording import read_recording
+from .speech.from_recording import holds_labels, listen
+from .speech.recordings.recording import read_recording
 from .take import Progress, Take, lip_rig, quiet
 
 if TYPE_CHECKING:

@@ -5,11 +5,10 @@ import warnings
 import pytest
 
 from risorius.core.manner import Manner
-from risorius.errors import RisoriusError
+from risorius.errors import RisoriusError, SpeechWarning
 from risorius.script.ssml import parse_ssml
 from risorius.script.tree import ScriptWarning
 from risorius.speech import say
-from risorius.speech.engine import SpeechWarning
 
 BAD = [
     ("<speak></speak>", "x.ssml:1:1: the text is empty"),

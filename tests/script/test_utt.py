@@ -2,12 +2,11 @@
 
 import pytest
 
-from risorius.errors import InputError
+from risorius.core.directions import Break
+from risorius.errors import InputError, SpeechWarning
 from risorius.script import read_script
-from risorius.script.directions import Break
 from risorius.script.utt import parse_utterance
 from risorius.speech import feelings, say
-from risorius.speech.engine import SpeechWarning
 
 BAD = [
     ("", "x.utt:1: nothing is said: there is no 'text:'"),

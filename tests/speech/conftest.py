@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-import risorius.speech.worker
+import risorius.speech.engines.worker
 from risorius.core.utterance import Utterance
 from risorius.speech import synthesize
-from risorius.speech.espeak import EspeakEngine
+from risorius.speech.engines.espeak import EspeakEngine
 
 FAKE = """
 import os, runpy, sys, time
@@ -54,7 +54,7 @@ class Misbehaving:
             str(program),
             str(self._marker),
             mode,
-            risorius.speech.worker.__file__,
+            risorius.speech.engines.worker.__file__,
         ]
 
     @property

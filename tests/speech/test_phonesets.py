@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.speech import phonesets
-from risorius.speech.engine import SpeechRequest
+from risorius.speech.engines.protocol import SpeechRequest
+from risorius.speech.engines.voices import find_voice
 from risorius.speech.phonesets import ARPABET, from_ipa, from_mnemonic, strip_stress
-from risorius.speech.voices import find_voice
 
 # Words whose sounds, together, are all that American English has.
 EVERY_SOUND = (

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from risorius.core.utterance import PauseKind, Utterance
 from risorius.errors import InputError, ParameterError
 from risorius.speech import phonesets
-from risorius.speech.espeak import EspeakEngine
+from risorius.speech.engines.espeak import EspeakEngine
 from risorius.speech.synthesis import synthesize
 
 PIECES = """Oh, the of map really? I've $5.50 café “quoted” 12,345 in a.m. — Dr. Bob twelve e.g. wait...

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ..core.directions import Directions, Sync
 from ..errors import InputError
 from .anchor import Anchor, Base
-from .directions import Directions, Sync
 from .quote import one_line
 from .ssml import ROOT as SSML_ROOT
 from .ssml import Writer

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
+from ..core.directions import UNDIRECTED, Directions
 from ..core.utterance import Word
 from ..errors import Place
 from .anchor import Anchor, Base
-from .directions import UNDIRECTED, Directions
 
 # Seconds that a mark to the end is held at least, where it has no onset of its own.
 SHORTEST_HOLD = 0.3

@@ -11,11 +11,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate, zip_longest
 
+from ..core.directions import Directions, Span, Tone
 from ..core.manner import PLAIN, Manner
 from ..core.tobi import boundary_tone, pitch_accent
 from ..errors import InputError, ParameterError, Place
 from ..rules.intonation import intonation_table
-from .directions import Directions, Span, Tone
 from .quote import quoted
 
 EXAMPLE = "(JUlia prefers) (POPcorn)"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
+from ..core.directions import Directions, Emphasis, Span
 from ..errors import Place
-from .directions import Directions, Emphasis, Span
 from .model import Script, SpokenLine, script_of
 from .speakable import check_speakable, position
 

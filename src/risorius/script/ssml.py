@@ -9,11 +9,11 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from ..core.directions import Break, Directions, Emphasis, Span, Sync
 from ..core.manner import PLAIN, Manner
 from ..errors import InputError, RisoriusError
 from ..rules.ssml import ssml_table
 from .amounts import decibels, factor, read_seconds, semitones
-from .directions import Break, Directions, Emphasis, Span, Sync
 from .model import Script, SpokenLine, script_of
 from .quote import one_line, quoted
 from .say_as import SAY_AS

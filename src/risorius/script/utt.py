@@ -11,11 +11,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
+from ..core.directions import Break, Directions, Span
 from ..errors import InputError, ParameterError, Place, unknown
 from ..rules.emotions import emotion as find_emotion
 from .anchor import Anchor, Base, parse_number
 from .dectalk import Dictated, read_phonemes
-from .directions import Break, Directions, Span
 from .model import Mark, MarkKind, Script, SpokenLine, script_of
 from .notation import Bracket, Item, Tune, Written, has_brackets, read_brackets, read_tune, write_out
 from .quote import one_line, quoted

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
+from ..core.directions import Span
 from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance, Word
 from ..rules.emotions import Display
 from ..rules.voice_emotion import voice_manner
 from ..script import Anchor, Script, SpokenLine
 from ..script.anchor import Base
-from ..script.directions import Span
 
 
 @dataclass(frozen=True, slots=True)

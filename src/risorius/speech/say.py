@@ -13,7 +13,7 @@ from ..core.utterance import SILENCE, Accent, Boundary, Pause, PauseKind, Phone,
 from ..errors import InputError, SpeechError
 from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
-from .engine import is_voice_file
+from .engines.registry import is_voice_file
 from .prosody.measure import pitched
 from .synthesis import synthesize
 

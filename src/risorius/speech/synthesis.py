@@ -8,29 +8,22 @@ from dataclasses import replace
 from itertools import chain
 
 from ..core.audio import AudioWriter
+from ..core.directions import UNDIRECTED, Directions
 from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance
-from ..errors import InputError, ParameterError
-from ..script.directions import UNDIRECTED, Directions
-from .accents import intone
-from .assemble import Part, assemble, place, silence
-from .engine import (
-    SpeechEngine,
-    SpeechRequest,
-    SpeechWarning,
-    Voice,
-    is_voice_file,
-    load_engine,
-    load_voice_file,
-)
-from .lengthen import scale_pauses
-from .normalise import is_english, normalise, placed
-from .pauses import find_pauses
-from .retime import is_timed, retime
-from .sentences import divide
-from .syllables import syllabify
-from .tokens import is_speakable, tokenize
-from .voices import find_voice
+from ..errors import InputError, ParameterError, SpeechWarning
+from .assembly.assemble import Part, assemble, place, silence
+from .assembly.lengthen import scale_pauses
+from .assembly.retime import is_timed, retime
+from .engines.protocol import SpeechEngine, SpeechRequest, Voice
+from .engines.registry import is_voice_file, load_engine, load_voice_file
+from .engines.voices import find_voice
+from .structure.accents import intone
+from .structure.pauses import find_pauses
+from .structure.syllables import syllabify
+from .text.normalise import is_english, normalise, placed
+from .text.sentences import divide
+from .text.tokens import is_speakable, tokenize
 
 LONGEST_TEXT = 100_000
 SLOWEST, FASTEST = 80, 440

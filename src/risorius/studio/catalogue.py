@@ -27,7 +27,7 @@ from ..rules.profiles import Profile, attitudes, profile_texts, profiles
 from ..rules.rule import Rule
 from ..rules.tuned import numbers_of
 from ..settings import DYNAMICS, Settings
-from ..speech.voices import voices
+from ..speech.engines.voices import voices
 from . import limits, tables
 from .messages import encoded
 from .wire import Choices, Format

@@ -12,7 +12,7 @@ from ..errors import InputError, unknown
 from ..face.head import shipped_heads
 from ..rules.profiles import profile, profile_from, profile_texts
 from ..settings import Settings
-from ..speech.engine import is_voice_file
+from ..speech.engines.registry import is_voice_file
 from .shelf import kept_table
 from .wire import Choices
 

@@ -15,8 +15,8 @@ from ..ports.score_json import ScoreFile
 from ..rules.profiles import profile_of
 from ..script import Script, parse_script
 from ..settings import Settings
-from ..speech.heard import listen
-from ..speech.recording import read_recording
+from ..speech.from_recording import listen
+from ..speech.recordings.recording import read_recording
 from ..take import Progress
 from . import limits
 from .choices import settings_of

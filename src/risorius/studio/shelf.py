@@ -19,7 +19,7 @@ from ..errors import InputError, unknown
 from ..ports.atomic import replacing
 from ..rules.emotions import emotion, emotion_key, emotion_names, emotion_text
 from ..script.read import RECORDING_SUFFIXES
-from ..speech.recording import read_recording
+from ..speech.recordings.recording import read_recording
 
 _NAME = re.compile(r"[\w][\w -]{0,59}")
 _MOST = 200

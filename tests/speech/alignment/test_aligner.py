@@ -10,10 +10,9 @@ import pytest
 
 from risorius.core.audio import Audio, AudioWriter
 from risorius.core.utterance import Utterance
-from risorius.errors import InputError
+from risorius.errors import InputError, SpeechWarning
 from risorius.speech import synthesize
 from risorius.speech.alignment import align
-from risorius.speech.engine import SpeechWarning
 
 WRONG = "Some completely different words were never spoken here at all."
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from risorius.core.audio import AudioWriter
-from risorius.speech.listening import Listening
 from risorius.speech.prosody.contour import contour_of
 from risorius.speech.prosody.pitch import Pitch, measure_pitch
+from risorius.speech.recordings.resampled import Listening
 
 RATE = 16_000
 T = np.arange(2 * RATE) / RATE

@@ -8,9 +8,9 @@ import pytest
 from risorius.core.audio import AudioWriter
 from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
 from risorius.core.utterance import Phone, Syllable, Utterance, Word
-from risorius.speech.pauses import find_pauses
 from risorius.speech.prosody import measured, speech_rate
-from risorius.speech.syllables import syllabify
+from risorius.speech.structure.pauses import find_pauses
+from risorius.speech.structure.syllables import syllabify
 
 RATE = 16_000
 SECONDS = 0.2

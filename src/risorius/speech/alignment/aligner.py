@@ -12,10 +12,10 @@ from ...core.audio import Audio
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
 from .. import phonesets
-from ..accents import intone
-from ..listening import Listening
-from ..pauses import find_pauses
-from ..syllables import syllabify
+from ..recordings.resampled import Listening
+from ..structure.accents import intone
+from ..structure.pauses import find_pauses
+from ..structure.syllables import syllabify
 from .decoder import AlignmentError, Found, Readings, align_words
 from .doubt import check_words
 from .edges import place_edges

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...core.arrays import Array
 from ...core.utterance import SILENCE
-from ..listening import RATE
+from ..recordings.resampled import RATE
 
 if TYPE_CHECKING:
     from pocketsphinx import Decoder

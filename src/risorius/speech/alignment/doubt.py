@@ -5,8 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 
-from ...errors import InputError
-from ..engine import SpeechWarning
+from ...errors import InputError, SpeechWarning
 from .decoder import Found
 from .lexicon import ScriptWord
 

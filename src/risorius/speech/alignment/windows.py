@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from ..listening import Listening
+from ..recordings.resampled import Listening
 from .decoder import Readings, follow_words
 
 # Seconds. What is no longer than the first is one window.

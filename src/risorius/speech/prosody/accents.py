@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from ...core.tobi import UNKNOWN_ACCENT
 from ...core.utterance import Accent, Phone, Utterance
-from ..accents import PRIMARY, is_content_word
-from ..nuclei import with_nuclei
+from ..structure.accents import PRIMARY, is_content_word
+from ..structure.nuclei import with_nuclei
 from .contour import Contour
 from .cues import Cues, vowel_of
 from .pitch import STEP

@@ -10,7 +10,7 @@ import numpy as np
 from ...core.arrays import Array
 from ...core.utterance import Phone, Syllable, Utterance
 from .. import phonesets
-from ..listening import LEVEL_STEP, Listening
+from ..recordings.resampled import LEVEL_STEP, Listening
 from .contour import Contour
 from .rules import prosody_rules
 

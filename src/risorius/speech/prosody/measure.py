@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...core.utterance import Utterance
-from ..listening import Listening
+from ..recordings.resampled import Listening
 from .accents import find_accents
 from .boundaries import find_boundaries
 from .contour import contour_of

@@ -16,7 +16,7 @@ import numpy as np
 from scipy.signal import firwin
 
 from ...core.arrays import Array, BoolArray, Int64Array
-from ..listening import RATE, Listening
+from ..recordings.resampled import RATE, Listening
 
 # Seconds between frames, and of each frame's window.
 STEP, WINDOW = 0.01, 0.03

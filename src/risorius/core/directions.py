@@ -1,0 +1,117 @@
+"""How the words of a line are to be spoken: stretches, breaks, tones and named places, by character."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from ..errors import Place
+from .manner import PLAIN, Manner
+
+
+class Emphasis(StrEnum):
+    """How much a word is emphasised (SSML 1.1, section 3.2.2)."""
+
+    STRONG = "strong"
+    MODERATE = "moderate"
+    NONE = "none"
+    REDUCED = "reduced"
+
+
+FOCUSED = (Emphasis.STRONG, Emphasis.MODERATE)
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Characters [start, end) of a line, spoken so.
+
+    `phones`: ARPAbet with stress digits, or IPA with stress marks, that replace the dictionary's, and
+    `seconds`: how long each lasts, none where it is free. `voice`: another voice's name; `language`: one in
+    the language (BCP 47).
+    """
+
+    start: int
+    end: int
+    place: Place
+    manner: Manner = PLAIN
+    emphasis: Emphasis | None = None
+    phones: tuple[str, ...] = ()
+    seconds: tuple[float, ...] = ()
+    voice: str | None = None
+    language: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Break:
+    """A pause of `seconds` before character `at`."""
+
+    at: int
+    seconds: float
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Tone:
+    """A ToBI label of the word that holds character `at`: an accent, or the boundary after the word."""
+
+    at: int
+    label: str
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Sync:
+    """A named place in the text, before character `at`."""
+
+    name: str
+    at: int
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Directions:
+    """All that a line says about its own speaking."""
+
+    spans: tuple[Span, ...] = ()
+    breaks: tuple[Break, ...] = ()
+    accents: tuple[Tone, ...] = ()
+    boundaries: tuple[Tone, ...] = ()
+    syncs: tuple[Sync, ...] = ()
+
+    def moved(self, characters: int) -> Directions:
+        """Return the same for a text that begins so many characters later."""
+        return Directions(
+            tuple(replace(s, start=s.start + characters, end=s.end + characters) for s in self.spans),
+            tuple(replace(b, at=b.at + characters) for b in self.breaks),
+            tuple(replace(t, at=t.at + characters) for t in self.accents),
+            tuple(replace(t, at=t.at + characters) for t in self.boundaries),
+            tuple(replace(s, at=s.at + characters) for s in self.syncs),
+        )
+
+    def joined(self, other: Directions) -> Directions:
+        """Return both, those of `other` last."""
+        return Directions(
+            (*self.spans, *other.spans),
+            (*self.breaks, *other.breaks),
+            (*self.accents, *other.accents),
+            (*self.boundaries, *other.boundaries),
+            (*self.syncs, *other.syncs),
+        )
+
+    def focused(self, start: int, end: int) -> bool:
+        """Tell whether characters [start, end) are emphasised."""
+        return any(s.emphasis in FOCUSED and s.start < end and start < s.end for s in self.spans)
+
+    def between(self, start: int, end: int, *, last: bool = False) -> Iterator[Span | Break]:
+        """Yield the spans, cut to fit, and the breaks that fall among characters [start, end).
+
+        `last`: breaks after `end` as well.
+        """
+        for span in self.spans:
+            if span.start < end and start < span.end:
+                yield replace(span, start=max(span.start, start), end=min(span.end, end))
+        yield from (b for b in self.breaks if start <= b.at and (last or b.at < end))
+
+
+UNDIRECTED = Directions()

@@ -1,0 +1,174 @@
+"""espeak-ng as a speech engine: the client of `worker.py`, which is the only program to load the library."""
+
+from __future__ import annotations
+
+import atexit
+import functools
+import importlib.util
+import os
+import sys
+import threading
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...core.directions import Span
+from ...errors import SpeechError
+from .espeak_events import AMERICAN, needs_ipa, read_word, render
+from .espeak_text import Encoded, encode, parameters, voice_attribute
+from .process import Answer, WorkerError, WorkerProcess
+from .protocol import Rendition, SpeechRequest, Voice
+from .registry import ENGINES
+from .voices import find_voice
+
+WORD_CACHE = 20_000
+
+
+class EspeakEngine:
+    """Speaks through one worker process, started when first needed.
+
+    A worker that dies, or gives no answer within `seconds` + `seconds_per_character` · (length of the text),
+    is replaced once and the request repeated; when that fails too, SpeechError is raised. `command` runs the
+    worker.
+    """
+
+    def __init__(
+        self,
+        command: Sequence[str] | None = None,
+        seconds: float = 10.0,
+        seconds_per_character: float = 0.02,
+    ) -> None:
+        self._command = command
+        self._seconds = seconds
+        self._seconds_per_character = seconds_per_character
+        self._lock = threading.RLock()
+        self._worker: WorkerProcess | None = None
+        self._owner = os.getpid()
+        self._voices: tuple[Voice, ...] = ()
+        self._words: dict[tuple[str, str], tuple[str, ...]] = {}
+
+    def speak(self, request: SpeechRequest) -> Rendition:
+        """Speak a text. Equal requests give equal bytes."""
+        language = request.voice.language
+        ipa = language != AMERICAN
+        encoded = encode(request, language, self._voice_of)
+        answer, sound = self._speak(request, encoded, ipa)
+        if not ipa and needs_ipa(answer["phones"]):
+            answer, sound = self._speak(request, encoded, ipa=True)
+        answer["phones"] = [(start, name, encoded.source(at)) for start, name, at in answer["phones"]]
+        samples = np.frombuffer(sound, dtype="<i2").astype(np.int16, copy=False)
+        return render(answer, samples, language, parameters(request)["rate"])
+
+    def transcribe(self, words: Sequence[str], voice: Voice) -> tuple[tuple[str, ...], ...]:
+        """Return the phones of each word spoken by itself; none for a word that has no sound."""
+        with self._lock:
+            missing = [word for word in dict.fromkeys(words) if (voice.key, word) not in self._words]
+            if missing:
+                if len(self._words) > WORD_CACHE:
+                    self._words.clear()
+                self._transcribe(missing, voice)
+            return tuple(self._words[voice.key, word] for word in words)
+
+    def voices(self) -> tuple[Voice, ...]:
+        """Return all voices and, as `+name`, the variants that change the timbre of any voice."""
+        with self._lock:
+            if not self._voices:
+                answer, _ = self._request({"op": "voices"}, 0)
+                self._voices = _list_voices(answer)
+            return self._voices
+
+    def close(self) -> None:
+        """End the worker; a later call starts another."""
+        with self._lock:
+            if self._worker is not None and self._owner == os.getpid():
+                self._worker.close()
+            self._worker = None
+        atexit.unregister(self.close)
+
+    def __enter__(self) -> EspeakEngine:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _speak(self, request: SpeechRequest, encoded: Encoded, ipa: bool) -> Answer:
+        message = {
+            "op": "speak", "text": encoded.text, "voice": request.voice.key, "end_pause": request.end_pause,
+            "ipa": ipa, "markup": encoded.markup, "dictated": encoded.markup, **parameters(request),
+        }  # fmt: skip
+        return self._request(message, len(encoded.text))
+
+    def _voice_of(self, span: Span) -> str:
+        """Return the attribute by which SSML names the voice that a span asks for."""
+        try:
+            found = find_voice(span.voice, span.language, self)
+        except SpeechError as error:
+            raise error.at(span.place) from None
+        return voice_attribute(found.key)
+
+    def _transcribe(self, words: Sequence[str], voice: Voice) -> None:
+        ipa = voice.language != AMERICAN
+        message = {"op": "transcribe", "texts": list(words), "voice": voice.key, "ipa": ipa}
+        answer, _ = self._request(message, sum(map(len, words)))
+        for word, names in zip(words, answer["names"], strict=True):
+            self._words[voice.key, word] = read_word(names, ipa, voice.language)
+
+    def _request(self, message: dict[str, Any], characters: int) -> Answer:
+        timeout = self._seconds + self._seconds_per_character * characters
+        with self._lock:
+            try:
+                answer, data = self._running().request(message, timeout)
+            except WorkerError:
+                self._worker = None
+                answer, data = self._repeat(message, timeout)
+        if "error" in answer:
+            raise SpeechError(f"espeak-ng: {answer['error']}")
+        return answer, data
+
+    def _repeat(self, message: dict[str, Any], timeout: float) -> Answer:
+        try:
+            return self._running().request(message, timeout)
+        except WorkerError as error:
+            self._worker = None
+            raise SpeechError(f"the speech worker failed twice in a row; the second time {error}") from error
+
+    def _running(self) -> WorkerProcess:
+        # A fork inherits the pipes of its parent's worker; it must not talk into them.
+        if self._worker is None or self._owner != os.getpid():
+            self._owner = os.getpid()
+            self._worker = WorkerProcess(self._command or _default_command())
+            atexit.unregister(self.close)
+            atexit.register(self.close)
+        return self._worker
+
+
+def _default_command() -> list[str]:
+    # Only located: importing is left to the worker.
+    found = importlib.util.find_spec("espeakng_loader")
+    if found is None or found.origin is None:
+        raise SpeechError("the package 'espeakng-loader' is not installed; it brings the speech synthesizer")
+    folder = Path(found.origin).parent.parent
+    return [sys.executable, "-I", "-S", str(Path(__file__).with_name("worker.py")), str(folder)]
+
+
+def _list_voices(answer: dict[str, Any]) -> tuple[Voice, ...]:
+    voices: dict[str, Voice] = {}
+    for entry in sorted(answer["voices"], key=lambda v: v["identifier"]):
+        languages = tuple(language.lower() for language in entry["languages"])
+        name = languages[0]
+        if name in voices:
+            name = entry["identifier"].split("/")[-1].lower()
+        voices[name] = Voice(name, languages, entry["gender"], entry["name"].strip(), entry["identifier"])
+    for entry in answer["variants"]:
+        key = entry["identifier"].split("/")[-1]
+        voices[f"+{key}"] = Voice(f"+{key}", (), entry["gender"], entry["name"].strip(), f"+{key}")
+    return tuple(voices[name] for name in sorted(voices, key=str.lower))
+
+
+@ENGINES.register("espeak")
+@functools.cache
+def shared_engine() -> EspeakEngine:
+    """Return the engine that this process shares."""
+    return EspeakEngine()

@@ -1,0 +1,93 @@
+"""A Piper voice, given by its `.onnx` file, spoken by the program `piper` where it is installed.
+
+Recent releases of Piper are GPL-3 and older ones MIT; it runs in a process of its own, and none is a
+dependency. Its command line gives no phone times, so they come from espeak-ng's voice of the language,
+warped onto the sound.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import wave
+from pathlib import Path
+
+import numpy as np
+
+from ...errors import InputError, Place, SpeechError
+from .program import ProgramEngine, referred
+from .protocol import Rendition, SpeechEngine, SpeechRequest
+from .reference import warped
+from .registry import VOICE_FILES
+
+PROGRAM_VARIABLE = "RISORIUS_PIPER"
+"""The environment variable that names the program where it is not on the path."""
+SECONDS = 120.0
+
+
+class PiperEngine(ProgramEngine):
+    """Speaks through Piper; raises SpeechError where it fails."""
+
+    def __init__(self, program: str, model: Path, language: str) -> None:
+        super().__init__([program, "--model", str(model)], str(model), language)
+
+    def speak(self, request: SpeechRequest) -> Rendition:
+        """Speak a text. Its manner's rate is Piper's length scale; pitch and range stay the voice's own."""
+        self._tell(request)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "voice.wav"
+            pace = (request.rate or 175) / 175 * request.manner.rate
+            options = ["--output_file", str(file), "--length_scale", f"{1.0 / pace:.4f}"]
+            self._say([*self._command, *options], request.text)
+            samples, rate = _wave(file, self._name)
+        loud = samples * 10.0 ** (request.manner.volume / 20.0)
+        samples = np.clip(np.round(loud), -32768, 32767).astype(np.int16)
+        reference = referred(request, self._language)
+        return Rendition(samples, rate, warped(reference, samples, rate), reference.guessed)
+
+    def _say(self, command: list[str], text: str) -> None:
+        try:
+            done = subprocess.run(command, input=text.encode() + b"\n", capture_output=True, timeout=SECONDS)
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise self._fault(f"Piper failed: {error}") from None
+        if done.returncode:
+            last = done.stderr.decode("utf-8", "replace").strip().splitlines()[-1:] or [""]
+            raise self._fault(f"Piper failed with exit code {done.returncode}: {last[0]}")
+
+
+def _wave(file: Path, name: str) -> tuple[np.ndarray[tuple[int], np.dtype[np.int16]], int]:
+    try:
+        with wave.open(str(file), "rb") as sound:
+            data = sound.readframes(sound.getnframes())
+            if (sound.getnchannels(), sound.getsampwidth()) != (1, 2) or not data:
+                raise SpeechError(f"the voice '{name}': Piper wrote no 16-bit mono sound")
+            return np.frombuffer(data, "<i2"), sound.getframerate()
+    except (OSError, EOFError, wave.Error):
+        raise SpeechError(f"the voice '{name}': Piper wrote no sound") from None
+
+
+@VOICE_FILES.register(".onnx")
+def piper_voice(path: Path, language: str | None) -> SpeechEngine:
+    """Return the voice of a Piper model; raise SpeechError if Piper is not there."""
+    program = os.environ.get(PROGRAM_VARIABLE) or shutil.which("piper")
+    if program is None:
+        needed = f"the program piper, on the path or named by {PROGRAM_VARIABLE}"
+        raise SpeechError(f"the voice '{path}' needs {needed}; expected it to be installed")
+    return PiperEngine(program, path, language or _language(path))
+
+
+def _language(path: Path) -> str:
+    """Return the language of a model, as espeak-ng calls it, from the file beside it."""
+    beside = path.with_name(path.name + ".json")
+    try:
+        voice = json.loads(beside.read_text("utf-8"))["espeak"]["voice"]
+    except OSError as error:
+        message = f"cannot be read: {error.strerror}; expected it beside the model"
+        raise InputError(message, Place(str(beside))) from None
+    except (ValueError, KeyError, TypeError):
+        message = "has no espeak.voice; expected the file that comes with the model"
+        raise InputError(message, Place(str(beside))) from None
+    return str(voice).lower()

@@ -1,0 +1,191 @@
+"""Any program as a voice: a request in JSON on its input, sound and phone times in JSON on its output.
+
+`docs/reference.md` gives both objects. The program is started for each stretch of text, in a process of its
+own; nothing of it is imported.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+import os
+import subprocess
+import sys
+import warnings
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...core.audio import Samples
+from ...core.utterance import SILENCE
+from ...errors import SpeechError, SpeechWarning
+from ...rules.articulation import is_known
+from .. import phonesets
+from ..text.normalise import is_english
+from .dictation import to_arpabet
+from .protocol import Rendition, SpeechEngine, SpeechRequest, SpokenPhone, Voice
+from .reference import warped
+from .registry import VOICE_FILES, load_engine
+from .voices import find_voice
+
+SECONDS = 60.0
+LONGEST_ANSWER = 400_000_000
+_KEYS = {"sample_rate", "audio", "phones"}
+_RATES = (4_000, 192_000)
+
+
+class ProgramEngine:
+    """Speaks through a program. `language` is what the voice speaks, in BCP 47.
+
+    Without phone times in its answer, those of espeak-ng's voice of that language are warped onto the sound.
+    """
+
+    def __init__(self, command: Sequence[str], name: str, language: str = "en-us") -> None:
+        self._command = list(command)
+        self._name = name
+        self._language = language
+        self._told = False
+
+    def speak(self, request: SpeechRequest) -> Rendition:
+        """Speak a text; raise SpeechError if the program fails or gives no answer of the form asked for."""
+        self._tell(request)
+        return self._read(self._run(request_of(request, self._language)), request)
+
+    def transcribe(self, words: Sequence[str], voice: Voice) -> tuple[tuple[str, ...], ...]:
+        """Return the phones of each word, as espeak-ng reads the language."""
+        engine = load_engine()
+        return engine.transcribe(words, find_voice(None, self._language, engine))
+
+    def voices(self) -> tuple[Voice, ...]:
+        """Return the one voice."""
+        return (Voice(self._name, (self._language,), "", f"the program {self._name}", self._name),)
+
+    def close(self) -> None:
+        """Do nothing: no process outlives its answer."""
+
+    def _tell(self, request: SpeechRequest) -> None:
+        """Warn, once, of what is asked for parts of the text."""
+        if request.directions and not self._told:
+            self._told = True
+            message = f"the voice '{self._name}' does not follow breaks, emphasis and the like within a text"
+            warnings.warn(message, SpeechWarning, stacklevel=3)
+
+    def _run(self, message: Mapping[str, Any]) -> bytes:
+        try:
+            done = subprocess.run(
+                self._command,
+                input=json.dumps(message).encode() + b"\n",
+                capture_output=True,
+                timeout=SECONDS,
+            )
+        except OSError as error:
+            raise self._fault(f"cannot be started: {error.strerror}") from None
+        except subprocess.TimeoutExpired:
+            raise self._fault(f"gave no answer within {SECONDS:.0f} s") from None
+        if done.returncode:
+            last = done.stderr.decode("utf-8", "replace").strip().splitlines()[-1:] or [""]
+            raise self._fault(f"failed with exit code {done.returncode}: {last[0]}".rstrip(": "))
+        if len(done.stdout) > LONGEST_ANSWER:
+            raise self._fault("gave too long an answer")
+        return done.stdout
+
+    def _read(self, output: bytes, request: SpeechRequest) -> Rendition:
+        try:
+            answer = json.loads(output)
+        except ValueError as error:
+            raise self._fault(f"printed no JSON ({error}); expected one object") from None
+        if not isinstance(answer, dict) or not {"sample_rate", "audio"} <= set(answer) <= _KEYS:
+            raise self._fault("printed another object; expected sample_rate, audio and phones")
+        rate = answer["sample_rate"]
+        if not isinstance(rate, int) or not _RATES[0] <= rate <= _RATES[1]:
+            raise self._fault(f"sample_rate = {rate!r}; expected {_RATES[0]} to {_RATES[1]}")
+        samples = self._samples(answer["audio"])
+        if answer.get("phones") is None:
+            reference = referred(request, self._language)
+            phones = warped(reference, samples, rate)
+            return Rendition(samples, rate, phones, reference.guessed)
+        return Rendition(samples, rate, self._phones(answer["phones"], rate, len(samples), len(request.text)))
+
+    def _samples(self, audio: object) -> Samples:
+        try:
+            data = base64.b64decode(str(audio), validate=True)
+        except binascii.Error:
+            raise self._fault("audio is no base64") from None
+        if len(data) % 2 or not data:
+            raise self._fault("audio is not 16-bit samples")
+        return np.frombuffer(data, "<i2").astype(np.int16)
+
+    def _phones(self, rows: object, rate: int, frames: int, characters: int) -> tuple[SpokenPhone, ...]:
+        if not isinstance(rows, list):
+            raise self._fault("phones is no list")
+        found: list[SpokenPhone] = []
+        for number, row in enumerate(rows):
+            phone = self._phone(row, rate, characters, f"phones[{number}]")
+            if phone.start >= frames or (found and phone.start < found[-1].start):
+                raise self._fault(f"phones[{number}] starts before the one before it, or after the sound")
+            found.append(phone)
+        return tuple(found)
+
+    def _phone(self, row: object, rate: int, characters: int, where: str) -> SpokenPhone:
+        if not isinstance(row, list) or len(row) not in (2, 3) or not isinstance(row[0], str):
+            raise self._fault(f"{where} = {row!r}; expected [symbol, start in seconds, index in the text]")
+        if not all(isinstance(n, int | float) and not isinstance(n, bool) and n >= 0 for n in row[1:]):
+            raise self._fault(f"{where} = {row!r}; expected numbers from 0 on")
+        symbol, stress = self._symbol(row[0], where)
+        position = min(int(row[2]), max(characters - 1, 0)) if len(row) == 3 else 0
+        return SpokenPhone(symbol, round(row[1] * rate), stress, 0, position)
+
+    def _symbol(self, written: str, where: str) -> tuple[str, int]:
+        """Return a phone as the language's are written, and its stress."""
+        if written == SILENCE:
+            return SILENCE, -1
+        bare, stress = phonesets.strip_stress(written)
+        if bare[:-1] in phonesets.VOWELS and bare[-1] in "012":
+            stress = {"1": 2, "2": 1, "0": 0}[bare[-1]]
+            bare = bare[:-1]
+        if not is_known(bare):
+            raise self._fault(f"{where}: unknown phone '{written}'; expected ARPAbet or IPA")
+        if is_english(self._language) and bare not in phonesets.ARPABET:
+            bare = to_arpabet(bare)[0].rstrip("012")
+        return bare, stress if phonesets.is_vowel(bare) else -1
+
+    def _fault(self, message: str) -> SpeechError:
+        return SpeechError(f"the voice '{self._name}': {message}")
+
+
+def request_of(request: SpeechRequest, language: str) -> dict[str, Any]:
+    """Return a request as the program reads it."""
+    manner = request.manner
+    return {
+        "text": request.text,
+        "language": language,
+        "rate": request.rate,
+        "pitch": request.pitch,
+        "manner": {
+            "rate": manner.rate, "pitch": manner.pitch, "range": manner.range, "volume": manner.volume,
+        },
+    }  # fmt: skip
+
+
+def referred(request: SpeechRequest, language: str) -> Rendition:
+    """Return a request as espeak-ng speaks it."""
+    engine = load_engine()
+    voice = find_voice(None, language, engine)
+    return engine.speak(SpeechRequest(request.text, voice, request.rate))
+
+
+@VOICE_FILES.register(".py")
+def python_voice(path: Path, language: str | None) -> SpeechEngine:
+    """Return the voice that a Python program is."""
+    return ProgramEngine([sys.executable, str(path)], str(path), language or "en-us")
+
+
+@VOICE_FILES.register("")
+def program_voice(path: Path, language: str | None) -> SpeechEngine:
+    """Return the voice that an executable file is."""
+    if not os.access(path, os.X_OK):
+        raise SpeechError(f"the voice '{path}' is no program; expected an executable file, .py or .onnx")
+    return ProgramEngine([str(path.resolve())], str(path), language or "en-us")

@@ -1,0 +1,78 @@
+"""Voices: their list, and finding one by name or language."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...errors import SpeechError, unknown
+from .protocol import SpeechEngine, Voice
+from .registry import load_engine
+
+DEFAULT_VOICE = "en-us"
+
+
+def voices(engine: SpeechEngine | None = None) -> tuple[Voice, ...]:
+    """Return all voices, in the order of their names. Those named `+name` change the timbre of any other."""
+    return (engine or load_engine()).voices()
+
+
+def find_voice(name: str | None, language: str | None = None, engine: SpeechEngine | None = None) -> Voice:
+    """Return the voice called `name` (`en-us`, or with a variant `en-us+f3`), or the first of `language`.
+
+    Raises SpeechError, naming the nearest, where there is none, and where the voice speaks another language.
+    """
+    known = voices(engine)
+    if name is None:
+        return _by_language(language, known) if language is not None else _by_name(DEFAULT_VOICE, known)
+    base, plus, variant = name.partition("+")
+    voice = _by_name(base, known)
+    if language is not None and _plain(language).split("-")[0] != voice.language.split("-")[0]:
+        raise SpeechError(f"voice '{name}' speaks '{voice.language}', not '{language}'")
+    return _varied(voice, _by_name(plus + variant, known)) if plus else voice
+
+
+def _plain(code: str) -> str:
+    return code.strip().lower().replace("_", "-")
+
+
+def _by_name(name: str, known: tuple[Voice, ...]) -> Voice:
+    wanted = _plain(name)
+    for voice in known:
+        if wanted == voice.name.lower() or name == voice.key:
+            return voice
+    speaking = _speaking(wanted, known)
+    if speaking is not None:
+        return speaking
+    varies = name.startswith("+")
+    names = [voice.name for voice in known if voice.name.startswith("+") == varies]
+    raise SpeechError(unknown("variant" if varies else "voice", name, names))
+
+
+def _by_language(language: str, known: tuple[Voice, ...]) -> Voice:
+    wanted = _plain(language)
+    voice = _speaking(wanted, known) or _speaking(wanted.split("-")[0], known)
+    if voice is None:
+        codes = dict.fromkeys(code for voice in known for code in voice.languages)
+        raise SpeechError(unknown("language", language, codes))
+    return voice
+
+
+def _speaking(code: str, known: tuple[Voice, ...]) -> Voice | None:
+    """Return the voice that speaks a language most plainly: as its own, and not in a region's manner."""
+    if code == DEFAULT_VOICE.split("-")[0]:
+        code = DEFAULT_VOICE
+    speaking = [voice for voice in known if code in voice.languages]
+    return min(
+        speaking,
+        key=lambda voice: (voice.language != code, not voice.key.endswith(f"/{code}"), voice.name),
+        default=None,
+    )
+
+
+def _varied(voice: Voice, variant: Voice) -> Voice:
+    return replace(
+        voice,
+        name=voice.name + variant.name,
+        gender=variant.gender or voice.gender,
+        key=voice.key + variant.key,
+    )

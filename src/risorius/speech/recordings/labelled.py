@@ -1,0 +1,194 @@
+"""From a TextGrid of words and phones, and the recording it belongs to, to an Utterance.
+
+The labels are taken as they are: whoever made them, by hand or with an aligner, knows better. Tiers are found
+by name, as Praat's users and aligners spell them. Phones are ARPAbet, with stress digits or without, or IPA.
+"""
+
+from __future__ import annotations
+
+import warnings
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from ...core.audio import Audio, silence
+from ...core.utterance import SILENCE, Phone, Utterance, Word
+from ...errors import InputError, Place, SpeechWarning
+from ...script.quote import quoted
+from ...script.textgrid import INTERVALS, Label, TextGrid, Tier
+from ..alignment.lexicon import stresses_of
+from ..structure.accents import intone
+from ..structure.pauses import find_pauses
+from ..structure.syllables import syllabify
+from ..synthesis import synthesize
+from .phone_labels import UNSTRESSED, PhoneLabel, is_silence, read_phones
+from .tone_labels import read_tones, tells_accents, tells_boundaries
+
+WORD_TIERS = ("words", "word", "orthography", "ort", "ort-mau", "wrd")
+PHONE_TIERS = ("phones", "phone", "phonemes", "phoneme", "segments", "mau", "phn", "sounds")
+# Seconds: labels so near to each other touch, and so much may the last reach beyond the recording.
+TOUCHING, BEYOND = 0.002, 0.1
+SHORTEST = 1e-4
+ENGLISH, UNDETERMINED = "en-us", "und"
+NO_WORD = -1
+
+
+def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance:
+    """Return what a TextGrid says; without a recording it is silent.
+
+    Tiers `accents`, `boundaries` and `tones` (points with ToBI's labels) give accents and boundaries. Raises
+    InputError, with the line, for tiers that are missing, overlaps, unknown phones and labels beyond the
+    recording; warns (SpeechWarning) of gaps, which are taken as silence, and of words without phones.
+    """
+    phone_tier = found_tier(grid, PHONE_TIERS)
+    if phone_tier is None:
+        raise InputError(f"has no tier 'phones' of intervals; found {_listed(grid)}", Place(grid.source))
+    audio = audio or silence(max(grid.end, SHORTEST))
+    labels = _continuous(phone_tier, grid.source, audio.duration)
+    arpabet, sounds = read_phones(labels, grid.source)
+    word_tier = found_tier(grid, WORD_TIERS)
+    words = [w for w in word_tier.labels if not is_silence(w.text)] if word_tier else []
+    _check_overlaps(words, grid.source)
+    phones, timed = _joined(labels, sounds, words, grid.source)
+    text = " ".join(word.text for word in timed)
+    phones = _stressed(phones, timed, sounds, text if arpabet and words else "")
+    syllables = syllabify(phones, timed)
+    pauses = find_pauses(text, phones, timed)
+    tones = read_tones(grid, syllables, timed)
+    language = ENGLISH if arpabet else UNDETERMINED
+    said = intone(Utterance(text, language, audio, phones, timed, syllables, pauses))
+    return replace(
+        said,
+        accents=tones.accents if tells_accents(grid) else said.accents,
+        boundaries=tones.boundaries if tells_boundaries(grid) else said.boundaries,
+    )
+
+
+def found_tier(grid: TextGrid, names: Sequence[str]) -> Tier | None:
+    """Return the tier of intervals with one of these names, alone or after a speaker's ("Anna - words").
+
+    Raises InputError where several speakers have one.
+    """
+    tiers = [
+        t for t in grid.tiers if t.kind == INTERVALS and t.name.split(" - ")[-1].strip().lower() in names
+    ]
+    if len(tiers) > 1 and any(" - " in tier.name for tier in tiers):
+        listed = ", ".join(quoted(tier.name) for tier in tiers)
+        message = f"has the tiers of several speakers ({listed}); expected those of one"
+        raise InputError(message, Place(grid.source, tiers[1].line))
+    return tiers[0] if tiers else None
+
+
+def _listed(grid: TextGrid) -> str:
+    return ", ".join(quoted(tier.name) for tier in grid.tiers) or "no tiers"
+
+
+def _check_overlaps(labels: Sequence[Label], source: str) -> None:
+    for before, after in pairwise(labels):
+        if after.start < before.end - TOUCHING:
+            raise InputError(
+                f"{quoted(after.text)} starts at {after.start:g} s, before {quoted(before.text)} ends at "
+                f"{before.end:g} s; expected labels one after another",
+                Place(source, after.line),
+            )
+
+
+def _continuous(tier: Tier, source: str, duration: float) -> list[Label]:
+    """Return the labels with silence in the gaps, over [0, duration]."""
+    labels = [label for label in tier.labels if label.end - label.start > SHORTEST]
+    _check_overlaps(labels, source)
+    beyond = next((x for x in labels if x.end > duration + BEYOND and not is_silence(x.text)), None)
+    if beyond is not None:
+        message = f"{quoted(beyond.text)} ends at {beyond.end:g} s, but the recording lasts {duration:.3f} s"
+        raise InputError(f"{message}; expected the recording that was labelled", Place(source, beyond.line))
+    filled: list[Label] = []
+    reached = 0.0
+    for label in labels:
+        if label.start > reached + TOUCHING:
+            if filled:
+                gap = f"nothing is labelled from {reached:g} to {label.start:g} s; taken as silence"
+                warnings.warn(f"{Place(source, label.line)}: {gap}", SpeechWarning, stacklevel=3)
+            filled.append(Label(reached, label.start, "", label.line))
+        start, end = filled[-1].end if filled else 0.0, min(label.end, duration)
+        if end > start:
+            filled.append(label._replace(start=start, end=end))
+            reached = end
+    if duration - reached > TOUCHING or not filled:
+        filled.append(Label(reached, duration, "", tier.line))
+    filled[-1] = filled[-1]._replace(end=duration)
+    return filled
+
+
+def _joined(
+    labels: Sequence[Label], sounds: Sequence[PhoneLabel], words: Sequence[Label], source: str
+) -> tuple[tuple[Phone, ...], tuple[Word, ...]]:
+    """Return phones and the words that they belong to; sounds outside of all words are words of their own."""
+    owners = _owners(labels, sounds, words)
+    spans: dict[int, list[int]] = {}
+    for index, owner in enumerate(owners):
+        if owner != NO_WORD:
+            spans.setdefault(owner, []).append(index)
+    _report_unsaid([word for number, word in enumerate(words) if number not in spans], source)
+    numbers = {owner: number for number, owner in enumerate(spans)}
+    phones = tuple(
+        Phone(sound.symbol, label.start, label.end, _known(sound), numbers.get(owner, NO_WORD))
+        for label, sound, owner in zip(labels, sounds, owners, strict=True)
+    )
+    timed: list[Word] = []
+    offset = 0
+    for owner, inside in spans.items():
+        first, last = inside[0], inside[-1]
+        text = words[owner].text.strip() if owner < len(words) else "".join(phones[i].symbol for i in inside)
+        end = offset + len(text)
+        timed.append(Word(text, phones[first].start, phones[last].end, first, last + 1, offset, end))
+        offset = end + 1
+    return phones, tuple(timed)
+
+
+def _owners(labels: Sequence[Label], sounds: Sequence[PhoneLabel], words: Sequence[Label]) -> list[int]:
+    """Return the index of each phone's word, from len(words) on for runs of sounds outside of all words."""
+    starts = [word.start for word in words]
+    owners: list[int] = []
+    unnamed = len(words)
+    for label, sound in zip(labels, sounds, strict=True):
+        middle = 0.5 * (label.start + label.end)
+        index = bisect_right(starts, middle) - 1
+        if sound.symbol == SILENCE:
+            owners.append(NO_WORD)
+        elif index >= 0 and middle < words[index].end:
+            owners.append(index)
+        else:
+            unnamed += not (owners and owners[-1] == unnamed)
+            owners.append(unnamed)
+    return owners
+
+
+def _report_unsaid(words: Sequence[Label], source: str) -> None:
+    for word in words:
+        message = f"{quoted(word.text)} has no phones; it is left out"
+        warnings.warn(f"{Place(source, word.line)}: {message}", SpeechWarning, stacklevel=4)
+
+
+def _known(sound: PhoneLabel) -> int:
+    return UNSTRESSED if sound.stress is None else sound.stress
+
+
+def _stressed(
+    phones: tuple[Phone, ...], words: Sequence[Word], sounds: Sequence[PhoneLabel], text: str
+) -> tuple[Phone, ...]:
+    """Return the phones with the stress that espeak-ng gives the words where no label tells it."""
+    if not text or all(sound.stress is not None for sound in sounds):
+        return phones
+    spoken = synthesize(text)
+    heard = {word.source_start: word for word in spoken.words}
+    found = list(phones)
+    for word in words:
+        engine = heard.get(word.source_start)
+        inside = spoken.phones[engine.first_phone : engine.last_phone] if engine else ()
+        span = range(word.first_phone, word.last_phone)
+        levels = stresses_of([phones[i].symbol for i in span], [p.stress for p in inside if p.stress >= 0])
+        for index, level in zip(span, levels, strict=True):
+            if sounds[index].stress is None:
+                found[index] = replace(phones[index], stress=level)
+    return tuple(found)

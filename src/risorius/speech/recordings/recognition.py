@@ -1,0 +1,153 @@
+"""Words from the sound alone, where nobody has written them down; phones where words fail.
+
+Stretch by stretch between pauses: pocketsphinx's language model names the words, and these are aligned as a
+transcript's would be. Where they do not fit what is heard, a loop over all phones says at least what the
+mouth does. Both are far weaker than a transcript: about one word in four is wrong.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...core.arrays import Array, BoolArray
+from ...core.audio import Audio
+from ...core.utterance import SILENCE, Utterance, Word
+from ...errors import InputError
+from .. import phonesets
+from ..alignment.aligner import assembled, moved, refined
+from ..alignment.decoder import (
+    FRAME,
+    MIDDLE,
+    PAD_SECONDS,
+    UNSPOKEN,
+    AlignmentError,
+    Found,
+    align_words,
+    decode,
+    prepared,
+)
+from ..alignment.doubt import POOR_WORD, mean_score
+from ..alignment.lexicon import ScriptWord, read_transcript, written_readings
+from ..alignment.silences import without_gaps
+from .resampled import LEVEL_STEP, RATE, Listening
+
+if TYPE_CHECKING:
+    from pocketsphinx import Decoder
+
+# A stretch ends in a pause (dB below loud speech, seconds), and is cut where it is quietest if none comes.
+PAUSE_BELOW, SHORTEST_PAUSE = 30.0, 0.3
+EARLIEST, LATEST = 6.0, 20.0
+NO_WORD = -1
+_LOUD_PERCENTILE = 95.0
+# How the dictionary marks a word's further readings.
+_ALTERNATIVE = re.compile(r"\(\d+\)$")
+
+
+def recognize(audio: Audio) -> Utterance:
+    """Return what seems to be said when in a recording. Raises InputError if nothing is."""
+    listening = Listening(audio)
+    found: list[Found] = []
+    names: list[str] = []
+    for start, end in stretches(listening):
+        phones, words = _recognized(listening.read(start, end))
+        found += refined(listening, without_gaps(moved(phones, start, end, len(names))))
+        names += words
+    if not names:
+        raise InputError("no speech was recognized; expected a recorded voice")
+    return assembled(audio, " ".join(names), found, list(_script_words(names)))
+
+
+def stretches(listening: Listening) -> Iterator[tuple[float, float]]:
+    """Yield spans of seconds that follow one another over the recording, cut in pauses where possible."""
+    levels = np.asarray(listening.levels, np.float64)
+    quiet = levels < np.percentile(levels, _LOUD_PERCENTILE) - PAUSE_BELOW
+    start, count = 0, len(levels)
+    while (count - start) * LEVEL_STEP > LATEST:
+        first, last = start + round(EARLIEST / LEVEL_STEP), start + round(LATEST / LEVEL_STEP)
+        cut = _longest_run(quiet[first:last], round(SHORTEST_PAUSE / LEVEL_STEP))
+        end = first + (cut if cut is not None else int(levels[first:last].argmin()))
+        yield start * LEVEL_STEP, end * LEVEL_STEP
+        start = end
+    yield start * LEVEL_STEP, listening.audio.duration
+
+
+def _longest_run(true: BoolArray, shortest: int) -> int | None:
+    """Return the middle of the longest run of True, None if none is long enough."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], true, [False])))).reshape(-1, 2)
+    lengths = edges[:, 1] - edges[:, 0]
+    if not len(lengths) or lengths.max() < shortest:
+        return None
+    return int(edges[lengths.argmax()].mean())
+
+
+def _recognized(sound: Array) -> tuple[list[Found], list[str]]:
+    """Return the phones of a stretch, and the names of its words."""
+    names = [_ALTERNATIVE.sub("", segment.word) for segment in _spoken(_word_decoder(), sound)]
+    if names:
+        with contextlib.suppress(AlignmentError):
+            found = align_words(sound, [written_readings(name) for name in names])
+            if mean_score([f for f in found if f.word >= 0]) >= POOR_WORD:
+                return found, names
+    return _phone_runs(sound)
+
+
+def _phone_runs(sound: Array) -> tuple[list[Found], list[str]]:
+    """Return the phones that a loop over all phones hears; each run without a pause is called a word."""
+    duration = len(sound) / RATE
+    found: list[Found] = []
+    names: list[str] = []
+    for segment in _segments(_phone_decoder(), sound):
+        start = max(segment.start_frame * FRAME + MIDDLE - PAD_SECONDS, 0.0)
+        end = min((segment.end_frame + 1) * FRAME + MIDDLE - PAD_SECONDS, duration)
+        if start >= end:
+            continue
+        if segment.word not in phonesets.ARPABET:
+            found.append(Found(SILENCE, start, end, NO_WORD, 0.0))
+            continue
+        if not found or found[-1].word == NO_WORD:
+            names.append("")
+        names[-1] += segment.word
+        found.append(Found(segment.word, start, end, len(names) - 1, 0.0))
+    return found or [Found(SILENCE, 0.0, duration, NO_WORD, 0.0)], names
+
+
+def _script_words(names: list[str]) -> Iterator[ScriptWord]:
+    """Yield the words with their places in the text that they make, and with espeak-ng's stress."""
+    _, words = read_transcript(" ".join(names))
+    stresses = {word.word.source_start: word.stresses for word in words}
+    at = 0
+    for name in names:
+        yield ScriptWord(Word(name, 0.0, 0.0, 0, 0, at, at + len(name)), (), stresses.get(at, ()))
+        at += len(name) + 1
+
+
+def _spoken(decoder: Decoder, sound: Array) -> list[Any]:
+    return [segment for segment in _segments(decoder, sound) if not segment.word.startswith(UNSPOKEN)]
+
+
+def _segments(decoder: Decoder, sound: Array) -> list[Any]:
+    decode(decoder, prepared(sound))
+    return [] if decoder.hyp() is None else list(decoder.seg())
+
+
+@functools.cache
+def _word_decoder() -> Decoder:
+    import pocketsphinx
+
+    return pocketsphinx.Decoder(loglevel="FATAL", samprate=RATE)
+
+
+@functools.cache
+def _phone_decoder() -> Decoder:
+    import pocketsphinx
+
+    model = pocketsphinx.get_model_path("en-us/en-us-phone.lm.bin")
+    return pocketsphinx.Decoder(
+        loglevel="FATAL", samprate=RATE, lm=None, dict=None, allphone=model, lw=2.0, beam=1e-20, pbeam=1e-20
+    )

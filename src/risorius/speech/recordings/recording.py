@@ -1,0 +1,141 @@
+"""Recorded sound: any file that libsndfile reads, as 16-bit mono on disk, checked on the way.
+
+WAV, FLAC, OGG and MP3 among them. Read block by block, so that memory does not grow with the length.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...core.arrays import BoolArray, Float32Array
+from ...core.audio import Audio, AudioWriter
+from ...errors import InputError, Place, SpeechWarning
+
+if TYPE_CHECKING:
+    from soundfile import SoundFile
+
+LOWEST_RATE, HIGHEST_RATE = 8_000, 96_000
+# Seconds.
+SHORTEST, LONGEST = 0.1, 6 * 3600.0
+# The loudest sample of a recording in which something can be heard: -60 dB of full scale.
+SILENT_PEAK = 1e-3
+# Sound is clipped where so many samples in a row hold the largest value, near full scale.
+CLIPPED_LEVEL, CLIPPED_RUN = 0.985, 4
+# Fewer clipped samples than this share are not worth a word.
+CLIPPED_SHARE = 2e-4
+_BLOCK = 65_536
+_FULL_SCALE = 32_767
+
+
+def read_recording(path: str | PathLike[str]) -> Audio:
+    """Return a recording as 16-bit mono at its own sample rate; several channels are averaged.
+
+    Raises InputError for a file that is missing or cannot be decoded, that is silent, shorter than 0.1 s or
+    longer than 6 h, or sampled at less than 8 or more than 96 kHz. Warns (SpeechWarning) of clipped sound,
+    and of samples that are no numbers, which become silence.
+    """
+    place = Place(str(path))
+    with _opened(Path(path), place) as source:
+        checks = _Checks(source.samplerate)
+        with AudioWriter(source.samplerate) as writer:
+            for block in _blocks(source, place):
+                mono = checks.mended(block, writer.frames)
+                writer.append(np.round(np.clip(mono, -1.0, 1.0) * _FULL_SCALE).astype(np.int16))
+            audio = writer.finish()
+    if audio.duration < SHORTEST:
+        raise InputError(f"lasts {audio.duration:.3f} s; expected at least {SHORTEST:g} s of speech", place)
+    checks.report(audio, place)
+    return audio
+
+
+def _opened(path: Path, place: Place) -> SoundFile:
+    import soundfile
+
+    try:
+        if not path.exists():
+            raise InputError("there is no such file; expected a recording", place)
+        if path.is_dir():
+            raise InputError("is a folder; expected a recording", place)
+        source = soundfile.SoundFile(path)
+    except (soundfile.LibsndfileError, OSError, ValueError) as error:
+        raise InputError(f"{_reason(error)}; expected WAV, FLAC, OGG or MP3", place) from None
+    if not LOWEST_RATE <= source.samplerate <= HIGHEST_RATE:
+        source.close()
+        expected = f"expected {LOWEST_RATE:,} to {HIGHEST_RATE:,}"
+        raise InputError(f"has {source.samplerate:,} samples per second; {expected}", place)
+    return source
+
+
+def _blocks(source: SoundFile, place: Place) -> Iterator[Float32Array]:
+    """Yield the file's sound, its channels averaged, in blocks."""
+    import soundfile
+
+    frames = 0
+    try:
+        for block in source.blocks(_BLOCK, dtype="float32", always_2d=True):
+            frames += len(block)
+            if frames > LONGEST * source.samplerate:
+                raise InputError(f"is longer than {LONGEST / 3600:g} hours; expected less", place)
+            yield block.mean(axis=1)
+    except (soundfile.LibsndfileError, RuntimeError) as error:
+        at = frames / source.samplerate
+        raise InputError(f"cannot be decoded from {at:.2f} s on: {_reason(error)}", place) from None
+
+
+def _reason(error: Exception) -> str:
+    text = str(getattr(error, "error_string", None) or getattr(error, "strerror", None) or error)
+    return f"cannot be read ({text.rstrip('.')})"
+
+
+@dataclass
+class _Checks:
+    """What is noticed while the blocks of a recording go by; counts and positions are in samples."""
+
+    sample_rate: int
+    peak: float = 0.0
+    clipped: int = 0
+    clipped_from: int = -1
+    odd: int = 0
+    odd_from: int = -1
+
+    def mended(self, block: Float32Array, offset: int) -> Float32Array:
+        """Return the block that starts at sample `offset`, with zeros for what is no number."""
+        odd = ~np.isfinite(block)
+        if odd.any():
+            self.odd_from = offset + int(np.argmax(odd)) if self.odd_from < 0 else self.odd_from
+            self.odd += int(odd.sum())
+            block = np.where(odd, np.float32(0.0), block)
+        if block.size:
+            self.peak = max(self.peak, float(np.abs(block).max()))
+            self._count_clipped(np.abs(block) >= CLIPPED_LEVEL, offset)
+        return block
+
+    def _count_clipped(self, full: BoolArray, offset: int) -> None:
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], full, [False]))))
+        runs = edges.reshape(-1, 2)
+        long = runs[runs[:, 1] - runs[:, 0] >= CLIPPED_RUN]
+        if len(long):
+            self.clipped_from = offset + int(long[0, 0]) if self.clipped_from < 0 else self.clipped_from
+            self.clipped += int((long[:, 1] - long[:, 0]).sum())
+
+    def report(self, audio: Audio, place: Place) -> None:
+        """Raise InputError for silence; warn of what was mended and of what cannot be."""
+        if self.peak < SILENT_PEAK:
+            raise InputError("is silent; expected speech", place)
+        if self.odd:
+            at = self.odd_from / self.sample_rate
+            _warn(place, f"{self.odd:,} samples are no numbers, the first at {at:.3f} s; taken as silence")
+        if self.clipped > CLIPPED_SHARE * audio.frames:
+            share, at = 100.0 * self.clipped / audio.frames, self.clipped_from / self.sample_rate
+            _warn(place, f"the sound is clipped ({share:.2g} %, first at {at:.3f} s); expect coarser times")
+
+
+def _warn(place: Place, message: str) -> None:
+    warnings.warn(f"{place}: {message}", SpeechWarning, stacklevel=4)

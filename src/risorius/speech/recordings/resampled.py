@@ -1,0 +1,86 @@
+"""Recordings as the measuring stages hear them: at 16 kHz, speech at one level, any stretch at a time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.signal import resample_poly
+
+from ...core.arrays import Array, Float32Array
+from ...core.audio import Audio
+
+RATE = 16_000
+# Where the loud frames of speech are brought, in units of 16-bit samples (root mean square).
+SPEECH_LEVEL = 2_500.0
+# Seconds per frame of `levels`.
+LEVEL_STEP = 0.01
+_LOUD_PERCENTILE = 95.0
+_CHUNK_SECONDS = 10.0
+# The resampling filter reaches ten samples of the slower rate to both sides; taken twice to be safe.
+_MARGIN = 20
+
+
+@dataclass(frozen=True)
+class Listening:
+    """Access to a recording at 16 kHz; nothing but frame levels is kept in memory."""
+
+    audio: Audio
+
+    def read(self, start: float, end: float) -> Array:
+        """Return the sound of [start, end) in seconds at 16 kHz, shape (n,), in units of 16-bit samples.
+
+        The first sample is the one nearest to `start`. What lies outside the recording is silent. The level
+        is that at which loud speech has a root mean square of 2,500.
+        """
+        first, count = round(start * RATE), round((end - start) * RATE)
+        return self.gain * _resampled(self.audio, first, max(count, 0))
+
+    @cached_property
+    def gain(self) -> float:
+        """The factor that brings loud speech to its level."""
+        loud = float(np.percentile(self.levels, _LOUD_PERCENTILE)) if self.levels.size else 0.0
+        return SPEECH_LEVEL / float(10.0 ** (loud / 20.0))
+
+    @cached_property
+    def levels(self) -> Float32Array:
+        """Root mean square per 10 ms as dB of one 16-bit step, at least -20, shape (frames,)."""
+        step = LEVEL_STEP * self.audio.sample_rate
+        frames_per_chunk = round(_CHUNK_SECONDS / LEVEL_STEP)
+        total = max(math.ceil(self.audio.frames / step), 1)
+        found = [
+            _frame_levels(self.audio, range(first, min(first + frames_per_chunk, total)), step)
+            for first in range(0, total, frames_per_chunk)
+        ]
+        return np.concatenate(found)
+
+
+def _frame_levels(audio: Audio, frames: range, step: float) -> Float32Array:
+    edges = np.round(np.arange(frames.start, frames.stop + 1) * step).astype(int)
+    samples = audio.read(int(edges[0]), int(edges[-1] - edges[0])).astype(np.float64)
+    power = np.concatenate(([0.0], np.cumsum(samples**2)))
+    inside = np.minimum(edges - edges[0], len(samples))
+    mean = np.diff(power[inside]) / np.maximum(np.diff(edges), 1)
+    return np.asarray(10.0 * np.log10(mean + 0.01), dtype=np.float32)
+
+
+def _resampled(audio: Audio, first: int, count: int) -> Array:
+    """Return `count` samples at 16 kHz from sample `first` (at 16 kHz) on, zeros where there is no sound."""
+    divisor = math.gcd(RATE, audio.sample_rate)
+    up, down = RATE // divisor, audio.sample_rate // divisor
+    # The filter's phase repeats every `down` samples: begin at such a sample, with room for the filter.
+    margin = _MARGIN * max(1, down // up)
+    begin = (first * down // up - margin) // down * down
+    end = -(-(first + count) * down // up) + margin
+    source = _padded(audio, begin, end)
+    resampled = resample_poly(source, up, down)
+    skipped = first - begin // down * up
+    return np.ascontiguousarray(resampled[skipped : skipped + count])
+
+
+def _padded(audio: Audio, begin: int, end: int) -> Array:
+    samples = audio.read(max(begin, 0), max(end - max(begin, 0), 0)).astype(np.float64)
+    before = min(max(-begin, 0), end - begin)
+    return np.pad(samples, (before, max(end - begin - before - len(samples), 0)))

@@ -1,0 +1,1 @@
+"""How speech is divided: syllables, pauses, accents and boundaries."""

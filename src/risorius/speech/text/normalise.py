@@ -1,0 +1,100 @@
+"""A text as it is given to the speech engine, with the place in the source of every character.
+
+English abbreviations, amounts of money and units are written out (`data/english.toml`); in every language,
+signs that nobody reads aloud (quotes, emoji, markup characters, invisible characters) are left out.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from bisect import bisect_left
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import NamedTuple
+
+from ...core.directions import Break, Directions, Span
+from .english import written_out
+from .tokens import APOSTROPHES, BREAKS
+
+_QUOTES = '"\u201c\u201d\u201e\u201f\u00ab\u00bb\u2039\u203a\u2018'
+_MARKUP = "[]{}<>*_~^`|\\\u2022\u2023\u25e6\u25aa\u00b7"
+_SILENT = frozenset(_QUOTES + _MARKUP + BREAKS)
+_SPOKEN = frozenset("°")
+_SILENT_CATEGORIES = frozenset({"So", "Sk", "Cs", "Co", "Cn", "Cc", "Zs", "Zl", "Zp"})
+_JOINERS = frozenset("\u200c\u200d")
+_COMPATIBLE = ("<font>", "<wide>", "<narrow>", "<compat>")
+
+
+class Spoken(NamedTuple):
+    """Text for the engine; `origin[i]` is the source offset that character i comes from."""
+
+    text: str
+    origin: tuple[int, ...]
+
+
+def normalise(text: str, start: int, end: int, language: str) -> Spoken:
+    """Return what is to be spoken for characters [start, end) of `text`; it holds no line break."""
+    chars: list[str] = []
+    origin: list[int] = []
+
+    def put(piece: str, source: int) -> None:
+        chars.append(piece)
+        origin.extend([source] * len(piece))
+
+    at = start
+    for piece in written_out(text, start, end) if is_english(language) else ():
+        _clean(text, at, piece.start, put)
+        for read, source in piece.read:
+            put(read, source)
+        at = piece.end
+    _clean(text, at, end, put)
+    return Spoken("".join(chars), tuple(origin))
+
+
+def placed(
+    directions: Directions, spoken: Spoken, start: int, end: int, *, last: bool = False
+) -> Iterator[Span | Break]:
+    """Yield what `directions` say about characters [start, end) of the source, by characters of `spoken`.
+
+    `last`: no text follows, so that breaks at its end belong here.
+    """
+    for direction in directions.between(start, end, last=last):
+        if isinstance(direction, Break):
+            yield replace(direction, at=bisect_left(spoken.origin, direction.at))
+            continue
+        first, stop = (bisect_left(spoken.origin, at) for at in (direction.start, direction.end))
+        if first < stop:
+            yield replace(direction, start=first, end=stop)
+
+
+def _clean(text: str, start: int, end: int, put: Callable[[str, int], None]) -> None:
+    at = start
+    while at < end:
+        stop = at + 1
+        while stop < end and unicodedata.combining(text[stop]):
+            stop += 1
+        cluster = unicodedata.normalize("NFC", text[at:stop])
+        for char in cluster:
+            put(_cleaned(text, at, char), at)
+        at = stop
+
+
+def _cleaned(text: str, at: int, char: str) -> str:
+    """Return what is spoken for `char`, a blank where it only separates, nothing where it is invisible."""
+    if char in APOSTROPHES:
+        inside = at > 0 and text[at - 1].isalnum() and text[at + 1 : at + 2].isalnum()
+        return "'" if inside else " "
+    category = unicodedata.category(char)
+    if char in _SILENT or (category in _SILENT_CATEGORIES and char not in _SPOKEN):
+        return " "
+    if category == "Cf" or "\ufe00" <= char <= "\ufe0f" or category == "Me":
+        # Joiners shape words in Persian and the scripts of India; elsewhere they join emoji.
+        return char if char in _JOINERS and at > 0 and text[at - 1].isalpha() else ""
+    if char.isalpha() and unicodedata.decomposition(char).startswith(_COMPATIBLE):
+        return unicodedata.normalize("NFKC", char)
+    return char
+
+
+def is_english(language: str) -> bool:
+    """Tell whether a language code is that of a kind of English."""
+    return language == "en" or language.startswith("en-")
