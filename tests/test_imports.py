@@ -134,12 +134,7 @@ def test_a_package_imports_only_what_lies_below_it(unit: str) -> None:
     assert not wrong, "\n".join(wrong)
 
 
-KNOWN = pytest.mark.xfail(strict=True, reason="the table of engines imports the engines")
-
-
-@pytest.mark.parametrize(
-    "unit", [pytest.param(u, marks=KNOWN if u == "speech" else ()) for u in sorted(MAY_IMPORT)]
-)
+@pytest.mark.parametrize("unit", sorted(MAY_IMPORT))
 def test_files_of_a_package_do_not_import_each_other_in_a_circle(unit: str) -> None:
     files = {m: {n for n in _of_ours(m) if _unit(n) == unit} for m in _modules() if _unit(m) == unit}
     try:
