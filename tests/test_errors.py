@@ -1,4 +1,9 @@
-from risorius.errors import InputError, Place, unknown
+import threading
+import warnings
+
+import pytest
+
+from risorius.errors import InputError, Place, RisoriusWarning, unknown, warn, warnings_to
 
 
 def test_place_is_file_line_column() -> None:
@@ -23,3 +28,52 @@ def test_what_a_terminal_obeys_is_not_repeated() -> None:
 
 def test_long_names_are_cut() -> None:
     assert len(unknown("column", "x" * 10_000, ["Timecode"])) < 120
+
+
+def test_each_of_two_runs_in_two_threads_receives_its_own_warnings() -> None:
+    received: dict[str, list[str]] = {"a": [], "b": []}
+    together = threading.Barrier(2, timeout=60)
+
+    def run(name: str) -> None:
+        with warnings_to(received[name].append):
+            together.wait()
+            warn(f"{name} is\n odd")
+            together.wait()
+
+    threads = [threading.Thread(target=run, args=(name,)) for name in received]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert received == {"a": ["a is odd"], "b": ["b is odd"]}
+
+
+def test_the_inner_of_two_receivers_receives_and_python_before_and_after() -> None:
+    outer: list[str] = []
+    inner: list[str] = []
+
+    def stopped() -> None:
+        with warnings_to(inner.append):
+            warn("first")
+            raise InputError("stopped")
+
+    with warnings_to(outer.append):
+        with pytest.raises(InputError):
+            stopped()
+        warn("second")
+    with pytest.warns(RisoriusWarning, match="^third$"):
+        warn("third")
+    assert (outer, inner) == (["second"], ["first"])
+
+
+def test_other_warnings_go_python_s_way() -> None:
+    received: list[str] = []
+    with pytest.warns(UserWarning, match="of another kind"), warnings_to(received.append):
+        warnings.warn("of another kind", UserWarning, stacklevel=1)
+    assert received == []
+
+
+def test_a_warning_stands_at_the_line_that_called_the_package() -> None:
+    with pytest.warns(RisoriusWarning) as caught:
+        warn("odd")
+    assert caught[0].filename == __file__

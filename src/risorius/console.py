@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import sys
 import threading
-import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from types import FrameType, TracebackType
 from typing import TYPE_CHECKING
 
-from .errors import RisoriusWarning
+from .errors import warnings_to
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
@@ -30,6 +29,7 @@ class Console:
     def __init__(self) -> None:
         self._bar: Progress | None = None
         self._tasks: dict[str, TaskID] = {}
+        self._warnings = warnings_to(lambda line: self.say(f"risorius: warning: {line}"))
 
     def say(self, line: str) -> None:
         """Print one line."""
@@ -58,14 +58,8 @@ class Console:
         self._bar.update(self._tasks[stage], completed=done)
 
     def __enter__(self) -> Console:
-        self._warnings = warnings.catch_warnings()
         self._warnings.__enter__()
-        warnings.simplefilter("always", RisoriusWarning)
-        warnings.showwarning = self._warn
         return self
-
-    def _warn(self, message: Warning | str, *_: object, **__: object) -> None:
-        self.say(f"risorius: warning: {' '.join(str(message).split())}")
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+import inspect
+import warnings
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 
 _LONGEST_NAME = 60  # characters of a name that are shown
+_receiver: ContextVar[Callable[[str], None] | None] = ContextVar("receiver of warnings", default=None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +67,37 @@ class HeadError(RisoriusError):
 
 class OutputError(RisoriusError):
     """An output cannot be written: unknown suffix, missing or unwritable folder, full disk."""
+
+
+def warn(message: str, category: type[RisoriusWarning] = RisoriusWarning) -> None:
+    """Warn the caller of the run: by `warnings_to`, or else as Python does, at the caller's own line."""
+    line = " ".join(message.split())
+    receive = _receiver.get()
+    if receive is None:
+        warnings.warn(line, category, stacklevel=_frames_of_ours())
+    else:
+        receive(line)
+
+
+@contextmanager
+def warnings_to(receive: Callable[[str], None]) -> Iterator[None]:
+    """Call `receive` with each warning, one line, of what runs here, instead of issuing it through Python.
+
+    Only this thread, or this task of an event loop, is concerned: runs beside it have their own receivers.
+    """
+    token = _receiver.set(receive)
+    try:
+        yield
+    finally:
+        _receiver.reset(token)
+
+
+def _frames_of_ours() -> int:
+    """Return the `stacklevel` at which the package's caller stands for who calls this."""
+    frame, level = inspect.currentframe(), 0
+    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "risorius":
+        frame, level = frame.f_back, level + 1
+    return level
 
 
 def unknown(kind: str, name: str, known: Iterable[str]) -> str:

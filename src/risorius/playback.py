@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,7 +13,7 @@ from .core.arrays import Array
 from .core.movement import Cause, ManualCurve
 from .core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from .core.score import BlendSettings, Score
-from .errors import InputError, Place, RisoriusWarning, unknown
+from .errors import InputError, Place, unknown, warn
 from .face.arkit_fit import ArkitFit
 from .face.arkit_given import gaze_of
 from .face.feature_points import ANGLE, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
@@ -106,7 +105,7 @@ def _tell_left_out(take: FapTake, path: Path) -> None:
     left_out = sorted({int(number) for number in moved} - set(SHOWN))
     if left_out:
         named = ", ".join(map(str, left_out))
-        warnings.warn(f"{path}: FAP {named} cannot be shown; left out", RisoriusWarning, stacklevel=2)
+        warn(f"{path}: FAP {named} cannot be shown; left out")
 
 
 def _from_action_units(path: Path, _settings: Settings, _progress: Progress) -> tuple[Array, Array]:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from ..errors import InputError, ParameterError, Place, RisoriusWarning, unknown
+from ..errors import InputError, ParameterError, Place, RisoriusWarning, unknown, warn
 from .attributes import number_of
 from .elements import Attribute, Reader
 from .quote import one_line, quoted
@@ -96,7 +95,7 @@ class Unknowns:
         """Warn that `what` at `place` is not understood."""
         if what not in self._told:
             self._told.add(what)
-            warnings.warn(f"{place}: {what} is not understood; {instead}", ScriptWarning, stacklevel=2)
+            warn(f"{place}: {what} is not understood; {instead}", ScriptWarning)
 
     def check(self, node: Node, known: Collection[str]) -> None:
         """Warn of a node's attributes that are not `known`; those of XML itself are."""

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from os import PathLike
 
 from ..core.directions import Directions
 from ..core.utterance import Utterance
-from ..errors import InputError, Place, SpeechWarning
+from ..errors import InputError, Place, SpeechWarning, warn
 from ..script import Script, SpokenLine, read_script
 from ..script.files import names_something, read_text
 from ..script.model import script_of
@@ -77,7 +76,7 @@ def hear(audio: Recording, transcript: str | None, progress: Progress) -> Uttera
     try:
         if transcript is None:
             progress("Recognizing …")
-            warnings.warn(f"{audio}: {WEAKER}", SpeechWarning, stacklevel=4)
+            warn(f"{audio}: {WEAKER}", SpeechWarning)
             return measured(recognize(recording))
         progress("Aligning …")
         return measured(align(recording, transcript))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import chain
@@ -11,7 +10,7 @@ from ..core.audio import AudioWriter
 from ..core.directions import UNDIRECTED, Directions
 from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance
-from ..errors import InputError, ParameterError, SpeechWarning
+from ..errors import InputError, ParameterError, SpeechWarning, warn
 from .assembly.assemble import Part, assemble, place, silence
 from .assembly.lengthen import scale_pauses
 from .assembly.retime import is_timed, retime
@@ -122,7 +121,7 @@ def _speak(
             progress((number + 1) / len(stretches))
     if guessed:
         names = ", ".join(f"'{name}'" for name in guessed)
-        warnings.warn(f"sounds shown as the nearest class of sounds: {names}", SpeechWarning, stacklevel=3)
+        warn(f"sounds shown as the nearest class of sounds: {names}", SpeechWarning)
 
 
 def _check_text(text: str) -> None:

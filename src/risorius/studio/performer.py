@@ -9,7 +9,7 @@ from dataclasses import replace
 from ..channels import Display
 from ..core.edits import identified
 from ..core.utterance import Utterance
-from ..errors import InputError
+from ..errors import InputError, warnings_to
 from ..pipeline import looking_like, plan, spoken
 from ..ports.score_json import ScoreFile
 from ..rules.profiles import profile_of
@@ -23,7 +23,6 @@ from .choices import settings_of
 from .scores import adopted, parsed, score_file
 from .shelf import Shelf
 from .version import Version
-from .warned import collected
 from .wire import EmotionSpan, Made, Source
 
 _MOST_KEPT = 8
@@ -48,7 +47,8 @@ class Performer:
         if made.source.format == "score":
             return self._scored(made, settings)
         begun = time.perf_counter()
-        with collected() as odd:
+        odd: list[str] = []
+        with warnings_to(odd.append):
             script, utterance, displays = self._heard(made.source, spans, settings, progress)
             said = time.perf_counter()
             score = identified(plan(script, utterance, displays, settings))

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 
-from ...errors import InputError, SpeechWarning
+from ...errors import InputError, SpeechWarning, warn
 from .decoder import Found
 from .lexicon import ScriptWord
 
@@ -40,7 +39,7 @@ def check_words(words: Sequence[ScriptWord], found: Sequence[Found]) -> None:
     if wrong > WRONG_SHARE * (_seconds(missing) + sum(map(_seconds, spans))):
         raise InputError("; ".join(["the transcript does not fit the recording", *reasons]))
     for reason in reasons:
-        warnings.warn(reason, SpeechWarning, stacklevel=3)
+        warn(reason, SpeechWarning)
 
 
 def mean_score(found: Sequence[Found]) -> float:

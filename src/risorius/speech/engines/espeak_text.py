@@ -8,7 +8,6 @@ text.
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby, pairwise
 from typing import NamedTuple
@@ -16,7 +15,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from ...core.directions import Break, Emphasis, Span
 from ...core.manner import PLAIN, Manner
-from ...errors import SpeechWarning
+from ...errors import SpeechWarning, warn
 from .dictation import mnemonics
 from .protocol import SpeechRequest
 
@@ -136,7 +135,7 @@ def _dictation(span: Span | None, language: str) -> str | None:
     dictated = mnemonics(span.phones, language)
     if dictated is None:
         message = f"{span.place}: only English voices take phonemes; the words are spoken as written"
-        warnings.warn(message, SpeechWarning, stacklevel=2)
+        warn(message, SpeechWarning)
     return dictated
 
 

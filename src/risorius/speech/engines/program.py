@@ -12,7 +12,6 @@ import json
 import os
 import subprocess
 import sys
-import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,7 @@ import numpy as np
 
 from ...core.audio import Samples
 from ...core.utterance import SILENCE
-from ...errors import SpeechError, SpeechWarning
+from ...errors import SpeechError, SpeechWarning, warn
 from ...rules.articulation import is_known
 from .. import phonesets
 from ..text.normalise import is_english
@@ -71,7 +70,7 @@ class ProgramEngine:
         if request.directions and not self._told:
             self._told = True
             message = f"the voice '{self._name}' does not follow breaks, emphasis and the like within a text"
-            warnings.warn(message, SpeechWarning, stacklevel=3)
+            warn(message, SpeechWarning)
 
     def _run(self, message: Mapping[str, Any]) -> bytes:
         try:

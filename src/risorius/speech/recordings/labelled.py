@@ -6,7 +6,6 @@ by name, as Praat's users and aligners spell them. Phones are ARPAbet, with stre
 
 from __future__ import annotations
 
-import warnings
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import replace
@@ -14,7 +13,7 @@ from itertools import pairwise
 
 from ...core.audio import Audio, silence
 from ...core.utterance import SILENCE, Phone, Utterance, Word
-from ...errors import InputError, Place, SpeechWarning
+from ...errors import InputError, Place, SpeechWarning, warn
 from ...script.quote import quoted
 from ...script.textgrid import INTERVALS, Label, TextGrid, Tier
 from ..alignment.lexicon import stresses_of
@@ -108,7 +107,7 @@ def _continuous(tier: Tier, source: str, duration: float) -> list[Label]:
         if label.start > reached + TOUCHING:
             if filled:
                 gap = f"nothing is labelled from {reached:g} to {label.start:g} s; taken as silence"
-                warnings.warn(f"{Place(source, label.line)}: {gap}", SpeechWarning, stacklevel=3)
+                warn(f"{Place(source, label.line)}: {gap}", SpeechWarning)
             filled.append(Label(reached, label.start, "", label.line))
         start, end = filled[-1].end if filled else 0.0, min(label.end, duration)
         if end > start:
@@ -167,7 +166,7 @@ def _owners(labels: Sequence[Label], sounds: Sequence[PhoneLabel], words: Sequen
 def _report_unsaid(words: Sequence[Label], source: str) -> None:
     for word in words:
         message = f"{quoted(word.text)} has no phones; it is left out"
-        warnings.warn(f"{Place(source, word.line)}: {message}", SpeechWarning, stacklevel=4)
+        warn(f"{Place(source, word.line)}: {message}", SpeechWarning)
 
 
 def _known(sound: PhoneLabel) -> int:

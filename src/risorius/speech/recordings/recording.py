@@ -5,7 +5,6 @@ WAV, FLAC, OGG and MP3 among them. Read block by block, so that memory does not 
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from os import PathLike
@@ -16,7 +15,7 @@ import numpy as np
 
 from ...core.arrays import BoolArray, Float32Array
 from ...core.audio import Audio, AudioWriter
-from ...errors import InputError, Place, SpeechWarning
+from ...errors import InputError, Place, SpeechWarning, warn
 
 if TYPE_CHECKING:
     from soundfile import SoundFile
@@ -138,4 +137,4 @@ class _Checks:
 
 
 def _warn(place: Place, message: str) -> None:
-    warnings.warn(f"{place}: {message}", SpeechWarning, stacklevel=4)
+    warn(f"{place}: {message}", SpeechWarning)
