@@ -23,12 +23,13 @@ from .settings import Settings
 
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally, Trace
+    from .core.look import Size
     from .face.arkit_fit import ArkitTrack
     from .face.frame import FaceFrame
     from .face.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
-    from .ports.source import Material, Size
+    from .ports.source import Material
 
 Progress = Callable[..., None]
 """Called with a stage's name, and how many of how many frames are done where that is known."""
@@ -144,8 +145,8 @@ class Take:
 
         They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
         """
-        from .ports.overlay import Overlays, Subject
         from .render import Crew, compiled_ahead, picture_renderer
+        from .render.overlay import Overlays, Subject
 
         chosen = range(len(self.performance.values)) if indices is None else indices
         look = self.settings.look

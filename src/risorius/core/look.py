@@ -8,6 +8,8 @@ from types import MappingProxyType
 
 from ..errors import InputError, unknown
 
+Size = tuple[int, int]
+"""Width and height of a picture in pixels."""
 STYLES = ("realistic", "clay", "muscles", "wireframe")
 FRAMINGS = ("portrait", "close-up", "eyes", "mouth", "three-quarter", "profile")
 LIGHTS = ("studio", "daylight", "dark")

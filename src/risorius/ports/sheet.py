@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..core.arrays import ByteArray
+from ..core.look import Size
 from ..errors import InputError
-from .source import Material, Size
+from .source import Material
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage

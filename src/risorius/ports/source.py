@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from ..core.arrays import Array, ByteArray
 from ..core.audio import Audio
+from ..core.look import Size
 from ..core.performance import Performance
 from ..core.utterance import Utterance
 from ..errors import OutputError
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from ..face.head import Head
 
 T = TypeVar("T")
-Size = tuple[int, int]
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,8 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ...core.arrays import ByteArray
-from ...core.look import OVERLAYS
-from ..source import Size
+from ...core.look import OVERLAYS, Size
 from .bars import Bars
 from .caption import Caption
 from .ink import Layer, Subject

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from ...core.look import Size
 from ...core.movement import CHANNELS, Movement
 from ...core.score import Score
-from ..source import Size
 from .ink import BRIGHT, GROUND, INK, SOFT, Colour, Subject, font
 
 if TYPE_CHECKING:

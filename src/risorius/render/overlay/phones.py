@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..source import Size
+from ...core.look import Size
 from .ink import BRIGHT, INK, PANEL, SOFT, Subject, font
 
 if TYPE_CHECKING:

@@ -8,9 +8,9 @@ import numpy as np
 
 from ...core.action_units import ACTION_UNITS, ActionUnit
 from ...core.arrays import Array
+from ...core.look import Size
 from ...core.parameters import BASES, INDEX
 from ...core.performance import Performance
-from ..source import Size
 from .ink import BRIGHT, INK, PANEL, SOFT, Subject, font
 
 if TYPE_CHECKING:

@@ -10,10 +10,10 @@ from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.core.performance import Performance
 from risorius.core.score import Score
 from risorius.core.utterance import Word
-from risorius.ports.overlay import Overlays, Subject
-from risorius.ports.overlay.bars import unit_values
-from risorius.ports.overlay.caption import lines_of
-from risorius.ports.overlay.lanes import spans_of
+from risorius.render.overlay import Overlays, Subject
+from risorius.render.overlay.bars import unit_values
+from risorius.render.overlay.caption import lines_of
+from risorius.render.overlay.lanes import spans_of
 
 SIZE = (240, 200)
 SMILE = Movement("emotion", 0.2, 1.0, 0.1, 0.1, {"zygomatic_major.left": 1.0}, cause=Cause("rule", "a joke"))

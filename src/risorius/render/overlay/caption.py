@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from ...core.look import Size
 from ...core.utterance import Word
-from ..source import Size
 from .ink import BRIGHT, INK, PANEL, Subject, font
 
 if TYPE_CHECKING:
