@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import risorius
-from risorius.playback import CAPTURES
+from risorius.ports.playback import CAPTURES
 
 
 def main() -> None:

@@ -11,7 +11,7 @@ from .console import table
 from .core.parameters import INDEX, PARAMETERS
 
 if TYPE_CHECKING:
-    from .rig import Rig, Shown
+    from .ports.rig import Rig, Shown
 
 
 def narrate(explanations: Iterable[Explanation], time: float) -> Iterator[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +16,7 @@ from .core.arrays import Array
 from .core.movement import Cause, ManualCurve
 from .core.parameters import INDEX, NEUTRAL
 from .core.performance import Performance
+from .core.progress import Progress, quiet
 from .core.score import BlendSettings, Score
 from .core.utterance import Utterance
 from .errors import InputError, Place
@@ -30,10 +32,10 @@ from .settings import Settings
 from .speech import feelings, say
 from .speech.from_recording import holds_labels, listen
 from .speech.recordings.recording import read_recording
-from .take import Progress, Take, lip_rig, quiet
+from .take import Take, lip_rig
 
 if TYPE_CHECKING:
-    from .rig import Rig, Shown
+    from .ports.rig import Rig, Shown
     from .stream import Options
     from .stream.send import Sent
 
@@ -195,9 +197,11 @@ def play(
     elif path.name.lower().endswith(".json"):
         take = mix(path, settings=settings)
     else:
-        from .playback import captured
+        from .face.head import load_head
+        from .ports.playback import captured
 
-        take = perform(captured(path, settings, progress), settings)
+        head = partial(load_head, settings.head, age=settings.age, shape=settings.shape)
+        take = perform(captured(path, head, progress), settings)
     return take if audio is None else replace(take, sound=read_recording(audio))
 
 
@@ -264,7 +268,7 @@ def rig(
     from .face.head import load_head
     from .ports.atomic import replacing
     from .ports.glb_file import save_glb
-    from .rig import animated, check_performable, read_rig, report
+    from .ports.rig import animated, check_performable, read_rig, report
 
     settings = settings or Settings()
     found = read_rig(Path(character), None if map_file is None else Path(map_file))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property, partial
 from itertools import repeat
@@ -17,6 +17,7 @@ from .core.audio import Audio
 from .core.lip_rig import LipRig
 from .core.parameters import NAMES, parameters_named
 from .core.performance import Performance
+from .core.progress import Progress, quiet
 from .core.score import Score
 from .core.utterance import Utterance
 from .settings import Settings
@@ -30,13 +31,6 @@ if TYPE_CHECKING:
     from .face.measure import Gauge
     from .face.solve import FaceSolver
     from .ports.source import Material
-
-Progress = Callable[..., None]
-"""Called with a stage's name, and how many of how many frames are done where that is known."""
-
-
-def quiet(stage: str, done: int = 0, total: int = 0) -> None:
-    """Say nothing."""
 
 
 @dataclass

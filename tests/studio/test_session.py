@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from risorius.core.edits import Add, Delete, Keys, Move
+from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
 from risorius.ports.score_json import score_to_json
 from risorius.studio import describe, looking, performer, wire
 from risorius.studio.autosave import FILE, Autosave
 from risorius.studio.project import open_project, project_file
 from risorius.studio.session import Session
-from risorius.take import quiet
 
 LINE = "Oh really? I like it very much."
 

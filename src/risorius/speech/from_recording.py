@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from os import PathLike
 
 from ..core.directions import Directions
+from ..core.progress import Progress
 from ..core.utterance import Utterance
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..script import Script, SpokenLine, read_script
@@ -27,7 +27,6 @@ WEAKER = (
     "no transcript was given: words are guessed from the sound, which is weaker; check them in a TextGrid"
 )
 
-Progress = Callable[..., None]
 Recording = str | PathLike[str]
 
 

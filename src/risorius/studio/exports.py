@@ -10,12 +10,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..core.look import TRANSPARENT, Look
+from ..core.progress import Progress
 from ..errors import InputError, RisoriusError
 from ..ports.formats import OUTPUTS
 from ..ports.targets import check_targets
 from ..render.backdrop import colour_named
 from ..settings import Settings, parse_size
-from ..take import Progress, Take
+from ..take import Take
 from . import limits, wire
 
 _NAME = re.compile(r"[^\w -]+")

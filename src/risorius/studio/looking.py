@@ -10,11 +10,12 @@ from ..blend import Part as Told
 from ..core.action_units import resolve_targets
 from ..core.movement import Movement
 from ..core.parameters import INDEX, PARAMETERS
+from ..core.progress import Progress
 from ..core.score import Score
 from ..narration import narrate
 from ..rules.book import book_of
 from ..rules.tuned import tuned_text
-from ..take import Progress, Take
+from ..take import Take
 from . import wire
 from .describe import packed
 from .session import Session

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from ..channels import Display
 from ..core.edits import identified
+from ..core.progress import Progress
 from ..core.utterance import Utterance
 from ..errors import InputError, warnings_to
 from ..pipeline import looking_like, plan, spoken
@@ -17,7 +18,6 @@ from ..script import Script, parse_script
 from ..settings import Settings
 from ..speech.from_recording import listen
 from ..speech.recordings.recording import read_recording
-from ..take import Progress
 from . import limits
 from .choices import settings_of
 from .scores import adopted, parsed, score_file

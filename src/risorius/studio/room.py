@@ -8,8 +8,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
+from ..core.progress import Progress
 from ..errors import OutputError, RisoriusError
-from ..take import Progress, Take
+from ..take import Take
 from . import exports, looking, wire
 from .autosave import Autosave
 from .exports import Exports

@@ -11,9 +11,10 @@ from time import perf_counter
 import numpy as np
 
 from ..core.performance import frame_count
+from ..core.progress import Progress, quiet
 from ..errors import InputError, RisoriusError
 from ..pipeline import perform
-from ..take import Progress, Take, quiet
+from ..take import Take
 from . import describe, limits, wire
 from .history import History
 from .performer import Performer

@@ -7,39 +7,40 @@ from pathlib import Path
 
 import numpy as np
 
-from .core.action_units import resolve_targets
-from .core.arkit import INDEX as ARKIT
-from .core.arrays import Array
-from .core.movement import Cause, ManualCurve
-from .core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
-from .core.score import BlendSettings, Score
-from .errors import InputError, Place, unknown, warn
-from .face.arkit_fit import ArkitFit
-from .face.arkit_given import gaze_of
-from .face.feature_points import ANGLE, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
-from .face.head import load_head
-from .face.response import TONGUE as TONGUE_FITTED
-from .face.response import Responses
-from .face.solve import FaceSolver
-from .ports.arkit_csv import read_arkit_csv
-from .ports.au_csv import read_au_csv
-from .ports.fap import FapTake, read_fap
-from .settings import Settings
-from .take import Progress, quiet
+from ..core.action_units import resolve_targets
+from ..core.arkit import INDEX as ARKIT
+from ..core.arrays import Array
+from ..core.movement import Cause, ManualCurve
+from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
+from ..core.progress import Progress, quiet
+from ..core.score import BlendSettings, Score
+from ..errors import InputError, Place, unknown, warn
+from ..face.arkit_fit import ArkitFit
+from ..face.arkit_given import gaze_of
+from ..face.feature_points import ANGLE, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
+from ..face.head import Head
+from ..face.response import TONGUE as TONGUE_FITTED
+from ..face.response import Responses
+from ..face.solve import FaceSolver
+from .arkit_csv import read_arkit_csv
+from .au_csv import read_au_csv
+from .fap import FapTake, read_fap
 
+MakeHead = Callable[[], Head]
+"""Loads the head that performs; called when the file is known to be right."""
 _HEAD = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
 _GAZE = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
 _OPEN = 0.02  # of the jaw's way: less is no opening that lips could close
 _RESTS = 1e-4  # a parameter that never leaves its rest by more gets no curve
 
 
-def captured(path: Path, settings: Settings, progress: Progress = quiet) -> Score:
+def captured(path: Path, head: MakeHead, progress: Progress = quiet) -> Score:
     """Return a file's motion as curves drawn by hand; InputError for a file that is none of `CAPTURES`."""
     name = path.name.lower()
     suffix = next((suffix for suffix in CAPTURES if name.endswith(suffix)), None)
     if suffix is None:
         raise InputError(unknown("kind of capture", "".join(path.suffixes[-2:]), CAPTURES), Place(str(path)))
-    times, values = CAPTURES[suffix](path, settings, progress)
+    times, values = CAPTURES[suffix](path, head, progress)
     return score_of(times, values, path.name)
 
 
@@ -55,16 +56,16 @@ def score_of(times: Array, values: Array, source: str) -> Score:
     return Score(max(float(times[-1]), 1e-3), manual=curves, settings=settings)
 
 
-def _from_arkit(path: Path, settings: Settings, progress: Progress) -> tuple[Array, Array]:
+def _from_arkit(path: Path, head: MakeHead, progress: Progress) -> tuple[Array, Array]:
     take = read_arkit_csv(path)
     progress("Fitting muscles …")
-    head = load_head(settings.head, age=settings.age, shape=settings.shape)
-    fit = ArkitFit(head)
+    performer = head()
+    fit = ArkitFit(performer)
     open_, close = take.weights[:, ARKIT["jawOpen"]], take.weights[:, ARKIT["mouthClose"]]
     # Lips that are closed over an open jaw are brought together by contact, not by muscles against the jaw.
     apart = take.weights.copy()
     apart[:, ARKIT["mouthClose"]] = 0.0
-    responses = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin))
+    responses = Responses(FaceSolver(performer), lambda frame: fit.displacement(frame.skin))
     values = responses.of_shapes(apart, fit.seen_displacement(np.eye(len(ARKIT))))
     values[:, INDEX["lip_seal"]] = np.where(
         open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0
@@ -77,14 +78,14 @@ def _from_arkit(path: Path, settings: Settings, progress: Progress) -> tuple[Arr
     return take.times, values
 
 
-def _from_fap(path: Path, settings: Settings, progress: Progress) -> tuple[Array, Array]:
+def _from_fap(path: Path, head: MakeHead, progress: Progress) -> tuple[Array, Array]:
     take = read_fap(path)
     progress("Fitting muscles …")
-    head = load_head(settings.head, age=settings.age, shape=settings.shape)
-    points = FeaturePoints(head)
+    performer = head()
+    points = FeaturePoints(performer)
     sizes = points.sizes()
     rows = [number - 1 for number in (*POINTS, *LIDS) if take.used[number - 1]]
-    solver = FaceSolver(head)
+    solver = FaceSolver(performer)
     responses = Responses(solver, lambda frame: points.of_skin(frame.skin) * sizes)
     values = responses.values(take.values * sizes, rows) if rows else np.tile(NEUTRAL, (len(take.times), 1))
     tongue = [number - 1 for number in TONGUE]
@@ -108,7 +109,7 @@ def _tell_left_out(take: FapTake, path: Path) -> None:
         warn(f"{path}: FAP {named} cannot be shown; left out")
 
 
-def _from_action_units(path: Path, _settings: Settings, _progress: Progress) -> tuple[Array, Array]:
+def _from_action_units(path: Path, _head: MakeHead, _progress: Progress) -> tuple[Array, Array]:
     take = read_au_csv(path)
     values = np.tile(NEUTRAL, (len(take.times), 1))
     for k, row in enumerate(values):
@@ -119,7 +120,7 @@ def _from_action_units(path: Path, _settings: Settings, _progress: Progress) -> 
     return take.times, values
 
 
-CAPTURES: dict[str, Callable[[Path, Settings, Progress], tuple[Array, Array]]] = {
+CAPTURES: dict[str, Callable[[Path, MakeHead, Progress], tuple[Array, Array]]] = {
     ".arkit.csv": _from_arkit,
     ".au.csv": _from_action_units,
     ".fap": _from_fap,

@@ -11,7 +11,7 @@ from risorius.errors import InputError, RisoriusError
 from risorius.pipeline import pose, rig
 from risorius.ports.glb_file import read_glb
 from risorius.ports.gltf import Gltf
-from risorius.rig import guess_map, read_rig
+from risorius.ports.rig import guess_map, read_rig
 from risorius.take import Take
 
 

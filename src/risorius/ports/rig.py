@@ -10,18 +10,18 @@ from pathlib import Path
 
 import numpy as np
 
-from .core.arkit import INDEX, SHAPES
-from .core.arrays import Array, Float32Array
-from .core.parameters import INDEX as PARAMETER
-from .core.parameters import NEUTRAL
-from .core.schema import Source
-from .core.toml import parse, read_text
-from .errors import InputError, Place, unknown
-from .face.arkit_fit import ArkitFit, ArkitTrack
-from .face.head import Head
-from .face.response import FITTED
-from .face.solve import FaceSolver
-from .ports.glb_file import GlbFile, read_glb
+from ..core.arkit import INDEX, SHAPES
+from ..core.arrays import Array, Float32Array
+from ..core.parameters import INDEX as PARAMETER
+from ..core.parameters import NEUTRAL
+from ..core.schema import Source
+from ..core.toml import parse, read_text
+from ..errors import InputError, Place, unknown
+from ..face.arkit_fit import ArkitFit, ArkitTrack
+from ..face.head import Head
+from ..face.response import FITTED
+from ..face.solve import FaceSolver
+from .glb_file import GlbFile, read_glb
 
 WELL, PARTLY = 0.25, 0.6  # shares of a movement left over up to which it is shown well, and partly
 _LIKE = 0.88  # how alike names must be for a guess

@@ -1,0 +1,12 @@
+"""How long work says how far it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+Progress = Callable[..., None]
+"""Called with a stage's name, and how many of how many frames are done where that is known."""
+
+
+def quiet(stage: str, done: int = 0, total: int = 0) -> None:
+    """Say nothing."""
