@@ -40,16 +40,16 @@ class Timeline:
     def restore(self) -> None:
         """Take all changes back, and show the whole take."""
         self.page.run("""
-          const { desk, scene } = timeline;
+          const { controller, scene } = timeline;
           document.querySelectorAll("dialog[open]").forEach((dialog) => dialog.close());
           document.querySelectorAll(":popover-open").forEach((popover) => popover.hidePopover());
-          if (desk.draws) document.querySelector("#tl-draw").click();
-          while (scene.model.take.undoes) await desk.undo();
+          if (controller.draws) document.querySelector("#tl-draw").click();
+          while (scene.model.take.undoes) await controller.undo();
           scene.folded.clear();
-          desk.choose(null);
-          desk.arrange();
-          desk.scroller.scrollTop = 0;
-          desk.fit();
+          controller.choose(null);
+          controller.arrange();
+          controller.scroller.scrollTop = 0;
+          controller.fit();
         """)
         self.settle()
 
@@ -94,7 +94,7 @@ class Timeline:
         self.page.run(
             """
             const row = timeline.scene.body.find((row) => row.base === arguments[0]);
-            timeline.desk.revealRow(row);
+            timeline.controller.revealRow(row);
             """,
             base,
         )
@@ -332,7 +332,7 @@ def test_a_word_is_looped(timeline: Timeline) -> None:
     middle = page.run("return timeline.scene.view.x(arguments[0])", (word["start"] + word["end"]) / 2)
     timeline.double_click((round(box["left"] + middle), round(box["top"] + 60)))
     assert page.get("timeline.scene.loop") == pytest.approx([word["start"], word["end"]])
-    page.run("timeline.desk.clock.setLoop(null)")
+    page.run("timeline.controller.clock.setLoop(null)")
 
 
 def test_a_block_is_deleted_and_comes_back(timeline: Timeline) -> None:
@@ -382,7 +382,7 @@ def test_a_key_set_on_a_graph_lowers_a_muscle_and_is_explained(timeline: Timelin
     timeline.changed(take)
     assert page.get(value) == pytest.approx(0.1, abs=0.06)
     assert page.get(value.replace("left", "right")) == page.get(value)
-    page.run(f"timeline.desk.ask({time}, '{base}.left')")
+    page.run(f"timeline.controller.ask({time}, '{base}.left')")
     text = timeline.explained("by hand")
     assert "replaced" in text
     page.picture("timeline-key")

@@ -58,7 +58,7 @@ def drawn(page: Page, seconds: int, view: str) -> dict[str, int]:
       const seconds = {seconds};
       {LONG_TAKE} {MOUNT}
       store.set({{ take }});
-      const {{ scene, desk }} = timeline;
+      const {{ scene, controller }} = timeline;
       await new Promise(requestAnimationFrame);
       {view};
       scene.paint();
@@ -76,7 +76,7 @@ def test_what_is_drawn_does_not_grow_with_the_length(page: Page) -> None:
 @pytest.mark.parametrize("seconds", [300, 1200])
 def test_a_long_take_seen_whole_is_drawn_by_the_pixel(page: Page, seconds: int) -> None:
     width = int(page.run("return innerWidth"))
-    count = drawn(page, seconds, "desk.fit()")
+    count = drawn(page, seconds, "controller.fit()")
     assert 0 < count["columns"] <= width
     assert count["points"] <= 2 * (width + 1)
     assert count["blocks"] <= 8 * width

@@ -59,20 +59,20 @@ function scaled(targets, amount) {
 }
 
 export class Adder {
-  #desk;
+  #controller;
   #dialog = h("dialog", { "aria-labelledby": "tl-add-title" });
   #fields = {};
 
-  /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk */
-  constructor(parent, desk) {
-    this.#desk = desk;
+  /** @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller */
+  constructor(parent, controller) {
+    this.#controller = controller;
     this.#dialog.addEventListener("keydown", (event) => event.stopPropagation());
     parent.append(this.#dialog);
   }
 
   /** @param {number} time where it starts @param {string | null} channel null: the kind's own */
   open(time, channel = null) {
-    const { catalogue } = this.#desk.scene.model;
+    const { catalogue } = this.#controller.scene.model;
     const kind = Object.keys(KINDS).find((name) => channel && KINDS[name].channel === channel) ?? "unit";
     this.#dialog.replaceChildren(this.#form(catalogue, time, channel));
     this.#fields.kind.value = kind;
@@ -126,14 +126,14 @@ export class Adder {
     const { amount, start, length, onset, offset } = values;
     const targets = KINDS[this.#fields.kind.value].targets(this.#fields.name.value, amount, catalogue);
     const channel = this.#fields.channel.value;
-    const before = new Set(this.#desk.scene.model.blocks.keys());
-    const answer = await this.#desk.actions.edit("add", { channel, start, end: start + length, targets, onset, offset });
+    const before = new Set(this.#controller.scene.model.blocks.keys());
+    const answer = await this.#controller.actions.edit("add", { channel, start, end: start + length, targets, onset, offset });
     if (answer === null) return; // the page says why; the form stays
     this.#dialog.close();
-    const added = [...this.#desk.scene.model.blocks.values()].find(({ id }) => !before.has(id));
+    const added = [...this.#controller.scene.model.blocks.values()].find(({ id }) => !before.has(id));
     if (!added) return;
-    this.#desk.choose(added);
-    this.#desk.reveal(added);
+    this.#controller.choose(added);
+    this.#controller.reveal(added);
   }
 }
 

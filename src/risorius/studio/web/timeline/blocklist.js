@@ -12,13 +12,13 @@ const AROUND = 12; // options on either side of the one in focus
 export class BlockList {
   #list = h("div", { role: "listbox", class: "unseen tl-blocks", "aria-label": "Movements", tabindex: "-1" });
   #said = h("p", { class: "unseen", role: "status" });
-  #desk;
+  #controller;
   #order = [];
   #current = 0;
 
-  /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk */
-  constructor(parent, desk) {
-    this.#desk = desk;
+  /** @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller */
+  constructor(parent, controller) {
+    this.#controller = controller;
     this.#list.addEventListener("keydown", (event) => this.#key(event));
     this.#list.addEventListener("focusin", () => this.#focused(true));
     this.#list.addEventListener("focusout", () => this.#focused(false));
@@ -51,11 +51,11 @@ export class BlockList {
   }
 
   #focused(there) {
-    const { scene } = this.#desk;
+    const { scene } = this.#controller;
     scene.focused = there;
-    if (there && this.#order[this.#current] && scene.selected === null) this.#desk.choose(this.#order[this.#current]);
-    if (!there) this.#desk.settle();
-    this.#desk.repaint();
+    if (there && this.#order[this.#current] && scene.selected === null) this.#controller.choose(this.#order[this.#current]);
+    if (!there) this.#controller.settle();
+    this.#controller.repaint();
   }
 
   #show() {
@@ -76,17 +76,17 @@ export class BlockList {
       "aria-selected": String(current),
       "aria-posinset": index + 1,
       "aria-setsize": this.#order.length,
-    }, described(block, this.#desk)); // prettier-ignore
+    }, described(block, this.#controller)); // prettier-ignore
   }
 
   #go(index) {
     if (this.#order.length === 0) return;
-    this.#desk.settle();
+    this.#controller.settle();
     this.#current = Math.max(0, Math.min(index, this.#order.length - 1));
     const block = this.#order[this.#current];
     this.#show();
-    this.#desk.choose(block);
-    this.#desk.reveal(block);
+    this.#controller.choose(block);
+    this.#controller.reveal(block);
   }
 
   /** The first block of the lane before or after, nearest in time to the present one. */
@@ -117,9 +117,9 @@ export class BlockList {
       Home: () => this.#go(0),
       End: () => this.#go(this.#order.length - 1),
       Enter: () => this.#go(this.#current),
-      Delete: () => this.#desk.remove(),
-      Backspace: () => this.#desk.remove(),
-      Escape: () => this.#desk.choose(null),
+      Delete: () => this.#controller.remove(),
+      Backspace: () => this.#controller.remove(),
+      Escape: () => this.#controller.choose(null),
     };
     steps[key]?.();
     return key in steps;
@@ -129,8 +129,8 @@ export class BlockList {
   #back({ key, ctrlKey, metaKey, shiftKey }) {
     if (!(ctrlKey || metaKey)) return false;
     const again = (key.toLowerCase() === "z" && shiftKey) || key === "y";
-    if (again) this.#desk.redo();
-    else if (key.toLowerCase() === "z") this.#desk.undo();
+    if (again) this.#controller.redo();
+    else if (key.toLowerCase() === "z") this.#controller.undo();
     else return false;
     return true;
   }
@@ -139,26 +139,26 @@ export class BlockList {
   #shape({ key, ctrlKey, metaKey, altKey, shiftKey }) {
     if (key !== "ArrowLeft" && key !== "ArrowRight") return false;
     const frames = key === "ArrowLeft" ? -1 : 1;
-    if (ctrlKey || metaKey) this.#desk.nudge(shiftKey ? 2 : 1, frames);
-    else if (altKey) this.#desk.nudge(0, frames);
-    else this.#desk.nudge(shiftKey ? 3 : "move", frames);
+    if (ctrlKey || metaKey) this.#controller.nudge(shiftKey ? 2 : 1, frames);
+    else if (altKey) this.#controller.nudge(0, frames);
+    else this.#controller.nudge(shiftKey ? 3 : "move", frames);
     const block = this.#order[this.#current];
     const option = this.#list.querySelector('[tabindex="0"]');
-    if (option) option.textContent = described(block, this.#desk);
-    if (block) this.#said.textContent = block.editable ? timesTold(block, this.#desk) : "cannot be changed";
+    if (option) option.textContent = described(block, this.#controller);
+    if (block) this.#said.textContent = block.editable ? timesTold(block, this.#controller) : "cannot be changed";
     return true;
   }
 }
 
 /** When a block acts, in a few words. */
-function timesTold(block, desk) {
-  const [start, rise, fall, end] = timesOf(desk.edits.shown(block) ?? block).map((time) => time.toFixed(2));
+function timesTold(block, controller) {
+  const [start, rise, fall, end] = timesOf(controller.edits.shown(block) ?? block).map((time) => time.toFixed(2));
   return `${start} to ${end}, apex ${rise} to ${fall}`;
 }
 
 /** A block in a sentence. */
-export function described(block, desk) {
-  const shown = desk.edits.shown(block) ?? block;
+export function described(block, controller) {
+  const shown = controller.edits.shown(block) ?? block;
   const targets = Object.entries(shown.targets).slice(0, 4);
   const what = targets.map(([name, value]) => `${spoken(name)} ${Number(value.toFixed(2))}`).join(", ");
   const more = Object.keys(shown.targets).length > 4 ? " and more" : "";

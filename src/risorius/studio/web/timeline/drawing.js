@@ -9,23 +9,23 @@ const FINE = 0.012; // share of a graph's height that a line drawn freely may be
 
 /** Drag a key of a graph. */
 export class DragKey {
-  #desk;
+  #controller;
   #row;
   #parameter;
   #index;
   #keys;
   #dragging = false;
 
-  constructor(desk, row, parameter, index) {
-    this.#desk = desk;
+  constructor(controller, row, parameter, index) {
+    this.#controller = controller;
     this.#row = row;
     this.#parameter = parameter;
     this.#index = index;
-    this.#keys = desk.edits.keys(parameter);
+    this.#keys = controller.edits.keys(parameter);
   }
 
   move(x, y) {
-    const { scene, edits } = this.#desk;
+    const { scene, edits } = this.#controller;
     this.#dragging = true;
     const value = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
     const keys = withMoved(this.#keys, this.#index, scene.view.time(x), value, scene.model.duration);
@@ -34,39 +34,39 @@ export class DragKey {
 
   /** Both sides where they have the same keys, so that they keep together. */
   get #names() {
-    const same = (name) => JSON.stringify(this.#desk.edits.keys(name)) === this.#before;
+    const same = (name) => JSON.stringify(this.#controller.edits.keys(name)) === this.#before;
     return this.#row.names.filter((name) => name === this.#parameter || same(name));
   }
 
   get #before() {
-    return JSON.stringify(this.#desk.edits.keys(this.#parameter));
+    return JSON.stringify(this.#controller.edits.keys(this.#parameter));
   }
 
   end() {
-    if (this.#dragging) this.#desk.edits.sendKeys(this.#names, this.#desk.edits.keys(this.#parameter));
+    if (this.#dragging) this.#controller.edits.sendKeys(this.#names, this.#controller.edits.keys(this.#parameter));
   }
 
   cancel() {
-    this.#desk.edits.dropKeys(this.#names);
+    this.#controller.edits.dropKeys(this.#names);
   }
 }
 
 /** Draw a curve freely; without moving, set one key. */
 export class DrawKeys {
-  #desk;
+  #controller;
   #row;
   #line = [];
   #kept;
 
-  constructor(desk, row, x, y) {
-    this.#desk = desk;
+  constructor(controller, row, x, y) {
+    this.#controller = controller;
     this.#row = row;
-    this.#kept = desk.edits.keys(row.names[0]);
+    this.#kept = controller.edits.keys(row.names[0]);
     this.move(x, y);
   }
 
   move(x, y) {
-    const { scene, edits } = this.#desk;
+    const { scene, edits } = this.#controller;
     const time = Math.max(0, Math.min(scene.view.time(x), scene.model.duration));
     const value = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
     this.#line = [...this.#line.filter(([other]) => Math.abs(other - time) > 0.5 / scene.view.scale), [time, value]];
@@ -74,7 +74,7 @@ export class DrawKeys {
   }
 
   get #drawn() {
-    const { model } = this.#desk.scene;
+    const { model } = this.#controller.scene;
     const around = model.around(this.#row.names[0]);
     if (this.#line.length === 1) return withKey(this.#kept, ...this.#line[0], around);
     const { least, most } = scaleOf(model, this.#row);
@@ -82,10 +82,10 @@ export class DrawKeys {
   }
 
   end() {
-    this.#desk.edits.sendKeys(this.#row.names, this.#drawn);
+    this.#controller.edits.sendKeys(this.#row.names, this.#drawn);
   }
 
   cancel() {
-    this.#desk.edits.dropKeys(this.#row.names);
+    this.#controller.edits.dropKeys(this.#row.names);
   }
 }

@@ -28,24 +28,24 @@ export function frameOf() {
  * Put the elements together, with all that shows and asks something around the canvas.
  *
  * @param {ReturnType<typeof frameOf>} frame
- * @param {import("./desk.js").Desk} desk
+ * @param {import("./controller.js").TimelineController} controller
  * @param {import("./graphs.js").Graphs} graphs
  * @param {HTMLElement} explanation
  */
-export function fitted({ root, scroller, canvas, frame, depth, status }, desk, graphs, explanation) {
-  const adder = new Adder(root, desk);
-  const picker = new Picker(root, desk, graphs);
-  const list = new BlockList(root, desk);
-  const add = (time = desk.clock.time, channel = null) => desk.scene.model && adder.open(time, channel);
+export function fitted({ root, scroller, canvas, frame, depth, status }, controller, graphs, explanation) {
+  const adder = new Adder(root, controller);
+  const picker = new Picker(root, controller, graphs);
+  const list = new BlockList(root, controller);
+  const add = (time = controller.clock.time, channel = null) => controller.scene.model && adder.open(time, channel);
   const walk = () => list.focus();
-  const tools = new Tools(root, desk, { add: () => add(), blocks: walk, graphs: picker.button() });
-  const names = new Names(scroller, desk, graphs);
+  const tools = new Tools(root, controller, { add: () => add(), blocks: walk, graphs: picker.button() });
+  const names = new Names(scroller, controller, graphs);
   scroller.append(frame, depth);
   root.append(scroller, status);
-  const overview = new Overview(root, desk);
+  const overview = new Overview(root, controller);
   root.append(h("p", { class: "tl-empty" }, "The timeline of what you perform stands here."));
-  const why = new Why(explanation, desk);
-  listen(canvas, desk, { add, walk });
-  shortcuts(root, desk, add);
+  const why = new Why(explanation, controller);
+  listen(canvas, controller, { add, walk });
+  shortcuts(root, controller, add);
   return { list, tools, names, overview, why };
 }

@@ -3,7 +3,7 @@ import { moved, nearest, pulled, snappedBy, timesOf } from "./times.js";
 /**
  * What a pointer does from down to up. Each gesture has `move(x, y, event)`, `end()` and `cancel()`.
  *
- * `desk` is the timeline's own: {scene, edits, clock, actions, snaps, repaint, choose}.
+ * `controller` is the timeline's own: {scene, edits, clock, actions, snaps, repaint, choose}.
  */
 
 const REACH = 7; // pixels within which an edit snaps
@@ -11,22 +11,22 @@ const SLACK = 3; // pixels that a pointer may tremble without dragging
 
 /** Move the playhead; the sound pauses meanwhile. */
 export class Scrub {
-  #desk;
+  #controller;
   #played;
 
-  constructor(desk, x) {
-    this.#desk = desk;
-    this.#played = desk.clock.playing;
-    desk.clock.pause();
+  constructor(controller, x) {
+    this.#controller = controller;
+    this.#played = controller.clock.playing;
+    controller.clock.pause();
     this.move(x);
   }
 
   move(x) {
-    this.#desk.clock.seek(this.#desk.scene.view.time(x));
+    this.#controller.clock.seek(this.#controller.scene.view.time(x));
   }
 
   end() {
-    if (this.#played) this.#desk.clock.play();
+    if (this.#played) this.#controller.clock.play();
   }
 
   cancel() {
@@ -36,43 +36,43 @@ export class Scrub {
 
 /** Choose the stretch that is repeated. */
 export class DragLoop {
-  #desk;
+  #controller;
   #from;
   #before;
 
-  constructor(desk, x) {
-    this.#desk = desk;
-    this.#from = desk.scene.view.time(x);
-    this.#before = desk.clock.loop;
+  constructor(controller, x) {
+    this.#controller = controller;
+    this.#from = controller.scene.view.time(x);
+    this.#before = controller.clock.loop;
   }
 
   move(x) {
-    const { view, model } = this.#desk.scene;
+    const { view, model } = this.#controller.scene;
     const ends = [this.#from, view.time(x)].map((time) => Math.max(0, Math.min(time, model.duration)));
-    this.#desk.clock.setLoop(ends.sort((a, b) => a - b));
+    this.#controller.clock.setLoop(ends.sort((a, b) => a - b));
   }
 
   end() {}
 
   cancel() {
-    this.#desk.clock.setLoop(this.#before);
+    this.#controller.clock.setLoop(this.#before);
   }
 }
 
 /** Drag what is shown sideways (and nothing else). */
 export class Pan {
-  #desk;
+  #controller;
   #held;
 
-  constructor(desk, x) {
-    this.#desk = desk;
-    this.#held = desk.scene.view.time(x);
+  constructor(controller, x) {
+    this.#controller = controller;
+    this.#held = controller.scene.view.time(x);
   }
 
   move(x) {
-    const { view } = this.#desk.scene;
+    const { view } = this.#controller.scene;
     view.scrollTo(this.#held - x / view.scale);
-    this.#desk.repaint();
+    this.#controller.repaint();
   }
 
   end() {}
@@ -82,7 +82,7 @@ export class Pan {
 
 /** Move a block, or pull one of its times: start, end of onset, start of offset, end. */
 export class DragBlock {
-  #desk;
+  #controller;
   #block;
   #handle;
   #from;
@@ -90,25 +90,25 @@ export class DragBlock {
   #dragging = false;
 
   /** @param {number | null} handle null moves the whole block */
-  constructor(desk, x, block, handle) {
-    this.#desk = desk;
+  constructor(controller, x, block, handle) {
+    this.#controller = controller;
     this.#block = block;
     this.#handle = handle;
-    this.#from = timesOf(desk.edits.shown(block));
+    this.#from = timesOf(controller.edits.shown(block));
     this.#x = x;
   }
 
   move(x, y, event) {
     if (!this.#dragging && Math.abs(x - this.#x) < SLACK) return;
     this.#dragging = true;
-    const { scene, edits } = this.#desk;
-    const reach = this.#desk.snaps !== event.altKey ? REACH / scene.view.scale : 0;
+    const { scene, edits } = this.#controller;
+    const reach = this.#controller.snaps !== event.altKey ? REACH / scene.view.scale : 0;
     const times = this.#handle === null ? this.#moved(x, reach) : this.#pulled(x, reach);
     edits.hold(this.#block, times);
   }
 
   #moved(x, reach) {
-    const { scene } = this.#desk;
+    const { scene } = this.#controller;
     const { duration, edges } = scene.model;
     const times = moved(this.#from, (x - this.#x) / scene.view.scale, duration);
     const way = reach ? snappedBy(edges, times, reach) : 0;
@@ -118,7 +118,7 @@ export class DragBlock {
   }
 
   #pulled(x, reach) {
-    const { scene } = this.#desk;
+    const { scene } = this.#controller;
     const { duration, edges } = scene.model;
     const time = this.#from[this.#handle] + (x - this.#x) / scene.view.scale;
     const edge = reach ? nearest(edges, time, reach) : null;
@@ -127,13 +127,13 @@ export class DragBlock {
   }
 
   end() {
-    this.#desk.scene.guide = null;
-    if (this.#dragging) this.#desk.edits.send(this.#block);
-    this.#desk.repaint();
+    this.#controller.scene.guide = null;
+    if (this.#dragging) this.#controller.edits.send(this.#block);
+    this.#controller.repaint();
   }
 
   cancel() {
-    this.#desk.scene.guide = null;
-    this.#desk.edits.drop(this.#block.id);
+    this.#controller.scene.guide = null;
+    this.#controller.edits.drop(this.#block.id);
   }
 }

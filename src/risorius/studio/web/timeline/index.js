@@ -1,4 +1,4 @@
-import { Desk } from "./desk.js";
+import { TimelineController } from "./controller.js";
 import { Details } from "./details.js";
 import { Edits } from "./edits.js";
 import { fitted, frameOf } from "./frame.js";
@@ -39,7 +39,7 @@ class Timeline {
   #store;
   #clock;
   #scene;
-  #desk;
+  #controller;
   #graphs;
   #details;
   #edits;
@@ -61,8 +61,8 @@ class Timeline {
     this.#scene = new Scene(canvas, { view: new Viewport(), edits, details });
     this.#said = new Said(this.#parts.frame, this.#scene);
     const made = { scene: this.#scene, edits, details, clock, actions, store, scroller, repaint, arrange };
-    this.#desk = new Desk(made);
-    Object.assign(this.#parts, fitted(this.#parts, this.#desk, this.#graphs, explanation));
+    this.#controller = new TimelineController(made);
+    Object.assign(this.#parts, fitted(this.#parts, this.#controller, this.#graphs, explanation));
     element.replaceChildren(this.#parts.root);
     this.#listen();
   }
@@ -73,8 +73,8 @@ class Timeline {
   }
 
   /** What the user can do, by name. */
-  get desk() {
-    return this.#desk;
+  get controller() {
+    return this.#controller;
   }
 
   /** Draw anew with the page's next frame. */
@@ -142,7 +142,7 @@ class Timeline {
   }
 
   #arrange() {
-    const { scene } = this.#desk;
+    const { scene } = this.#controller;
     if (!scene.model) return;
     scene.graphs = this.#graphs.rows;
     scene.arrange();
@@ -180,31 +180,31 @@ class Timeline {
     if (!there) this.#scene.selectedKey = null;
     this.#parts.list.setSelected(this.#scene.selected);
     this.#parts.why.show(selection);
-    if (this.#scene.selected !== null && movement !== this.#desk.chosen) {
-      this.#desk.chosen = movement;
-      this.#desk.reveal(this.#desk.block); // it was pointed at elsewhere on the page
+    if (this.#scene.selected !== null && movement !== this.#controller.chosen) {
+      this.#controller.chosen = movement;
+      this.#controller.reveal(this.#controller.block); // it was pointed at elsewhere on the page
     }
     this.repaint();
   }
 
   #tick() {
-    const { scene } = this.#desk;
+    const { scene } = this.#controller;
     scene.time = this.#clock.time;
     if (!scene.model) return;
     const follow = () => (this.#clock.playing ? scene.view.follow(scene.time) : scene.view.reveal(scene.time));
-    if (this.#desk.follows && follow()) this.repaint();
+    if (this.#controller.follows && follow()) this.repaint();
     this.#showTime();
   }
 
   #showTime() {
-    const { scene } = this.#desk;
+    const { scene } = this.#controller;
     this.#parts.playhead.style.transform = `translateX(${scene.view.x(scene.time) * scene.unit}px)`;
     this.#said.show();
     this.#parts.names.setTime(`${clockTime(scene.time)} s`);
   }
 
   #paint() {
-    const { scene } = this.#desk;
+    const { scene } = this.#controller;
     if (!scene.palette) return;
     scene.paint();
     for (const row of scene.model ? scene.visible() : []) {

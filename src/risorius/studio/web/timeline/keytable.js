@@ -8,18 +8,18 @@ import { withKey, withMoved } from "./keys.js";
 const MOST = 60; // rows; more are edited on the graph
 
 export class KeyTable {
-  #desk;
+  #controller;
 
-  /** @param {import("./desk.js").Desk} desk */
-  constructor(desk) {
-    this.#desk = desk;
+  /** @param {import("./controller.js").TimelineController} controller */
+  constructor(controller) {
+    this.#controller = controller;
   }
 
   /** @param {string} name with or without its side @param {number} time where a key is added */
   element(name, time) {
-    const [parameter] = this.#desk.scene.model.named(name);
-    const keys = this.#desk.edits.keys(parameter);
-    const { unit, low, high } = this.#desk.scene.model.parameters.get(parameter);
+    const [parameter] = this.#controller.scene.model.named(name);
+    const keys = this.#controller.edits.keys(parameter);
+    const { unit, low, high } = this.#controller.scene.model.parameters.get(parameter);
     const add = h("button", { id: "tl-key-add", onclick: () => this.#add(parameter, time) }, "Set a key here");
     const clear = h("button", { id: "tl-key-clear", onclick: () => this.#send(parameter, []) }, "Take all back");
     const head = h("tr", {}, ...["Time, s", `Value${unit ? `, ${unit}` : ""}`, ""].map((text) => h("th", { scope: "col" }, text)));
@@ -42,23 +42,23 @@ export class KeyTable {
     });
     const change = () => this.#move(parameter, index, Number(at.value), Number(amount.value));
     for (const input of [at, amount]) input.addEventListener("change", change);
-    const remove = () => this.#desk.removeKey({ parameter, index });
+    const remove = () => this.#controller.removeKey({ parameter, index });
     const away = h("button", { "aria-label": `Delete ${what}`, title: "Delete", onclick: remove }, "×");
     return h("tr", {}, ...[at, amount, away].map((part) => h("td", {}, part)));
   }
 
   #add(parameter, time) {
-    const { model } = this.#desk.scene;
-    const keys = this.#desk.edits.keys(parameter);
+    const { model } = this.#controller.scene;
+    const keys = this.#controller.edits.keys(parameter);
     this.#send(parameter, withKey(keys, time, model.valueAt(parameter, time), model.around(parameter)));
   }
 
   #move(parameter, index, time, value) {
-    const { duration } = this.#desk.scene.model;
-    this.#send(parameter, withMoved(this.#desk.edits.keys(parameter), index, time, value, duration));
+    const { duration } = this.#controller.scene.model;
+    this.#send(parameter, withMoved(this.#controller.edits.keys(parameter), index, time, value, duration));
   }
 
   #send(parameter, keys) {
-    return this.#desk.edits.sendKeys(this.#desk.partners(parameter), keys);
+    return this.#controller.edits.sendKeys(this.#controller.partners(parameter), keys);
   }
 }

@@ -11,12 +11,12 @@ export class Names {
   #box = h("div", { class: "tl-names" });
   #corner = h("div", { class: "tl-corner" });
   #list = h("div");
-  #desk;
+  #controller;
   #graphs;
 
-  /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk @param {import("./graphs.js").Graphs} graphs */
-  constructor(parent, desk, graphs) {
-    this.#desk = desk;
+  /** @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller @param {import("./graphs.js").Graphs} graphs */
+  constructor(parent, controller, graphs) {
+    this.#controller = controller;
     this.#graphs = graphs;
     this.#box.append(this.#corner, this.#list);
     parent.append(this.#box);
@@ -32,21 +32,21 @@ export class Names {
 
   /** Keep beside what is drawn. */
   scroll() {
-    const { headHeight, scroll, unit } = this.#desk.scene;
+    const { headHeight, scroll, unit } = this.#controller.scene;
     this.#list.style.transform = `translateY(${(headHeight - scroll) * unit}px)`;
   }
 
   /** Lay out the rows' names anew. */
   show() {
-    this.#corner.style.height = `${this.#desk.scene.headHeight * this.#desk.scene.unit}px`;
+    this.#corner.style.height = `${this.#controller.scene.headHeight * this.#controller.scene.unit}px`;
     const held = document.activeElement?.dataset?.name;
-    this.#list.replaceChildren(...this.#desk.scene.body.map((row) => this.#name(row)));
+    this.#list.replaceChildren(...this.#controller.scene.body.map((row) => this.#name(row)));
     if (held) this.#list.querySelector(`[data-name="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
     this.scroll();
   }
 
   #name(row) {
-    const { unit } = this.#desk.scene;
+    const { unit } = this.#controller.scene;
     const style = { top: `${row.y * unit}px`, height: `${row.height * unit}px` };
     if (row.kind === "graph") return h("div", { class: "tl-name", style }, ...this.#graph(row));
     style["--colour"] = `var(--tl-channel-${row.lane.channel})`;
@@ -57,15 +57,15 @@ export class Names {
   #lane({ lane: { channel, priority, spans, count }, fold }) {
     const title = `${spans.items.length} movements, priority ${priority}; click to ${fold ? "unfold" : "fold"} the lane`;
     const name = `${channel}${fold && count > 1 ? ` (${count})` : ""}`;
-    const turn = () => this.#desk.fold(channel);
+    const turn = () => this.#controller.fold(channel);
     return h("button", { class: "tl-lane-name", title, "aria-expanded": String(!fold), "data-name": channel, onclick: turn },
       name); // prettier-ignore
   }
 
   #graph({ base, names }) {
-    const parameter = this.#desk.scene.model.parameters.get(names[0]);
+    const parameter = this.#controller.scene.model.parameters.get(names[0]);
     const number = parameter.number === null ? "" : `${String(parameter.number).padStart(2, "0")} `;
-    const explain = () => this.#desk.ask(this.#desk.clock.time, names.length > 1 ? base : names[0]);
+    const explain = () => this.#controller.ask(this.#controller.clock.time, names.length > 1 ? base : names[0]);
     const away = () => this.#graphs.toggle(base);
     const title = `Why does ${spoken(base)} have its value at the playhead?`;
     return [
@@ -76,7 +76,7 @@ export class Names {
   }
 
   #side(base) {
-    if (this.#desk.scene.model.bases.get(base).names.length < 2) return null;
+    if (this.#controller.scene.model.bases.get(base).names.length < 2) return null;
     const side = this.#graphs.side(base);
     const next = SIDES[(SIDES.indexOf(side) + 1) % SIDES.length];
     const label = `${spoken(base)}: ${side === "both" ? "both sides" : `${side} side`}; show and draw ${next}`;

@@ -11,12 +11,12 @@ export class Overview {
   #canvas = h("canvas");
   #thumb = h("div", { class: "tl-thumb" });
   #box;
-  #desk;
+  #controller;
   #drawn = "";
 
-  /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk */
-  constructor(parent, desk) {
-    this.#desk = desk;
+  /** @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller */
+  constructor(parent, controller) {
+    this.#controller = controller;
     this.#box = h("div", {
       class: "tl-overview", role: "scrollbar", tabindex: "0", "aria-label": "Part of the take in sight",
       "aria-orientation": "horizontal", "aria-valuemin": "0", "aria-controls": "tl-canvas",
@@ -34,25 +34,25 @@ export class Overview {
 
   #to({ clientX }) {
     const { left, width } = this.#box.getBoundingClientRect();
-    const { view } = this.#desk.scene;
+    const { view } = this.#controller.scene;
     view.scrollTo(((clientX - left) / width) * view.duration - view.span / 2);
-    this.#desk.repaint();
+    this.#controller.repaint();
   }
 
   #key(event) {
-    const { view } = this.#desk.scene;
+    const { view } = this.#controller.scene;
     const ways = { ArrowLeft: -PART, ArrowRight: PART, PageUp: -1, PageDown: 1, Home: -Infinity, End: Infinity };
     if (!(event.key in ways)) return;
     event.preventDefault();
     event.stopPropagation();
     const way = ways[event.key];
     view.scrollTo(Number.isFinite(way) ? view.start + way * view.span : way < 0 ? 0 : view.duration);
-    this.#desk.repaint();
+    this.#controller.repaint();
   }
 
   /** Show where the view is. */
   show() {
-    const { view, model } = this.#desk.scene;
+    const { view, model } = this.#controller.scene;
     if (!model) return;
     const share = (time) => Math.max(0, Math.min(1, time / view.duration));
     this.#thumb.style.left = `${100 * share(view.start)}%`;
@@ -65,7 +65,7 @@ export class Overview {
 
   /** The sound's outline; drawn again only for another take, size or theme. */
   #paint() {
-    const { model, palette } = this.#desk.scene;
+    const { model, palette } = this.#controller.scene;
     const { clientWidth: width, clientHeight: height } = this.#box;
     const wave = model.speech?.waves[0];
     const drawn = `${model.take.take} ${width} ${height} ${palette.wave}`;

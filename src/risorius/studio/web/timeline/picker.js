@@ -5,14 +5,14 @@ import { h, spoken } from "./dom.js";
  */
 export class Picker {
   #graphs;
-  #desk;
+  #controller;
   #search = h("input", { type: "search", "aria-label": "Search muscles", placeholder: "Search: name, AU, number, group" });
   #found = h("div", { class: "tl-found stack" });
   #box;
 
-  /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk @param {import("./graphs.js").Graphs} graphs */
-  constructor(parent, desk, graphs) {
-    this.#desk = desk;
+  /** @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller @param {import("./graphs.js").Graphs} graphs */
+  constructor(parent, controller, graphs) {
+    this.#controller = controller;
     this.#graphs = graphs;
     const reset = h("button", { onclick: () => this.#reset() }, "Those that move most");
     this.#box = h("div", { class: "tl-picker", popover: "auto", id: "tl-picker", role: "dialog", "aria-label": "Graphs" },
@@ -41,7 +41,7 @@ export class Picker {
   }
 
   #show() {
-    const { model } = this.#desk.scene;
+    const { model } = this.#controller.scene;
     if (!model) return;
     const wanted = this.#search.value.trim().toLowerCase();
     const bases = [...model.bases.values()].filter(({ base, names }) => this.#text(base, names[0]).includes(wanted));
@@ -51,7 +51,7 @@ export class Picker {
 
   /** All that a muscle may be searched by. */
   #text(base, name) {
-    const { catalogue, parameters } = this.#desk.scene.model;
+    const { catalogue, parameters } = this.#controller.scene.model;
     const { number, group } = parameters.get(name);
     const units = catalogue.action_units.filter(({ targets }) => name in targets);
     const words = [base, spoken(base), group, number === null ? "" : String(number).padStart(2, "0")];
@@ -59,7 +59,7 @@ export class Picker {
   }
 
   #line({ base, names }) {
-    const { model } = this.#desk.scene;
+    const { model } = this.#controller.scene;
     const { number } = model.parameters.get(names[0]);
     const still = names.every((name) => model.curve(name) === null);
     const box = h("input", { type: "checkbox", onchange: () => this.#graphs.toggle(base) });

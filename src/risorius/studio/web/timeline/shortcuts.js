@@ -20,24 +20,24 @@ export const TIMELINE_KEYS = [
   { keys: "Escape", does: "Movements: select none; a drag: give up" },
 ];
 
-/** @param {HTMLElement} root @param {import("./desk.js").Desk} desk @param {() => void} add */
-export function shortcuts(root, desk, add) {
+/** @param {HTMLElement} root @param {import("./controller.js").TimelineController} controller @param {() => void} add */
+export function shortcuts(root, controller, add) {
   const keys = {
-    "+": () => desk.zoom(ZOOM),
-    "=": () => desk.zoom(ZOOM),
-    "-": () => desk.zoom(1 / ZOOM),
+    "+": () => controller.zoom(ZOOM),
+    "=": () => controller.zoom(ZOOM),
+    "-": () => controller.zoom(1 / ZOOM),
     n: () => add(),
     d: () => root.querySelector("#tl-draw").click(),
-    ArrowLeft: () => desk.clock.step(-1),
-    ArrowRight: () => desk.clock.step(1),
-    Escape: () => desk.choose(null),
-    Delete: () => desk.remove(),
-    Backspace: () => desk.remove(),
+    ArrowLeft: () => controller.clock.step(-1),
+    ArrowRight: () => controller.clock.step(1),
+    Escape: () => controller.choose(null),
+    Delete: () => controller.remove(),
+    Backspace: () => controller.remove(),
   };
   root.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || typing(event.target)) return;
     const act = keys[event.key];
-    if (!act || !desk.scene.model) return;
+    if (!act || !controller.scene.model) return;
     event.preventDefault();
     event.stopPropagation();
     act();

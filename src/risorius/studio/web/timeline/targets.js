@@ -4,11 +4,11 @@ import { h, spoken } from "./dom.js";
  * How far a movement goes in each parameter, as numbers to change; two sides that agree are one number.
  */
 export class Targets {
-  #desk;
+  #controller;
 
-  /** @param {import("./desk.js").Desk} desk */
-  constructor(desk) {
-    this.#desk = desk;
+  /** @param {import("./controller.js").TimelineController} controller */
+  constructor(controller) {
+    this.#controller = controller;
   }
 
   /** @param {import("../wire.js").Block} block */
@@ -20,7 +20,7 @@ export class Targets {
 
   /** Targets by parameter, those of both sides together where they are the same. */
   #groups({ targets }) {
-    const { parameters, bases } = this.#desk.scene.model;
+    const { parameters, bases } = this.#controller.scene.model;
     const groups = new Map();
     for (const [name, value] of Object.entries(targets)) {
       const { base } = parameters.get(name);
@@ -32,7 +32,7 @@ export class Targets {
   }
 
   #row(block, { title, names, value }, k) {
-    const { low, high, unit } = this.#desk.scene.model.parameters.get(names[0]);
+    const { low, high, unit } = this.#controller.scene.model.parameters.get(names[0]);
     const input = h("input", { id: `tl-target-${k}`, type: "number", min: low, max: high, step: "0.01" });
     input.value = Number(value.toFixed(3));
     input.addEventListener("change", () => this.#change(block, names, input));
@@ -47,6 +47,6 @@ export class Targets {
     }
     const changed = Object.fromEntries(names.map((name) => [name, Number(input.value)]));
     const targets = { ...block.targets, ...changed };
-    this.#desk.actions.edit("retarget", { movement: block.id, targets });
+    this.#controller.actions.edit("retarget", { movement: block.id, targets });
   }
 }

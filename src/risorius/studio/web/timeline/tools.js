@@ -7,33 +7,33 @@ import { h } from "./dom.js";
 const STEP = 1.4; // zoom of a click
 
 export class Tools {
-  #desk;
+  #controller;
   #remove;
 
   /**
-   * @param {HTMLElement} parent @param {import("./desk.js").Desk} desk
+   * @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller
    * @param {{add: () => void, blocks: () => void, graphs: Node}} parts
    */
-  constructor(parent, desk, { add, blocks, graphs }) {
-    this.#desk = desk;
-    this.#remove = button("Delete", () => desk.remove(), { title: "Delete the selected movement or key (Delete)" });
+  constructor(parent, controller, { add, blocks, graphs }) {
+    this.#controller = controller;
+    this.#remove = button("Delete", () => controller.remove(), { title: "Delete the selected movement or key (Delete)" });
     parent.append(h("div", { class: "tl-tools", role: "toolbar", "aria-label": "Timeline tools" },
       button("Add…", add, { title: "Add a movement at the playhead (N)" }),
       this.#remove, button("Movements", blocks, { title: "Go to the list of movements: arrows walk in it and shape them" }),
       graphs,
-      toggle("Draw", (on) => (desk.draws = on), false, "Draw curves by hand on the graphs (D)", "tl-draw"),
+      toggle("Draw", (on) => (controller.draws = on), false, "Draw curves by hand on the graphs (D)", "tl-draw"),
       h("span", { class: "tl-gap" }),
-      toggle("Snap", (on) => (desk.snaps = on), true, "Edits snap to the phones' edges; Alt does the opposite"),
-      toggle("Follow", (on) => (desk.follows = on), true, "Keep the playhead in sight while it plays"),
-      button("−", () => desk.zoom(1 / STEP), { "aria-label": "Zoom out", title: "Zoom out (Ctrl+wheel, −)" }),
-      button("+", () => desk.zoom(STEP), { "aria-label": "Zoom in", title: "Zoom in (Ctrl+wheel, +)" }),
-      button("Fit", () => desk.fit(), { title: "Show the whole take" }))); // prettier-ignore
+      toggle("Snap", (on) => (controller.snaps = on), true, "Edits snap to the phones' edges; Alt does the opposite"),
+      toggle("Follow", (on) => (controller.follows = on), true, "Keep the playhead in sight while it plays"),
+      button("−", () => controller.zoom(1 / STEP), { "aria-label": "Zoom out", title: "Zoom out (Ctrl+wheel, −)" }),
+      button("+", () => controller.zoom(STEP), { "aria-label": "Zoom in", title: "Zoom in (Ctrl+wheel, +)" }),
+      button("Fit", () => controller.fit(), { title: "Show the whole take" }))); // prettier-ignore
   }
 
   /** Show what can be done now. */
   show() {
-    const { selectedKey } = this.#desk.scene;
-    this.#remove.disabled = !this.#desk.block?.editable && !selectedKey;
+    const { selectedKey } = this.#controller.scene;
+    this.#remove.disabled = !this.#controller.block?.editable && !selectedKey;
   }
 }
 

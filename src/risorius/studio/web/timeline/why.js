@@ -12,23 +12,23 @@ const TIMES = ["Start", "Apex from", "Apex to", "End"];
 
 export class Why {
   #box = h("div", { class: "tl-why" });
-  #desk;
+  #controller;
   #asked = null;
   #times = [];
   #keys;
   #targets;
 
-  /** @param {HTMLElement} parent @param {import("./desk.js").Desk} desk */
-  constructor(parent, desk) {
-    this.#desk = desk;
-    this.#keys = new KeyTable(desk);
-    this.#targets = new Targets(desk);
+  /** @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller */
+  constructor(parent, controller) {
+    this.#controller = controller;
+    this.#keys = new KeyTable(controller);
+    this.#targets = new Targets(controller);
     parent.replaceChildren(this.#box);
   }
 
   /** Explain the store's selection in the current take. */
   async show({ time, parameter, movement }) {
-    const { model } = this.#desk.scene;
+    const { model } = this.#controller.scene;
     const asked = (this.#asked = {});
     const block = model?.blocks.get(movement) ?? null;
     if (!model || time === null || (!parameter && !block)) {
@@ -36,7 +36,7 @@ export class Why {
       return;
     }
     const at = Math.min(time, model.duration);
-    const answer = await this.#desk.actions.ask("explain", { take: model.take.take, time: at, parameter });
+    const answer = await this.#controller.actions.ask("explain", { take: model.take.take, time: at, parameter });
     if (asked !== this.#asked || answer === null) return;
     const reasons = together(answer.reasons.filter((reason) => parameter || concerns(reason, block)));
     const focus = this.#box.contains(document.activeElement) ? document.activeElement.id : "";
@@ -46,9 +46,9 @@ export class Why {
 
   /** Show the times of the selected block as they are now. */
   refresh() {
-    const { block } = this.#desk;
+    const { block } = this.#controller;
     if (!block) return;
-    const times = timesOf(this.#desk.edits.shown(block) ?? block);
+    const times = timesOf(this.#controller.edits.shown(block) ?? block);
     this.#times.forEach((input, k) => {
       if (input !== document.activeElement) input.value = times[k].toFixed(3);
     });
@@ -84,7 +84,7 @@ export class Why {
   }
 
   #time(title, k) {
-    const change = ({ target }) => target.value && this.#desk.setTime(k, Number(target.value));
+    const change = ({ target }) => target.value && this.#controller.setTime(k, Number(target.value));
     return h("input", { id: `tl-time-${k}`, type: "number", min: "0", step: "0.01", onchange: change });
   }
 
@@ -99,14 +99,14 @@ export class Why {
   }
 
   #part({ channel, what, rule, place, asked, given, reason, movement }, lost) {
-    const { blocks } = this.#desk.scene.model;
+    const { blocks } = this.#controller.scene.model;
     const named = blocks.has(movement)
       ? h("button", { class: "tl-what", title: "Go to this movement", onclick: () => this.#go(movement) }, what)
       : h("span", { class: "tl-what" }, what);
     const less = Math.abs(given - asked) > 5e-4;
     const amount = less ? `gets ${given.toFixed(2)} of the ${asked.toFixed(2)} it asks for` : `gives ${asked.toFixed(2)}`;
     const from = [rule, place].filter(Boolean).join(", ");
-    const told = readable(reason, this.#desk.scene.model.parameters);
+    const told = readable(reason, this.#controller.scene.model.parameters);
     const why = told ? `${lost ? "not shown: " : ""}${told}` : "";
     const struck = lost && !reason.startsWith("add");
     return h("li", { class: struck ? "tl-part lost" : "tl-part", style: colourOf(channel) },
@@ -115,9 +115,9 @@ export class Why {
   }
 
   #go(movement) {
-    const block = this.#desk.scene.model.blocks.get(movement);
-    this.#desk.choose(block);
-    this.#desk.reveal(block);
+    const block = this.#controller.scene.model.blocks.get(movement);
+    this.#controller.choose(block);
+    this.#controller.reveal(block);
   }
 }
 

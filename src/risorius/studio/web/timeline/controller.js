@@ -5,7 +5,7 @@ const PATIENCE = 350; // ms without a key after which what was done by keys is s
 /**
  * What can be done on the timeline, by pointer, keys or buttons alike.
  */
-export class Desk {
+export class TimelineController {
   snaps = true;
   follows = true;
   draws = false; // whether a pointer draws on graphs
