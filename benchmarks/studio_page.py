@@ -40,7 +40,7 @@ box.value = arguments[0];
 box.dispatchEvent(new Event("input"));
 """
 PLAYED = """
-const { clock, store, theatre: { figures, players } } = studio;
+const { clock, store, headPlayers: { figures, players } } = studio;
 const gl = document.getElementById("head").getContext("webgl2");
 const [begun, before, wait] = [performance.now(), store.get("take"), arguments[0]];
 let [heard, seen, fence] = [null, null, null];
@@ -67,7 +67,7 @@ figure.ready = ready;
 return [heard, seen];
 """
 PER_SECOND = """
-const { stage, players } = studio.theatre;
+const { stage, players } = studio.headPlayers;
 studio.clock.pause();
 while (players[0].held < 200) await new Promise((go) => setTimeout(go, 50));
 studio.clock.seek(0);
@@ -77,7 +77,7 @@ await new Promise((go) => setTimeout(go, 6000));
 return (1000 * (stage.drawn - drawn)) / (performance.now() - begun);
 """
 SCRUBBED = """
-const { clock, theatre: { stage } } = studio;
+const { clock, headPlayers: { stage } } = studio;
 clock.pause();
 const [begun, end, drawn] = [performance.now(), clock.duration, stage.drawn];
 let [last, count, longest] = [begun, drawn, 0];
@@ -92,7 +92,7 @@ for (let now = begun; now < begun + 6000; now = performance.now()) {
 return [(1000 * (count - drawn)) / (last - begun), longest];
 """
 WATCH = """
-const { stage, figures } = studio.theatre;
+const { stage, figures } = studio.headPlayers;
 const gl = document.getElementById("head").getContext("webgl2");
 const sent = (window.sent = []);       // [number of a dial's request, when it was turned]
 const drawn = (window.drawn = []);     // {number: the newest face in the picture, come, drawn, seen}
@@ -177,7 +177,7 @@ def measure(page: Page) -> None:
     """Measure on a page and print."""
     page.open("benchmark")
     page.driver.find_element("id", "script").send_keys("First, something short.")
-    page.wait("!document.getElementById('play').disabled && Boolean(studio.theatre.figures[0])")
+    page.wait("!document.getElementById('play').disabled && Boolean(studio.headPlayers.figures[0])")
     first = page.run(PLAYED, LONGEST)
     print(f"the first line of all, heard {first[0]:.0f} ms after play was pressed, seen {first[1]:.0f} ms")
     page.wait("!studio.clock.playing")
@@ -196,9 +196,9 @@ def measure(page: Page) -> None:
 def tell_playing(page: Page) -> None:
     """Print how many pictures a second are drawn while a line plays, and the main thread's work for each."""
     page.driver.execute_cdp_cmd("Performance.enable", {})
-    before, begun = busy(page), page.run("return studio.theatre.stage.drawn")
+    before, begun = busy(page), page.run("return studio.headPlayers.stage.drawn")
     rate = page.run(PER_SECOND)
-    each = 1000.0 * (busy(page) - before) / (page.run("return studio.theatre.stage.drawn") - begun)
+    each = 1000.0 * (busy(page) - before) / (page.run("return studio.headPlayers.stage.drawn") - begun)
     print(f"pictures per second at {SIZE[0]} × {SIZE[1]}: {rate:.1f}, main thread {each:.1f} ms each")
 
 

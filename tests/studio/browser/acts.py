@@ -11,7 +11,7 @@ from .driving import Page
 
 LINE = "Oh really? I like it very much."
 SETTLED = "studio.store.get('busy') === '' && studio.store.get('saved') === 'saved'"
-SHOWN = "studio.theatre.players[0].behind === false"
+SHOWN = "studio.headPlayers.players[0].behind === false"
 
 
 def type_line(page: Page, text: str = LINE) -> None:
@@ -68,11 +68,11 @@ def slide(page: Page, label: str, value: float) -> None:
 
 def remember_face(page: Page) -> None:
     """Keep the skin as it is shown now, for `moved`."""
-    page.run("window.kept = studio.theatre.figures[0].skin.slice()")
+    page.run("window.kept = studio.headPlayers.figures[0].skin.slice()")
 
 
 MOVED = """(() => {
-  const skin = studio.theatre.figures[0].skin;
+  const skin = studio.headPlayers.figures[0].skin;
   let most = 0;
   for (let k = 0; k < skin.length; k += 3) {
     const [x, y, z] = [0, 1, 2].map((axis) => skin[k + axis] - kept[k + axis]);

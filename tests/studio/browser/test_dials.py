@@ -16,9 +16,9 @@ from .driving import Page, waited
 def dials(page: Page) -> Page:
     open_panel(page, "Dials")
     slide(page, "19 masseter", 0.0)
-    page.wait("studio.theatre.figures[0] !== null && studio.store.get('dial') !== null")
+    page.wait("studio.headPlayers.figures[0] !== null && studio.store.get('dial') !== null")
     slide(page, "19 masseter", 0.01)
-    page.wait("studio.theatre.figures[0].skin.some((value, k) => value !== 0)")
+    page.wait("studio.headPlayers.figures[0].skin.some((value, k) => value !== 0)")
     return page
 
 

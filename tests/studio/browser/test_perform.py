@@ -60,11 +60,11 @@ def test_sound_and_face_begin_together_where_the_line_does(page: Page) -> None:
     page.run("studio.clock.seek(0.4)")
     type_line(page)
     began = page.run("""
-      const { clock, theatre } = studio;
+      const { clock, headPlayers } = studio;
       const found = [];
       const play = HTMLMediaElement.prototype.play;
       HTMLMediaElement.prototype.play = function () {
-        const { behind } = theatre.players[0];
+        const { behind } = headPlayers.players[0];
         const waited = performance.now() - asked;
         if (clock.playing) found.push([this.readyState, this.currentTime, clock.time, behind, waited]);
         return play.call(this);
@@ -149,9 +149,9 @@ def test_a_setting_is_performed_at_once_and_undone(page: Page) -> None:
 
 def test_another_head_performs_and_is_lit_from_the_front(page: Page) -> None:
     perform(page)
-    page.run("window.first = studio.theatre.figures[0]")
+    page.run("window.first = studio.headPlayers.figures[0]")
     choose(page, "perform", "head", "olaf")
-    page.wait(f"studio.theatre.figures[0] !== first && {SETTLED} && {SHOWN}", 120.0)
+    page.wait(f"studio.headPlayers.figures[0] !== first && {SETTLED} && {SHOWN}", 120.0)
     page.run("await new Promise((go) => setTimeout(go, 1500))")
     page.picture("another-head")
     picture = Image.open(BytesIO(page.driver.get_screenshot_as_png())).convert("L")

@@ -244,7 +244,7 @@ def test_at_rest_the_head_is_shown_as_finely_as_can_be_and_in_motion_it_gives_wa
     page.wait(STILL)
     size, coarse, colours, same = page.run("""
       const [head, still] = document.querySelectorAll("#stage canvas");
-      const { stage, figures } = studio.theatre;
+      const { stage, figures } = studio.headPlayers;
       const shown = still.getContext("2d").getImageData(0, 0, still.width, still.height).data;
       const own = new OffscreenCanvas(head.width, head.height).getContext("2d");
       stage.invalidate();
@@ -273,7 +273,7 @@ def test_at_rest_the_head_is_shown_as_finely_as_can_be_and_in_motion_it_gives_wa
 def test_a_fine_picture_is_given_up_when_something_moves(page: Page) -> None:
     page.wait(STILL)
     shown = page.run("""
-      const { stage } = studio.theatre;
+      const { stage } = studio.headPlayers;
       const still = document.querySelector("#stage .still");
       stage.invalidate();
       let seen = 0;

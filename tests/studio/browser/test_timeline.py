@@ -249,7 +249,7 @@ def test_a_drag_is_given_up_by_escape(timeline: Timeline) -> None:
     block, take = timeline.block(), timeline.take
     middle = (block["apex_start"] + block["apex_end"]) / 2
     timeline.page.run("studio.clock.seek(arguments[0])", middle)
-    timeline.page.wait("studio.theatre.players[0].held === studio.store.get('take').frames")
+    timeline.page.wait("studio.headPlayers.players[0].held === studio.store.get('take').frames")
     remember_face(timeline.page)
     chain = timeline.page.actions()
     pointer = chain.w3c_actions.pointer_action

@@ -23,14 +23,14 @@ export function mountViews(element, note, names, studio) {
   mountNote(note, studio);
 }
 
-function mountNote(note, { store, clock, theatre }) {
+function mountNote(note, { store, clock, headPlayers }) {
   let missingSince = 0;
   store.watch(["take", "dial", "busy", "catalogue"], show);
   clock.on("tick", show);
   setInterval(() => missingSince && show(), PATIENCE);
 
   function show() {
-    const behind = store.get("dial") === null && theatre.players[0].behind;
+    const behind = store.get("dial") === null && headPlayers.players[0].behind;
     missingSince = behind ? missingSince || performance.now() : 0;
     const late = missingSince > 0 && performance.now() - missingSince > PATIENCE;
     const text = late ? "The face is on its way …" : emptyNote(store);

@@ -8,7 +8,7 @@ import { Player } from "./player.js";
 import { KINDS, unpackFaces } from "./stage/faces.js";
 import { Stage } from "./stage/stage.js";
 
-export class Theatre {
+export class HeadPlayers {
   #store;
   #clock;
   #notify;
