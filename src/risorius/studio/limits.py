@@ -7,8 +7,8 @@ from .tables import LimitsTable
 # Characters of a script, and frames of a take: an hour at 60 a second.
 SCRIPT = 200_000
 FRAMES = 216_000
-# Characters of a script that is performed before anybody asks, in case.
-REHEARSED = 1_000
+# Characters of a script that is performed in advance.
+LONGEST_PREFETCH = 1_000
 # Bytes of a recording, a project file, a message.
 RECORDING = 100_000_000
 PROJECT = 200_000_000

@@ -89,7 +89,7 @@ def profile_save(session: Session, asked: wire.ProfileText, progress: Progress) 
 
 def name_pose(session: Session, asked: wire.SavePose, progress: Progress) -> wire.PoseFile:
     """Keep a face under a name, and return it as a file for the command line."""
-    session.forget_rehearsal()
+    session.forget_prefetch()
     if asked.kind == "emotion":
         text = session.shelf.save_emotion(asked.name, asked.values)
         return wire.PoseFile(asked.name, f"{asked.name}.toml", text)

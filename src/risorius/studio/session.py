@@ -18,7 +18,7 @@ from ..take import Take
 from . import describe, limits, wire
 from .history import History
 from .performer import Performer
-from .rehearsal import Rehearsal, worth_it
+from .prefetch import Prefetch, worth_it
 from .shelf import Shelf
 from .version import Version, worded
 
@@ -50,7 +50,7 @@ class Session:
         self.notes: tuple[str, ...] = ()
         self._performer = Performer(self.shelf)
         self._number = 0
-        self._rehearsal: Rehearsal | None = None
+        self._prefetch: Prefetch | None = None
 
     def open(self, asked: wire.Open, progress: Progress) -> wire.State:
         """Return the session as it stands."""
@@ -68,16 +68,16 @@ class Session:
     def prepare(self, asked: wire.Prepare, progress: Progress) -> wire.Done:
         """Have ready what `perform` will need for the same, where that is a short text."""
         made = wire.Made(asked.source, asked.choices, asked.emotions)
-        if worth_it(made.source) and not self._rehearsed(made):
+        if worth_it(made.source) and not self._prefetched(made):
             # What cannot be performed is said when it is asked for.
             with suppress(RisoriusError):
                 version = self._performer.perform(made, quiet)
-                self._rehearsal = Rehearsal(made, version, self._performed(version))
+                self._prefetch = Prefetch(made, version, self._performed(version))
         return wire.Done()
 
-    def forget_rehearsal(self) -> None:
+    def forget_prefetch(self) -> None:
         """Forget what was prepared: a name in it may mean something else now."""
-        self._rehearsal = None
+        self._prefetch = None
 
     def choose(self, asked: wire.Choose, progress: Progress) -> wire.TakeView:
         """Perform the same script with other choices."""
@@ -136,7 +136,7 @@ class Session:
         for edit in version.edits:
             step = step.changed(edit)
             history.push(step, worded(edit))
-        self.forget_rehearsal()
+        self.forget_prefetch()
         self.current = self._live(step)
         self.history, self.view = history, view
 
@@ -157,7 +157,7 @@ class Session:
 
     def _planned(self, made: wire.Made, what: str, progress: Progress) -> wire.TakeView:
         before = self.history.present
-        ready = self._rehearsed(made)
+        ready = self._prefetched(made)
         version = ready.version if ready else self._performer.perform(made, progress)
         if before is not None and before.made.source == made.source:
             version = version.with_edits(before.edits)
@@ -178,9 +178,9 @@ class Session:
             if live.version is version:
                 self.takes.move_to_end(live.number)
                 return live
-        ready = self._rehearsed(version.made)
+        ready = self._prefetched(version.made)
         take = ready.take if ready and ready.version is version else self._performed(version)
-        self._rehearsal = None
+        self._prefetch = None
         self._number += 1
         like = None if self.current is None else (self.current.version.score, self.current.blocks)
         live = Live(
@@ -206,8 +206,8 @@ class Session:
         version.milliseconds["blend"] = 1e3 * (perf_counter() - begun)
         return take
 
-    def _rehearsed(self, made: wire.Made) -> Rehearsal | None:
-        held = self._rehearsal
+    def _prefetched(self, made: wire.Made) -> Prefetch | None:
+        held = self._prefetch
         return held if held is not None and held.made == made else None
 
     def described(self, live: Live) -> wire.TakeView:

@@ -1,4 +1,4 @@
-"""What is performed before anybody asks for it: a short text that somebody has written, and may soon play."""
+"""A take made in advance: the page has sent a short text that its user may soon play."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from .wire import Made, Source
 
 
 @dataclass(frozen=True, slots=True)
-class Rehearsal:
-    """A take of what a page has written."""
+class Prefetch:
+    """A take of the text that a page shows."""
 
     made: Made
     version: Version
@@ -20,6 +20,6 @@ class Rehearsal:
 
 
 def worth_it(source: Source) -> bool:
-    """Whether to perform it in case: what takes longer would keep waiting what is asked meanwhile."""
+    """Tell whether to perform it in advance: a longer one would delay the requests that come meanwhile."""
     plain = source.format == "text" and source.recording is None
-    return plain and bool(source.script.strip()) and len(source.script) <= limits.REHEARSED
+    return plain and bool(source.script.strip()) and len(source.script) <= limits.LONGEST_PREFETCH
