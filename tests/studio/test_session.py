@@ -240,8 +240,8 @@ def test_few_takes_are_kept_and_never_the_present_one_lost(session):
 
 
 def test_a_project_opens_exactly_elsewhere(session, tmp_path):
-    session.shelf.save_emotion("grin", {"AU12": 1.0})
-    session.shelf.save_pose("smirk", {"zygomatic_major.left": 1.0})
+    session.files.save_emotion("grin", {"AU12": 1.0})
+    session.files.save_pose("smirk", {"zygomatic_major.left": 1.0})
     perform(session, emotions=(wire.EmotionSpan("grin", 0.9, first=3, last=9),))
     edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
     edit(session, Keys("masseter", ((0.5, 0.0), (1.0, 0.7))))
@@ -249,10 +249,10 @@ def test_a_project_opens_exactly_elsewhere(session, tmp_path):
     folder = tmp_path / "other"
     folder.mkdir()
     other = Session("two", folder)
-    opened = open_project(project_file(session), other.shelf)
+    opened = open_project(project_file(session), other.files)
     other.restore(opened.version, opened.view)
     _assert_same(other, session)
-    assert other.shelf.poses() == {"smirk": {"zygomatic_major.left": 1.0}}
+    assert other.files.poses() == {"smirk": {"zygomatic_major.left": 1.0}}
     assert _state(other) == _state(session)
     for _ in range(2):
         other.undo(wire.Undo(), quiet)
@@ -283,7 +283,7 @@ BROKEN = [
 @pytest.mark.parametrize(("data", "message"), BROKEN)
 def test_what_is_no_project_is_named(session, data, message):
     with pytest.raises(RisoriusError) as caught:
-        open_project(data, session.shelf)
+        open_project(data, session.files)
     assert message in str(caught.value)
 
 
@@ -292,14 +292,14 @@ def test_a_project_s_own_path_to_a_sound_is_not_followed(session, tmp_path):
     document = json.loads(project_file(session))
     document["score"]["speech"]["audio"] = "../../../../etc/passwd"
     del document["sound"]
-    opened = open_project(json.dumps(document).encode(), session.shelf)
+    opened = open_project(json.dumps(document).encode(), session.files)
     assert not opened.version.utterance.audio.read().any()
     document["edits"] = [{"kind": "format", "disk": "c"}]
     with pytest.raises(RisoriusError, match="is no kind of edit"):
-        open_project(json.dumps(document).encode(), session.shelf)
+        open_project(json.dumps(document).encode(), session.files)
     document["edits"], document["sound"] = [], "AAAA"
     with pytest.raises(RisoriusError, match="sound"):
-        open_project(json.dumps(document).encode(), session.shelf)
+        open_project(json.dumps(document).encode(), session.files)
 
 
 def test_a_session_saves_itself_and_goes_on_after_a_crash(session, tmp_path):
@@ -347,7 +347,7 @@ def test_a_recording_is_taken_in_under_a_plain_name_and_performed(session, tmp_p
     perform(session, "I like it.")
     uploaded = tmp_path / "upload"
     uploaded.write_bytes(session.current.take.utterance.audio.path.read_bytes())
-    name = session.shelf.take_in("../../my line!.WAV", uploaded)
+    name = session.files.add_recording("../../my line!.WAV", uploaded)
     assert name.startswith("my-line-")
     assert (tmp_path / "recordings" / name).exists()
     take = perform(session, "I like it.", recording=name)
@@ -356,9 +356,9 @@ def test_a_recording_is_taken_in_under_a_plain_name_and_performed(session, tmp_p
     folder = tmp_path / "other"
     folder.mkdir()
     other = Session("two", folder)
-    opened = open_project(project, other.shelf)
+    opened = open_project(project, other.files)
     other.restore(opened.version, opened.view)
-    assert other.shelf.recordings() == (name,)
+    assert other.files.recordings() == (name,)
     _assert_same(other, session)
 
 
@@ -367,15 +367,15 @@ def test_what_is_no_recording_is_refused(session, tmp_path):
     uploaded.write_bytes(b"RIFF nothing")
     for name in ("x.wav", "x.exe", "x", ""):
         with pytest.raises(RisoriusError, match="recording"):
-            session.shelf.take_in(name, uploaded)
+            session.files.add_recording(name, uploaded)
     with wave.open(str(uploaded), "wb") as file:
         file.setnchannels(1)
         file.setsampwidth(2)
         file.setframerate(16_000)
         file.writeframes(bytes(32_000))
     with pytest.raises(RisoriusError, match="cannot be used"):
-        session.shelf.take_in("x.wav", uploaded)
-    assert session.shelf.recordings() == ()
+        session.files.add_recording("x.wav", uploaded)
+    assert session.files.recordings() == ()
 
 
 NAMES = ["", "../x", "a/b", "x" * 61, "-x", "a\nb"]
@@ -384,15 +384,15 @@ NAMES = ["", "../x", "a/b", "x" * 61, "-x", "a\nb"]
 @pytest.mark.parametrize("name", NAMES)
 def test_names_are_plain(session, name):
     with pytest.raises(RisoriusError, match="is not a name"):
-        session.shelf.save_pose(name, {"AU1": 1.0})
+        session.files.save_pose(name, {"AU1": 1.0})
     with pytest.raises(RisoriusError, match="is not a name"):
-        session.shelf.save_emotion(name, {"AU1": 1.0})
+        session.files.save_emotion(name, {"AU1": 1.0})
 
 
 def test_an_emotion_saved_anew_is_the_new_one(session):
-    session.shelf.save_emotion("grin", {"AU12": 1.0})
+    session.files.save_emotion("grin", {"AU12": 1.0})
     one = perform(session, "Hm.", emotions=(wire.EmotionSpan("grin", 1.0),))
-    session.shelf.save_emotion("grin", {"AU12": 0.5})
+    session.files.save_emotion("grin", {"AU12": 0.5})
     two = perform(session, "Hm.", emotions=(wire.EmotionSpan("grin", 1.0),))
     strengths = [
         next(b.targets["zygomatic_major.left"] for b in take.blocks if b.rule == "emotion.display")
@@ -400,7 +400,7 @@ def test_an_emotion_saved_anew_is_the_new_one(session):
     ]
     assert strengths == [1.0, 0.5]
     with pytest.raises(RisoriusError, match="is an emotion of Risorius"):
-        session.shelf.save_emotion("joy", {"AU12": 0.5})
+        session.files.save_emotion("joy", {"AU12": 0.5})
 
 
 def prepare(session, script=LINE, emotions=(), **source):

@@ -134,7 +134,7 @@ class Studio:
         room = self._asked_room(request)
         uploaded = await to_file(request, room.session.folder, limits.RECORDING)
         try:
-            name = await room.take_in(request.query_params.get("name", ""), uploaded)
+            name = await room.add_recording(request.query_params.get("name", ""), uploaded)
         finally:
             uploaded.unlink(missing_ok=True)
         return JSONResponse({"recording": name})

@@ -16,7 +16,7 @@ from ..ports.score_json import ScoreFile, score_to_json
 from .project import Opened, check_version, header, made_from, version_of, view_of
 from .scores import parsed, score_file
 from .session import Session
-from .shelf import Shelf, digest, write_text
+from .session_files import SessionFiles, digest, write_text
 from .version import Version
 
 FILE = "project.json"
@@ -70,7 +70,7 @@ class Autosave:
         if not path.exists():
             return ()
         try:
-            opened, number = self._read(path, session.shelf)
+            opened, number = self._read(path, session.files)
             session.restore(opened.version, opened.view, number)
         except (RisoriusError, OSError, ValueError) as error:
             aside = path.with_name("project-broken.json")
@@ -78,14 +78,14 @@ class Autosave:
             return (f"what was saved cannot be opened and was put aside as {aside.name}: {error}",)
         return ()
 
-    def _read(self, path: Path, shelf: Shelf) -> tuple[Opened, int]:
+    def _read(self, path: Path, files: SessionFiles) -> tuple[Opened, int]:
         entries = parsed(path.read_bytes()).entries(_KEYS, _KEYS[:-2])
         check_version(entries["risorius_project"])
         score = parsed(self._named(entries["score"]).read_bytes())
         named = entries.get("sound")
         sound = None if named is None or named.value is None else self._named(named)
         held = _with_own_sound(score_file(score, sound))
-        version = version_of(made_from(entries["made"]), held, entries, shelf)
+        version = version_of(made_from(entries["made"]), held, entries, files)
         return Opened(version, view_of(entries)), entries["take"].integer() if "take" in entries else 0
 
     def _named(self, node: Node) -> Path:

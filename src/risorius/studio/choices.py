@@ -13,7 +13,7 @@ from ..face.head import shipped_heads
 from ..rules.profiles import profile, profile_from, profile_texts
 from ..settings import Settings
 from ..speech.engines.registry import is_voice_file
-from .shelf import kept_table
+from .session_files import kept_table
 from .wire import Choices
 
 LARGEST_PROFILE = 100_000

@@ -105,7 +105,7 @@ class Connection:
             self._streams.cancel(asked.take)
             return wire.Done()
         if isinstance(asked, wire.Dial):
-            return await self._dialling.turn(number, asked, room.session.shelf)
+            return await self._dialling.turn(number, asked, room.session.files)
         if isinstance(asked, wire.Export):
             return room.export(asked)
         if isinstance(asked, wire.CancelExport):

@@ -91,8 +91,8 @@ def name_pose(session: Session, asked: wire.SavePose, progress: Progress) -> wir
     """Keep a face under a name, and return it as a file for the command line."""
     session.forget_prefetch()
     if asked.kind == "emotion":
-        text = session.shelf.save_emotion(asked.name, asked.values)
+        text = session.files.save_emotion(asked.name, asked.values)
         return wire.PoseFile(asked.name, f"{asked.name}.toml", text)
-    session.shelf.save_pose(asked.name, asked.values)
+    session.files.save_pose(asked.name, asked.values)
     words = [f"{name}={value:g}" for name, value in resolve_targets(asked.values).items() if value]
     return wire.PoseFile(asked.name, f"{asked.name}.txt", f"risorius pose {' '.join(words)} -o face.png\n")

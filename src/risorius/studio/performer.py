@@ -21,7 +21,7 @@ from ..speech.recordings.recording import read_recording
 from . import limits
 from .choices import settings_of
 from .scores import adopted, parsed, score_file
-from .shelf import Shelf
+from .session_files import SessionFiles
 from .version import Version
 from .wire import EmotionSpan, Made, Source
 
@@ -32,8 +32,8 @@ Heard = tuple[Script, Utterance | None]
 class Performer:
     """Plans performances for one session; keeps the voices that it has heard. For one thread at a time."""
 
-    def __init__(self, shelf: Shelf) -> None:
-        self._shelf = shelf
+    def __init__(self, files: SessionFiles) -> None:
+        self._files = files
         self._voices: dict[object, Heard] = {}
         self._scores: dict[Source, ScoreFile] = {}
 
@@ -41,8 +41,8 @@ class Performer:
         """Plan what a page asks. Raises RisoriusError with one line on what is wrong."""
         if len(made.source.script) > limits.SCRIPT and made.source.format != "score":
             raise InputError(f"the script is longer than {limits.SCRIPT} characters")
-        spans = tuple(replace(span, emotion=self._shelf.emotion(span.emotion)) for span in made.emotions)
-        settings = settings_of(made.choices, self._shelf.folder)
+        spans = tuple(replace(span, emotion=self._files.emotion(span.emotion)) for span in made.emotions)
+        settings = settings_of(made.choices, self._files.folder)
         settings = looking_like(profile_of(settings.profile), settings)
         if made.source.format == "score":
             return self._scored(made, settings)
@@ -75,7 +75,7 @@ class Performer:
         name = source.recording
         if name is None:
             return score_file(parsed(source.script), None)
-        sound = read_recording(self._shelf.recording(name))
+        sound = read_recording(self._files.recording(name))
         held = score_file(parsed(source.script), sound.path)
         if held.utterance is None:
             return held
@@ -122,9 +122,9 @@ class Performer:
         return self._voices[key]
 
     def _recorded(self, source: Source, progress: Progress) -> Heard:
-        audio = None if source.recording is None else self._shelf.recording(source.recording)
+        audio = None if source.recording is None else self._files.recording(source.recording)
         if source.format == "TextGrid":
-            labels = self._shelf.folder / "labels.TextGrid"
+            labels = self._files.folder / "labels.TextGrid"
             labels.write_text(source.script, encoding="utf-8")
             return listen(str(labels), audio, None, progress)
         return listen(source.script or None, audio, None, progress, text=True)

@@ -31,7 +31,7 @@ from .choices import settings_of
 from .messages import encoded, without_nulls
 from .scores import parsed, score_file
 from .session import Session
-from .shelf import Shelf
+from .session_files import SessionFiles
 from .version import Version
 
 VERSION = 1
@@ -61,41 +61,41 @@ def header(version: Version, view: Mapping[str, object]) -> dict[str, Any]:
 
 def project_file(session: Session) -> bytes:
     """Return the project as one file. Raises InputError where nothing is performed yet."""
-    version, shelf = session.version(), session.shelf
+    version, files = session.version(), session.files
     document = header(version, session.view)
     document["score"] = score_to_json(version.base, version.utterance)
     if version.utterance is not None:
         document["sound"] = _flac(version.utterance.audio)
     recording = version.made.source.recording
     if recording is not None:
-        data = base64.b64encode(shelf.recording(recording).read_bytes()).decode()
+        data = base64.b64encode(files.recording(recording).read_bytes()).decode()
         document["recording"] = {"name": recording, "data": data}
-    document["emotions"] = shelf.emotion_values()
-    document["poses"] = dict(shelf.poses())
+    document["emotions"] = files.emotion_values()
+    document["poses"] = dict(files.poses())
     return json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode()
 
 
-def open_project(data: bytes, shelf: Shelf) -> Opened:
+def open_project(data: bytes, files: SessionFiles) -> Opened:
     """Return what a project file holds; its sound and recording go to the session's folder.
 
     Raises InputError or ParameterError, with the path in the file, for what does not fit.
     """
     entries = _entries(data)
     for name, values in _members(entries, "emotions"):
-        if name not in shelf.emotions():
-            shelf.save_emotion(name, values)
+        if name not in files.emotions():
+            files.save_emotion(name, values)
     for name, values in _members(entries, "poses"):
-        shelf.save_pose(name, values)
+        files.save_pose(name, values)
     made = made_from(entries["made"])
     if "recording" in entries:
-        made = _with_recording(made, entries["recording"], shelf)
+        made = _with_recording(made, entries["recording"], files)
     sound = _sound(entries["sound"]) if "sound" in entries else None
     held = score_file(entries["score"], None)
     utterance = held.utterance
     if utterance is not None and sound is not None:
         with entries["sound"].located():
             utterance = _sounding(utterance, sound)
-    return Opened(version_of(made, ScoreFile(held.score, utterance), entries, shelf), view_of(entries))
+    return Opened(version_of(made, ScoreFile(held.score, utterance), entries, files), view_of(entries))
 
 
 def _entries(data: bytes) -> dict[str, Node]:
@@ -131,9 +131,9 @@ def _edit(node: Node) -> wire.Edit:
         return edit
 
 
-def version_of(made: wire.Made, held: ScoreFile, entries: Mapping[str, Node], shelf: Shelf) -> Version:
+def version_of(made: wire.Made, held: ScoreFile, entries: Mapping[str, Node], files: SessionFiles) -> Version:
     """Return the version that a project describes."""
-    settings = settings_of(made.choices, shelf.folder)
+    settings = settings_of(made.choices, files.folder)
     settings = looking_like(profile_of(settings.profile), settings)
     edits = edits_from(entries["edits"])
     return Version(made, held.score, held.score, settings, held.utterance, edits)
@@ -152,12 +152,12 @@ def _members(entries: Mapping[str, Node], name: str) -> list[tuple[str, dict[str
     return [(key, {n: v.number() for n, v in row.members().items()}) for key, row in rows.items()]
 
 
-def _with_recording(made: wire.Made, node: Node, shelf: Shelf) -> wire.Made:
+def _with_recording(made: wire.Made, node: Node, files: SessionFiles) -> wire.Made:
     entries = node.entries(("name", "data"), ("name", "data"))
     with node.located():
-        uploaded = shelf.temporary(_bytes(entries["data"]))
+        uploaded = files.temporary(_bytes(entries["data"]))
         try:
-            name = shelf.take_in(entries["name"].text(), uploaded)
+            name = files.add_recording(entries["name"].text(), uploaded)
         finally:
             uploaded.unlink(missing_ok=True)
     return replace(made, source=replace(made.source, recording=name))

@@ -19,7 +19,7 @@ from . import describe, limits, wire
 from .history import History
 from .performer import Performer
 from .prefetch import Prefetch, worth_it
-from .shelf import Shelf
+from .session_files import SessionFiles
 from .version import Version, worded
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
@@ -42,22 +42,22 @@ class Session:
 
     def __init__(self, name: str, folder: Path) -> None:
         self.name, self.folder = name, folder
-        self.shelf = Shelf(folder)
+        self.files = SessionFiles(folder)
         self.takes: OrderedDict[int, Live] = OrderedDict()
         self.history: History[Version] = History(limits.UNDO)
         self.current: Live | None = None
         self.view: dict[str, object] = {}
         self.notes: tuple[str, ...] = ()
-        self._performer = Performer(self.shelf)
+        self._performer = Performer(self.files)
         self._number = 0
         self._prefetch: Prefetch | None = None
 
     def open(self, asked: wire.Open, progress: Progress) -> wire.State:
         """Return the session as it stands."""
         take = None if self.current is None else self.described(self.current)
-        shelf = self.shelf
+        files = self.files
         return wire.State(
-            self.name, take, shelf.recordings(), tuple(shelf.emotions()), shelf.poses(), self.view, self.notes
+            self.name, take, files.recordings(), tuple(files.emotions()), files.poses(), self.view, self.notes
         )
 
     def perform(self, asked: wire.Perform, progress: Progress) -> wire.TakeView:

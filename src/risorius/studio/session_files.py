@@ -1,6 +1,6 @@
-"""What lies in a session's folder under names that the page gave: recordings, poses and emotions.
+"""Recordings, poses and emotions of a session, saved in its folder under the names that the page sends.
 
-A name is only ever looked up among those that are there; no path is made of one.
+A name is looked up in the list of files that exist; no path is ever built from it.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ _NAME = re.compile(r"[\w][\w -]{0,59}")
 _MOST = 200
 
 
-class Shelf:
-    """The things of a session's folder."""
+class SessionFiles:
+    """The recordings, poses and emotions in a session's folder."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -44,7 +44,7 @@ class Shelf:
             raise InputError(unknown("recording", name, self.recordings()))
         return self.folder / "recordings" / name
 
-    def take_in(self, name: str, uploaded: Path) -> str:
+    def add_recording(self, name: str, uploaded: Path) -> str:
         """Keep an uploaded recording and return the name it has got; raise InputError if it is none."""
         stem, suffix = Path(name).stem, Path(name).suffix.lower()
         if suffix not in RECORDING_SUFFIXES:
