@@ -12,8 +12,8 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ..errors import RisoriusError
 from . import limits, wire
-from .dialling import Dialling
 from .messages import BadRequestError, answer, decode, event, refusal
+from .pose_preview import PosePreview
 from .room import Room
 from .solvers import Solvers
 from .streaming import Streams
@@ -32,7 +32,7 @@ class Connection:
         self._events: asyncio.Queue[Any] = asyncio.Queue(limits.EVENTS)
         self._threads = ThreadPoolExecutor(2, thread_name_prefix="faces")
         self._streams = Streams(self._threads, solvers, self._send)
-        self._dialling = Dialling(self._threads, solvers, self._send)
+        self._pose_preview = PosePreview(self._threads, solvers, self._send)
         self._loop = asyncio.get_running_loop()
 
     async def run(self) -> None:
@@ -53,7 +53,7 @@ class Connection:
             for task in tuple(self._tasks):
                 task.cancel()
             await asyncio.gather(*self._tasks, return_exceptions=True)
-            await self._dialling.stop()
+            await self._pose_preview.stop()
             self._threads.shutdown(wait=False)
 
     def tell(self, told: Any) -> None:
@@ -105,7 +105,7 @@ class Connection:
             self._streams.cancel(asked.take)
             return wire.Done()
         if isinstance(asked, wire.Dial):
-            return await self._dialling.turn(number, asked, room.session.files)
+            return await self._pose_preview.turn(number, asked, room.session.files)
         if isinstance(asked, wire.Export):
             return room.export(asked)
         if isinstance(asked, wire.CancelExport):

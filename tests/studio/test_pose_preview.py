@@ -6,9 +6,9 @@ import asyncio
 from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
 
-from risorius.studio import dialling, wire
-from risorius.studio.dialling import Dialling
-from risorius.studio.shelf import Shelf
+from risorius.studio import pose_preview, wire
+from risorius.studio.pose_preview import PosePreview
+from risorius.studio.session_files import SessionFiles
 from risorius.studio.solvers import Solvers
 
 
@@ -21,16 +21,16 @@ def test_a_dragged_dial_has_one_face_for_each_turn(monkeypatch, tmp_path):
 
     async def drag():
         with ThreadPoolExecutor(1) as threads:
-            page = Dialling(threads, Solvers(), send)
+            page = PosePreview(threads, Solvers(), send)
             page._dial, page._looks = dial, ("standard", None)
             for number in range(turns):
                 asked = wire.Dial()
-                await page.turn(number, asked, Shelf(tmp_path))
+                await page.turn(number, asked, SessionFiles(tmp_path))
                 await asyncio.sleep(0.045)
             dragged = len(sent)
             await page.stop()
             return dragged
 
     stage = SimpleNamespace(packed=lambda kind, number, first, faces: number)
-    monkeypatch.setattr(dialling, "stage_of", lambda head, age: stage)
+    monkeypatch.setattr(pose_preview, "stage_of", lambda head, age: stage)
     assert turns - 2 <= asyncio.run(drag()) <= turns + 4

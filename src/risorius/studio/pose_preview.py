@@ -1,4 +1,4 @@
-"""A page's dials: each turn is answered with what the face holds; faces follow until the skin lies still."""
+"""Preview of a pose: answer each turn of a dial with the values; send faces until the skin rests."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from ..face.head import shipped_heads
 from ..settings import Settings
 from . import wire
 from .dials import SETTLED, Dial, dialled
-from .shelf import Shelf
+from .session_files import SessionFiles
 from .solvers import Solvers, stage_of
 from .stage import DIALLED
 from .threads import on_thread
 
 Send = Callable[[bytes], Awaitable[None]]
 RATE = 30.0  # faces a second while the skin moves
-SOONEST = 1.0 / 60.0  # seconds after a face at which one follows that shows a dial turned meanwhile
+SOONEST = 1.0 / 60.0  # seconds between two faces at least, if a dial was turned
 DRAGGED = 0.1  # seconds between turns of a dial that is dragged
-PATIENCE = 2.0 / RATE  # seconds after a face for which the next turn of a dragged dial is waited for
+PATIENCE = 2.0 / RATE  # seconds after a face to wait for the next turn of a dragged dial
 
 
-class Dialling:
-    """What one page dials."""
+class PosePreview:
+    """The pose that one page sets by its dials."""
 
     def __init__(self, threads: Executor, solvers: Solvers, send: Send) -> None:
         self._threads, self._solvers, self._send = threads, solvers, send
@@ -45,11 +45,11 @@ class Dialling:
         self._turning = asyncio.Lock()
         self._turned = asyncio.Event()
 
-    async def turn(self, number: int, asked: wire.Dial, shelf: Shelf) -> wire.DialState:
-        """Take new values; the faces on the way there are sent as they come. Raises ParameterError."""
+    async def turn(self, number: int, asked: wire.Dial, files: SessionFiles) -> wire.DialState:
+        """Set new values; send the faces on the way there as they are solved. Raises ParameterError."""
         if asked.head not in shipped_heads():
             raise InputError(unknown("head", asked.head, shipped_heads()))
-        emotions = {shelf.emotion(name): value for name, value in asked.emotions.items()}
+        emotions = {files.emotion(name): value for name, value in asked.emotions.items()}
         values = dialled(asked.values, emotions)
         async with self._turning:
             if self._looks != (asked.head, asked.age):
@@ -64,7 +64,7 @@ class Dialling:
         return wire.DialState(values)
 
     async def stop(self) -> None:
-        """Give the solver back when it is not worked with any more."""
+        """Stop sending faces and return the solver."""
         if self._moving is not None:
             self._moving.cancel()
             await asyncio.wait([self._moving])
@@ -78,7 +78,7 @@ class Dialling:
         self._dial, self._looks = Dial(solver), (head, age)
 
     async def _move(self) -> None:
-        """Send faces until the skin lies still, the last one at rest, and no dial was turned meanwhile."""
+        """Send faces until the skin rests and no dial was turned meanwhile; the last face is at rest."""
         before = self._loop.time() - 1.0 / RATE
         shown = None
         while shown != self._number:
@@ -90,9 +90,9 @@ class Dialling:
             await self._show(None)
 
     async def _pause(self, last: float) -> None:
-        """Wait until the next face is due after that of the time `last`: sooner where a dial is turned.
+        """Wait until the next face is due after that of the time `last`: sooner if a dial is turned.
 
-        A face of where a dragged dial was would hold up that of where it is a moment later.
+        While a dial is dragged, wait for its next turn: a face of the old position would delay the next one.
         """
         await asyncio.sleep(max(0.0, last + SOONEST - self._loop.time()))
         dragged = self._dragged and self._loop.time() - self._last_turn < DRAGGED
