@@ -106,7 +106,7 @@ def test_nothing_outside_can_be_fetched(server, path):
 @pytest.mark.parametrize("name", ["..", "%2e%2e", "a%2fb", "A", "a%20b", "%c3%a9", "-a", "a" * 41])
 def test_a_session_has_a_plain_name(server, name):
     assert asked(server, f"/ws/{name}", headers=UPGRADE)[0] in (403, 404)
-    assert set(server.studio.rooms) <= {"a"}
+    assert set(server.studio.sessions) <= {"a"}
 
 
 def test_heads_are_named_not_opened(server):

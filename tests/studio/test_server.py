@@ -50,7 +50,7 @@ def test_sessions_without_a_page_give_way_and_nothing_is_made_by_asking(tmp_path
                 with server.page(name) as page:
                     page.ask("open")
             assert one.ask("open")["take"] is not None
-            assert len(server.studio.rooms) == 2
+            assert len(server.studio.sessions) == 2
             with server.page("five") as page:
                 page.ask("open")
                 with pytest.raises(InvalidStatus), server.page("six"):

@@ -31,8 +31,8 @@ from .connection import Connection
 from .guard import Guard
 from .mesh import head_glb
 from .messages import encoded
-from .room import Room
 from .shade import shade
+from .shared_session import SharedSession
 from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, to_file, to_memory
 
@@ -42,38 +42,38 @@ SAME_FOR_AN_HOUR = {"cache-control": "private, max-age=3600"}
 
 
 class Studio:
-    """The server's state: its folder, the sessions that are open, the solvers that are warm."""
+    """The server's state: its folder, the open sessions, the warm solvers."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self.rooms: dict[str, Room] = {}
+        self.sessions: dict[str, SharedSession] = {}
         self.solvers = Solvers()
         self.warm = asyncio.Event()
 
-    def room(self, name: str, *, made: bool = True) -> Room:
-        """Return a session by its name, opened if it is not, made if there is none and `made` allows it.
+    def session(self, name: str, *, create: bool = True) -> SharedSession:
+        """Return a session by its name: open it if it is closed, create it if it is missing and `create`.
 
-        Raises InputError for what is no name, for a session that there is not, and for one too many.
+        Raises InputError if the name is not valid, the session does not exist, or too many are open.
         """
         if not NAME.fullmatch(name):
             raise InputError("the session's name is not one; expected up to 40 of a-z, 0-9 and -")
-        if name not in self.rooms:
+        if name not in self.sessions:
             folder = self.folder / name
-            if not made and not folder.is_dir():
+            if not create and not folder.is_dir():
                 raise InputError(f"there is no session '{name}'")
-            self._make_place()
+            self._close_unseen()
             folder.mkdir(parents=True, exist_ok=True)
-            self.rooms[name] = Room(name, folder)
-        return self.rooms[name]
+            self.sessions[name] = SharedSession(name, folder)
+        return self.sessions[name]
 
-    def _make_place(self) -> None:
-        """Close the session that was opened first of those that no page shows, where there are too many."""
-        if len(self.rooms) < limits.SESSIONS:
+    def _close_unseen(self) -> None:
+        """If too many sessions are open, close the oldest one that no page shows."""
+        if len(self.sessions) < limits.SESSIONS:
             return
-        unseen = next((name for name, room in self.rooms.items() if not room.pages), None)
+        unseen = next((name for name, shared in self.sessions.items() if not shared.pages), None)
         if unseen is None:
             raise InputError(f"{limits.SESSIONS} sessions are open; expected one to be closed first")
-        self.rooms.pop(unseen).close()
+        self.sessions.pop(unseen).close()
 
     def app(self) -> Starlette:
         """Return the application."""
@@ -87,7 +87,7 @@ class Studio:
             Route("/api/session/{session}/take/{take:int}/sound.wav", self.sound),
             Route("/api/session/{session}/recording", self.recording, methods=["POST"]),
             Route("/api/session/{session}/project", self.project),
-            Route("/api/session/{session}/project", self.take_up, methods=["POST"]),
+            Route("/api/session/{session}/project", self.open_project, methods=["POST"]),
             Route("/api/session/{session}/export/{job:int}/{file}", self.export),
             WebSocketRoute("/ws/{session}", self.socket),
         ]
@@ -103,66 +103,66 @@ class Studio:
 
         def warm() -> None:
             warm_up(self.solvers)
-            # The loop is closed where the server has ended meanwhile.
+            # If the server has ended meanwhile, the loop is closed.
             with suppress(RuntimeError):
                 loop.call_soon_threadsafe(self.warm.set)
 
         threading.Thread(target=warm, name="warming", daemon=True).start()
         yield
-        for room in self.rooms.values():
-            await room.finish()
+        for shared in self.sessions.values():
+            await shared.finish()
 
     async def socket(self, socket: WebSocket) -> None:
         """Serve a page's socket."""
         try:
-            room = self.room(socket.path_params["session"])
+            shared = self.session(socket.path_params["session"])
         except InputError:
             await socket.close(1008)
             return
-        await Connection(socket, room, self.solvers, self.warm).run()
+        await Connection(socket, shared, self.solvers, self.warm).run()
 
     async def sound(self, request: Request) -> Response:
         """Return a take's sound."""
-        live = self._asked_room(request).session.live(request.path_params["take"])
+        live = self._requested(request).session.live(request.path_params["take"])
         audio = live.take.utterance.audio if live.take.utterance else None
         if audio is None:
             raise InputError("nothing is said in this take")
         return FileResponse(audio.path, media_type="audio/wav", headers={"cache-control": "no-cache"})
 
     async def recording(self, request: Request) -> Response:
-        """Take in a recording; its body is the file, `name` in the query what it is called."""
-        room = self._asked_room(request)
-        uploaded = await to_file(request, room.session.folder, limits.RECORDING)
+        """Save a recording: the body is the file, `name` in the query its name."""
+        shared = self._requested(request)
+        uploaded = await to_file(request, shared.session.folder, limits.RECORDING)
         try:
-            name = await room.add_recording(request.query_params.get("name", ""), uploaded)
+            name = await shared.add_recording(request.query_params.get("name", ""), uploaded)
         finally:
             uploaded.unlink(missing_ok=True)
         return JSONResponse({"recording": name})
 
     async def project(self, request: Request) -> Response:
         """Return the project as a file."""
-        data = await self._asked_room(request).project()
+        data = await self._requested(request).project()
         named = {"content-disposition": 'attachment; filename="performance.risorius.json"'}
         return Response(data, media_type="application/json", headers=named)
 
-    async def take_up(self, request: Request) -> Response:
-        """Take up a project; pages are told."""
-        room = self._asked_room(request)
-        await room.take_up(await to_memory(request, limits.PROJECT))
+    async def open_project(self, request: Request) -> Response:
+        """Open an uploaded project; the session's pages are told."""
+        shared = self._requested(request)
+        await shared.open_project(await to_memory(request, limits.PROJECT))
         return JSONResponse({})
 
     async def export(self, request: Request) -> Response:
         """Return a file that an export has written."""
         name = request.path_params["file"]
-        path = self._asked_room(request).exports.file(request.path_params["job"], name)
+        path = self._requested(request).exports.file(request.path_params["job"], name)
         return FileResponse(path, filename=name)
 
-    def _asked_room(self, request: Request) -> Room:
-        return self.room(request.path_params["session"], made=request.method == "POST")
+    def _requested(self, request: Request) -> SharedSession:
+        return self.session(request.path_params["session"], create=request.method == "POST")
 
 
 def warm_up(solvers: Solvers) -> None:
-    """Load and compile what the first line, the first face and the head's file need."""
+    """Load and compile everything that the first line, the first face and the head's file need."""
     catalogue_json()
     solvers.warm()
     speak("Hm.", text=True)

@@ -14,7 +14,7 @@ from ..errors import RisoriusError
 from . import limits, wire
 from .messages import BadRequestError, answer, decode, event, refusal
 from .pose_preview import PosePreview
-from .room import Room
+from .shared_session import SharedSession
 from .solvers import Solvers
 from .streaming import Streams
 
@@ -25,8 +25,10 @@ LOG = logging.getLogger(__name__)
 class Connection:
     """A page."""
 
-    def __init__(self, socket: WebSocket, room: Room, solvers: Solvers, warm: asyncio.Event) -> None:
-        self._socket, self._room, self._warm = socket, room, warm
+    def __init__(
+        self, socket: WebSocket, shared: SharedSession, solvers: Solvers, warm: asyncio.Event
+    ) -> None:
+        self._socket, self._shared, self._warm = socket, shared, warm
         self._sending = asyncio.Lock()
         self._tasks: set[asyncio.Task[None]] = set()
         self._events: asyncio.Queue[Any] = asyncio.Queue(limits.EVENTS)
@@ -38,7 +40,7 @@ class Connection:
     async def run(self) -> None:
         """Answer requests until the page goes."""
         await self._socket.accept()
-        self._room.pages.add(self)
+        self._shared.pages.add(self)
         self._keep(self._send_events())
         try:
             while True:
@@ -49,7 +51,7 @@ class Connection:
         except WebSocketDisconnect:
             pass
         finally:
-            self._room.pages.discard(self)
+            self._shared.pages.discard(self)
             for task in tuple(self._tasks):
                 task.cancel()
             await asyncio.gather(*self._tasks, return_exceptions=True)
@@ -91,13 +93,13 @@ class Connection:
         await self._say(reply)
 
     async def _done(self, number: int, asked: Any) -> Any:
-        room = self._room
+        shared = self._shared
         if isinstance(asked, wire.Faces):
-            return await self._streams.send(room.session.live(asked.take), asked)
+            return await self._streams.send(shared.session.live(asked.take), asked)
         if isinstance(asked, wire.FaceAt):
-            return await self._streams.moment(room.session.live(asked.take), asked)
+            return await self._streams.moment(shared.session.live(asked.take), asked)
         if isinstance(asked, wire.Preview):
-            take, previewed = await room.preview(asked.edit)
+            take, previewed = await shared.preview(asked.edit)
             if asked.face is not None:
                 await self._streams.held(take, previewed.take, asked.face)
             return previewed
@@ -105,15 +107,15 @@ class Connection:
             self._streams.cancel(asked.take)
             return wire.Done()
         if isinstance(asked, wire.Dial):
-            return await self._pose_preview.turn(number, asked, room.session.files)
+            return await self._pose_preview.turn(number, asked, shared.session.files)
         if isinstance(asked, wire.Export):
-            return room.export(asked)
+            return shared.export(asked)
         if isinstance(asked, wire.CancelExport):
-            room.exports.stop(asked.job)
+            shared.exports.stop(asked.job)
             return wire.Done()
         if isinstance(asked, wire.Project):
-            return wire.Download(f"/api/session/{room.session.name}/project", "performance.risorius.json")
-        return await room.done(asked, self._progress(number), self)
+            return wire.Download(f"/api/session/{shared.session.name}/project", "performance.risorius.json")
+        return await shared.handle(asked, self._progress(number), self)
 
     def _progress(self, number: int) -> Any:
         def told(stage: str, done: int = 0, total: int = 0) -> None:

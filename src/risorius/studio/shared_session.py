@@ -1,4 +1,4 @@
-"""A session with the pages that show it, the thread that works for it, and what is done after each change."""
+"""A session with the pages that show it and the thread that does its work."""
 
 from __future__ import annotations
 
@@ -36,20 +36,20 @@ HANDLERS: dict[type, Handler] = {
     wire.ProfileText: looking.profile_save,
     wire.SavePose: looking.name_pose,
 }
-"""What is done on the session's thread, by request."""
+"""The handler of each request; it runs on the session's thread."""
 CHANGING = (wire.Perform, wire.Choose, *wire.EDITS.values(), wire.Undo, wire.Redo)
 SAVING = (*CHANGING, wire.View)
 
 
 class Page(Protocol):
-    """What shows a session: told of what happens, it must not wait."""
+    """A page that shows a session. `tell` must return at once."""
 
-    def tell(self, told: Any) -> None:
-        """Take up an event."""
+    def tell(self, event: Any) -> None:
+        """Queue an event for the page."""
 
 
-class Room:
-    """A session with its pages."""
+class SharedSession:
+    """A session and the pages that show it."""
 
     def __init__(self, name: str, folder: Path) -> None:
         self.session = Session(name, folder)
@@ -62,30 +62,30 @@ class Room:
         self._worker = ThreadPoolExecutor(1, thread_name_prefix=f"session-{name}")
         self._exporter = ThreadPoolExecutor(1, thread_name_prefix=f"export-{name}")
 
-    async def done(self, asked: Any, progress: Progress, page: Page) -> Any:
+    async def handle(self, request: Any, progress: Progress, page: Page) -> Any:
         """Return the answer to a request of a page; save and tell other pages what it changes.
 
-        What is begun is done and saved even if the page goes meanwhile.
+        Work that has begun is finished and saved even if the page closes meanwhile.
         """
-        task = asyncio.get_running_loop().create_task(self._do(asked, progress, page))
-        self._keep(task, self._tasks)
+        task = asyncio.get_running_loop().create_task(self._answer(request, progress, page))
+        self._hold(task, self._tasks)
         return await asyncio.shield(task)
 
-    async def _do(self, asked: Any, progress: Progress, page: Page) -> Any:
-        answered = await self._run(lambda: HANDLERS[type(asked)](self.session, asked, progress))
-        if isinstance(asked, CHANGING):
+    async def _answer(self, request: Any, progress: Progress, page: Page) -> Any:
+        answer = await self._run(lambda: HANDLERS[type(request)](self.session, request, progress))
+        if isinstance(request, CHANGING):
             await self.tell_others(page)
-        if isinstance(asked, SAVING):
-            # The page need not wait for the disk: it hears of it when it is done.
-            self._keep(asyncio.get_running_loop().create_task(self.save()), self._tasks)
-        return answered
+        if isinstance(request, SAVING):
+            # The page does not wait for the disk: an event tells it when the session is saved.
+            self._hold(asyncio.get_running_loop().create_task(self.save()), self._tasks)
+        return answer
 
     async def preview(self, edit: wire.Edit) -> tuple[Take, wire.Previewed]:
-        """Return the take that an edit would make, and what the page is told of it."""
+        """Return the take that an edit would make, and the answer for the page."""
         return await self._run(lambda: self.session.preview(edit))
 
     async def save(self) -> None:
-        """Save the session; tell its pages that it is, or why it is not."""
+        """Save the session; tell its pages that it is saved, or why it is not."""
         try:
             await self._run(lambda: self._autosave.save(self.session))
         except OutputError as error:
@@ -97,70 +97,70 @@ class Room:
         """Return the project as a file."""
         return await self._run(lambda: project_file(self.session))
 
-    async def take_up(self, data: bytes) -> None:
-        """Take up an uploaded project in place of the session's own; raise RisoriusError, then nothing is."""
+    async def open_project(self, data: bytes) -> None:
+        """Replace the session's state with an uploaded project; on RisoriusError nothing changes."""
 
         def opened() -> None:
-            found = open_project(data, self.session.shelf)
-            self.session.restore(found.version, found.view)
+            project = open_project(data, self.session.files)
+            self.session.restore(project.version, project.view)
 
         await self._run(opened)
         await self.tell_others(None)
         await self.save()
 
-    async def take_in(self, name: str, uploaded: Path) -> str:
-        """Keep an uploaded recording; return the name it has got."""
-        return await self._run(lambda: self.session.shelf.take_in(name, uploaded))
+    async def add_recording(self, name: str, uploaded: Path) -> str:
+        """Save an uploaded recording; return the name that it was given."""
+        return await self._run(lambda: self.session.files.add_recording(name, uploaded))
 
-    def export(self, asked: wire.Export) -> wire.Job:
-        """Begin an export; its pages hear how far it is. Raises RisoriusError where it cannot be made."""
-        take = self.session.live(asked.take).take
-        exports.check(take, asked)
+    def export(self, request: wire.Export) -> wire.Job:
+        """Begin an export; the pages are told its progress. Raises RisoriusError if it cannot be made."""
+        take = self.session.live(request.take).take
+        exports.check(take, request)
         job = self.exports.begin()
         loop = asyncio.get_running_loop()
 
-        def told(stage: str, done: int = 0, total: int = 0) -> None:
+        def report(stage: str, done: int = 0, total: int = 0) -> None:
             event = wire.Progress(stage, done, total, job=job)
             asyncio.run_coroutine_threadsafe(self.tell(event), loop)
 
-        def written() -> wire.Exported:
+        def write() -> wire.Exported:
             try:
-                names = self.exports.write(job, take, asked, told)
+                names = self.exports.write(job, take, request, report)
             except RisoriusError as error:
                 return wire.Exported(job, (), str(error))
             path = f"/api/session/{self.session.name}/export/{job}/"
             return wire.Exported(job, tuple(wire.Download(path + name, name) for name in names))
 
         async def run() -> None:
-            await self.tell(await loop.run_in_executor(self._exporter, written))
+            await self.tell(await loop.run_in_executor(self._exporter, write))
 
-        self._keep(loop.create_task(run()), self._exporting)
+        self._hold(loop.create_task(run()), self._exporting)
         return wire.Job(job)
 
     async def tell(self, event: Any) -> None:
-        """Send an event to all pages; one that is slow to read holds up nobody else."""
+        """Send an event to all pages; a page that reads slowly does not delay the others."""
         for page in tuple(self.pages):
             page.tell(event)
 
     async def tell_others(self, page: Page | None) -> None:
-        """Tell all other pages that the session's take is another."""
+        """Tell all pages but `page` that the session has a new take."""
         current = self.session.current
         for other in self.pages - {page}:
             other.tell(wire.Changed(0 if current is None else current.number))
 
     async def finish(self) -> None:
-        """Close, what pages have asked for being done and saved; exports under way are given up."""
+        """Finish and save the work that pages asked for, then close; running exports are dropped."""
         while self._tasks:
             await asyncio.wait(self._tasks)
         self.close()
 
     def close(self) -> None:
-        """Let the threads go."""
+        """Release the threads."""
         self._worker.shutdown(wait=False, cancel_futures=True)
         self._exporter.shutdown(wait=False, cancel_futures=True)
 
     async def _run(self, work: Callable[[], T]) -> T:
-        """Do work on the session's thread, where it is taken up from its folder first."""
+        """Run `work` on the session's thread; the first call loads the session from its folder."""
 
         def loaded() -> T:
             if not self._loaded:
@@ -170,13 +170,13 @@ class Room:
 
         return await asyncio.get_running_loop().run_in_executor(self._worker, loaded)
 
-    def _keep(self, task: asyncio.Task[Any], among: set[asyncio.Task[Any]]) -> None:
-        among.add(task)
+    def _hold(self, task: asyncio.Task[Any], tasks: set[asyncio.Task[Any]]) -> None:
+        tasks.add(task)
 
         def forget(task: asyncio.Task[Any]) -> None:
-            among.discard(task)
+            tasks.discard(task)
             if not task.cancelled():
-                # Where a page has gone nobody else asks for it, and asyncio would complain.
+                # If the page has closed, nobody else reads the exception, and asyncio would log it.
                 task.exception()
 
         task.add_done_callback(forget)
