@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import astuple, dataclass, field, replace
+from dataclasses import astuple, dataclass, field, fields, replace
 from functools import cached_property, partial
 from itertools import repeat
 from os import PathLike
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -47,6 +47,10 @@ class Take:
     utterance: Utterance | None = None
     sound: Audio | None = None
     planned: Plan | None = field(default=None, repr=False, compare=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: the plan, the head and what they make are made again when asked for."""
+        return {**{part.name: getattr(self, part.name) for part in fields(self)}, "planned": None}
 
     @property
     def score(self) -> Score:
@@ -247,7 +251,11 @@ def make_solver(settings: Settings) -> FaceSolver:
 
 
 def lip_rig(score: Score, head: str) -> LipRig | None:
-    """Return what performs a score's lips on a head; None where they need none."""
+    """Return what performs a score's lips on the head of that name; None if they need nothing.
+
+    It is fitted once per head, at the age and shape that the head has of itself: `--age` and `--shape` do not
+    enter, though lips are performed in millimetres.
+    """
     from .face.lip_fit import load_lip_rig
 
     articulated = any(name in ARTICULATORS for s in score.lips for name in s.targets)

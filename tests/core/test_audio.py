@@ -1,4 +1,5 @@
 import gc
+import pickle
 
 import numpy as np
 
@@ -24,3 +25,15 @@ def test_the_file_is_deleted_when_the_sound_is_no_longer_used() -> None:
     del audio
     gc.collect()
     assert not path.exists()
+
+
+def test_a_pickle_holds_the_sound_and_not_its_file() -> None:
+    with AudioWriter(16_000) as writer:
+        writer.append(np.arange(100, dtype=np.int16))
+        audio = writer.finish()
+    pickled = pickle.dumps(audio)
+    del audio
+    gc.collect()
+    again = pickle.loads(pickled)
+    assert again.sample_rate == 16_000
+    np.testing.assert_array_equal(again.read(), np.arange(100))

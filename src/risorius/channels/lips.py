@@ -8,11 +8,11 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 
 from ..core.articulators import within_range
+from ..core.frozen import FrozenDict
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..rules.articulation import is_known, sounds
@@ -103,7 +103,7 @@ class _Shaper:
     def _scaled_targets(self, shape: PhoneShape, scale: float) -> Mapping[str, float]:
         key = (id(shape.targets), round(scale, 6))
         if key not in self._targets:
-            self._targets[key] = MappingProxyType(
+            self._targets[key] = FrozenDict(
                 {name: self._scaled(name, value, scale) for name, value in shape.targets.items()}
             )
         return self._targets[key]

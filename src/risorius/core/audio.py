@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
+from typing import Any
 
 import numpy as np
 
@@ -28,6 +29,10 @@ class Audio:
     frames: int
     # Keeps a temporary folder alive as long as the sound is in use.
     keeper: object = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # A temporary file does not outlive this process, nor reach another machine: its samples do.
+        return _written, (self.read(), self.sample_rate)
 
     @property
     def duration(self) -> float:
@@ -89,6 +94,12 @@ class AudioWriter:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._file.close()
+
+
+def _written(samples: Samples, sample_rate: int) -> Audio:
+    with AudioWriter(sample_rate) as writer:
+        writer.append(samples)
+        return writer.finish()
 
 
 def silence(seconds: float, sample_rate: int = 22_050) -> Audio:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from types import MappingProxyType
 from typing import Annotated
 
 from ..core.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
+from ..core.frozen import FrozenDict
 from ..core.movement import Dominance
 from ..core.parameters import INDEX, parameters_named
 from ..core.schema import Range
@@ -152,9 +152,7 @@ def _holding(lip_class: LipClass) -> Holding:
         for name, magnitude in lip_class.magnitude.items()
     }
     limits = {p.name: span for base, span in lip_class.limits.items() for p in parameters_named(base)}
-    return Holding(
-        MappingProxyType(dominance), MappingProxyType(limits), MappingProxyType(dict(lip_class.yields))
-    )
+    return Holding(FrozenDict(dominance), FrozenDict(limits), FrozenDict(dict(lip_class.yields)))
 
 
 def _check_names(raw: _File) -> None:
