@@ -33,7 +33,7 @@ from risorius.speech.alignment.edges import (
 from risorius.speech.alignment.lexicon import read_transcript
 from risorius.speech.alignment.spectra import STEP_SECONDS, band_levels
 from risorius.speech.recordings.recording import read_recording
-from risorius.speech.recordings.resampled import Listening
+from risorius.speech.recordings.resampled import Resampled
 
 TABLE = Path("src/risorius/speech/alignment/data/edges.toml")
 CLASSES = {
@@ -82,10 +82,10 @@ def collect(spoken: list[Sentence]) -> tuple[Edges, list[Array]]:
     rows: list[tuple[int, int, float, float, int]] = []
     levels: list[Array] = []
     for number, sentence in enumerate(spoken):
-        listening = Listening(read_recording(sentence.sound))
+        resampled = Resampled(read_recording(sentence.sound))
         _, words = read_transcript(sentence.text)
-        (found,) = decoded(listening, [word.readings for word in words])
-        levels.append(band_levels(listening.read(0.0, listening.audio.duration)))
+        (found,) = decoded(resampled, [word.readings for word in words])
+        levels.append(band_levels(resampled.read(0.0, resampled.audio.duration)))
         ours = [Label(f.symbol, f.start, f.end) for f in found]
         for i, j in matched(ours, sentence.labels):
             error = ours[i].start - sentence.labels[j].start

@@ -8,7 +8,7 @@ import pytest
 from risorius.core.audio import AudioWriter
 from risorius.speech.prosody.contour import contour_of
 from risorius.speech.prosody.pitch import Pitch, measure_pitch
-from risorius.speech.recordings.resampled import Listening
+from risorius.speech.recordings.resampled import Resampled
 
 RATE = 16_000
 T = np.arange(2 * RATE) / RATE
@@ -36,7 +36,7 @@ def voice(hertz: np.ndarray, noise: float = 0.0, rate: int = RATE) -> np.ndarray
 def measured(sound: np.ndarray, rate: int = RATE) -> Pitch:
     with AudioWriter(rate) as writer:
         writer.append(np.round(sound).astype(np.int16))
-        return measure_pitch(Listening(writer.finish()))
+        return measure_pitch(Resampled(writer.finish()))
 
 
 @pytest.mark.parametrize(

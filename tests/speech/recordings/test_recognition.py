@@ -11,7 +11,7 @@ from risorius.core.audio import AudioWriter
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError
 from risorius.speech.recordings.recognition import LATEST, recognize, stretches
-from risorius.speech.recordings.resampled import Listening
+from risorius.speech.recordings.resampled import Resampled
 
 RATE = 16_000
 
@@ -40,7 +40,7 @@ def test_a_line_is_recognized_well_enough_to_correct(spoken_line: Utterance) -> 
 def test_stretches_cover_the_recording_and_end_in_pauses() -> None:
     burst = np.random.default_rng(0).normal(0.0, 3_000.0, 8 * RATE)
     sound = np.concatenate([burst, np.zeros(RATE // 2), burst, np.zeros(RATE // 2), burst, burst, burst])
-    found = list(stretches(Listening(audio_of(sound))))
+    found = list(stretches(Resampled(audio_of(sound))))
     assert found[0][0] == 0.0
     assert found[-1][1] == pytest.approx(len(sound) / RATE)
     assert all(a[1] == b[0] for a, b in pairwise(found))

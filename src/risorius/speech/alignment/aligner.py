@@ -12,7 +12,7 @@ from ...core.audio import Audio
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
 from .. import phonesets
-from ..recordings.resampled import Listening
+from ..recordings.resampled import Resampled
 from ..structure.accents import intone
 from ..structure.pauses import find_pauses
 from ..structure.syllables import syllabify
@@ -38,13 +38,13 @@ def align(audio: Audio, transcript: str) -> Utterance:
     Raises InputError for a transcript without words, and for one that does not fit the recording; warns
     (SpeechWarning) of single words that may not fit.
     """
-    listening = Listening(audio)
+    resampled = Resampled(audio)
     _, words = read_transcript(transcript)
     heard: list[Found] = []
     found: list[Found] = []
-    for stretch in decoded(listening, [word.readings for word in words]):
+    for stretch in decoded(resampled, [word.readings for word in words]):
         heard += stretch
-        found += refined(listening, stretch)
+        found += refined(resampled, stretch)
     check_words(words, heard)
     return assembled(audio, transcript, found, words)
 
@@ -57,18 +57,18 @@ def assembled(audio: Audio, text: str, found: Sequence[Found], words: Sequence[S
     return intone(Utterance(text, LANGUAGE, audio, phones, timed, syllables, pauses))
 
 
-def decoded(listening: Listening, words: Sequence[Readings]) -> Iterator[list[Found]]:
+def decoded(resampled: Resampled, words: Sequence[Readings]) -> Iterator[list[Found]]:
     """Yield the decoder's phones and silences, stretch by stretch, contiguous over the recording.
 
     Raises InputError if the recording has no room for the words.
     """
-    for window in windows(listening, words):
+    for window in windows(resampled, words):
         inside = words[window.first : window.last]
         if not inside:
             yield [Found(SILENCE, window.start, window.end, -1, 0.0)]
             continue
         try:
-            found = align_words(listening.read(window.start, window.end), inside)
+            found = align_words(resampled.read(window.start, window.end), inside)
         except AlignmentError:
             span = f"{window.start:.2f} to {window.end:.2f} s"
             message = (
@@ -87,10 +87,10 @@ def moved(found: Sequence[Found], start: float, end: float, first: int) -> list[
     return respaced(placed, [start, *(f.start for f in placed[1:]), end])
 
 
-def refined(listening: Listening, found: Sequence[Found]) -> list[Found]:
+def refined(resampled: Resampled, found: Sequence[Found]) -> list[Found]:
     """Return one stretch with its inner edges placed by the sound."""
     start, end = found[0].start, found[-1].end
-    levels = band_levels(listening.read(start, end))
+    levels = band_levels(resampled.read(start, end))
     edges = np.array([phone.start - start for phone in found[1:]])
     symbols = [phone.symbol for phone in found]
     placed = start + place_edges(levels, symbols, edges)

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from ..recordings.resampled import Listening
+from ..recordings.resampled import Resampled
 from .decoder import Readings, follow_words
 
 # Seconds. What is no longer than the first is one window.
@@ -28,12 +28,12 @@ class Window(NamedTuple):
     last: int
 
 
-def windows(listening: Listening, words: Sequence[Readings]) -> Iterator[Window]:
+def windows(resampled: Resampled, words: Sequence[Readings]) -> Iterator[Window]:
     """Yield windows that follow one another over the recording and all words."""
     start, first = 0.0, 0
-    duration = listening.audio.duration
+    duration = resampled.audio.duration
     while duration - start > WHOLE:
-        heard = listening.read(start, start + HEARD)
+        heard = resampled.read(start, start + HEARD)
         spans = (
             follow_words(heard, words[first : first + round(HEARD * FASTEST)]) if first < len(words) else []
         )

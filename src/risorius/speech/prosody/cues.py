@@ -10,7 +10,7 @@ import numpy as np
 from ...core.arrays import Array
 from ...core.utterance import Phone, Syllable, Utterance
 from .. import phonesets
-from ..recordings.resampled import LEVEL_STEP, Listening
+from ..recordings.resampled import LEVEL_STEP, Resampled
 from .contour import Contour
 from .rules import prosody_rules
 
@@ -37,10 +37,10 @@ class Cues:
     prominence: Array
 
 
-def cues_of(utterance: Utterance, listening: Listening, contour: Contour | None) -> Cues:
+def cues_of(utterance: Utterance, resampled: Resampled, contour: Contour | None) -> Cues:
     """Return the cues of all syllables of an utterance."""
     vowels = [vowel_of(utterance.phones, syllable) for syllable in utterance.syllables]
-    loudness = np.array([_level(listening, vowel) for vowel in vowels])
+    loudness = np.array([_level(resampled, vowel) for vowel in vowels])
     length = _relative_lengths(vowels)
     phrases = _phrases(utterance)
     peaks = np.array([contour.within(v.start, v.end).max() if contour else 0.0 for v in vowels])
@@ -68,10 +68,10 @@ def vowel_of(phones: Sequence[Phone], syllable: Syllable) -> Phone:
     return next(phone for phone in inside if phonesets.is_vowel(phone.symbol))
 
 
-def _level(listening: Listening, vowel: Phone) -> float:
+def _level(resampled: Resampled, vowel: Phone) -> float:
     """Return the level of a vowel in dB: the mean power of its frames."""
     first = int(vowel.start / LEVEL_STEP)
-    inside = listening.levels[first : max(int(vowel.end / LEVEL_STEP), first + 1)]
+    inside = resampled.levels[first : max(int(vowel.end / LEVEL_STEP), first + 1)]
     return (
         float(10.0 * np.log10(np.mean(10.0 ** (np.asarray(inside, np.float64) / 10.0))))
         if len(inside)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...core.utterance import Utterance
-from ..recordings.resampled import Listening
+from ..recordings.resampled import Resampled
 from .accents import find_accents
 from .boundaries import find_boundaries
 from .contour import contour_of
@@ -18,9 +18,9 @@ def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = T
 
     Accents and boundaries that are not asked for stay as they are.
     """
-    listening = Listening(utterance.audio)
-    contour = contour_of(measure_pitch(listening))
-    cues = cues_of(utterance, listening, contour)
+    resampled = Resampled(utterance.audio)
+    contour = contour_of(measure_pitch(resampled))
+    cues = cues_of(utterance, resampled, contour)
     syllables = tuple(
         replace(
             syllable,
@@ -40,7 +40,7 @@ def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = T
 
 def pitched(utterance: Utterance) -> Utterance:
     """Return an utterance whose accents are known with the pitch of its syllables measured."""
-    contour = contour_of(measure_pitch(Listening(utterance.audio))) if utterance.syllables else None
+    contour = contour_of(measure_pitch(Resampled(utterance.audio))) if utterance.syllables else None
     if contour is None:
         return utterance
     vowels = [vowel_of(utterance.phones, syllable) for syllable in utterance.syllables]

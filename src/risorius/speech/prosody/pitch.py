@@ -16,7 +16,7 @@ import numpy as np
 from scipy.signal import firwin
 
 from ...core.arrays import Array, BoolArray, Int64Array
-from ..recordings.resampled import RATE, Listening
+from ..recordings.resampled import RATE, Resampled
 
 # Seconds between frames, and of each frame's window.
 STEP, WINDOW = 0.01, 0.03
@@ -60,17 +60,17 @@ class _Candidates(NamedTuple):
     aperiodicity: Array
 
 
-def measure_pitch(listening: Listening) -> Pitch:
+def measure_pitch(resampled: Resampled) -> Pitch:
     """Return the pitch of a recording, read chunk by chunk."""
-    duration = listening.audio.duration
+    duration = resampled.audio.duration
     frames = int(duration / STEP) + 1
     per_chunk = round(_CHUNK_SECONDS / STEP)
     found = [
-        _candidates(listening, range(first, min(first + per_chunk, frames)))
+        _candidates(resampled, range(first, min(first + per_chunk, frames)))
         for first in range(0, frames, per_chunk)
     ]
     candidates = _Candidates(*(np.concatenate(parts) for parts in zip(*found, strict=True)))
-    quiet = _quiet(listening, frames)
+    quiet = _quiet(resampled, frames)
     hertz = _path(candidates, quiet, LOWEST, HIGHEST)
     voiced = hertz[np.isfinite(hertz)]
     if len(voiced) >= _FEWEST_VOICED:
@@ -79,14 +79,14 @@ def measure_pitch(listening: Listening) -> Pitch:
     return Pitch(_centred(hertz))
 
 
-def _candidates(listening: Listening, frames: range) -> _Candidates:
+def _candidates(resampled: Resampled, frames: range) -> _Candidates:
     longest = int(RATE / LOWEST) + 2
     size = round(WINDOW * RATE)
     # Frame k looks at a window and its copies up to `longest` later, all of it around k STEP.
     lead = 0.5 * (size + longest) / RATE
     start, end = frames.start * STEP - lead, (frames.stop - 1) * STEP + lead
     half = len(_LOW_PASS) // 2
-    sound = np.convolve(listening.read(start - half / RATE, end + (1 + half) / RATE), _LOW_PASS, mode="valid")
+    sound = np.convolve(resampled.read(start - half / RATE, end + (1 + half) / RATE), _LOW_PASS, mode="valid")
     hop = round(STEP * RATE)
     rows = np.lib.stride_tricks.sliding_window_view(
         _long_enough(sound, frames, hop, size + longest), size + longest
@@ -143,9 +143,9 @@ def _centred(hertz: Array) -> Array:
     return centred
 
 
-def _quiet(listening: Listening, frames: int) -> BoolArray:
+def _quiet(resampled: Resampled, frames: int) -> BoolArray:
     """Return which frames are too quiet to be voiced."""
-    levels = np.asarray(listening.levels, dtype=np.float64)
+    levels = np.asarray(resampled.levels, dtype=np.float64)
     # A window of three: a frame lies at the edge of two.
     smooth = np.convolve(np.pad(levels, 1, mode="edge"), np.full(3, 1 / 3), mode="valid")
     at = np.minimum(np.arange(frames), len(smooth) - 1)

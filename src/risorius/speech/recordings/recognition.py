@@ -35,7 +35,7 @@ from ..alignment.decoder import (
 from ..alignment.doubt import POOR_WORD, mean_score
 from ..alignment.lexicon import ScriptWord, read_transcript, written_readings
 from ..alignment.silences import without_gaps
-from .resampled import LEVEL_STEP, RATE, Listening
+from .resampled import LEVEL_STEP, RATE, Resampled
 
 if TYPE_CHECKING:
     from pocketsphinx import Decoder
@@ -51,21 +51,21 @@ _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
 def recognize(audio: Audio) -> Utterance:
     """Return what seems to be said when in a recording. Raises InputError if nothing is."""
-    listening = Listening(audio)
+    resampled = Resampled(audio)
     found: list[Found] = []
     names: list[str] = []
-    for start, end in stretches(listening):
-        phones, words = _recognized(listening.read(start, end))
-        found += refined(listening, without_gaps(moved(phones, start, end, len(names))))
+    for start, end in stretches(resampled):
+        phones, words = _recognized(resampled.read(start, end))
+        found += refined(resampled, without_gaps(moved(phones, start, end, len(names))))
         names += words
     if not names:
         raise InputError("no speech was recognized; expected a recorded voice")
     return assembled(audio, " ".join(names), found, list(_script_words(names)))
 
 
-def stretches(listening: Listening) -> Iterator[tuple[float, float]]:
+def stretches(resampled: Resampled) -> Iterator[tuple[float, float]]:
     """Yield spans of seconds that follow one another over the recording, cut in pauses where possible."""
-    levels = np.asarray(listening.levels, np.float64)
+    levels = np.asarray(resampled.levels, np.float64)
     quiet = levels < np.percentile(levels, _LOUD_PERCENTILE) - PAUSE_BELOW
     start, count = 0, len(levels)
     while (count - start) * LEVEL_STEP > LATEST:
@@ -74,7 +74,7 @@ def stretches(listening: Listening) -> Iterator[tuple[float, float]]:
         end = first + (cut if cut is not None else int(levels[first:last].argmin()))
         yield start * LEVEL_STEP, end * LEVEL_STEP
         start = end
-    yield start * LEVEL_STEP, listening.audio.duration
+    yield start * LEVEL_STEP, resampled.audio.duration
 
 
 def _longest_run(true: BoolArray, shortest: int) -> int | None:

@@ -24,7 +24,7 @@ _MARGIN = 20
 
 
 @dataclass(frozen=True)
-class Listening:
+class Resampled:
     """Access to a recording at 16 kHz; nothing but frame levels is kept in memory."""
 
     audio: Audio
