@@ -22,6 +22,7 @@ from risorius.core.utterance import (
 )
 from risorius.pipeline import speak
 from risorius.settings import Settings
+from risorius.speech.structure.phrases import with_phrases
 from risorius.take import Take
 
 VOWELS = frozenset({"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"})
@@ -55,7 +56,8 @@ def utterance_of() -> UtteranceMaker:
                 pauses.append(Pause(start, end, kind))
         text = " ".join(w.text for w in words)
         audio = silence(edge / rate, rate)
-        return Utterance(text, "en-us", audio, tuple(phones), tuple(words), pauses=tuple(pauses))
+        said = Utterance(text, "en-us", audio, tuple(phones), tuple(words), pauses=tuple(pauses))
+        return with_phrases(said)
 
     return make
 
@@ -142,7 +144,8 @@ class _Said:
     def utterance(self) -> Utterance:
         audio = silence(self.phones[-1].end, 1000)
         last = replace(self.phones[-1], end=audio.duration)
-        return Utterance(
+        said = Utterance(
             self.text.rstrip(" "), "en-us", audio, (*self.phones[:-1], last), tuple(self.words),
             tuple(self.syllables), tuple(self.pauses), tuple(self.accents), tuple(self.boundaries),
         )  # fmt: skip
+        return with_phrases(said)

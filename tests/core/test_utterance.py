@@ -1,6 +1,6 @@
 import pytest
 
-from risorius.core.utterance import Phone, check_continuous
+from risorius.core.utterance import Ending, Phone, Phrase, check_continuous, check_phrases
 
 
 @pytest.mark.parametrize(
@@ -20,3 +20,26 @@ def test_phones_must_be_continuous(phones: tuple[Phone, ...], message: str) -> N
 
 def test_continuous_phones_pass() -> None:
     check_continuous((Phone("", 0.0, 0.4), Phone("M", 0.4, 1.0)), 1.0)
+
+
+def phrase(first: int, last: int) -> Phrase:
+    return Phrase(first, last, 0.0, 1.0, 0, Ending.STATEMENT)
+
+
+@pytest.mark.parametrize(
+    ("phrases", "message"),
+    [
+        ((phrase(0, 2),), "do not cover"),
+        ((phrase(1, 3),), "do not cover"),
+        ((phrase(0, 1), phrase(2, 3)), "do not cover"),
+        ((phrase(0, 2), phrase(1, 3)), "do not cover"),
+        ((phrase(0, 3), phrase(3, 3)), "no words"),
+    ],
+)
+def test_phrases_must_cover_the_words(phrases: tuple[Phrase, ...], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        check_phrases(phrases, 3)
+
+
+def test_phrases_in_order_pass() -> None:
+    check_phrases((phrase(0, 1), phrase(1, 3)), 3)

@@ -37,6 +37,8 @@ def test_lines_stand_at_their_times_in_one_utterance() -> None:
     assert [w.text for w in said.words] == ["Hello", "there", "It", "is", "me"]
     assert all(said.text[w.source_start : w.source_end] == w.text for w in said.words)
     assert said.words[2].start == pytest.approx(3.0 + alone.words[0].start, abs=1e-4)
+    assert [(p.first_word, p.last_word, p.sentence) for p in said.phrases] == [(0, 2, 0), (2, 5, 1)]
+    assert all(p.start == said.words[p.first_word].start for p in said.phrases)
     assert said.duration == pytest.approx(3.0 + alone.duration, abs=1e-4)
     for word in said.words:
         assert all(said.phones[i].word >= 0 for i in range(word.first_phone, word.last_phone))

@@ -1,11 +1,12 @@
-"""What is said: phones, syllables, words, pauses and accents with their times, and the sound."""
+"""What is said: phones, syllables, words, phrases, pauses and accents with their times, and the sound."""
 
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from dataclasses import dataclass
 from enum import StrEnum
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from .audio import Audio
 
@@ -22,6 +23,35 @@ class PauseKind(StrEnum):
     EXCLAMATION = "exclamation"
     HESITATION = "hesitation"
     FINAL = "final"
+
+
+class Question(StrEnum):
+    """How a sentence asks. UNMARKED: only the question mark tells (paper B, section 5.2)."""
+
+    NONE = "none"
+    WH = "wh"
+    YES_NO = "yes_no"
+    ALTERNATIVE = "alternative"
+    UNMARKED = "unmarked"
+
+
+class Ending(StrEnum):
+    """How a phrase ends.
+
+    PAUSE: in silence that no punctuation asks for. CLAUSE: without silence. OPEN: with the text, which has no
+    punctuation there.
+    """
+
+    STATEMENT = "statement"
+    EXCLAMATION = "exclamation"
+    CONTINUATION = "continuation"
+    HESITATION = "hesitation"
+    WH_QUESTION = "wh_question"
+    YES_NO_QUESTION = "yes_no_question"
+    ALTERNATIVE_QUESTION = "alternative_question"
+    PAUSE = "pause"
+    CLAUSE = "clause"
+    OPEN = "open"
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,8 +145,38 @@ class Boundary:
 
 
 @dataclass(frozen=True, slots=True)
+class Phrase:
+    """Words [first_word, last_word) up to a pause, a boundary or the end of a sentence. Seconds.
+
+    `sentence`: the number of its sentence, from 0 on, and `question`: how that asks.
+    """
+
+    first_word: int
+    last_word: int
+    start: float
+    end: float
+    sentence: int
+    ending: Ending
+    question: Question = Question.NONE
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """Words [first_word, last_word), which are whole phrases, and how they ask. Seconds."""
+
+    first_word: int
+    last_word: int
+    start: float
+    end: float
+    question: Question
+
+
+@dataclass(frozen=True, slots=True)
 class Utterance:
-    """Everything known about what is said. `phones` cover [0, duration] without a gap, silences included."""
+    """Everything known about what is said.
+
+    `phones` cover [0, duration] without a gap, silences included; `phrases` cover all words, in order.
+    """
 
     text: str
     language: str
@@ -127,14 +187,42 @@ class Utterance:
     pauses: tuple[Pause, ...] = ()
     accents: tuple[Accent, ...] = ()
     boundaries: tuple[Boundary, ...] = ()
+    phrases: tuple[Phrase, ...] = ()
 
     def __post_init__(self) -> None:
         check_continuous(self.phones, self.audio.duration)
+        check_phrases(self.phrases, len(self.words))
 
     @property
     def duration(self) -> float:
         """Seconds of sound, lead and tail included."""
         return self.audio.duration
+
+    @property
+    def sentences(self) -> tuple[Sentence, ...]:
+        """The phrases of each sentence as one, in order."""
+        grouped = [list(group) for _, group in groupby(self.phrases, key=lambda phrase: phrase.sentence)]
+        return tuple(
+            Sentence(p[0].first_word, p[-1].last_word, p[0].start, p[-1].end, p[0].question) for p in grouped
+        )
+
+    def pause_after(self, word: int) -> Pause | None:
+        """Return the pause that follows a word, by its index; None if there is none."""
+        end = self.words[word].end
+        index = bisect_left(self.pauses, end, key=lambda pause: pause.start)
+        following = self.pauses[index : index + 1]
+        return following[0] if following and following[0].start == end else None
+
+
+def check_phrases(phrases: tuple[Phrase, ...], words: int) -> None:
+    """Raise ValueError if there are phrases that do not cover all words in order."""
+    if not phrases:
+        return
+    starts, ends = [phrase.first_word for phrase in phrases], [phrase.last_word for phrase in phrases]
+    if [*starts, words] != [0, *ends]:
+        raise ValueError("phrases do not cover the words")
+    if any(not p.first_word < p.last_word for p in phrases):
+        raise ValueError("a phrase has no words")
 
 
 def check_continuous(phones: tuple[Phone, ...], duration: float) -> None:

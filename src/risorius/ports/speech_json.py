@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.audio import Audio, silence
-from ..core.utterance import Accent, Boundary, Pause, Phone, Syllable, Utterance, Word
+from ..core.utterance import Accent, Boundary, Pause, Phone, Phrase, Syllable, Utterance, Word
 from .node import Node
 from .records import from_record, to_record
 
@@ -21,6 +21,7 @@ _PARTS: dict[str, type[Any]] = {
     "pauses": Pause,
     "accents": Accent,
     "boundaries": Boundary,
+    "phrases": Phrase,
 }
 _KEYS = ("language", "text", "audio", "sample_rate", *_PARTS)
 _SAMPLE_RATE = 22_050

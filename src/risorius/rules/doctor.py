@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..core.utterance import PauseKind
+from ..core.utterance import PauseKind, Question
 from ..errors import Place
 from .book import Book, Entry, shipped
 from .conduct import is_under
-from .rule import NOTHING_FELT, Level, Question, Rule
+from .rule import NOTHING_FELT, Level, Rule
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,29 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import StrEnum
 from functools import cache
 from typing import Annotated
 
 from ..core.schema import Range
 from ..core.tobi import boundary_tone, pitch_accent
 from ..core.units import Share
+from ..core.utterance import Ending
 from .load import load
-
-
-class Ending(StrEnum):
-    """How a phrase ends."""
-
-    STATEMENT = "statement"
-    EXCLAMATION = "exclamation"
-    CONTINUATION = "continuation"
-    HESITATION = "hesitation"
-    WH_QUESTION = "wh_question"
-    YES_NO_QUESTION = "yes_no_question"
-    ALTERNATIVE_QUESTION = "alternative_question"
-    PAUSE = "pause"
-    CLAUSE = "clause"
-    OPEN = "open"
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from ..core.functions import ONSET_FUNCTIONS
 from ..core.schema import Range
 from ..core.tobi import boundary_tone, pitch_accent
 from ..core.units import RiseSeconds, Share
-from ..core.utterance import PauseKind
+from ..core.utterance import PauseKind, Question
 from ..errors import InputError, ParameterError, unknown
 from .articulation import is_known
 from .emotions import emotion
@@ -54,16 +54,6 @@ class Position(StrEnum):
     INNER = "inner"
     LAST = "last"
     ONLY = "only"
-
-
-class Question(StrEnum):
-    """How an utterance asks. UNMARKED: only the question mark tells (paper B, section 5.2)."""
-
-    NONE = "none"
-    WH = "wh"
-    YES_NO = "yes_no"
-    ALTERNATIVE = "alternative"
-    UNMARKED = "unmarked"
 
 
 class TurnState(StrEnum):

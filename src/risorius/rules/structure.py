@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from ..core.utterance import Pause, PauseKind, Utterance
-from .intonation import intonation_table
-from .rule import Level, Question
+from ..core.utterance import Pause, PauseKind, Question, Utterance
+from .rule import Level
 from .synchrony import synchrony
 
 SENTENCE_ENDS = (PauseKind.FULL_STOP, PauseKind.QUESTION, PauseKind.EXCLAMATION, PauseKind.FINAL)
-# Digits of a second within which a pause begins where a word ends.
-_DIGITS = 6
 # Words of a stretch that messages show.
 _SHOWN = 8
 
@@ -35,20 +32,19 @@ class Structure:
 
     def __init__(self, said: Utterance, listening: Sequence[tuple[float, float]]) -> None:
         self.said, self._listening = said, listening
-        self._pause_at = {round(pause.start, _DIGITS): pause for pause in said.pauses}
         self.boundary_of = {boundary.word: boundary.label for boundary in said.boundaries}
         self.stretches = {
-            Level.PHRASE: self._split(self._ends_phrase),
-            Level.UTTERANCE: self._split(self._ends_utterance),
-            Level.TURN: self._split(self._ends_turn),
+            Level.PHRASE: [self._stretch(p.first_word, p.last_word) for p in said.phrases],
+            Level.UTTERANCE: [self._stretch(s.first_word, s.last_word) for s in said.sentences],
+            Level.TURN: self._turns(),
         }
-        self._questions = [self._question(u) for u in self.stretches[Level.UTTERANCE]]
+        self._questions = [sentence.question for sentence in said.sentences]
         self._groups = list(self._grouped())
         self._rates = [self._rate(p) for p in self.stretches[Level.PHRASE]]
 
     def after(self, word: int) -> Pause | None:
         """Return the pause after a word, by its index, None where there is none."""
-        return self._pause_at.get(round(self.said.words[word].end, _DIGITS))
+        return self.said.pause_after(word)
 
     def index(self, level: Level, word: int) -> int:
         """Return which phrase, utterance or turn holds a word."""
@@ -71,37 +67,19 @@ class Structure:
         words = [w.text for w in self.said.words[stretch.first : stretch.last]]
         return " ".join(words[:_SHOWN]) + (" …" if len(words) > _SHOWN else "")
 
-    def _ends_phrase(self, word: int) -> bool:
-        return word in self.boundary_of or self.after(word) is not None
-
-    def _ends_utterance(self, word: int) -> bool:
-        pause = self.after(word)
-        return pause is not None and pause.kind in SENTENCE_ENDS
-
     def _ends_turn(self, word: int) -> bool:
         if word + 1 == len(self.said.words):
             return True
         end, begin = self.said.words[word].end, self.said.words[word + 1].start
         return any(start < begin and end < stop for start, stop in self._listening)
 
-    def _split(self, ends: Callable[[int], bool]) -> list[Stretch]:
-        words = self.said.words
-        edges = [0, *(i + 1 for i in range(len(words)) if i + 1 == len(words) or ends(i))]
-        return [
-            Stretch(a, b, words[a].start, words[b - 1].end, self.after(b - 1)) for a, b in pairwise(edges)
-        ]
+    def _turns(self) -> list[Stretch]:
+        edges = [0, *(i + 1 for i in range(len(self.said.words)) if self._ends_turn(i))]
+        return [self._stretch(a, b) for a, b in pairwise(edges)]
 
-    def _question(self, stretch: Stretch) -> Question:
-        if stretch.pause is None or stretch.pause.kind is not PauseKind.QUESTION:
-            return Question.NONE
-        texts = [w.text.lower() for w in self.said.words[stretch.first : stretch.last]]
-        table = intonation_table().questions
-        if any(text in table.wh for text in texts[:2]):
-            return Question.WH
-        inverted = any(text in table.auxiliaries for text in texts[:2])
-        if inverted and any(text in table.alternative for text in texts[1:-1]):
-            return Question.ALTERNATIVE
-        return Question.YES_NO if inverted else Question.UNMARKED
+    def _stretch(self, first: int, last: int) -> Stretch:
+        words = self.said.words
+        return Stretch(first, last, words[first].start, words[last - 1].end, self.after(last - 1))
 
     def _grouped(self) -> Iterator[int]:
         """Yield the group of each utterance: a long silence or a new line begins another subject."""

@@ -9,7 +9,18 @@ from itertools import pairwise
 from typing import TypeVar
 
 from ..core.audio import Audio, AudioWriter
-from ..core.utterance import SILENCE, Accent, Boundary, Pause, PauseKind, Phone, Syllable, Utterance, Word
+from ..core.utterance import (
+    SILENCE,
+    Accent,
+    Boundary,
+    Pause,
+    PauseKind,
+    Phone,
+    Phrase,
+    Syllable,
+    Utterance,
+    Word,
+)
 from ..errors import InputError, SpeechError
 from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
@@ -21,7 +32,7 @@ from .synthesis import synthesize
 LINE_PAUSE = 0.3
 
 Speaker = Callable[..., Utterance]
-Timed = TypeVar("Timed", Phone, Word, Syllable, Pause)
+Timed = TypeVar("Timed", Phone, Word, Syllable, Pause, Phrase)
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,12 +122,14 @@ class _Joiner:
     pauses: list[Pause] = field(default_factory=list)
     accents: list[Accent] = field(default_factory=list)
     boundaries: list[Boundary] = field(default_factory=list)
+    phrases: list[Phrase] = field(default_factory=list)
 
     def add(self, part: _Placed) -> None:
         """Add a line, and the pause before it."""
         said, at = part.utterance, part.first_sample / part.utterance.audio.sample_rate
         self._pause_until(at)
         phones, words, syllables = len(self.phones), len(self.words), len(self.syllables)
+        sentences = self.phrases[-1].sentence + 1 if self.phrases else 0
         self.phones += [
             replace(p, word=p.word + words if p.word >= 0 else p.word) for p in _shifted(said.phones, at)
         ]
@@ -128,6 +141,7 @@ class _Joiner:
             for a in said.accents
         ]
         self.boundaries += [replace(b, time=b.time + at, word=b.word + words) for b in said.boundaries]
+        self.phrases += [_moved_phrase(p, words, sentences) for p in _shifted(said.phrases, at)]
 
     def _pause_until(self, at: float) -> None:
         edge = self.phones[-1].end if self.phones else 0.0
@@ -138,7 +152,7 @@ class _Joiner:
     def utterance(self, text: str, language: str, audio: Audio) -> Utterance:
         """Return what was collected."""
         phones = _without_rounding_gaps(self.phones, audio.duration)
-        rest = (self.words, self.syllables, self.pauses, self.accents, self.boundaries)
+        rest = (self.words, self.syllables, self.pauses, self.accents, self.boundaries, self.phrases)
         return Utterance(text, language, audio, phones, *map(tuple, rest))  # type: ignore[arg-type]
 
 
@@ -169,6 +183,15 @@ def _moved_syllable(syllable: Syllable, phones: int, words: int) -> Syllable:
         first_phone=syllable.first_phone + phones,
         last_phone=syllable.last_phone + phones,
         word=syllable.word + words,
+    )
+
+
+def _moved_phrase(phrase: Phrase, words: int, sentences: int) -> Phrase:
+    return replace(
+        phrase,
+        first_word=phrase.first_word + words,
+        last_word=phrase.last_word + words,
+        sentence=phrase.sentence + sentences,
     )
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from ...core.utterance import Utterance
 from ..recordings.resampled import Resampled
+from ..structure.phrases import with_phrases
 from .accents import find_accents
 from .boundaries import find_boundaries
 from .contour import contour_of
@@ -35,7 +36,7 @@ def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = T
     ends = find_boundaries(utterance, cues, contour) if boundaries else utterance.boundaries
     last_words = {boundary.word for boundary in ends}
     tones = find_accents(utterance, cues, contour, last_words) if accents else utterance.accents
-    return replace(utterance, syllables=syllables, accents=tones, boundaries=ends)
+    return with_phrases(replace(utterance, syllables=syllables, accents=tones, boundaries=ends))
 
 
 def pitched(utterance: Utterance) -> Utterance:

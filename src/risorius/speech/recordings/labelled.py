@@ -19,6 +19,7 @@ from ...script.textgrid import INTERVALS, Label, TextGrid, Tier
 from ..alignment.lexicon import stresses_of
 from ..structure.accents import intone
 from ..structure.pauses import find_pauses
+from ..structure.phrases import with_phrases
 from ..structure.syllables import syllabify
 from ..synthesis import synthesize
 from .phone_labels import UNSTRESSED, PhoneLabel, is_silence, read_phones
@@ -57,10 +58,12 @@ def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance
     tones = read_tones(grid, syllables, timed)
     language = ENGLISH if arpabet else UNDETERMINED
     said = intone(Utterance(text, language, audio, phones, timed, syllables, pauses))
-    return replace(
-        said,
-        accents=tones.accents if tells_accents(grid) else said.accents,
-        boundaries=tones.boundaries if tells_boundaries(grid) else said.boundaries,
+    return with_phrases(
+        replace(
+            said,
+            accents=tones.accents if tells_accents(grid) else said.accents,
+            boundaries=tones.boundaries if tells_boundaries(grid) else said.boundaries,
+        )
     )
 
 

@@ -1,0 +1,117 @@
+"""Phrases and sentences of what is said, and how they end and ask. They are found here and nowhere else."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+from itertools import pairwise
+
+from ...core.utterance import Ending, PauseKind, Phrase, Question, Utterance
+from ...rules.intonation import intonation_table
+from ..text.normalise import is_english
+from ..text.sentences import divide
+from .pauses import punctuation_kind
+from .questions import question_of
+
+SENTENCE_ENDS = (PauseKind.FULL_STOP, PauseKind.QUESTION, PauseKind.EXCLAMATION, PauseKind.FINAL)
+_ENDINGS = {
+    PauseKind.COMMA: Ending.CONTINUATION,
+    PauseKind.FULL_STOP: Ending.STATEMENT,
+    PauseKind.EXCLAMATION: Ending.EXCLAMATION,
+    PauseKind.HESITATION: Ending.HESITATION,
+}
+_QUESTION_ENDINGS = {
+    Question.WH: Ending.WH_QUESTION,
+    Question.ALTERNATIVE: Ending.ALTERNATIVE_QUESTION,
+}
+
+
+def with_phrases(utterance: Utterance) -> Utterance:
+    """Return the utterance with its phrases: runs of words up to a pause, a boundary or a sentence's end."""
+    return replace(utterance, phrases=find_phrases(utterance, {b.word for b in utterance.boundaries}))
+
+
+def find_phrases(
+    utterance: Utterance, last_words: Collection[int], *, clauses: bool = False
+) -> tuple[Phrase, ...]:
+    """Return the phrases of an utterance, in order.
+
+    A phrase ends at a pause, with a sentence, and with one of `last_words`; if `clauses`, also before a word
+    with which a clause begins, though nothing is heard there.
+    """
+    words = utterance.words
+    sentences = _sentence_starts(utterance)
+    sentence_ends = {*sentences, len(words)}
+    ends = [
+        index
+        for index in range(len(words))
+        if index + 1 in sentence_ends or index in last_words or utterance.pause_after(index)
+    ]
+    found: list[Phrase] = []
+    for before, last in pairwise([-1, *ends]):
+        number = bisect_right(sentences, last) - 1
+        stop = sentences[number + 1] if number + 1 < len(sentences) else len(words)
+        question = _question(utterance, sentences[number], stop - 1)
+        edges = [before + 1, *(_clause_starts(utterance, before + 1, last + 1) if clauses else ()), last + 1]
+        for first, end in pairwise(edges):
+            ending = Ending.CLAUSE if end <= last else _ending(utterance, sentences[number], last)
+            times = (words[first].start, words[end - 1].end)
+            found.append(Phrase(first, end, *times, number, ending, question))
+    return tuple(found)
+
+
+def _sentence_starts(utterance: Utterance) -> list[int]:
+    """Return the first word of each sentence."""
+    cuts = [stretch.end for stretch in divide(utterance.text) if stretch.ends_sentence]
+    numbers = [bisect_right(cuts, word.source_start) for word in utterance.words]
+    return [
+        index
+        for index, number in enumerate(numbers)
+        if index == 0 or number != numbers[index - 1] or _pauses_as_sentences_do(utterance, index - 1)
+    ]
+
+
+def _pauses_as_sentences_do(utterance: Utterance, word: int) -> bool:
+    pause = utterance.pause_after(word)
+    return pause is not None and pause.kind in SENTENCE_ENDS
+
+
+def _question(utterance: Utterance, first: int, last: int) -> Question:
+    """Return how the words from `first` to `last` ask, with which a sentence may end."""
+    if punctuation_kind(_after(utterance, last)) is not PauseKind.QUESTION:
+        return Question.NONE
+    return question_of([word.text for word in utterance.words[first : last + 1]], utterance.language)
+
+
+def _ending(utterance: Utterance, sentence: int, last: int) -> Ending:
+    """Return how the phrase with the last word `last` ends; its sentence starts with the word `sentence`."""
+    pause = utterance.pause_after(last)
+    if pause is not None and pause.kind is PauseKind.HESITATION:
+        return Ending.HESITATION
+    kind = punctuation_kind(_after(utterance, last))
+    if kind is PauseKind.QUESTION:
+        return _QUESTION_ENDINGS.get(_question(utterance, sentence, last), Ending.YES_NO_QUESTION)
+    if kind is not None:
+        return _ENDINGS[kind]
+    if last + 1 == len(utterance.words):
+        return Ending.OPEN
+    return Ending.CLAUSE if pause is None else Ending.PAUSE
+
+
+def _after(utterance: Utterance, index: int) -> str:
+    """Return the characters between a word and the next one."""
+    following = utterance.words[index + 1 : index + 2]
+    stop = following[0].source_start if following else len(utterance.text)
+    return utterance.text[utterance.words[index].source_end : stop]
+
+
+def _clause_starts(utterance: Utterance, start: int, stop: int) -> Iterator[int]:
+    """Yield the words among [start, stop) with which English clauses begin."""
+    rule = intonation_table().clauses
+    if not is_english(utterance.language):
+        return
+    for index in range(start + rule.least, stop - rule.least + 1):
+        if utterance.words[index].text.lower() in rule.before and index - start >= rule.least:
+            yield index
+            start = index
