@@ -14,7 +14,7 @@ from ..core.score import Score
 from .concatenate import Layer, concatenate
 from .curve import Curve
 from .intervals import Spans, union
-from .levels import Course, Levels, levels_of
+from .levels import Levels, PriorityClaim, levels_of
 from .lips import LipCurve, Lips
 from .manual import Replaced, key_curves, replaced_spans
 
@@ -74,7 +74,7 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
             curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
         curves = _joined(drawn, curves) if name == "manual" else _under(replaced, curves)
         if curves:
-            levels = levels_of(_courses(name, layers, lips), CHANNEL_PRIORITY[name])
+            levels = levels_of(_claims(name, layers, lips), CHANNEL_PRIORITY[name])
             channels.append(Channel(name, levels, dict(sorted(curves.items()))))
     return tuple(channels)
 
@@ -103,10 +103,10 @@ def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
     }
 
 
-def _courses(name: str, layers: Sequence[Layer], lips: Lips | None) -> list[Course]:
-    """What decides the channel's priority; speech, unbroken, counts as one movement."""
-    courses = [step.course() for layer in layers for step in layer.steps]
+def _claims(name: str, layers: Sequence[Layer], lips: Lips | None) -> list[PriorityClaim]:
+    """Return what decides the channel's priority; speech without a break counts as one movement."""
+    claims = [step.claim() for layer in layers for step in layer.steps]
     if name == "lips" and lips is not None:
         own = CHANNEL_PRIORITY[name]
-        courses.extend(Course(start, end, end, own, own) for start, end in lips.speech.tolist())
-    return courses
+        claims.extend(PriorityClaim(start, end, end, own, own) for start, end in lips.speech.tolist())
+    return claims

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from ..core.functions import DEFAULT_FUNCTION
 from ..core.movement import CHANNEL_PRIORITY, Movement, fitted
 from ..core.parameters import NEUTRAL, PARAMETERS
-from .levels import Course
+from .levels import PriorityClaim
 from .strokes import Stroke, StrokeCurve, Strokes, last_time, value_at
 
 NEUTRALS: dict[str, float] = {p.name: float(n) for p, n in zip(PARAMETERS, NEUTRAL, strict=True)}
@@ -44,12 +44,12 @@ class Step:
         """When the offset begins."""
         return self.end - self.offset
 
-    def course(self) -> Course:
-        """Return its claim on the channel's priority."""
+    def claim(self) -> PriorityClaim:
+        """Return the priority that it claims for its channel."""
         m = self.movement
         own = CHANNEL_PRIORITY[m.channel] if m.priority is None else m.priority
         after = own if m.release_priority is None else m.release_priority
-        return Course(self.start, self.release, self.until, own, after)
+        return PriorityClaim(self.start, self.release, self.until, own, after)
 
 
 @dataclass(slots=True)

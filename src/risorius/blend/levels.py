@@ -15,11 +15,11 @@ PRIORITY_RAMP = 0.12
 
 
 @dataclass(frozen=True, slots=True)
-class Course:
-    """One movement's claim on its channel's priority.
+class PriorityClaim:
+    """The priority that one movement claims for its channel.
 
-    It holds `priority` from `start`, and `release_priority` from `release` to `end`, unless a movement that
-    started later is still in course. Seconds.
+    `priority` holds from `start` to `release`, `release_priority` from there to `end`, unless a movement that
+    started later is still under way. Seconds.
     """
 
     start: float
@@ -68,12 +68,12 @@ def steady(priority: float) -> Levels:
     return Levels(np.array([-np.inf]), np.array([priority], dtype=np.float64))
 
 
-def levels_of(courses: Iterable[Course], default: float) -> Levels:
-    """Return a channel's priority: that of its latest-started movement in course, else the last one's.
+def levels_of(claims: Iterable[PriorityClaim], default: float) -> Levels:
+    """Return a channel's priority: that of its latest-started movement under way, else the last one's.
 
-    Before the first movement it is the first one's; without any, `default`.
+    Before the first movement it is the first one's; without movements, `default`.
     """
-    ordered = sorted(courses, key=lambda c: c.start)
+    ordered = sorted(claims, key=lambda c: c.start)
     if not ordered:
         return steady(default)
     if all(c.priority == c.release_priority == ordered[0].priority for c in ordered):
@@ -85,21 +85,21 @@ def levels_of(courses: Iterable[Course], default: float) -> Levels:
     return Levels(np.array(starts), np.array([values[i] for i in kept], dtype=np.float64))
 
 
-def _sweep(ordered: list[Course], times: list[float]) -> list[float]:
-    """The priority from each time to the next; of movements in course the latest-started decides."""
+def _sweep(ordered: list[PriorityClaim], times: list[float]) -> list[float]:
+    """The priority from each time to the next; of movements under way the latest-started decides."""
     values: list[float] = []
     current = ordered[0].priority
-    in_course: list[Course] = []
+    under_way: list[PriorityClaim] = []
     waiting = iter(ordered)
     following = next(waiting, None)
     for t in times:
         while following is not None and following.start <= t:
-            in_course.append(following)
+            under_way.append(following)
             following = next(waiting, None)
-        while in_course and in_course[-1].end <= t:
-            in_course.pop()
-        if in_course:
-            top = in_course[-1]
+        while under_way and under_way[-1].end <= t:
+            under_way.pop()
+        if under_way:
+            top = under_way[-1]
             current = top.release_priority if t >= top.release else top.priority
         values.append(current)
     return values
