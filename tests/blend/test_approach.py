@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from risorius import blend
 from risorius.blend.approach import Approach, smooth_minimum
 from risorius.blend.contact import SEAL, TUCK, contact_goals
-from risorius.blend.sacrifice import checked, sacrifice
+from risorius.blend.tradeoffs import checked, tradeoffs
 from risorius.core.lip_rig import OPENING
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
@@ -23,7 +23,7 @@ from risorius.face.head import load_head
 from risorius.face.lip_fit import MeasuredMouth, load_lip_rig
 from risorius.rules.lips import lip_table
 
-FASTEST = sacrifice().opening.fastest
+FASTEST = tradeoffs().opening.fastest
 TIMES = np.arange(0.0, 2.0, 0.001)
 ASKED = 320.0
 """mm/s: what the lips' gap may come to (facts: lips, 8)."""
@@ -39,7 +39,7 @@ ASKED = 320.0
 )
 def test_an_order_that_gives_up_a_closure_is_refused(order: tuple[str, ...], named: str) -> None:
     with pytest.raises(InputError, match=named):
-        checked(replace(sacrifice(), order=order))
+        checked(replace(tradeoffs(), order=order))
 
 
 def approach(*spans: tuple[float, float], contact: str = SEAL) -> Approach:
@@ -74,7 +74,7 @@ def test_the_smooth_minimum_is_near_the_least(a: float, b: float) -> None:
 def test_rounding_gives_way_beside_a_tuck() -> None:
     near = approach((0.9, 1.1), contact=TUCK)
     shape = near.reached(lambda _: np.full(len(TIMES), 2.0), TIMES)
-    assert shape("lip_protrusion")[1000] == pytest.approx(2.0 * sacrifice().rounding.kept)
+    assert shape("lip_protrusion")[1000] == pytest.approx(2.0 * tradeoffs().rounding.remaining)
     assert shape("lip_protrusion")[0] == 2.0
     assert shape("jaw_drop")[1000] == 2.0
 

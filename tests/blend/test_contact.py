@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from risorius import blend
 from risorius.blend.contact import SEAL, TUCK, GoalCurve, contact_goals
-from risorius.blend.sacrifice import sacrifice
+from risorius.blend.tradeoffs import tradeoffs
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
@@ -17,7 +17,7 @@ from risorius.core.score import BlendSettings, Score
 from .strategies import DURATION, PHONES, scores
 
 AT = np.arange(0, 3, 0.001)
-RAMP = sacrifice().seal.ramp
+RAMP = tradeoffs().seal.ramp
 
 
 def sealed(start: float, end: float, value: float = 1.0) -> LipSegment:
@@ -47,7 +47,7 @@ class TestGoals:
 
     def test_a_short_closure_is_lengthened(self) -> None:
         seal, _ = curves(sealed(1.0, 1.01))
-        assert (seal == 1).sum() * 0.001 == pytest.approx(sacrifice().seal.shortest, abs=0.0015)
+        assert (seal == 1).sum() * 0.001 == pytest.approx(tradeoffs().seal.shortest, abs=0.0015)
 
     def test_a_partial_goal(self) -> None:
         assert curves(sealed(1.0, 1.1, 0.4))[0].max() == 0.4
@@ -75,7 +75,7 @@ class TestGoals:
         assert not tuck.any()
 
     def test_a_tuck_waits_for_a_rounded_phone_on_either_side(self) -> None:
-        free, waits = tuck_ramp(), sacrifice().tuck.waits
+        free, waits = tuck_ramp(), tradeoffs().tuck.waits
         round_before, round_after = rounded(0.9, 1.0), rounded(1.1, 1.2)
         _, tuck = curves(round_before, tucked(1.0, 1.1), round_after)
         assert (tuck[~between(0.95, 1.15)] == 0).all()
@@ -86,7 +86,7 @@ class TestGoals:
 
 
 def tuck_ramp() -> float:
-    return sacrifice().tuck.ramp
+    return tradeoffs().tuck.ramp
 
 
 def rounded(start: float, end: float) -> LipSegment:

@@ -6,7 +6,7 @@ seconds to the closure before or after, s(d) = d²/(d + gentle) and V the fastes
 
     B = V·s₁·s₂/(s₁ + s₂)
 
-mm: 0 during closures, V·s beside one, a parabola between two. The numbers are data (`sacrifice.toml`).
+mm: 0 during closures, V·s beside one, a parabola between two. The numbers are data (`tradeoffs.toml`).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ..core.arrays import Array
 from ..core.articulators import APERTURE, PROTRUSION, WIDTH
 from .contact import SEAL, TUCK, Goal, GoalCurve
 from .intervals import merged
-from .sacrifice import sacrifice
+from .tradeoffs import tradeoffs
 
 LEAST_GAP = 0.5
 """mm; a gap that is closed counts as at least so wide, so that a seal comes gently there too."""
@@ -33,7 +33,7 @@ class Approach:
     """What the contact goals of a score leave to the lips' opening and shape."""
 
     def __init__(self, goals: Sequence[Goal]) -> None:
-        self._table = sacrifice()
+        self._table = tradeoffs()
         seals = [g for g in goals if g.contact == SEAL and g.value == 1.0]
         tucks = [g for g in goals if g.contact == TUCK]
         gentle = self._table.opening.gentle
@@ -71,7 +71,7 @@ class Approach:
             value = smooth_minimum(value, beside_tucks, opening.rounded)
             return smooth_minimum(value, self.most(times), opening.rounded)
         if name in (WIDTH, PROTRUSION):
-            return value * (1.0 - (1.0 - self._table.rounding.kept) * self._tuck.at(times))
+            return value * (1.0 - (1.0 - self._table.rounding.remaining) * self._tuck.at(times))
         return value
 
 

@@ -17,7 +17,7 @@ from ..core.articulators import PROTRUSION
 from ..core.movement import LipSegment
 from .intervals import ranges
 from .knots import ramp
-from .sacrifice import sacrifice
+from .tradeoffs import tradeoffs
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
@@ -57,7 +57,7 @@ def contact_goals(segments: Sequence[LipSegment]) -> tuple[Goal, ...]:
 
 
 def _closures(segments: Sequence[LipSegment], contact: str) -> list[Goal]:
-    table, found = sacrifice(), []
+    table, found = tradeoffs(), []
     ramp = table.seal.ramp if contact == SEAL else table.tuck.ramp
     for number, segment in enumerate(segments):
         value = segment.targets.get(contact, 0.0)
@@ -74,7 +74,7 @@ def _middle(goal: Goal) -> float:
 
 def _late(tuck: Goal, segments: Sequence[LipSegment]) -> tuple[float, float]:
     """Return from when to when a tuck holds so that rounded segments beside it are round at their middles."""
-    table = sacrifice().tuck
+    table = tradeoffs().tuck
     spared = table.waits * (tuck.end - tuck.start)
     start, end = tuck.start, tuck.end
     for before in segments[max(tuck.segment - 1, 0) : tuck.segment]:
@@ -92,7 +92,7 @@ def _is_rounded(segment: LipSegment) -> bool:
 
 def _fit(tuck: Goal, held: tuple[float, float], seals: list[Goal]) -> Goal | None:
     """Place a tuck that is to be `held` between the seals around it, shortening their ramps in place."""
-    table = sacrifice().tuck
+    table = tradeoffs().tuck
     right = bisect_right(seals, _middle(tuck), key=_middle)
     left = right - 1
     free_from = seals[left].end if left >= 0 else -np.inf

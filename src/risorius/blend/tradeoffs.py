@@ -1,4 +1,4 @@
-"""What the lips give up where neighbouring phones leave no time for all of it (`data/sacrifice.toml`)."""
+"""What the lips give up if neighbouring phones leave no time for everything (`data/tradeoffs.toml`)."""
 
 from __future__ import annotations
 
@@ -12,13 +12,17 @@ from ..core.toml import parse
 from ..core.units import ContactSeconds, GapMillimetres, Share
 from ..errors import InputError, unknown
 
-NAME = "sacrifice.toml"
+NAME = "tradeoffs.toml"
 DEMANDS = ("opening", "rounding", "tuck", "seal")
 
 
 @dataclass(frozen=True, slots=True)
-class Opening:
-    """How far lips open between closures: `fastest` mm/s, `gentle` seconds, `rounded` mm."""
+class OpeningTradeoff:
+    """How far the lips open between closures.
+
+    `fastest`: their speed, mm/s; `gentle`: how long they take to reach it, seconds; `rounded`: the width over
+    which an opening near the limit is rounded off, mm.
+    """
 
     source: str
     fastest: Annotated[float, Range(20.0, 1000.0)]
@@ -27,18 +31,23 @@ class Opening:
 
 
 @dataclass(frozen=True, slots=True)
-class Rounding:
-    """What is `kept` of a neighbour's width and protrusion while the lower lip is at the teeth, 0..1."""
+class RoundingTradeoff:
+    """How much of a neighbour's width and protrusion remains while the lower lip touches the teeth.
+
+    `remaining`: a share, 0..1.
+    """
 
     source: str
-    kept: Share
+    remaining: Share
 
 
 @dataclass(frozen=True, slots=True)
-class Tuck:
-    """How the lower lip makes room for closures, seconds; the lips' `gap` while it is at the teeth, mm.
+class TuckTradeoff:
+    """How the contact of the lower lip with the teeth makes room for closures and rounded phones.
 
-    `waits`: the share of its contact that it leaves to a rounded phone beside it, on either side.
+    `gap`: the lips' gap during the contact, mm; `ramp`: how long the lip takes to reach or to leave the teeth,
+    seconds; `waits`: the share of the contact that a rounded phone may take on each side; `least_room`: a
+    contact with less time on either side is left out, seconds.
     """
 
     source: str
@@ -49,8 +58,8 @@ class Tuck:
 
 
 @dataclass(frozen=True, slots=True)
-class Seal:
-    """The closure of the lips, seconds."""
+class SealTradeoff:
+    """How long a closure of the lips takes: its `ramp` and its `shortest` duration, seconds."""
 
     source: str
     ramp: ContactSeconds
@@ -58,14 +67,14 @@ class Seal:
 
 
 @dataclass(frozen=True, slots=True)
-class Sacrifice:
-    """The order in which demands give way, first to last, and by how much each may."""
+class Tradeoffs:
+    """Which demand gives way first, which next, and by how much each may."""
 
     order: tuple[str, ...]
-    opening: Opening
-    rounding: Rounding
-    tuck: Tuck
-    seal: Seal
+    opening: OpeningTradeoff
+    rounding: RoundingTradeoff
+    tuck: TuckTradeoff
+    seal: SealTradeoff
 
     def before(self, demand: str, other: str) -> bool:
         """Return whether a demand gives way to another."""
@@ -73,13 +82,13 @@ class Sacrifice:
 
 
 @lru_cache(maxsize=1)
-def sacrifice() -> Sacrifice:
+def tradeoffs() -> Tradeoffs:
     """Return the package's table."""
     text = (resources.files(__package__) / "data" / NAME).read_text(encoding="utf-8")
-    return checked(parse(Sacrifice, text, NAME))
+    return checked(parse(Tradeoffs, text, NAME))
 
 
-def checked(table: Sacrifice) -> Sacrifice:
+def checked(table: Tradeoffs) -> Tradeoffs:
     """Return the table; raise InputError unless its order names each demand once, with the closure last."""
     for name in table.order:
         if name not in DEMANDS:
