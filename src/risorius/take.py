@@ -156,16 +156,16 @@ class Take:
             compiled()
             renderer = picture_renderer(self.head, overlays.picture_size, look)
             renderer.render(first)
-        kept_down = self._kept_down(chosen) if look.style == "muscles" else repeat(None)
-        pictures = Crew(renderer).draw(zip(self.faces(chosen, reuse=True), kept_down, strict=False))
+        suppression = self._suppression(chosen) if look.style == "muscles" else repeat(None)
+        pictures = Crew(renderer).draw(zip(self.faces(chosen, reuse=True), suppression, strict=False))
         for done, (frame, picture) in enumerate(zip(chosen, pictures, strict=True)):
             yield overlays.draw(picture, frame)
             progress("Drawing", done + 1, len(chosen))
 
-    def _kept_down(self, indices: Sequence[int]) -> Array:
-        from .blend import kept_down
+    def _suppression(self, indices: Sequence[int]) -> Array:
+        from .blend import suppression
 
-        return kept_down(self._plan, self.performance.times[indices])
+        return suppression(self._plan, self.performance.times[indices])
 
     @cached_property
     def _plan(self) -> Plan:

@@ -33,15 +33,15 @@ def test_the_mesh_shows_as_lines(head, face):
     assert steps["wireframe"] > 2 * steps["clay"]
 
 
-def test_a_contracted_muscle_is_painted_red_and_one_kept_down_yellow(head, face):
+def test_a_contracted_muscle_is_painted_red_and_a_suppressed_one_yellow(head, face):
     renderer = picture_renderer(head, SIZE, Look(style="muscles"))
     rest = renderer.render(face()).astype(int)
     smile = renderer.render(face(zygomatic_major=1.0)).astype(int)
     redder = (smile[..., 0] - smile[..., 1]) - (rest[..., 0] - rest[..., 1])
     assert (redder > 40).sum() > 30
-    kept = np.zeros(len(NEUTRAL))
-    kept[[INDEX["zygomatic_major.left"], INDEX["zygomatic_major.right"]]] = 1.0
-    hot = renderer.render(face(), kept_down=kept).astype(int)
+    taken = np.zeros(len(NEUTRAL))
+    taken[[INDEX["zygomatic_major.left"], INDEX["zygomatic_major.right"]]] = 1.0
+    hot = renderer.render(face(), suppression=taken).astype(int)
     assert ((hot[..., 0] > 200) & (hot[..., 2] < 140)).sum() > 30
 
 

@@ -41,8 +41,8 @@ class Effect(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Hindrance:
-    """Why an activity is less than its movement asks: a rival, its channel, and when it is active."""
+class Suppressor:
+    """The rival that makes an activity less than its movement requests, its channel, and when it acts."""
 
     effect: Effect
     channel: str
@@ -58,8 +58,8 @@ class Policy(Protocol):
     def at(self, times: Array) -> Settle:
         """Return the function that settles activities at some of the sorted times, shape (n,)."""
 
-    def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
-        """Return what keeps an activity down at a time, or None if nothing does."""
+    def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
+        """Return the rival that suppresses an activity at a time, or None if there is none."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from ..core.score import Score
 from ..errors import InputError, ParameterError, unknown
 from .channels import Channel
 from .concatenate import SIGNED
-from .conflict import Hindrance
+from .conflict import Suppressor
 from .contact import CONTACTS, SEAL, TUCK
 from .curve import Curve, Origin
 from .directions import shares_of
@@ -175,9 +175,9 @@ def _reason(plan: Plan, channel: Channel, name: str, time: float, levels: Sequen
     asked, kept, shared, limited = levels
     reasons = []
     if kept < asked - _LEAST:
-        hindrance = plan.policy.hindrance(channel, name, time)
-        if hindrance is not None:
-            reasons.append(_because(plan, hindrance))
+        suppressor = plan.policy.suppressor(channel, name, time)
+        if suppressor is not None:
+            reasons.append(_because(plan, suppressor))
     if shared < kept - _LEAST:
         reasons.append("adds only a share to the jaw of speech")
     if limited < shared - _LEAST and plan.lips is not None:
@@ -187,15 +187,15 @@ def _reason(plan: Plan, channel: Channel, name: str, time: float, levels: Sequen
     return "; ".join(reasons)
 
 
-def _because(plan: Plan, hindrance: Hindrance) -> str:
-    """A hindrance in words, back to what caused it."""
-    channel = next(c for c in plan.channels if c.name == hindrance.channel)
+def _because(plan: Plan, suppressor: Suppressor) -> str:
+    """Say what a rival does, and what caused the rival."""
+    channel = next(c for c in plan.channels if c.name == suppressor.channel)
     asked = {
-        _part(channel.name, curve.origin(hindrance.time)).what: _value(curve, hindrance.time)
-        for curve in channel.curves[hindrance.parameter]
+        _part(channel.name, curve.origin(suppressor.time)).what: _value(curve, suppressor.time)
+        for curve in channel.curves[suppressor.parameter]
     }
     what = max(asked, key=lambda found: asked[found])
-    return f"{hindrance.effect} {hindrance.parameter} of {what} ({hindrance.channel})"
+    return f"{suppressor.effect} {suppressor.parameter} of {what} ({suppressor.channel})"
 
 
 def _value(curve: Curve, time: float) -> float:

@@ -146,7 +146,7 @@ def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:
 def _slowed(times: Array, limit: Array, duration: float) -> Array:
     if duration <= 0.0:
         return limit
-    # More than 1 hinders nothing. Sums of grains are exact, so that what lies far off leaves no trace.
+    # A change by more than 1 has no effect. Sums of grains are exact, so that far-off values leave no trace.
     steps = np.minimum(np.diff(times) / duration, _FAR)
     slope = np.append(0.0, np.cumsum(_grains(steps)))
     grains = _grains(limit)

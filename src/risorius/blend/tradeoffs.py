@@ -45,7 +45,7 @@ class RoundingTradeoff:
 class TuckTradeoff:
     """How the contact of the lower lip with the teeth makes room for closures and rounded phones.
 
-    `gap`: the lips' gap during the contact, mm; `ramp`: how long the lip takes to reach or to leave the teeth,
+    `gap`: the lips' gap during the contact, mm; `ramp`: how long the lip takes to reach or leave the teeth,
     seconds; `waits`: the share of the contact that a rounded phone may take on each side; `least_room`: a
     contact with less time on either side is left out, seconds.
     """

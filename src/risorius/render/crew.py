@@ -35,7 +35,7 @@ class Crew:
         self._idle.put(renderer)
 
     def draw(self, jobs: Iterable[Job]) -> Iterator[ByteArray]:
-        """Yield the picture of each job in turn: a frame, and how much of each parameter is kept down.
+        """Yield the picture of each job in turn: a frame, and how much rivals suppress each parameter.
 
         Jobs are asked for in the caller's thread, at most `threads` + 1 ahead of the pictures; a frame may
         change once the next is asked for. Raises what `jobs` and `Renderer.render` do.
@@ -43,9 +43,9 @@ class Crew:
         at_work: deque[Future[ByteArray]] = deque()
         pool = ThreadPoolExecutor(self.threads, "picture")
         try:
-            for frame, kept_down in jobs:
+            for frame, suppression in jobs:
                 self._enlarge(len(at_work) + 1)
-                at_work.append(pool.submit(self._draw, frame.copy(), kept_down))
+                at_work.append(pool.submit(self._draw, frame.copy(), suppression))
                 if len(at_work) > self.threads:
                     yield at_work.popleft().result()
             while at_work:
@@ -62,10 +62,10 @@ class Crew:
             self._idle.put(self._first.twin())
             self._count += 1
 
-    def _draw(self, frame: FaceFrame, kept_down: Array | None) -> ByteArray:
+    def _draw(self, frame: FaceFrame, suppression: Array | None) -> ByteArray:
         renderer = self._idle.get()
         try:
-            return renderer.render(frame, kept_down=kept_down)
+            return renderer.render(frame, suppression=suppression)
         finally:
             self._idle.put(renderer)
 

@@ -98,13 +98,13 @@ def lay_muscles(head: Head, triangles: int) -> MusclePaint:
     return MusclePaint(covered, np.ascontiguousarray(place, np.float32), np.array(columns, np.intp))
 
 
-def colours(paint: MusclePaint, parameters: Array, kept_down: Array) -> Float32Array:
+def colours(paint: MusclePaint, parameters: Array, suppression: Array) -> Float32Array:
     """Return colour and opacity (M, 4) float32 of each muscle.
 
-    `parameters` (46,) are activations 0..1, `kept_down` (46,) how much rivals took from each.
+    `parameters` (46,) are activations 0..1, `suppression` (46,) how much rivals took from each.
     """
     active = np.clip(parameters[paint.columns], 0.0, 1.0)[:, None]
-    hot = np.clip(1.6 * kept_down[paint.columns], 0.0, 1.0)[:, None]
+    hot = np.clip(1.6 * suppression[paint.columns], 0.0, 1.0)[:, None]
     colour = _REST + np.sqrt(active) * (_ACTIVE - _REST)
     colour = colour + hot * (_HOT - colour)
     opacity = np.maximum(0.30 + 0.66 * active**0.6, 0.95 * hot)

@@ -123,11 +123,11 @@ class Renderer:
         return (self.size[1], self.size[0], 3 if self._drawn is None else 4)
 
     def render(
-        self, frame: FaceFrame, out: ByteArray | None = None, kept_down: Array | None = None
+        self, frame: FaceFrame, out: ByteArray | None = None, suppression: Array | None = None
     ) -> ByteArray:
         """Return the picture (height, width, 3) uint8 sRGB of a frame, written into `out` if given.
 
-        With alpha the picture has a fourth channel, and its colours are not multiplied by it. `kept_down`
+        With alpha the picture has a fourth channel, and its colours are not multiplied by it. `suppression`
         (46,) is how much of each parameter its rivals suppress, which the style "muscles" shows. Raises
         InputError for a frame of another head, and for an `out` that does not fit.
         """
@@ -138,7 +138,7 @@ class Renderer:
                 f"picture buffer {out.shape} {out.dtype}; expected {self.shape} uint8, contiguous"
             )
         if self._sketch is not None:
-            self._sketch.update(frame.parameters, kept_down)
+            self._sketch.update(frame.parameters, suppression)
         if self._drawn is None:
             self._draw(frame, out)
         else:

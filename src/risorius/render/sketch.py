@@ -36,9 +36,9 @@ class Sketch:
         other.paint = self.paint._replace(colours=self.paint.colours.copy())
         return other
 
-    def update(self, parameters: Array, kept_down: Array | None = None) -> None:
-        """Colour the muscles by their activations (46,) and by how much rivals keep them down (46,)."""
-        hot = np.zeros(len(NEUTRAL)) if kept_down is None else kept_down
+    def update(self, parameters: Array, suppression: Array | None = None) -> None:
+        """Colour the muscles by their activations (46,) and by how much rivals suppress them (46,)."""
+        hot = np.zeros(len(NEUTRAL)) if suppression is None else suppression
         self.paint.colours[:] = colours(self._muscles, parameters, hot)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...core.arrays import Array
 from ..channels import Channel
-from ..conflict import POLICIES, Field, Hindrance, Join, Settle
+from ..conflict import POLICIES, Field, Join, Settle, Suppressor
 from .strength import Strengths
 
 SHARE = 0.8
@@ -40,6 +40,6 @@ class Attenuate:
 
         return settle
 
-    def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+    def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """Return the rival that takes most of an activity, or None."""
         return self._strengths(np.array([time])).strongest(channel, parameter, time)

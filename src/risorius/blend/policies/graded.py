@@ -16,7 +16,7 @@ import numpy as np
 from ...core.arrays import Array
 from ...core.parameters import RIVALS
 from ..channels import Channel
-from ..conflict import POLICIES, Field, Hindrance, Join, Settle
+from ..conflict import POLICIES, Field, Join, Settle, Suppressor
 from ..knots import LEAST_ASKED, STEEPEST, Knots, eased, paced, smoothstep
 from .strength import Strengths
 
@@ -76,7 +76,7 @@ class Graded:
         """Return what is settled in the cells of some times: few are quickly worked."""
         return self._cells(math.floor(first / CELL), math.floor(last / CELL) + 1)
 
-    def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+    def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """Return the rival that takes most of an activity, or None."""
         found = self._around(time, time)
         tuning = self._field.tuning

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...core.arrays import Array
 from ..channels import Channel
-from ..conflict import POLICIES, Effect, Field, Hindrance, Join, Settle
+from ..conflict import POLICIES, Effect, Field, Join, Settle, Suppressor
 from ..intervals import Spans, difference, dilated, intersection, neighbours, union
 
 
@@ -97,7 +97,7 @@ class Inhibit:
             return spans
         return intersection(spans, channel.levels.spans(level))
 
-    def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+    def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """Return the rival that inhibits an activity, or whose nearness limits it, or None."""
         spans = self.inhibited(channel, parameter)
         if not len(spans):
@@ -113,9 +113,9 @@ class Inhibit:
             return self._culprit(Effect.OFFSET, channel, parameter, time + until)
         return None
 
-    def _culprit(self, effect: Effect, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+    def _culprit(self, effect: Effect, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """The rival whose active time is nearest to `time`."""
-        best: tuple[float, Hindrance] | None = None
+        best: tuple[float, Suppressor] | None = None
         for level in channel.levels.distinct:
             for other, above, rival in self._field.rivals(channel, parameter, level):
                 active = self.active(other, above, rival)
@@ -124,7 +124,7 @@ class Inhibit:
                 distance = np.maximum(np.maximum(active[:, 0] - time, time - active[:, 1]), 0.0)
                 nearest = float(distance.min())
                 if best is None or nearest < best[0]:
-                    best = (nearest, Hindrance(effect, other.name, rival, time))
+                    best = (nearest, Suppressor(effect, other.name, rival, time))
         return None if best is None else best[1]
 
 

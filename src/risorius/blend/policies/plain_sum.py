@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...core.arrays import Array
 from ..channels import Channel
-from ..conflict import POLICIES, Field, Hindrance, Join, Settle
+from ..conflict import POLICIES, Field, Join, Settle, Suppressor
 
 
 @POLICIES.register("sum")
@@ -20,7 +20,7 @@ class Sum:
         """Return the function that leaves every activity as it is."""
         return _unchanged
 
-    def hindrance(self, channel: Channel, parameter: str, time: float) -> Hindrance | None:
+    def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """Return None: nothing is held back."""
         return None
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...core.arrays import Array
 from ..channels import Channel
-from ..conflict import Effect, Field, Hindrance
+from ..conflict import Effect, Field, Suppressor
 
 Strength = Callable[[str, Array], Array]
 """(rival parameter, its settled activity (n,)) -> how strong it is, 0..1 (n,)."""
@@ -65,7 +65,7 @@ class Strengths:
 
     def strongest(
         self, channel: Channel, parameter: str, time: float, onset: float = 0.0, offset: float = 0.0
-    ) -> Hindrance | None:
+    ) -> Suppressor | None:
         """Return the rival that takes most at a time, or None if none takes anything.
 
         A rival is felt before it acts and after, the less the longer: not at all `offset` seconds before
@@ -85,5 +85,5 @@ class Strengths:
                 k = int(np.argmax(felt))
                 if felt[k] > best:
                     when = float(self.times[k])
-                    best, found = float(felt[k]), Hindrance(Effect.WEAKENED, other.name, rival, when)
+                    best, found = float(felt[k]), Suppressor(Effect.WEAKENED, other.name, rival, when)
         return found

@@ -147,7 +147,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
 
 @device
 def _paint(count: int, batch: Batch, mesh: Mesh, paint: Paint, pixel: float) -> None:
-    """Colour the clay with muscles; what is kept down of them glows."""
+    """Colour the clay with muscles; those that rivals suppress glow."""
     block = batch.block
     for lane in range(LANES):
         put(block, SHINE, lane, (f4(0), f4(0), f4(0)))

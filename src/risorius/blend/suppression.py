@@ -1,4 +1,4 @@
-"""How much of what channels ask of each parameter their rivals keep down."""
+"""How much of each parameter its rivals in other channels suppress."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from .concatenate import SIGNED
 from .plan import Moment, Plan
 
 
-def kept_down(plan: Plan, times: Array) -> Array:
+def suppression(plan: Plan, times: Array) -> Array:
     """Return the most that the policy takes from any channel, by parameter: sorted times (n,) -> (n, 46).
 
-    What the lips' limits and contact goals take afterwards is no conflict and does not count.
+    The lips' limits and contact goals take more afterwards; that is not a conflict and does not count.
     """
     parts = [_at(Moment(plan, piece)) for piece in plan.pieces(np.asarray(times, np.float64))]
     return np.concatenate(parts) if parts else np.zeros((0, len(NAMES)))
