@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius.blend.concatenate import concatenate, sequence
-from risorius.blend.strokes import StrokeCurve
+from risorius.blend.curve_pieces import MovementCurve
 from risorius.core.functions import ONSET_FUNCTIONS
 from risorius.core.movement import Movement
 
@@ -211,7 +211,7 @@ def test_above_finds_exactly_the_times_over_the_threshold(
             _check_above(curve, threshold, times)
 
 
-def _check_above(curve: StrokeCurve, threshold: float, times: np.ndarray) -> None:
+def _check_above(curve: MovementCurve, threshold: float, times: np.ndarray) -> None:
     spans = curve.above(threshold)
     assert (np.diff(spans.ravel()) > 0).all()
     dense = np.zeros(len(times))

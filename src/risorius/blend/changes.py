@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .channels import Channel
-from .intervals import Piece
+from .intervals import Extent
 from .knots import STEEPEST
 from .plan import Plan
 
@@ -45,14 +45,14 @@ def _ranked_alike(one: Channel, two: Channel) -> bool:
 def _spans(one: Channel | None, two: Channel | None) -> Iterator[Span]:
     """Yield when the pieces of a channel's curves last that only one of the two has."""
     for name in {name for channel in (one, two) if channel is not None for name in channel.curves}:
-        pieces = [_pieces(channel, name) for channel in (one, two)]
+        pieces = [_extents(channel, name) for channel in (one, two)]
         for piece in pieces[0] ^ pieces[1]:
             yield piece[0], piece[1]
 
 
-def _pieces(channel: Channel | None, name: str) -> frozenset[Piece]:
+def _extents(channel: Channel | None, name: str) -> frozenset[Extent]:
     curves = () if channel is None else channel.curves.get(name, ())
-    return frozenset(piece for curve in curves for piece in curve.pieces())
+    return frozenset(piece for curve in curves for piece in curve.extents())
 
 
 def _reach(before: Plan, after: Plan) -> float:

@@ -11,7 +11,7 @@ import numpy as np
 from ..core.arrays import Array, IndexArray
 from ..core.movement import CHANNEL_PRIORITY, CHANNELS, Movement
 from ..core.score import Score
-from .concatenate import Layer, concatenate
+from .concatenate import LayerCurves, concatenate
 from .curve import Curve
 from .intervals import Spans, union
 from .levels import Levels, PriorityClaim, levels_of
@@ -82,7 +82,7 @@ def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
 Curves = dict[str, list[Curve]]
 
 
-def _layered(layers: Sequence[Layer]) -> Curves:
+def _layered(layers: Sequence[LayerCurves]) -> Curves:
     """Return the curves of all layers by parameter."""
     curves: Curves = defaultdict(list)
     for layer in layers:
@@ -103,7 +103,7 @@ def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
     }
 
 
-def _claims(name: str, layers: Sequence[Layer], lips: Lips | None) -> list[PriorityClaim]:
+def _claims(name: str, layers: Sequence[LayerCurves], lips: Lips | None) -> list[PriorityClaim]:
     """Return what decides the channel's priority; speech without a break counts as one movement."""
     claims = [step.claim() for layer in layers for step in layer.steps]
     if name == "lips" and lips is not None:

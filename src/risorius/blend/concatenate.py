@@ -1,8 +1,8 @@
-"""Movements of one layer follow one another: paper A, section 5.2, with its errors mended.
+"""Movements of one layer follow one another: paper A, section 5.2, with its errors corrected.
 
-DESIGN, section 3, "Within a channel", is the contract; facts: science/errata, A1 and A2, the reasons.
-The movements of a layer become steps in the order in which they hold the layer (a movement that was
-interrupted holds it twice), and each step a stroke in every parameter that it moves or lets go.
+DESIGN, section 3, "Within a channel", is the contract; facts: science/errata, A1 and A2, give the reasons.
+Each movement becomes a step of its layer, and two steps if another movement interrupts it. Each step becomes
+a piece of the curve of every parameter that it moves or lets go.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from dataclasses import dataclass
 from ..core.functions import DEFAULT_FUNCTION
 from ..core.movement import CHANNEL_PRIORITY, Movement, fitted
 from ..core.parameters import NEUTRAL, PARAMETERS
+from .curve_pieces import CurvePiece, CurvePieces, MovementCurve, last_time, value_at
 from .levels import PriorityClaim
-from .strokes import Stroke, StrokeCurve, Strokes, last_time, value_at
 
 NEUTRALS: dict[str, float] = {p.name: float(n) for p, n in zip(PARAMETERS, NEUTRAL, strict=True)}
 SIGNED = frozenset(p.name for p in PARAMETERS if p.signed or p.neutral != 0.0)
-"""Parameters worked as signed deviations from their neutral: degrees, and the distance looked at."""
+"""Parameters that are signed deviations from their neutral: degrees, and the distance of the gaze."""
 
 
 @dataclass(slots=True)
-class Step:
-    """One movement's hold on its layer, with the onset and offset that it really gets. Seconds.
+class LayerStep:
+    """The time for which one movement moves its layer, with its actual onset and offset. Seconds.
 
-    `until`: when all that it left has come to rest, or the next step has taken over.
+    `until`: when all that it moved is at rest again, or the next step has taken over.
     """
 
     movement: Movement
@@ -41,7 +41,7 @@ class Step:
 
     @property
     def release(self) -> float:
-        """When the offset begins."""
+        """The start of the offset."""
         return self.end - self.offset
 
     def claim(self) -> PriorityClaim:
@@ -53,27 +53,27 @@ class Step:
 
 
 @dataclass(slots=True)
-class Layer:
+class LayerCurves:
     """The movements of one layer, concatenated: steps in order and a curve for each parameter."""
 
-    steps: list[Step]
-    curves: dict[str, StrokeCurve]
+    steps: list[LayerStep]
+    curves: dict[str, MovementCurve]
 
 
-def concatenate(movements: Iterable[Movement], function: str | None = None) -> Layer:
+def concatenate(movements: Iterable[Movement], function: str | None = None) -> LayerCurves:
     """Return the concatenation of one layer's movements, no two of which start together.
 
-    `function` replaces the movements' own onset functions where not None. Values of parameters with a
-    neutral other than 0 become deviations from it.
+    `function`, unless it is None, replaces the movements' own onset functions. Values of parameters become
+    deviations from their neutral.
     """
     steps = sequence(movements, function)
-    return Layer(steps, _curves(steps))
+    return LayerCurves(steps, _curves(steps))
 
 
-def sequence(movements: Iterable[Movement], function: str | None = None) -> list[Step]:
-    """Return the steps of a layer in order: movements, and those resumed after one nested within them."""
-    steps: list[Step] = []
-    interrupted: list[Step] = []
+def sequence(movements: Iterable[Movement], function: str | None = None) -> list[LayerStep]:
+    """Return the steps of a layer in order; a movement resumes after one that is nested within it."""
+    steps: list[LayerStep] = []
+    interrupted: list[LayerStep] = []
     for movement in sorted(movements, key=lambda m: m.start):
         _resume(steps, interrupted, movement.start)
         step = _step(movement, movement.start, function)
@@ -86,92 +86,94 @@ def sequence(movements: Iterable[Movement], function: str | None = None) -> list
     return steps
 
 
-def _resume(steps: list[Step], interrupted: list[Step], before: float) -> None:
-    """Resume interrupted movements where the one that interrupts lets go, if that is before `before`."""
+def _resume(steps: list[LayerStep], interrupted: list[LayerStep], before: float) -> None:
+    """Resume the interrupted movements when the interrupting one lets go, if that is before `before`."""
     while interrupted and steps[-1].release < before:
         at, outer = steps[-1].release, interrupted.pop()
         if outer.end - at > outer.offset:
             steps.append(_step(outer.movement, at, outer.function))
 
 
-def _step(movement: Movement, start: float, function: str | None) -> Step:
-    """A movement held from `start` on; an onset and offset too long for it shrink in proportion."""
+def _step(movement: Movement, start: float, function: str | None) -> LayerStep:
+    """Return a movement from `start` on; onset and offset shrink in proportion if they do not fit."""
     onset, offset = fitted(movement.onset, movement.offset, movement.end - start)
     targets = {name: value - NEUTRALS[name] for name, value in movement.targets.items()}
     shape = function or movement.function
-    return Step(movement, start, movement.end, onset, offset, shape, targets, movement.end)
+    return LayerStep(movement, start, movement.end, onset, offset, shape, targets, movement.end)
 
 
-def _curves(steps: list[Step]) -> dict[str, StrokeCurve]:
-    done: dict[str, Strokes] = defaultdict(Strokes)
-    live: dict[str, Stroke] = {}
-    before: Step | None = None
+def _curves(steps: list[LayerStep]) -> dict[str, MovementCurve]:
+    finished: dict[str, CurvePieces] = defaultdict(CurvePieces)
+    live: dict[str, CurvePiece] = {}
+    before: LayerStep | None = None
     for step in steps:
-        left = _take_over(live, step.start)
-        _finish(live, done)
+        levels_left = _take_over(live, step.start)
+        _finish(live, finished)
         if before is not None:
             before.until = min(before.until, step.start)
-        for name in {**left, **step.targets}:
-            level, movement = left.get(name, (0.0, step.movement))
+        for name in {**levels_left, **step.targets}:
+            level, movement = levels_left.get(name, (0.0, step.movement))
             if name in step.targets:
                 movement = step.movement
             elif level == 0.0:
                 continue
-            stroke = live[name] = _stroke(name, level, step, movement, before)
-            step.until = max(step.until, stroke.last)
+            piece = live[name] = _piece(name, level, step, movement, before)
+            step.until = max(step.until, piece.last)
         before = step
-    _finish(live, done)
-    return _shared(done)
+    _finish(live, finished)
+    return _shared(finished)
 
 
-def _shared(done: Mapping[str, Strokes]) -> dict[str, StrokeCurve]:
-    """Return the curves of strokes by parameter; those of both sides are one, mostly."""
-    known: dict[object, StrokeCurve] = {}
+def _shared(finished: Mapping[str, CurvePieces]) -> dict[str, MovementCurve]:
+    """Return the curve of each parameter; parameters with equal pieces, as of both sides, share one curve."""
+    by_key: dict[object, MovementCurve] = {}
     curves = {}
-    for name, strokes in done.items():
-        key = strokes.key()
-        if key not in known:
-            known[key] = StrokeCurve(strokes)
-        curves[name] = known[key]
+    for name, pieces in finished.items():
+        key = pieces.key()
+        if key not in by_key:
+            by_key[key] = MovementCurve(pieces)
+        curves[name] = by_key[key]
     return curves
 
 
-def _finish(live: dict[str, Stroke], done: dict[str, Strokes]) -> None:
-    """Put away the live strokes, which nothing changes any more."""
-    for name, stroke in live.items():
-        done[name].append(stroke)
+def _finish(live: dict[str, CurvePiece], finished: dict[str, CurvePieces]) -> None:
+    """Move the live pieces to the finished ones: nothing changes them any more."""
+    for name, piece in live.items():
+        finished[name].append(piece)
     live.clear()
 
 
-def _take_over(live: dict[str, Stroke], time: float) -> dict[str, tuple[float, Movement]]:
-    """Stop all strokes that are not yet at rest and return the levels they leave, and whose they are."""
-    left = {}
-    for name, stroke in live.items():
-        if stroke.last > time:
-            left[name] = (value_at(stroke, time), stroke.movement)
-            stroke.stop = time
-    return left
+def _take_over(live: dict[str, CurvePiece], time: float) -> dict[str, tuple[float, Movement]]:
+    """Stop all pieces that are not yet at rest; return the level that each leaves, and its movement."""
+    levels_left = {}
+    for name, piece in live.items():
+        if piece.last > time:
+            levels_left[name] = (value_at(piece, time), piece.movement)
+            piece.stop = time
+    return levels_left
 
 
-def _stroke(name: str, level: float, step: Step, movement: Movement, before: Step | None) -> Stroke:
-    """What `step` makes of a parameter that stands at `level` when it starts."""
+def _piece(
+    name: str, level: float, step: LayerStep, movement: Movement, before: LayerStep | None
+) -> CurvePiece:
+    """Return how `step` moves a parameter that is at `level` when the step starts."""
     target = step.targets.get(name, 0.0)
     signed = name in SIGNED
     exponential = step.function == DEFAULT_FUNCTION
-    stroke = Stroke(
+    piece = CurvePiece(
         step.start, 0.0, target, math.inf, target, step.onset, step.release, step.offset, step.end,
         step.function, movement,
     )  # fmt: skip
     overlaps = level != 0.0 or (before is not None and step.start < before.end)
     if before is not None and overlaps:
         if signed or (level < target and not exponential):
-            stroke.begin, stroke.rise = level, target - level
+            piece.begin, piece.rise = level, target - level
         elif level < target:
-            stroke.begin, stroke.rise, stroke.cap = level, 1.0, target
+            piece.begin, piece.rise, piece.cap = level, 1.0, target
         else:
-            stroke.begin, stroke.rise = target, 0.0
+            piece.begin, piece.rise = target, 0.0
             if before.offset > 0.0:
-                stroke.excess, stroke.fade = level - target, before.offset
-                stroke.fade_function = before.function
-    stroke.last = last_time(stroke, signed)
-    return stroke
+                piece.excess, piece.fade = level - target, before.offset
+                piece.fade_function = before.function
+    piece.last = last_time(piece, signed)
+    return piece

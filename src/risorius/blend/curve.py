@@ -7,7 +7,7 @@ from typing import Protocol
 
 from ..core.arrays import Array, IndexArray
 from ..core.movement import LipSegment, ManualCurve, Movement
-from .intervals import Piece, Spans
+from .intervals import Extent, Spans
 
 Origin = Movement | LipSegment | ManualCurve
 
@@ -27,7 +27,7 @@ class Curve(Protocol):
     def origin(self, time: float) -> Origin:
         """Return what stands behind the curve at a time."""
 
-    def pieces(self) -> Iterator[Piece]:
+    def extents(self) -> Iterator[Extent]:
         """Yield what the curve is made of: from when to when it is in force, then all that tells it apart."""
 
     def breakpoints(self) -> Array:

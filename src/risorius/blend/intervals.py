@@ -16,8 +16,8 @@ from ..core.arrays import Array, BoolArray, IndexArray
 Spans = Array
 """A set of times: sorted, disjoint intervals (n, 2), seconds."""
 
-Piece = tuple[float, float, tuple[float | str | bytes, ...]]
-"""From when to when something is in force, seconds, and all that tells it apart."""
+Extent = tuple[float, float, tuple[float | str | bytes, ...]]
+"""The start and end of a part of a curve, seconds, and all that distinguishes it from other parts."""
 
 INSTANT = 1e-9
 """Seconds."""

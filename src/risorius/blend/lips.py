@@ -18,7 +18,7 @@ from ..errors import InputError
 from .coarticulation import LIP_MODELS, without_gaps
 from .concatenate import SIGNED
 from .contact import CONTACTS, GoalCurve, contact_goals
-from .intervals import Piece, Spans, merged
+from .intervals import Extent, Spans, merged
 from .mouth import Mouth, limits_in_force
 from .shapes import Shapes, performed
 from .tuning import Tuning
@@ -96,7 +96,7 @@ class LipCurve:
         worth = weights.weight * (1e-9 + self._lips.alone[self._parameter][weights.segment])
         return self._lips.mouth.segments[int(weights.segment[np.argmax(worth)])]
 
-    def pieces(self) -> Iterator[Piece]:
+    def extents(self) -> Iterator[Extent]:
         """Yield nothing: the segments are compared as a whole."""
         return iter(())
 

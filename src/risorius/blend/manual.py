@@ -10,7 +10,7 @@ from ..core.arrays import Array, IndexArray
 from ..core.movement import ManualCurve
 from .concatenate import NEUTRALS
 from .curve import Curve, Origin
-from .intervals import Piece, Spans, above_line, covers, difference, merged
+from .intervals import Extent, Spans, above_line, covers, difference, merged
 
 
 class KeyCurve:
@@ -38,7 +38,7 @@ class KeyCurve:
         """Return the curve as it was drawn."""
         return self._drawn
 
-    def pieces(self) -> Iterator[Piece]:
+    def extents(self) -> Iterator[Extent]:
         """Yield the whole as one piece (see StrokeCurve.pieces)."""
         yield float(self.times[0]), float(self.times[-1]), (self.times.tobytes(), self.values.tobytes())
 
@@ -82,9 +82,9 @@ class Replaced:
         """Return what stands behind the curve at a time."""
         return self.curve.origin(time)
 
-    def pieces(self) -> Iterator[Piece]:
+    def extents(self) -> Iterator[Extent]:
         """Yield the curve's pieces, and when it is replaced."""
-        yield from self.curve.pieces()
+        yield from self.curve.extents()
         yield from ((start, end, ("replaced",)) for start, end in self._spans.tolist())
 
     def breakpoints(self) -> Array:

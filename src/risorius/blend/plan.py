@@ -92,8 +92,8 @@ class Plan:
         """Return whether channels add up in a parameter; else the highest wins."""
         return self.policy.join is Join.SUM or name in SIGNED or (name == JAW and self.lips is not None)
 
-    def pieces(self, times: Array) -> Iterator[Array]:
-        """Yield sorted times in pieces that lie in one block and are not too long."""
+    def batches(self, times: Array) -> Iterator[Array]:
+        """Yield sorted times in batches that lie in one block and are not too long."""
         for chosen in _chunks(times):
             yield times[chosen]
 

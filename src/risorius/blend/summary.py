@@ -32,7 +32,7 @@ def summarize(source: Score | Plan, fps: Fraction) -> dict[str, Tally]:
     """Return for each channel how often it won, was inhibited or limited, over all frames and muscles."""
     plan = source if isinstance(source, Plan) else Plan(source)
     tallies = {channel.name: Tally() for channel in plan.channels}
-    for times in plan.pieces(frame_times(plan.score.duration, fps)):
+    for times in plan.batches(frame_times(plan.score.duration, fps)):
         moment = Moment(plan, times)
         for name in plan.moving:
             if name not in SIGNED:

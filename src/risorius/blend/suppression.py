@@ -15,7 +15,7 @@ def suppression(plan: Plan, times: Array) -> Array:
 
     The lips' limits and contact goals take more afterwards; that is not a conflict and does not count.
     """
-    parts = [_at(Moment(plan, piece)) for piece in plan.pieces(np.asarray(times, np.float64))]
+    parts = [_at(Moment(plan, batch)) for batch in plan.batches(np.asarray(times, np.float64))]
     return np.concatenate(parts) if parts else np.zeros((0, len(NAMES)))
 
 

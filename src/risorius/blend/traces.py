@@ -66,12 +66,12 @@ def traces(plan: Plan, parameter: str, times: Array) -> tuple[Trace, ...]:
     moving = [c.name for c in plan.channels if parameter in c.curves]
     found = {name: Trace(name, *np.zeros((2, len(wanted)))) for name in moving}
     start = 0
-    for piece in plan.pieces(wanted) if len(wanted) else ():
-        moment, here = Moment(plan, piece), slice(start, start + len(piece))
+    for batch in plan.batches(wanted) if len(wanted) else ():
+        moment, here = Moment(plan, batch), slice(start, start + len(batch))
         for channel, asked, given in (_turned if parameter in SIGNED else _moved)(moment, parameter):
             found[channel].asked[here] += asked
             found[channel].given[here] += given
-        start += len(piece)
+        start += len(batch)
     return tuple(found.values())
 
 

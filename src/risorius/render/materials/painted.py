@@ -19,7 +19,7 @@ _LINE = f4(0.55)  # half a line's width in pixels
 def painted(
     paint: Paint, t: int, corners: Corners, weights: Vec, albedo: Vec, pixel: float
 ) -> tuple[Vec, Vec]:
-    """Return the albedo under the muscles that cover triangle t, and the glow of those that rivals suppress."""
+    """Return the albedo under the muscles that cover triangle t, and how those glow that rivals suppress."""
     glow = (f4(0), f4(0), f4(0))
     bits, k = paint.covered[t], index(0)
     (a, b, c), (u, v, w) = corners, weights

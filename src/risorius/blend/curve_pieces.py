@@ -1,8 +1,8 @@
-"""The curve of one parameter in one layer: strokes, one for each movement, that follow one another.
+"""The curve of one parameter in one layer: pieces that follow one another, one for each movement.
 
-A stroke is a base (onset, apex, offset) and at most one residue of what the movement before it left
-(DESIGN, section 3). Strokes are compiled one by one (`value_at` gives the level a stroke takes over) and
-then evaluated all at once (`StrokeCurve`).
+A piece has a base (onset, apex, offset) and at most one residue, which fades from the level that the piece
+before it left (DESIGN, section 3). Pieces are compiled one by one, because each takes over the level of the
+one before it (`value_at`); then all are evaluated at once (`MovementCurve`).
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ import numpy as np
 from ..core.arrays import Array, BoolArray, IndexArray, UInt16Array
 from ..core.functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
 from ..core.movement import Movement
-from .intervals import Piece, Spans, merged, ranges
+from .intervals import Extent, Spans, merged, ranges
 from .roots import find_roots
 
 
 @dataclass(slots=True)
-class Stroke:
-    """What one movement makes of one parameter. Seconds; `function` and `fade_function` are names.
+class CurvePiece:
+    """How one movement moves one parameter. Seconds; `function` and `fade_function` are names.
 
-    `movement`: the one that asks for it, or had asked for what is here let go.
-    Onset: min(begin + rise·f, cap) during `onset`; apex: `level` until `hold`; offset: `level`·f backwards
-    to `end`. The residue falls from `excess` with the time constant `fade`. Nothing from `last` on, nor
-    from `stop`, where the next stroke takes over.
+    Onset: min(begin + rise·f, cap) during `onset`; apex: `level` until `apex_end`; offset: `level`·f
+    backwards until `end`. The residue falls from `excess` with the time constant `fade`. The piece is at rest
+    from `last` on, and it ends at `stop`, when the next piece takes over. `movement`: the one that targets
+    the parameter, or the earlier one whose value this piece lets go.
     """
 
     start: float
@@ -38,7 +38,7 @@ class Stroke:
     cap: float
     level: float
     onset: float
-    hold: float
+    apex_end: float
     offset: float
     end: float
     function: str
@@ -57,12 +57,12 @@ def _shape(name: str, x: float) -> float:
     return float(ONSET_FUNCTIONS.get(name)(np.asarray(x, dtype=np.float64)))
 
 
-def value_at(s: Stroke, time: float) -> float:
-    """Return the value of one stroke at `time` >= its start."""
+def value_at(s: CurvePiece, time: float) -> float:
+    """Return the value of one piece at `time` >= its start."""
     x = time - s.start
     if x < s.onset:
         value = min(s.begin + s.rise * _shape(s.function, x / s.onset), s.cap) if s.rise else s.begin
-    elif time <= s.hold:
+    elif time <= s.apex_end:
         value = s.level
     elif time < s.end:
         value = s.level * _shape(s.function, (s.end - time) / s.offset)
@@ -76,8 +76,8 @@ def value_at(s: Stroke, time: float) -> float:
     return value
 
 
-def last_time(s: Stroke, signed: bool) -> float:
-    """Return when a stroke has come to rest, were it never interrupted."""
+def last_time(s: CurvePiece, signed: bool) -> float:
+    """Return when a piece comes to rest if nothing interrupts it."""
     rest = s.start
     if s.level:
         rest = s.end
@@ -91,12 +91,12 @@ def last_time(s: Stroke, signed: bool) -> float:
 
 _numbers = attrgetter(
     "start", "stop", "begin", "rise", "cap", "level",
-    "onset", "hold", "offset", "end", "excess", "fade", "last",
+    "onset", "apex_end", "offset", "end", "excess", "fade", "last",
 )  # fmt: skip
 
 
-class Strokes:
-    """Strokes of one parameter in one layer, in order, by their numbers alone, which stay small."""
+class CurvePieces:
+    """The pieces of one parameter in one layer, in order, as numbers: objects would take more memory."""
 
     def __init__(self) -> None:
         self.numbers = array("d")
@@ -104,39 +104,39 @@ class Strokes:
         self.functions: dict[str, int] = {}
         self.function, self.fade_function = array("H"), array("H")
 
-    def append(self, stroke: Stroke) -> None:
-        """Take in a stroke that nothing changes any more."""
-        self.numbers.extend(_numbers(stroke))
-        self.movements.append(stroke.movement)
-        self.function.append(self.functions.setdefault(stroke.function, len(self.functions)))
-        self.fade_function.append(self.functions.setdefault(stroke.fade_function, len(self.functions)))
+    def append(self, piece: CurvePiece) -> None:
+        """Add a finished piece."""
+        self.numbers.extend(_numbers(piece))
+        self.movements.append(piece.movement)
+        self.function.append(self.functions.setdefault(piece.function, len(self.functions)))
+        self.fade_function.append(self.functions.setdefault(piece.fade_function, len(self.functions)))
 
     def key(self) -> object:
-        """Return what is the same for the same strokes."""
+        """Return a value that is equal for equal pieces."""
         numbers = (self.numbers, self.function, self.fade_function)
         return (*(n.tobytes() for n in numbers), *self.functions, *map(id, self.movements))
 
 
 def _compact(column: Array) -> Array:
-    """Return a column by itself, and as one number where it is the same for all strokes."""
+    """Return a copy of a column, stored as one number if it is the same for all pieces."""
     same = bool((column == column[0]).all())
     return np.broadcast_to(column[0], len(column)) if same else column.copy()
 
 
-class StrokeCurve:
-    """All strokes of one parameter in one layer, evaluated at any times."""
+class MovementCurve:
+    """All pieces of one parameter in one layer, evaluated at any times."""
 
-    def __init__(self, strokes: Strokes) -> None:
-        table = np.array(strokes.numbers).reshape(len(strokes.movements), -1)
+    def __init__(self, pieces: CurvePieces) -> None:
+        table = np.array(pieces.numbers).reshape(len(pieces.movements), -1)
         columns = [_compact(column) for column in table.T]
         self.start, self.stop, self.begin, self.rise, self.cap, self.level = columns[:6]
-        self.onset, self.hold, self.offset, self.end, self.excess, self.fade, self.last = columns[6:]
-        self._movements = tuple(strokes.movements)
-        self.functions = tuple(strokes.functions)
-        self.function, self.fade_function = np.array(strokes.function), np.array(strokes.fade_function)
+        self.onset, self.apex_end, self.offset, self.end, self.excess, self.fade, self.last = columns[6:]
+        self._movements = tuple(pieces.movements)
+        self.functions = tuple(pieces.functions)
+        self.function, self.fade_function = np.array(pieces.function), np.array(pieces.fade_function)
 
     def sample(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return where the curve is not at rest and its values there.
+        """Return the times at which the curve is not at rest, and its values at them.
 
         `times`: sorted, shape (n,). Returns indices into it, strictly increasing, and values, both (m,).
         """
@@ -153,26 +153,26 @@ class StrokeCurve:
 
     lines = sample
 
-    def evaluate(self, strokes: IndexArray, times: Array) -> Array:
-        """Return the values of the given strokes, each at its own time (not before its start), shape (n,)."""
-        x = times - self.start[strokes]
-        values: Array = self.level[strokes]
-        rising = x < self.onset[strokes]
-        i = np.flatnonzero(rising & (self.rise[strokes] != 0.0))
-        k = strokes[i]
+    def evaluate(self, pieces: IndexArray, times: Array) -> Array:
+        """Return the values of pieces (n,), each at its own time (not before its start), shape (n,)."""
+        x = times - self.start[pieces]
+        values: Array = self.level[pieces]
+        rising = x < self.onset[pieces]
+        i = np.flatnonzero(rising & (self.rise[pieces] != 0.0))
+        k = pieces[i]
         risen = self.begin[k] + self.rise[k] * self._shapes(self.function[k], x[i] / self.onset[k])
         values[i] = np.minimum(risen, self.cap[k])
-        i = np.flatnonzero(~rising & (times > self.hold[strokes]))
-        k = strokes[i]
+        i = np.flatnonzero(~rising & (times > self.apex_end[pieces]))
+        k = pieces[i]
         left = np.maximum(self.end[k] - times[i], 0.0)
         part = np.divide(left, self.offset[k], out=np.zeros(len(i)), where=self.offset[k] > 0.0)
         values[i] *= self._shapes(self.function[k], part)
-        self._add_residue(values, strokes, x)
+        self._add_residue(values, pieces, x)
         return values
 
-    def _add_residue(self, values: Array, strokes: IndexArray, x: Array) -> None:
-        i = np.flatnonzero((self.excess[strokes] != 0.0) & (x < self.fade[strokes]))
-        k = strokes[i]
+    def _add_residue(self, values: Array, pieces: IndexArray, x: Array) -> None:
+        i = np.flatnonzero((self.excess[pieces] != 0.0) & (x < self.fade[pieces]))
+        k = pieces[i]
         part, excess = x[i] / self.fade[k], self.excess[k]
         plain = np.array([name == DEFAULT_FUNCTION for name in self.functions])[self.fade_function[k]]
         residue = np.maximum(0.0, (1.0 + excess) * np.exp2(-part) - 1.0)
@@ -182,7 +182,7 @@ class StrokeCurve:
         values[i] += residue
 
     def _shapes(self, numbers: UInt16Array, x: Array) -> Array:
-        """f(x) of each element's own function, x cut to [0, 1]; shape (n,)."""
+        """Return f(x), each element by its own function, with x clipped to [0, 1]; shape (n,)."""
         x = np.minimum(x, 1.0)
         if len(self.functions) == 1:
             return np.asarray(ONSET_FUNCTIONS.get(self.functions[0])(x))
@@ -193,26 +193,35 @@ class StrokeCurve:
         return values
 
     def origin(self, time: float) -> Movement:
-        """Return the movement behind the curve at a time."""
+        """Return the movement that moves the curve at a time."""
         return self._movements[max(int(np.searchsorted(self.start, time, side="right")) - 1, 0)]
 
-    def pieces(self) -> Iterator[Piece]:
-        """Yield each stroke: from when to when it is in force, and all that it is made of."""
-        numbers = (self.begin, self.rise, self.cap, self.level, self.onset, self.hold, self.offset, self.end)
+    def extents(self) -> Iterator[Extent]:
+        """Yield the extent of each piece, with all its numbers."""
+        numbers = (
+            self.begin,
+            self.rise,
+            self.cap,
+            self.level,
+            self.onset,
+            self.apex_end,
+            self.offset,
+            self.end,
+        )
         until = np.minimum(self.last, self.stop)
         rows = np.column_stack((self.start, until, *numbers, self.excess, self.fade)).tolist()
         for row, shape, fade in zip(rows, self.function, self.fade_function, strict=True):
             yield row[0], row[1], (*row[2:], self.functions[shape], self.functions[fade])
 
     def breakpoints(self) -> Array:
-        """Return when strokes begin and end, unsorted, shape (m,)."""
+        """Return when pieces begin and end, unsorted, shape (m,)."""
         return np.concatenate((self.start, np.minimum(self.last, self.stop)))
 
     def above(self, threshold: float) -> Spans:
         """Return when the curve is higher than `threshold` >= 0, shape (n, 2).
 
-        A stroke rises (at most once) and then never rises again, so it is higher in one interval, whose
-        ends are found on the curve itself.
+        A piece rises at most once, so it is higher in a single interval; the ends of that interval are roots
+        of the curve.
         """
         until = np.minimum(self.last, self.stop)
         everyone = np.arange(len(self.start))
@@ -228,11 +237,13 @@ class StrokeCurve:
         return merged(np.column_stack((on, off))[on < off])
 
     def _crossing(
-        self, strokes: IndexArray, threshold: float, low: Array, high: Array, wanted: BoolArray
+        self, pieces: IndexArray, threshold: float, low: Array, high: Array, wanted: BoolArray
     ) -> Array:
-        """The times in [low, high] at which the wanted strokes cross the threshold, shape (n,)."""
-        found = np.zeros(len(strokes))
-        k = strokes[wanted]
+        """Return when in [low, high] the wanted pieces cross the threshold, 0 for others, shape (n,)."""
+        crossings = np.zeros(len(pieces))
+        k = pieces[wanted]
         if len(k):
-            found[wanted] = find_roots(lambda t: self.evaluate(k, t) - threshold, low[wanted], high[wanted])
-        return found
+            crossings[wanted] = find_roots(
+                lambda t: self.evaluate(k, t) - threshold, low[wanted], high[wanted]
+            )
+        return crossings
