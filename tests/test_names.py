@@ -49,7 +49,6 @@ TO_MEND = {
     "Range",
     "Reader",
     "Reading",
-    "Room",
     "Row",
     "Rows",
     "Send",
