@@ -19,7 +19,7 @@ import risorius
 ROOT = Path(risorius.__file__).parent
 GROUND = {"errors", "registry"}
 WORDS = {"core", "languages", "rules", "script", "speech"}
-SKIN = {"core", "kept", "compile_cache"}
+SKIN = {"core", "kept"}
 TAKE = WORDS | SKIN | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
 PIPELINE = TAKE | {"take", "playback", "rig"}
 LIBRARY = PIPELINE | {"pipeline", "api", "live", "batch", "narration"}
@@ -30,11 +30,10 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "errors": set(),
     "registry": {"errors"},
     "workers": set(),
-    "compile_cache": set(),
     "heads": set(),
     "web": set(),
     "core": set(),
-    "kept": {"compile_cache", "core"},
+    "kept": {"core"},
     "languages": {"core"},
     "rules": {"core", "languages"},
     "script": {"core", "languages", "rules"},

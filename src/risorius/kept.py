@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from . import compile_cache
 from .core.arrays import AnyArray
+from .core.kernels import compile_cache
 from .core.npz import read_arrays
 
 MOST_FILES = 64  # a head at one age needs five

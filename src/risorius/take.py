@@ -213,7 +213,7 @@ class Take:
     @cached_property
     def _dressed(self) -> Head:
         """The head in the looks that the settings choose."""
-        from .render.dress import dressed
+        from .looks.dress import dressed
 
         looks = dressed(self.head.identity.looks, self.settings.look)
         return replace(self.head, identity=replace(self.head.identity, looks=looks))

@@ -9,9 +9,9 @@ from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.head import load_head
 from risorius.face.solve import FaceSolver
+from risorius.looks.anatomy import find_anatomy
+from risorius.looks.parts import skin_surface
 from risorius.render import Renderer
-from risorius.render.anatomy import find_anatomy
-from risorius.render.parts import skin_surface
 
 
 @pytest.fixture(scope="session")

@@ -1,7 +1,8 @@
 import numpy as np
 import pytest
 
-from risorius.render.aperture import lip_edges
+from risorius.render.aperture import lid_margins, lip_edges
+from risorius.render.materials.eye import LID_STEPS
 from risorius.render.materials.mouth import LIP_STEPS, past_lips
 
 IDENTITY, ORIGIN = np.eye(3, dtype=np.float32), np.zeros(3, np.float32)
@@ -47,3 +48,16 @@ def test_light_is_scarcer_beside_and_above_the_opening():
     middle = share(12.0, (0, 0, -10))
     assert share(12.0, (28, 0, -10)) < 0.5 * middle
     assert share(12.0, (0, 12, -10)) < 0.5 * middle
+
+
+def test_lid_margins_are_heights_over_the_eye():
+    x = np.linspace(-10, 10, 9)
+    upper = np.stack([x, np.full(9, 4.0), np.full(9, 11.0)], axis=1)
+    lower = np.stack([x, np.full(9, -5.0), np.full(9, 11.0)], axis=1)
+    centre = np.array([29.0, 0.0, 0.0])
+    span, heights = lid_margins(np.stack([upper, lower], axis=1) + centre, centre, 12.0)
+    assert heights.shape == (LID_STEPS, 2)
+    assert span[0] == pytest.approx(-span[1])
+    assert (heights[:, 0] > 3).all()
+    assert (heights[:, 1] < -3.5).all()
+    assert heights == pytest.approx(heights[::-1], abs=1e-9)

@@ -3,8 +3,8 @@ import pytest
 from PIL import Image
 
 from risorius.errors import InputError
+from risorius.looks.srgb import srgb_encode
 from risorius.render.backdrop import backdrop
-from risorius.render.tone import srgb_encode
 
 GREYS = ((118, 126, 132), (48, 54, 62))
 

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
+from risorius.looks.srgb import srgb_decode, srgb_encode
 from risorius.render.cutout import covered, cut_out
-from risorius.render.tone import srgb_decode, srgb_encode
 
 
 def test_coverage_counts_samples():

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from risorius.face.rotations import head_rotation
+from risorius.looks.attributes import HAIR
 from risorius.render import Renderer
-from risorius.render.inputs import HAIR
 
 
 @pytest.fixture(scope="module")

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from risorius.errors import InputError
+from risorius.looks.anatomy import find_anatomy
+from risorius.looks.attributes import EYE_LEFT, EYE_RIGHT, HAIR, SKIN, TEETH, TONGUE
 from risorius.render import Renderer
-from risorius.render.anatomy import find_anatomy
 from risorius.render.camera import portrait
 from risorius.render.framing import frame_head
-from risorius.render.inputs import EYE_LEFT, EYE_RIGHT, HAIR, SKIN, TEETH, TONGUE
 from risorius.render.lights import Lamp, LightRig
 
 SYMMETRIC = LightRig((Lamp(0, 30, (2, 2, 2)),), (0.5, 0.5, 0.5), (0.3, 0.3, 0.3))

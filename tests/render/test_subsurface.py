@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
 
+from risorius.looks.attributes import MAX_CURVATURE
 from risorius.render.subsurface import (
     ANGLES,
     CURVATURES,
-    MAX_CURVATURE,
     angle_place,
     curvature_place,
     diffuse_table,

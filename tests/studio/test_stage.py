@@ -11,8 +11,8 @@ import pytest
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.solve import FaceSolver
-from risorius.render.anatomy import find_anatomy
-from risorius.render.garment import neckline
+from risorius.looks.anatomy import find_anatomy
+from risorius.looks.garment import neckline
 from risorius.studio.mesh import head_glb
 from risorius.studio.shade import HEM_STEPS, light, shade
 from risorius.studio.solvers import stage_of

@@ -11,9 +11,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array
+from ..core.kernels.jit import kernel
 from ..core.parameters import INDEX, PARAMETERS
 from .head import Head
-from .jit import compiled
 from .muscles import ELSEWHERE, MuscleFields
 from .network import Network, pull
 from .stiffness import NEIGHBOUR, edges
@@ -90,7 +90,7 @@ class Biphasic:
         displacement[self._network.free] = place[:, :3]
 
 
-@compiled
+@kernel
 def _second_phase(ends: UInt32Array, length: Array, points: Array, factor: float, out: Array) -> None:
     for e in range(len(ends)):
         i, j = ends[e, 0], ends[e, 1]
@@ -113,7 +113,7 @@ def _second_phase(ends: UInt32Array, length: Array, points: Array, factor: float
             out[j, 2] -= force * bz
 
 
-@compiled
+@kernel
 def _add(force: Array, factor: float, out: Array) -> None:
     for i in range(len(out)):
         for c in range(3):

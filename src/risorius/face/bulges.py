@@ -12,9 +12,9 @@ from functools import lru_cache
 import numpy as np
 
 from ..core.arrays import Array, UInt32Array
+from ..core.kernels.jit import device, kernel
 from .compression import Compression, Zone
 from .head import Head
-from .jit import compiled, device
 from .layouts import spot
 from .marks import Marks
 from .tables import build, read_table
@@ -96,7 +96,7 @@ def bulge_height(area: float, depth: float, cap: float) -> float:
     return float(cap * np.tanh(depth * lost * lost / (lost + TAKEN_UP) / cap))
 
 
-@compiled
+@kernel
 def _swell(area: Array, vertex: UInt32Array, mask: Array, depth: Array, cap: Array, out: Array) -> None:
     for r in range(len(area)):
         out[vertex[r]] += mask[r] * bulge_height(area[r], depth[r], cap[r])

@@ -14,7 +14,7 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
 from ..core.arrays import Array, IndexArray, UInt32Array
-from .jit import compiled_fast
+from ..core.kernels.jit import summing_kernel
 
 _SYMMETRIC = {"options": {"SymmetricMode": True}, "diag_pivot_thresh": 0.0}
 
@@ -55,7 +55,7 @@ def sparing_order(matrix: sp.csc_matrix) -> IndexArray:
     return np.argsort(factor.perm_c)
 
 
-@compiled_fast
+@summing_kernel
 def solve(start: UInt32Array, row: UInt32Array, weight: Array, inverse: Array, points: Array) -> None:
     """Solve L D Lᵀ x = b for `points` (n, 4) in place; the first four arguments as in `Factor`."""
     count = len(inverse)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, IntArray
-from .jit import compiled, compiled_fast
+from ..core.kernels.jit import kernel, summing_kernel
 
 # A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from fighting.
 SOFTNESS = 1.001
@@ -52,7 +52,7 @@ def settle(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, force: A
     _apply(gaps.points, gaps.weight, work.push, force)
 
 
-@compiled_fast
+@summing_kernel
 def _couple(points: IntArray, weight: Array, compliance: Array, moved: Array, matrix: Array) -> None:
     """Write how much each gap opens per unit push at each other to `matrix`, which is symmetric."""
     for i in range(len(points)):
@@ -70,7 +70,7 @@ def _couple(points: IntArray, weight: Array, compliance: Array, moved: Array, ma
             matrix[j, i] = total
 
 
-@compiled_fast
+@summing_kernel
 def _balance(
     gap: Array, low: Array, high: Array, sweeps: int, matrix: Array, push: Array, here: Array
 ) -> None:
@@ -92,7 +92,7 @@ def _balance(
             break
 
 
-@compiled
+@kernel
 def _apply(points: IntArray, weight: Array, push: Array, force: Array) -> None:
     for i in range(len(points)):
         for a in range(4):

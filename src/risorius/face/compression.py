@@ -14,8 +14,8 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
+from ..core.kernels.jit import inlined, summing_kernel
 from .head import Head
-from .jit import compiled_fast, inlined
 from .marks import smooth
 from .products import short
 
@@ -204,7 +204,7 @@ def _stretch(skin: Array, quad: UInt32Array, frame: Array, e: int, taut: bool) -
     return float(along)
 
 
-@compiled_fast
+@summing_kernel
 def _measure(
     strain: Array,
     mean: Array,

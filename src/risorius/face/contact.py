@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, BoolArray, Int32Array, Int64Array, IntArray
-from .jit import compiled, device, inlined
+from ..core.kernels.jit import device, inlined, kernel
 
 Grid = tuple[float, float, float, float]
 
@@ -87,7 +87,7 @@ def find_contacts(facing: Facing, points: Array, reach: float, out: Contacts) ->
     return int(_find(*facing, points, reach, out.points, out.weight, out.gap, x, upper, lower))
 
 
-@compiled
+@kernel
 def _find(
     vertices: IntArray,
     above: BoolArray,
@@ -234,7 +234,7 @@ def _cover(
     return found, best, weight_b, weight_c
 
 
-@compiled
+@kernel
 def narrowest(start: float, end: float, places: int, width: float, x: Array, gap: Array) -> Int64Array:
     """Return the contact with the narrowest gap about each of `places` even places from `start` to `end`.
 

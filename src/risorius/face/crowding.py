@@ -15,9 +15,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
+from ..core.kernels.jit import kernel
 from ..core.parameters import PARAMETERS
 from .head import Head
-from .jit import compiled
 from .muscles import ELSEWHERE
 
 LEAST = 0.6  # of an edge's length at rest that is left to it along its direction
@@ -145,7 +145,7 @@ def _fields(head: Head) -> list[Array]:
     return list(found.values())
 
 
-@compiled
+@kernel
 def relieve(
     points: Int32Array, foot: Array, way: Array, room: Array, sweeps: int, displacement: Array
 ) -> None:

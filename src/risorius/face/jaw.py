@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.arrays import Array, FloatArray
+from ..core.kernels.jit import kernel
 from ..core.parameters import INDEX
 from .head import Head
-from .jit import compiled
 from .rotations import about_axis, turned
 from .throat import uncrowd
 
@@ -62,7 +62,7 @@ class Jaw:
         turn_about(about_axis(self.axis, self.angle * opening), self.point, points, out)
 
 
-@compiled
+@kernel
 def turn_about(rotation: Array, point: Array, points: Array, out: FloatArray) -> None:
     """Write `points` (n, 3), turned by `rotation` (3, 3) about `point` (3,), to `out` (n, 3)."""
     for v in range(len(points)):
@@ -71,7 +71,7 @@ def turn_about(rotation: Array, point: Array, points: Array, out: FloatArray) ->
             out[v, c] = rotation[c, 0] * x + rotation[c, 1] * y + rotation[c, 2] * z + point[c]
 
 
-@compiled
+@kernel
 def _carry(
     rest: Array,
     displacement: Array,

@@ -12,7 +12,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from ..core.arrays import Array, Int64Array
-from .jit import compiled
+from ..core.kernels.jit import kernel
 from .marks import Marks, plateau, ripple, smooth
 
 Range = tuple[float, float, float, float]
@@ -195,7 +195,7 @@ def _beside(curve: Array, places: Array) -> tuple[Array, Array]:
     return side, (start[piece] + share * length[piece]) / start[-1]
 
 
-@compiled
+@kernel
 def _find_nearest(curve: Array, places: Array, side: Array, piece: Int64Array, share: Array) -> None:
     """Write how far each place (n, 2) lies beyond the curve (k, 2), from which piece, and where along it."""
     for i in range(len(places)):

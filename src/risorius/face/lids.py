@@ -17,9 +17,9 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, Int32Array
+from ..core.kernels.jit import device, inlined, kernel
 from ..core.parameters import INDEX
 from .head import Head
-from .jit import compiled, device, inlined
 from .plate import nearby, response, stiffness
 from .products import Rows, carry
 
@@ -141,7 +141,7 @@ def _shell(head: Head, centre: Array, radius: float) -> tuple[Int32Array, Array]
     return shell, np.minimum(distance[shell], radius + CLEARANCE)
 
 
-@compiled
+@kernel
 def _aim(
     places: Array,
     centre: Array,
@@ -170,7 +170,7 @@ def _aim(
     return float(drop / square)
 
 
-@compiled
+@kernel
 def _rest_of_the_way(places: Array, centre: Array, closure: float, goal: Array) -> None:
     """Turn `goal` (2 m, 3), whose last column has angles, into the ways in mm there from `places` (2 m, 3).
 
@@ -199,7 +199,7 @@ def _radius(points: Array, row: int, centre: Array) -> float:
     return float(np.sqrt(y * y + z * z))
 
 
-@compiled
+@kernel
 def _turn(skin: Array, vertices: Int32Array, rest: Array, stroke: Array, share: float, centre: Array) -> None:
     for k in range(len(vertices)):
         v = vertices[k]
@@ -221,7 +221,7 @@ def _limited(way: float, gone: float) -> float:
     return float(np.cbrt(way * way * way + gone * gone * gone) - gone)
 
 
-@compiled
+@kernel
 def _push_out(skin: Array, shell: Int32Array, floor: Array, centre: Array) -> None:
     for k in range(len(shell)):
         v = shell[k]

@@ -17,11 +17,11 @@ from typing import Literal
 import numpy as np
 
 from ..core.arrays import Array, UInt32Array
+from ..core.kernels.jit import kernel
 from ..core.parameters import INDEX, MUSCLES, RIVALS, Parameter
 from ..core.toml import load_file
 from ..core.units import Share
 from ..errors import ParameterError, unknown
-from .jit import compiled
 
 FILE = "links.toml"
 _BASES = tuple(dict.fromkeys(m.base for m in MUSCLES))
@@ -123,7 +123,7 @@ def _load(path: Path, _changed: int) -> tuple[Link, ...]:
     return load_file(LinkTable, path).link
 
 
-@compiled
+@kernel
 def _apply(first: UInt32Array, second: UInt32Array, weight: Array, values: Array, out: Array) -> None:
     # Not as a slice: what numba compiles to say that lengths differ is more than all the rest.
     for k in range(len(values)):

@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
+from ..core.kernels.jit import inlined, kernel, summing_kernel
 from ..core.parameters import INDEX, PARAMETERS
 from .head import Head
-from .jit import compiled, compiled_fast, inlined
 from .roots import inverse_cube_root
 
 # These do not act by a field on the skin at rest: the jaw is a frame, the lids slide over the eyeball.
@@ -133,7 +133,7 @@ NOTHING = 1e-9  # mm: a pull this small is as long as none, and its cube would b
 _EVERY = np.uint64(2**64 - 1)
 
 
-@compiled
+@kernel
 def _bits(values: Array) -> np.uint64:
     """Return the bits of the parameters that are above 0."""
     bits, one = np.uint64(0), np.uint64(1)
@@ -143,7 +143,7 @@ def _bits(values: Array) -> np.uint64:
     return bits
 
 
-@compiled
+@kernel
 def _bits_of_changes(before: Array, values: Array) -> np.uint64:
     """Return the bits of the parameters that differ, and copy `values` to `before`."""
     bits, one = np.uint64(0), np.uint64(1)
@@ -154,7 +154,7 @@ def _bits_of_changes(before: Array, values: Array) -> np.uint64:
     return bits
 
 
-@compiled_fast
+@summing_kernel
 def _displace(
     start: UInt32Array,
     parameter: ByteArray,

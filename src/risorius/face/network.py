@@ -16,10 +16,10 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, BoolArray, IndexArray, UInt32Array
+from ..core.kernels.jit import summing_kernel
 from ..core.parameters import PARAMETERS
 from .cholesky import Factor, sparing_order
 from .head import Head
-from .jit import compiled_fast
 from .muscles import ELSEWHERE
 from .stiffness import spring_stiffness
 
@@ -74,7 +74,7 @@ def _lips(head: Head) -> BoolArray:
     return np.asarray(np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > LIP)
 
 
-@compiled_fast
+@summing_kernel
 def pull(
     start: UInt32Array, column: UInt32Array, weight: Array, points: Array, factor: float, out: Array
 ) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, IntArray, UIntArray
-from .jit import compiled_fast
+from ..core.kernels.jit import summing_kernel
 
 
 def short(indices: IntArray) -> UIntArray:
@@ -37,7 +37,7 @@ class Rows(NamedTuple):
         return out
 
 
-@compiled_fast
+@summing_kernel
 def _times(start: IntArray, column: UIntArray, weight: Array, points: Array, out: Array) -> None:
     for i in range(len(out)):
         x, y, z = 0.0, 0.0, 0.0
@@ -49,7 +49,7 @@ def _times(start: IntArray, column: UIntArray, weight: Array, points: Array, out
         out[i, 0], out[i, 1], out[i, 2] = x, y, z
 
 
-@compiled_fast
+@summing_kernel
 def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Array) -> None:
     """Add to `skin` (N, 3) at `region` (r,) the transpose of `motion` (s, r) times `moves` (s, 3): `sums`
     (3, r), which are overwritten.
@@ -66,7 +66,7 @@ def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Arra
             skin[region[k], c] += sums[c, k]
 
 
-@compiled_fast
+@summing_kernel
 def carry_upwards(region: IntArray, motion: Array, pushes: Array, sums: Array, skin: Array) -> None:
     """Add to the y of `skin` (N, 3) at `region` (r,) `pushes` (s,), mostly 0, times `motion` (s, r): `sums`
     (r,), which are overwritten.

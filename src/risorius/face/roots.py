@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .jit import device
+from ..core.kernels.jit import device
 
 # Adding a third of the exponent to this gives 1/∛x within 4 %: the fast inverse root, for the cube.
 _MAGIC = 0x553EF0FF289DD796

@@ -12,9 +12,9 @@ import math
 import numpy as np
 
 from ..core.arrays import Array, IndexArray
+from ..core.kernels.jit import summing_kernel
 from ..core.parameters import NAMES
 from .biphasic import Biphasic
-from .jit import compiled_fast
 from .links import NO_LINKS, Links
 from .muscles import Displaced, MuscleFields
 from .network import Network, pull
@@ -81,7 +81,7 @@ class Springs:
         _place(self.network.free, self._before, self._place, share, displacement)
 
 
-@compiled_fast
+@summing_kernel
 def _load(target: Array, place: Array, strain: Array, velocity: Array, mass: float) -> None:
     for i in range(len(target)):
         for c in range(3):
@@ -89,14 +89,14 @@ def _load(target: Array, place: Array, strain: Array, velocity: Array, mass: flo
             velocity[i, c] *= mass
 
 
-@compiled_fast
+@summing_kernel
 def _move(place: Array, velocity: Array, step: float) -> None:
     for i in range(len(place)):
         for c in range(3):
             place[i, c] += step * velocity[i, c]
 
 
-@compiled_fast
+@summing_kernel
 def _place(free: IndexArray, before: Array, after: Array, share: float, displacement: Array) -> None:
     for i in range(len(free)):
         for c in range(3):

@@ -13,10 +13,10 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array, IndexArray, IntArray, UInt32Array
+from ..core.kernels.jit import inlined, kernel
 from .crowding import struts
 from .head import Head
 from .jaw import Jaw
-from .jit import compiled, inlined
 from .rotations import about_axis
 from .tooth_row import NONE, ROUNDING, ROW, Row, column_of, look_up, sector_of
 
@@ -99,7 +99,7 @@ def _from_row(x: float, y: float, z: float, turn: Array, hinge: Array, points: A
         points[v, a] = turn[a, 0] * x + turn[a, 1] * y + turn[a, 2] * z + hinge[a]
 
 
-@compiled
+@kernel
 def _keep_out(
     skin: Array, places: UInt32Array, middle: Array, front: Array, around: Array, turn: Array, hinge: Array
 ) -> None:
@@ -130,7 +130,7 @@ def _keep_out(
         _from_row(bx + push * x, by, bz + push * out, turn, hinge, skin, b)
 
 
-@compiled
+@kernel
 def _keep_in(
     tongue: Array,
     middle: Array,

@@ -12,10 +12,10 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, IndexArray
+from ..core.kernels.jit import kernel
 from ..core.parameters import INDEX
 from .head import TONGUE_FIELDS, Head
 from .jaw import Jaw
-from .jit import compiled
 
 LYING = 0.62  # share of its height above its floor that the tongue loses with the jaw wide open
 SUNK, DRAWN_BACK = 12.0, 6.0  # mm that its back sinks and its tip draws back then
@@ -63,7 +63,7 @@ class TongueShapes:
         return moved
 
 
-@compiled
+@kernel
 def _shape(
     rest: Array,
     shapes: Array,

@@ -9,8 +9,8 @@ import numpy as np
 from scipy.ndimage import maximum_filter, maximum_filter1d, minimum_filter
 
 from ..core.arrays import Array, IndexArray
+from ..core.kernels.jit import device, inlined
 from .head import Mesh
-from .jit import device, inlined
 
 ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians to either side of the middle they span
 ROW = 0.8  # mm of height of a row of the tables

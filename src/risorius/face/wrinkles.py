@@ -11,11 +11,11 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, IntArray, UInt32Array
+from ..core.kernels.jit import device, kernel
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
 from .head import Head
-from .jit import compiled, device
 from .layouts import Fold
 from .marks import Marks
 from .regions import Placed, check_factors, place_regions
@@ -133,7 +133,7 @@ def fold_height(width: float, stretch: float, give: float) -> float:
     return float(2.0 * chord / np.pi * excess / np.sqrt(excess + FLAT))
 
 
-@compiled
+@kernel
 def _fold(
     stretch: Array,
     vertex: UInt32Array,
@@ -154,7 +154,7 @@ def _fold(
             lift[v] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
 
 
-@compiled
+@kernel
 def _steps(
     vertices: UInt32Array, start: UInt32Array, around: UInt32Array, lift: Array, fine: Array, out: Array
 ) -> None:
@@ -175,7 +175,7 @@ def _steps(
         out[k, 0], out[k, 1], out[k, 2] = far * x, far * y, far * z
 
 
-@compiled
+@kernel
 def _step(vertices: UInt32Array, step: Array, fine: Array) -> None:
     for k in range(len(vertices)):
         for c in range(3):

@@ -20,7 +20,7 @@ from ..core.arrays import Array, Float32Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.shapes import ArkitShapes, arkit_shapes
-from ..render.figure import Piece, figure_of
+from ..looks.figure import Piece, figure_of
 from .basis import ClipBasis
 from .glb_scene import ON_SKIN, GlbScene, riding
 from .gltf import Animation, Gltf, quaternions

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, IntArray
 from ..face.head import Head
-from ..render.figure import Piece, iris_picture
+from ..looks.figure import Piece, iris_picture
 from .gltf import INDICES, VERTICES, Gltf
 
 METRES = 0.001

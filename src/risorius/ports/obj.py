@@ -15,8 +15,8 @@ import numpy as np
 from ..core.arrays import Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from ..render.figure import Piece, figure_of
-from ..render.tone import srgb_encode
+from ..looks.figure import Piece, figure_of
+from ..looks.srgb import srgb_encode
 from .glb_scene import ON_SKIN, riding
 from .png import frame_at
 from .source import Material, WriteOptions, needed

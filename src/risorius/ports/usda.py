@@ -19,8 +19,8 @@ from ..face.arkit_fit import ArkitTrack
 from ..face.head import Head
 from ..face.rotations import head_rotation
 from ..face.shapes import arkit_shapes
-from ..render.figure import Piece, figure_of
-from ..render.tone import srgb_encode
+from ..looks.figure import Piece, figure_of
+from ..looks.srgb import srgb_encode
 from .gltf import quaternion
 from .source import Material, WriteOptions, needed
 

@@ -15,7 +15,8 @@ from subprocess import DEVNULL, TimeoutExpired
 
 import numpy as np
 
-from .. import compile_cache, workers
+from .. import workers
+from ..core.kernels import compile_cache
 from ..core.look import Look
 from ..core.parameters import NEUTRAL
 from ..face.frame import FaceFrame

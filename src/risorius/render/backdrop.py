@@ -9,7 +9,7 @@ import numpy as np
 from ..core.arrays import ByteArray, Float32Array
 from ..core.look import TRANSPARENT
 from ..errors import InputError, Place
-from .tone import srgb_decode
+from ..looks.srgb import srgb_decode
 
 Colour = tuple[int, int, int]
 _SEED = 3

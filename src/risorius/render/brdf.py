@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from .jit import device, f4
-from .vec import Vec, add, dot, saturate
+from ..core.kernels.jit import f4, fast_device
+from ..core.kernels.vec import Vec, add, dot, saturate
 
 _PI = f4(3.14159265)
 
 
-@device
+@fast_device
 def schlick(cosine: float, facing: float) -> float:
     """Return the share of light mirrored at an angle (cosine), `facing` of it head on (Schlick 1994)."""
     m = f4(1) - saturate(cosine)
@@ -18,7 +18,7 @@ def schlick(cosine: float, facing: float) -> float:
     return facing + (f4(1) - facing) * m2 * m2 * m
 
 
-@device
+@fast_device
 def mirrored(facing_light: float, facing_half: float, apart: float, alpha: float, head_on: float) -> float:
     """Return what `gloss` does, from what several widths `alpha` share.
 
@@ -32,7 +32,7 @@ def mirrored(facing_light: float, facing_half: float, apart: float, alpha: float
     return facing_light * a2 * apart * schlick(f4(0.5) * math.sqrt(apart), head_on) / (_PI * d * d)
 
 
-@device
+@fast_device
 def gloss(normal: Vec, view: Vec, light: Vec, alpha: float, facing: float) -> float:
     """Return the mirrored light times the cosine at the surface: GGX with Kelemen's visibility term."""
     half = add(view, light)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array
+from ..core.kernels.jit import f4, i4, lean_device, lean_kernel
 from ..errors import InputError
-from .jit import exact, exact_kernel, f4, i4
 from .raster import SUBPIXEL
 
 Vector = tuple[float, float, float]
@@ -76,13 +76,13 @@ def portrait(top: float, bottom: float, centre: Vector, field_of_view: float = 1
     return Camera((centre[0], middle, centre[2] + distance), target, field_of_view)
 
 
-@exact
+@lean_device
 def snap(position: float) -> int:
     """Return a position in samples as the nearest 1/256 sample."""
     return i4(math.floor(max(min(position * f4(SUBPIXEL), _FAR), -_FAR) + f4(0.5)))
 
 
-@exact_kernel
+@lean_kernel
 def project(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Float32Array) -> None:
     """Write positions in 1/256 sample and keys (1 / distance) of points (n, 3) for `Camera.matrix`."""
     for i in range(len(points)):

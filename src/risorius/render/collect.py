@@ -7,15 +7,15 @@ middle; so smooth skin costs one evaluation a pixel and outlines as many as need
 from __future__ import annotations
 
 from ..core.arrays import Float32Array, Int32Array
+from ..core.kernels.jit import f4, f8, fast_device, fast_inlined, index
+from ..core.kernels.vec import Vec, saturate
 from .inputs import Batch, Mesh, Sight
-from .jit import device, f4, f8, index, inlined
 from .raster import SUBPIXEL
-from .vec import Vec, saturate
 
 _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one surface count as connected
 
 
-@device
+@fast_device
 def collect(y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     """Find the patches of row y; return how many there are."""
     if sight.samples == 2:
@@ -23,7 +23,7 @@ def collect(y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     return _collect(y, sight.samples, sight, mesh, batch)
 
 
-@inlined
+@fast_inlined
 def _collect(y: int, side: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     n, middle = 0, f4(0.5) * f4(side)
     for x in range(sight.background.shape[1]):
@@ -40,7 +40,7 @@ def _collect(y: int, side: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     return n
 
 
-@inlined
+@fast_inlined
 def _survey(x: int, y: int, side: int, sight: Sight) -> tuple[int, bool, int]:
     """Return the first sample's triangle, whether all samples show it, and a bit for each that shows any."""
     first: int = sight.ids[index(y * side), index(x * side)]
@@ -54,7 +54,7 @@ def _survey(x: int, y: int, side: int, sight: Sight) -> tuple[int, bool, int]:
     return first, uniform, some
 
 
-@inlined
+@fast_inlined
 def _gather(n: int, x: int, y: int, side: int, waiting: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
     """Write patch n: of the samples whose bits are `waiting` all that show what the first does.
 
@@ -84,7 +84,7 @@ def _gather(n: int, x: int, y: int, side: int, waiting: int, sight: Sight, mesh:
     return members
 
 
-@inlined
+@fast_inlined
 def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: Mesh, batch: Batch) -> None:
     """Write patch n: `count` samples of pixel x that show triangle t, their middle at (u, v) in samples."""
     batch.triangle[n] = t
@@ -94,7 +94,7 @@ def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: Mesh, bat
     batch.weights[n, 0], batch.weights[n, 1], batch.weights[n, 2] = a, b, c
 
 
-@device
+@fast_device
 def _weights(x: float, y: float, t: int, triangles: Int32Array, xy: Int32Array, key: Float32Array) -> Vec:
     """Return where a place (x, y) in samples lies in triangle t, brought into it, in true perspective."""
     a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])

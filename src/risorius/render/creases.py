@@ -7,13 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array, IntArray
+from ..core.kernels.jit import f4, i4, lean_kernel
 from ..face.head import Head
 from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
 from ..face.regions import Placed, place_regions
 from ..kept import kept
-from .jit import exact_kernel, f4, i4
-from .noise import noise_at
+from ..looks.noise import noise_at
 
 LINES, FOLD, DIMPLES = 0, 1, 2
 # Columns of `style`.
@@ -64,7 +64,7 @@ def raise_creases(creases: Creases, triangles: Int32Array, wrinkles: Float32Arra
     _find_raised(creases, triangles)
 
 
-@exact_kernel
+@lean_kernel
 def _find_raised(creases: Creases, triangles: Int32Array) -> None:
     for t in range(len(triangles)):
         bits, r, raised = creases.regions[t], i4(0), i4(0)

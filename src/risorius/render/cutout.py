@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array
-from .tone import srgb_decode, srgb_encode
+from ..looks.srgb import srgb_decode, srgb_encode
 
 _LEAST = 1 / 512
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from ..core.arrays import ByteArray
+from ..core.kernels.jit import fast_kernel
 from .collect import collect
 from .inputs import Batch, Light, Mesh, Paint, Pose, Sight, Tables
-from .jit import kernel
 from .materials.hair import shade_hairs
 from .materials.plain import shade_plain
 from .shade import resolve, uncover
 
 
-@kernel
+@fast_kernel
 def shade_diagram(
     sight: Sight,
     mesh: Mesh,

@@ -6,10 +6,10 @@ import math
 from typing import NamedTuple
 
 from ..core.arrays import Float32Array, Int32Array
-from .jit import exact, f4, f8, i4, i8, index, inlined
+from ..core.kernels.jit import f4, f8, fast_inlined, i4, i8, index, lean_device
+from ..core.kernels.vec import Vec
 from .raster import HALF, SUBPIXEL, area_of, extent
 from .row_block import LANES, cover, cover_depth
-from .vec import Vec
 
 _MOST = 1 << 30
 """Width times height, in 1/SUBPIXEL², of triangles whose edge functions are sure to fit in 32 bits."""
@@ -37,7 +37,7 @@ class Scan(NamedTuple):
     near: Vec
 
 
-@inlined
+@fast_inlined
 def fill(
     xy: Int32Array,
     key: Float32Array,
@@ -81,7 +81,7 @@ def fill(
         _fill_rows(t, scan, depth, ids, keep)
 
 
-@inlined
+@fast_inlined
 def _fill_blocks(
     t: int, scan: Scan, corners: Corners, depth: Float32Array, ids: Int32Array, keep: bool
 ) -> None:
@@ -107,13 +107,13 @@ def _fill_blocks(
             k, place = k + near[2], place + depth.shape[1]
 
 
-@exact
+@lean_device
 def _bias(dx: int, dy: int) -> int:
     """Return 0 for a top or left edge, whose samples belong to the triangle, and -1 for the others."""
     return 0 if dy < 0 or (dy == 0 and dx > 0) else -1
 
 
-@exact
+@lean_device
 def _rows_between(start: int, corners: Corners, first: int, last: int) -> tuple[int, int]:
     """Return the rows in which a triangle may have samples in the LANES columns from `start` on."""
     low, high = f4((start - 1) * SUBPIXEL), f4((start + LANES) * SUBPIXEL)
@@ -129,7 +129,7 @@ def _rows_between(start: int, corners: Corners, first: int, last: int) -> tuple[
     return max(top, first), min(bottom, last)
 
 
-@exact
+@lean_device
 def _heights(low: float, high: float, px: float, py: float, qx: float, qy: float) -> tuple[float, float]:
     """Return the least and the greatest y of an edge between two columns; of an upright one, of one end."""
     left, right = min(px, qx), max(px, qx)
@@ -140,7 +140,7 @@ def _heights(low: float, high: float, px: float, py: float, qx: float, qy: float
     return min(one, other), max(one, other)
 
 
-@exact
+@lean_device
 def _divide(w: int, step: int) -> tuple[int, int]:
     """Return floor(w / |step|) and what remains; a step of 0 counts as 1.
 
@@ -152,7 +152,7 @@ def _divide(w: int, step: int) -> tuple[int, int]:
     return whole, w - whole * by
 
 
-@exact
+@lean_device
 def _descend(whole: int, rest: int, more: int, over: int, step: int) -> tuple[int, int]:
     """Return quotient and remainder one row further down, where the dividend has grown by theirs."""
     whole, rest = whole + more, rest + over
@@ -160,7 +160,7 @@ def _descend(whole: int, rest: int, more: int, over: int, step: int) -> tuple[in
     return (whole + 1, rest - by) if rest >= by else (whole, rest)
 
 
-@exact
+@lean_device
 def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
     """Shrink a range of whole i to those with w + step · i ≥ 0, where `whole` is floor(w / |step|)."""
     if step > 0:
@@ -170,7 +170,7 @@ def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
     return start, end if whole >= 0 else i8(-1)
 
 
-@exact
+@lean_device
 def _fill_rows(t: int, scan: Scan, depth: Float32Array, ids: Int32Array, keep: bool) -> None:
     """Draw the triangle row by row, from where to where it reaches in each."""
     first, last, left, right, edges, steps, downs, near = scan

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from .anatomy import Anatomy
+from ..looks.anatomy import Anatomy
 from .camera import Camera
 
 _FILM = 24.0  # mm: the short side of 24 × 36 mm film, which a focal length refers to

@@ -12,10 +12,10 @@ from copy import copy
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, FloatArray, Int8Array, Int32Array
+from ..looks.attributes import HAIR
 from .camera import Camera, project
-from .inputs import HAIR
+from .ribbons import NOTHING, WHOLE
 from .scene import HeadScene
-from .strands import NOTHING, WHOLE
 from .visibility import Visibility
 
 STEP = 12.0

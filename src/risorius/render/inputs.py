@@ -9,13 +9,6 @@ import numpy as np
 from ..core.arrays import ByteArray, Float32Array, Int32Array, Int64Array
 from .lanes import LANES, empty_block
 
-# Columns of a vertex's attributes.
-ALBEDO, OCCLUSION, ROUGHNESS, SPECULAR, CURVATURE, INNER, EXTRA = 0, 3, 4, 5, 6, 7, 8
-ATTRIBUTES = 9
-
-# Surfaces: what a triangle belongs to. Hairs are numbered from HAIR on, one number each.
-SKIN, EYE_LEFT, EYE_RIGHT, TEETH, TONGUE, HAIR = 0, 1, 2, 3, 4, 16
-
 
 class Mesh(NamedTuple):
     """The posed scene: vertices (n, …), triangles (m, 3), and the surface (m,) of each triangle.

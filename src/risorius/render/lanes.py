@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Float32Array
-from .jit import device
-from .vec import Vec, sub, unit
+from ..core.kernels.jit import fast_device
+from ..core.kernels.vec import Vec, sub, unit
 
 LANES = 64
 LAMPS = 4
@@ -34,19 +34,19 @@ def empty_block() -> Float32Array:
     return np.ones(_SIZE, np.float32)
 
 
-@device
+@fast_device
 def get(block: Float32Array, first: int, k: int) -> Vec:
     """Return the vector of patch k."""
     return block[first + k], block[first + LANES + k], block[first + 2 * LANES + k]
 
 
-@device
+@fast_device
 def put(block: Float32Array, first: int, k: int, vector: Vec) -> None:
     """Set the vector of patch k."""
     block[first + k], block[first + LANES + k], block[first + 2 * LANES + k] = vector
 
 
-@device
+@fast_device
 def face(block: Float32Array, eye: Vec) -> None:
     """Bring the normals to length 1, and find the directions to the camera."""
     for k in range(LANES):

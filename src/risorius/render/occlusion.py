@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, FloatArray, Int32Array
+from ..core.kernels.jit import f4, lean_kernel
 from ..kept import kept
-from .jit import exact_kernel, f4
 from .shadow import flatten, light_matrix, transform
 from .visibility import Visibility
 
@@ -81,7 +81,7 @@ def _seen(mesh: Occluder, centre: Array, radius: float, directions: Array, *, co
     return np.asarray(sums[:, 0] / np.maximum(sums[:, 1], 1e-6), np.float32)
 
 
-@exact_kernel
+@lean_kernel
 def _gather(
     points: Float32Array,
     normals: Float32Array,

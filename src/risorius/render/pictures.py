@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from ..core.look import Look
 from ..face.head import Head
-from .anatomy import find_anatomy
+from ..looks.anatomy import find_anatomy
+from ..looks.dress import dressed
 from .backdrop import backdrop
-from .dress import dressed
 from .framing import frame_head
 from .lights import RIGS
 from .renderer import Renderer, check_size

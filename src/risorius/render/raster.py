@@ -7,14 +7,14 @@ edge that two triangles share belongs to exactly one of them (the top-left rule)
 from __future__ import annotations
 
 from ..core.arrays import ByteArray, Int32Array
-from .jit import exact, exact_kernel, i8, index
+from ..core.kernels.jit import i8, index, lean_device, lean_kernel
 
 SUBPIXEL = 256
 HALF = SUBPIXEL // 2
 CHUNK = 64  # triangles whose joint extent is tested at once
 
 
-@exact
+@lean_device
 def area_of(xy: Int32Array, a: int, b: int, c: int) -> int:
     """Twice the signed area: positive where the corners run clockwise in the picture (y down)."""
     abx = i8(xy[b, 0]) - i8(xy[a, 0])
@@ -24,7 +24,7 @@ def area_of(xy: Int32Array, a: int, b: int, c: int) -> int:
     return abx * acy - aby * acx
 
 
-@exact
+@lean_device
 def extent(p: int, q: int, r: int, limit: int) -> tuple[int, int]:
     """Return the first and last sample whose centre lies between the least and the greatest coordinate."""
     first = (min(p, q, r) - HALF + SUBPIXEL - 1) // SUBPIXEL
@@ -32,7 +32,7 @@ def extent(p: int, q: int, r: int, limit: int) -> tuple[int, int]:
     return max(first, 0), min(last, limit - 1)
 
 
-@exact_kernel
+@lean_kernel
 def find_rows(
     xy: Int32Array,
     triangles: Int32Array,

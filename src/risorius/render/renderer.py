@@ -8,24 +8,24 @@ from copy import copy
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
+from ..core.kernels.jit import f4
 from ..core.look import QUALITIES, STYLES
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.identity import Looks
+from ..looks.eyeball import iris_image
+from ..looks.noise import noise_tile
 from .backdrop import gradient
 from .camera import Camera, project
 from .cutout import covered, cut_out
 from .diagram import shade_diagram
-from .eyeball import iris_image
 from .framing import frame_head
 from .hair_views import HairViews
 from .inputs import Light, Mesh, Paint, Pose, Sight, Tables, empty_batch
-from .jit import f4
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
-from .noise import noise_tile
 from .scene import HeadScene
 from .shade import shade
 from .shadow import ShadowMap

@@ -7,27 +7,29 @@ from copy import copy
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int8Array, Int32Array
+from ..core.kernels.jit import f4
 from ..errors import InputError
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.identity import Looks
-from .anatomy import find_anatomy
-from .aperture import lip_edges
-from .brows import grow_brows
-from .complexion import linear
+from ..looks.anatomy import find_anatomy
+from ..looks.attributes import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR
+from ..looks.brows import grow_brows
+from ..looks.cuts import grow_hair
+from ..looks.garment import neckline, standing_off
+from ..looks.lashes import grow_lashes
+from ..looks.normals import Normals
+from ..looks.parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
+from ..looks.scalp import hair_shade
+from ..looks.srgb import linear
+from ..looks.strands import Strands
+from .aperture import lid_margins, lip_edges
 from .creases import lay_creases, raise_creases
-from .cuts import grow_hair
-from .eyeball import lid_margins
-from .garment import neckline, standing_off
-from .geometry import Normals, turn
-from .inputs import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR, Pose
-from .jit import f4
+from .inputs import Pose
 from .lanes import LAMPS
-from .lashes import grow_lashes
 from .occlusion import Occluder, bake
-from .parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
-from .scalp import hair_shade
-from .strands import WHOLE, Strands, ribbons
+from .ribbons import WHOLE, ribbons
+from .turn import turn
 
 _SOFTENED = 0.8  # light reflected within folds fills them a little
 

@@ -7,9 +7,9 @@ answers for its own.
 from __future__ import annotations
 
 from ..core.arrays import ByteArray
+from ..core.kernels.jit import f4, fast_device, fast_kernel, index
 from .collect import collect
 from .inputs import Batch, Light, Mesh, Pose, Sight, Tables
-from .jit import device, f4, index, kernel
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
@@ -19,7 +19,7 @@ from .tone import developed, exposed, to_byte
 from .visibility import BAND, rasterize
 
 
-@kernel
+@fast_kernel
 def shade(
     sight: Sight, mesh: Mesh, light: Light, pose: Pose, tables: Tables, batch: Batch, out: ByteArray
 ) -> None:
@@ -35,7 +35,7 @@ def shade(
         resolve(y, n, sight, batch, tables, out)
 
 
-@device
+@fast_device
 def uncover(y: int, sight: Sight, mesh: Mesh) -> None:
     """Draw the band of samples that begins with row y of the picture, if one does."""
     band = BAND // sight.samples
@@ -46,7 +46,7 @@ def uncover(y: int, sight: Sight, mesh: Mesh) -> None:
         )
 
 
-@device
+@fast_device
 def resolve(y: int, n: int, sight: Sight, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Weigh the patches of each pixel of row y by their samples, and what is left by the background."""
     for x in range(out.shape[1]):

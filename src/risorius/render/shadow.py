@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, FloatArray, Int32Array
+from ..core.kernels.jit import f4, fast_device, fast_summing_device, index, lean_device, lean_kernel
+from ..core.kernels.vec import Vec, at
 from .camera import snap
-from .jit import device, exact, exact_kernel, f4, index, summing
-from .vec import Vec, at
 from .visibility import Visibility
 
 SIZE = 384
@@ -64,7 +64,7 @@ def light_matrix(direction: FloatArray, centre: FloatArray, radius: float, size:
     return np.concatenate([rows, offset[:, None]], axis=1).astype(np.float32)
 
 
-@device
+@fast_device
 def transform(matrix: Float32Array, p: Vec) -> Vec:
     """Return matrix (3, 4) · (p, 1)."""
     return (
@@ -74,7 +74,7 @@ def transform(matrix: Float32Array, p: Vec) -> Vec:
     )
 
 
-@exact_kernel
+@lean_kernel
 def flatten(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Float32Array) -> None:
     """Write positions in 1/256 texel and depths of points (n, 3) for `light_matrix`."""
     for i in range(len(points)):
@@ -84,7 +84,7 @@ def flatten(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Flo
         key[i] = max(d, f4(0.001))
 
 
-@exact_kernel
+@lean_kernel
 def find_bounds(depth: Float32Array, rows: Float32Array, low: Float32Array, high: Float32Array) -> None:
     """Write the least and the greatest depth among _TAPS texels from each on, across and down."""
     size = depth.shape[0]
@@ -94,7 +94,7 @@ def find_bounds(depth: Float32Array, rows: Float32Array, low: Float32Array, high
         _greatest(rows, bound, last, last, 1, 0, sign)
 
 
-@exact
+@lean_device
 def _greatest(
     of: Float32Array, out: Float32Array, height: int, width: int, down: int, right: int, sign: float
 ) -> None:
@@ -107,7 +107,7 @@ def _greatest(
             out[j, i] = sign * found
 
 
-@device
+@fast_device
 def lit(
     depth: Float32Array, low: Float32Array, high: Float32Array, matrix: Float32Array, p: Vec, bias: float
 ) -> float:
@@ -126,7 +126,7 @@ def lit(
     return _tent(depth, i, j, x - f4(i), y - f4(j), near)
 
 
-@summing
+@fast_summing_device
 def _tent(depth: Float32Array, i: int, j: int, s: float, t: float, near: float) -> float:
     """Return the share of texels about (i + s, j + t) that lie no nearer to the lamp than `near`.
 

@@ -10,8 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Float32Array
-from .jit import device, f4, index
-from .vec import Vec, bounded
+from ..core.kernels.jit import f4, fast_device, index
+from ..core.kernels.vec import Vec, bounded
+from ..looks.attributes import MAX_CURVATURE
 
 _VARIANCES = np.array([0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41])  # mm²
 _WEIGHTS = np.array(
@@ -25,7 +26,6 @@ _WEIGHTS = np.array(
     ]
 )
 ANGLES, CURVATURES = 96, 16
-MAX_CURVATURE = 0.2  # 1/mm
 _NOTHING = 1e-6  # less than this is no light; still smaller numbers take the processor a hundred times longer
 _ONE = index(1)
 
@@ -54,19 +54,19 @@ def diffuse_table() -> Float32Array:
     return table
 
 
-@device
+@fast_device
 def angle_place(cosine: float) -> float:
     """Return the row of the table, and how far on to the next, for the cosine between normal and light."""
     return bounded((cosine + f4(1)) * f4(0.5), f4(0.9999)) * f4(ANGLES - 1)
 
 
-@device
+@fast_device
 def curvature_place(curvature: float) -> float:
     """Return the column of the table, and how far on to the next, for a curvature in 1/mm."""
     return bounded(curvature * f4(1 / MAX_CURVATURE), f4(0.9999)) * f4(CURVATURES - 1)
 
 
-@device
+@fast_device
 def scattered(table: Float32Array, x: float, y: float) -> Vec:
     """Look the table up at `angle_place` and `curvature_place`, linearly between its entries."""
     i, j = index(x), index(y)

@@ -7,23 +7,12 @@ import math
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, FloatArray
-from .jit import device, f4, index
-from .vec import bounded
+from ..core.kernels.jit import f4, fast_device, index
+from ..core.kernels.vec import bounded
+from ..looks.srgb import srgb_encode
 
 TONES = 4096
 WHITE = 6.0  # scene light that becomes full white
-
-
-def srgb_encode(linear: FloatArray) -> Array:
-    """Return sRGB values 0..1 of linear light 0..1 (IEC 61966-2-1)."""
-    x = np.clip(np.asarray(linear, np.float64), 0.0, 1.0)
-    return np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
-
-
-def srgb_decode(encoded: FloatArray) -> Array:
-    """Return linear light of sRGB values 0..1."""
-    x = np.asarray(encoded, np.float64)
-    return np.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)
 
 
 def film(linear: FloatArray) -> Array:
@@ -50,27 +39,27 @@ def to_bytes(light: Float32Array) -> ByteArray:
     return tone_table()[place.astype(np.uint32)]
 
 
-@device
+@fast_device
 def exposed(table: Float32Array, light: float) -> float:
     """Look up the display light of scene light in `film_table`."""
     display: float = table[_place(light)]
     return display
 
 
-@device
+@fast_device
 def _place(light: float) -> int:
     x = math.sqrt(bounded(light, f4(WHITE))) * f4((TONES - 1) / math.sqrt(WHITE))
     return index(x + f4(0.5))
 
 
-@device
+@fast_device
 def developed(table: ByteArray, light: float) -> int:
     """Look up the byte for one channel of scene light in `to_bytes(film_table())`."""
     byte: int = table[_place(light)]
     return byte
 
 
-@device
+@fast_device
 def to_byte(table: ByteArray, light: float) -> int:
     """Look up the byte for one channel of display light 0..1."""
     byte: int = table[index(math.sqrt(bounded(light, f4(1))) * f4(TONES - 1) + f4(0.5))]

@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array
+from ..core.kernels.jit import f4, lean_device, lean_kernel
 from .fill import fill
-from .jit import exact, exact_kernel, f4
 from .raster import CHUNK, find_rows
 
 BAND = 64  # rows of samples drawn at once
@@ -48,7 +48,7 @@ class Visibility:
         find_rows(xy, triangles, two_sided, self.depth.shape[0], self.depth.shape[1], self.rows, self.chunks)
 
 
-@exact_kernel
+@lean_kernel
 def rasterize_all(
     xy: Int32Array,
     key: Float32Array,
@@ -63,7 +63,7 @@ def rasterize_all(
         rasterize(xy, key, triangles, rows, chunks, top, min(top + BAND, depth.shape[0]), depth, ids)
 
 
-@exact
+@lean_device
 def rasterize(
     xy: Int32Array,
     key: Float32Array,

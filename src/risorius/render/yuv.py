@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.arrays import ByteArray
-from .jit import exact, exact_kernel, i4
+from ..core.kernels.jit import i4, lean_device, lean_kernel
 
 _BITS = 15
 # ITU-R BT.709-6, sections 3.2 and 4: shares of red and blue in the brightness; the ranges of the numbers.
@@ -35,14 +35,14 @@ def planes(rgb: ByteArray, out: ByteArray) -> None:
     _colour(rgb, halves[0], halves[1])
 
 
-@exact_kernel
+@lean_kernel
 def _brightness(rgb: ByteArray, out: ByteArray) -> None:
     for y in range(out.shape[0]):
         for x in range(out.shape[1]):
             out[y, x] = _weighed(i4(rgb[y, x, 0]), i4(rgb[y, x, 1]), i4(rgb[y, x, 2]), _Y, _LOWEST, _BITS)
 
 
-@exact_kernel
+@lean_kernel
 def _colour(rgb: ByteArray, blue: ByteArray, red: ByteArray) -> None:
     for y in range(blue.shape[0]):
         for x in range(blue.shape[1]):
@@ -51,7 +51,7 @@ def _colour(rgb: ByteArray, blue: ByteArray, red: ByteArray) -> None:
             red[y, x] = _weighed(r, g, b, _CR, _GREY, _BITS + 2)
 
 
-@exact
+@lean_device
 def _four(rgb: ByteArray, y: int, x: int, channel: int) -> int:
     """Return the sum of a channel's four numbers that share place (y, x) of a plane of half the size."""
     top, left = 2 * y, 2 * x
@@ -59,7 +59,7 @@ def _four(rgb: ByteArray, y: int, x: int, channel: int) -> int:
     return i4(upper + i4(rgb[top + 1, left, channel]) + i4(rgb[top + 1, left + 1, channel]))
 
 
-@exact
+@lean_device
 def _weighed(r: int, g: int, b: int, weights: tuple[int, int, int], base: int, bits: int) -> int:
     """Return the weighed sum of three channels, rounded, from `base` on."""
     total = i4(r * i4(weights[0])) + i4(g * i4(weights[1])) + i4(b * i4(weights[2]))

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ..face.head import Head
-from ..render.inputs import EXTRA, OCCLUSION
+from ..looks.anatomy import find_anatomy
+from ..looks.garment import neckline
 from ..render.lights import STUDIO
-from ..render.scene import HeadScene
+from ..render.resting import light_at_rest
 from .tables import Lamp, Light
 
 HEM_STEPS = 4.0
@@ -23,15 +24,9 @@ def shade(head: Head) -> bytes:
     """Return what each vertex of the skin sees at rest of the room and of each lamp, and where cloth is worn.
 
     uint8 (vertices, 1 + lamps + 1): 255 for all of the light; the last is 128 at the neckline, one more
-    for each 1 / HEM_STEPS mm into the cloth. The first of a scene's lamps is left to shadows that move, so
-    the page's are all put behind it.
+    for each 1 / HEM_STEPS mm into the cloth.
     """
-    lamps = STUDIO.lighting().lamps
-    scene = HeadScene(head, np.concatenate([lamps[:1], lamps]))
-    count = head.skin.matrix.shape[0]
-    under_hair = scene.reach[:count, :1]
-    reach = scene.reach[:count, 1:] * np.concatenate([under_hair, np.ones((count, len(lamps) - 1))], axis=1)
-    seen = np.concatenate([scene.attributes[:count, OCCLUSION, None], reach], axis=1)
-    hem = 128.0 + HEM_STEPS * scene.attributes[:count, EXTRA, None]
-    found = np.concatenate([255.0 * seen.clip(0.0, 1.0), hem.clip(0.0, 255.0)], axis=1)
-    return np.round(found).astype(np.uint8).tobytes()
+    shares = light_at_rest(head, STUDIO)
+    hem = 128.0 + HEM_STEPS * neckline(find_anatomy(head)).astype(np.float32)[:, None]
+    columns = np.concatenate([255.0 * shares.clip(0.0, 1.0), hem.clip(0.0, 255.0)], axis=1)
+    return np.round(columns).astype(np.uint8).tobytes()

@@ -11,7 +11,7 @@ from functools import lru_cache
 from ..core.parameters import NEUTRAL
 from ..face.head import load_head
 from ..face.solve import FaceSolver
-from ..render.dress import dressed
+from ..looks.dress import dressed
 from ..settings import Settings
 from ..take import make_solver
 from .stage import Stage

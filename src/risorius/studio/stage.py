@@ -17,10 +17,10 @@ import numpy as np
 from ..core.arrays import Array, Float32Array, Int16Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
+from ..looks.figure import Piece, figure_of
+from ..looks.srgb import linear
 from ..ports.glb_scene import riding
 from ..ports.gltf import quaternions
-from ..render.complexion import linear
-from ..render.figure import Piece, figure_of
 from .shade import light
 from .tables import StagePart, StageTable
 

@@ -5,21 +5,22 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
-from ..inputs import CURVATURE, OCCLUSION, SKIN, Batch, Light, Mesh, Sight, Tables
-from ..jit import device, f4, inlined
-from ..noise import grain
-from ..vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
+from ...core.kernels.jit import f4, fast_device, fast_inlined
+from ...core.kernels.vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
+from ...looks.attributes import CURVATURE, OCCLUSION, SKIN
+from ...looks.garment import COLLAR
+from ..grain import grain
+from ..inputs import Batch, Light, Mesh, Sight, Tables
 from .lit import lamp_colour, lamp_direction, lamp_share, room_light
 from .patch import Corners, corners_of, put, towards, weights_of
 from .shadows import shadow_at
 
-COLLAR = f4(13)  # mm: width of the collar
 _RIBS = f4(110)  # around the neck
 _SEAM = f4(5)  # mm within which the collar's seam is seen
 _UP = (f4(0), f4(1), f4(0))
 
 
-@device
+@fast_device
 def shade_cloth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, tables: Tables) -> None:
     """Colour the patches of cloth among the first n of a row, and blend its edge into the skin's."""
     for k in range(n):
@@ -33,7 +34,7 @@ def shade_cloth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, ta
             put(batch.colour, k, mix(at(batch.colour, k), woven, share) if share < f4(1) else woven)
 
 
-@inlined
+@fast_inlined
 def _cloth(
     mesh: Mesh, sight: Sight, light: Light, tables: Tables, corners: Corners, weights: Vec, depth: float
 ) -> Vec:
@@ -58,7 +59,7 @@ def _cloth(
     return along(total, room_light(light.room, normal, free), sheen)
 
 
-@device
+@fast_device
 def _knit(tile: Float32Array, rest: Vec, albedo: Vec, normal: Vec, depth: float) -> tuple[Vec, Vec]:
     """Return albedo and normal with stitches, and over the collar's width with ribs and a rolled edge."""
     thread = grain(tile, (rest[0], rest[1] * f4(0.6), rest[2]), f4(3.2))[0]

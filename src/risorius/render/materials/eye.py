@@ -5,11 +5,8 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
-from ..brdf import gloss, schlick
-from ..inputs import EYE_LEFT, Batch, Light, Mesh, Pose, Sight, Tables
-from ..jit import device, f4, inlined
-from ..noise import grain
-from ..vec import (
+from ...core.kernels.jit import f4, fast_device, fast_inlined
+from ...core.kernels.vec import (
     Vec,
     add,
     along,
@@ -26,12 +23,16 @@ from ..vec import (
     unrotate,
     weigh,
 )
+from ...looks.attributes import EYE_LEFT
+from ...looks.eyeball import IRIS
+from ..brdf import gloss, schlick
+from ..grain import grain
+from ..inputs import Batch, Light, Mesh, Pose, Sight, Tables
 from .lit import key_share, lamp_colour, lamp_direction, room_light
 from .patch import corners_of, put, towards, weights_of
 
 LID_STEPS = 32
 _FRONT = 2  # lamps: those further on stand behind the head
-IRIS = f4(0.365)  # radius of the iris in radii of the eye
 _LIMBUS = f4(0.045)  # half the width of its soft edge
 _CORNEA = f4(0.46)  # where the centre of the cornea's own sphere stands on the axis, in radii of the eye
 _DEPTH = f4(0.075)  # of the iris behind the limbus, in radii of the eye
@@ -41,7 +42,7 @@ _PINK = (f4(0.56), f4(0.25), f4(0.21))
 _FLESH = (f4(0.50), f4(0.185), f4(0.155))  # the caruncle, in the inner corner
 
 
-@device
+@fast_device
 def shade_eyes(
     n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
@@ -55,7 +56,7 @@ def shade_eyes(
             put(batch.colour, k, _eye(light, pose, tables, side, p, towards(sight.eye, p)))
 
 
-@inlined
+@fast_inlined
 def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec) -> Vec:
     """Return the light from the eye `side` (0 left, 1 right) at p."""
     centre = (pose.eyes[side, 0], pose.eyes[side, 1], pose.eyes[side, 2])
@@ -85,7 +86,7 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
     )
 
 
-@device
+@fast_device
 def lid_distances(
     lids: Float32Array, span: Float32Array, side: int, in_head: Vec, radius: float
 ) -> tuple[float, float]:
@@ -100,7 +101,7 @@ def lid_distances(
     return max(upper - y, f4(0)), max(y - lower, f4(0))
 
 
-@device
+@fast_device
 def _corner_distances(span: Float32Array, side: int, in_head: Vec, radius: float) -> tuple[float, float]:
     """Return mm across from the inner and from the outer corner of the lids."""
     x = in_head[0] * radius
@@ -108,7 +109,7 @@ def _corner_distances(span: Float32Array, side: int, in_head: Vec, radius: float
     return (first, second) if side == 0 else (second, first)
 
 
-@device
+@fast_device
 def lid_shade(below: float, above: float, inner: float, outer: float) -> float:
     """Return the share of light, 0..1, that lids, lashes and corners of the eye let through."""
     upper = f4(1) - f4(0.52) * math.exp(-below * f4(0.75)) - f4(0.30) * math.exp(-below * f4(0.22))
@@ -119,7 +120,7 @@ def lid_shade(below: float, above: float, inner: float, outer: float) -> float:
     return upper * lower * corners
 
 
-@inlined
+@fast_inlined
 def _sclera(
     light: Light,
     tables: Tables,
@@ -150,7 +151,7 @@ def _sclera(
     return total
 
 
-@inlined
+@fast_inlined
 def _iris(
     light: Light,
     pose: Pose,
@@ -182,7 +183,7 @@ def _iris(
     return total
 
 
-@device
+@fast_device
 def _iris_colour(image: Float32Array, pupil: float, x: float, y: float, distance: float) -> Vec:
     """Return the albedo at a place in the iris' plane (radius 1): pupil, fibres, dark limbus."""
     rings, angles = image.shape[0], image.shape[1]
@@ -196,12 +197,12 @@ def _iris_colour(image: Float32Array, pupil: float, x: float, y: float, distance
     return scale(mix(low, high, s), smooth(pupil - f4(0.03), pupil + f4(0.045), distance))
 
 
-@device
+@fast_device
 def _texel(image: Float32Array, i: int, j: int) -> Vec:
     return image[i, j, 0], image[i, j, 1], image[i, j, 2]
 
 
-@device
+@fast_device
 def _wet(
     lamps: Float32Array,
     room: Float32Array,
@@ -233,7 +234,7 @@ def _wet(
     return along(total, lamp_colour(lamps, 0), tears * glint * shadow * f4(1.3) + flesh * moist * shade)
 
 
-@device
+@fast_device
 def _window(back: Vec, direction: Vec, size: float) -> float:
     """Return 1 where the mirrored ray meets a softbox of half-width `size` (tangent), with round corners."""
     ahead = dot(back, direction)

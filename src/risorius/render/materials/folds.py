@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import math
 
+from ...core.kernels.jit import f4, fast_device, i8
+from ...core.kernels.vec import Vec, along, dot, rotate, saturate, unit
 from ..creases import DIMPLES, FAINT, FOLD, FURROW, KIND, SHADOW, SHARE
+from ..grain import grain
 from ..inputs import Mesh, Pose, Tables
-from ..jit import device, f4, i8
-from ..noise import grain
-from ..vec import Vec, along, dot, rotate, saturate, unit
 from .patch import Corners
 
 _CELLS = f4(6.5)  # cells of the grain to one of its waves
 _STEEPEST = f4(1.1)
 
 
-@device
+@fast_device
 def creased(
     tables: Tables,
     mesh: Mesh,
@@ -46,21 +46,21 @@ def creased(
     return along(total, normal, -dot(total, normal)), saturate(dark)
 
 
-@device
+@fast_device
 def bent(normal: Vec, slope: Vec, share: float) -> Vec:
     """Return a unit normal turned by a share of a slope, which is not let grow beyond what light can show."""
     steep = math.sqrt(dot(slope, slope))
     return unit(along(normal, slope, -share / max(f4(1), steep / _STEEPEST)))
 
 
-@device
+@fast_device
 def _height(mesh: Mesh, corners: Corners, weights: Vec, r: int) -> float:
     h, (a, b, c) = mesh.crease_height, corners
     height = weights[0] * h[a, r] + weights[1] * h[b, r] + weights[2] * h[c, r]
     return f4(height * mesh.crease_style[r, SHARE])
 
 
-@device
+@fast_device
 def _place(mesh: Mesh, corners: Corners, weights: Vec, r: int) -> tuple[float, Vec]:
     """Return phase and its slope at a point of region r."""
     p, (a, b, c), (u, v, w) = mesh.crease_place, corners, weights
@@ -71,7 +71,7 @@ def _place(mesh: Mesh, corners: Corners, weights: Vec, r: int) -> tuple[float, V
     return phase, (x, y, z)
 
 
-@device
+@fast_device
 def _fold(
     tables: Tables,
     mesh: Mesh,
@@ -98,7 +98,7 @@ def _fold(
     return (way[0] * scale, way[1] * scale, way[2] * scale), deep * shadow * saturate(height * f4(1.6))
 
 
-@device
+@fast_device
 def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) `d` mm from a crease of unit height with round shoulders, and its darkness.
 
@@ -115,7 +115,7 @@ def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float,
     return rise * seen, deep * seen
 
 
-@device
+@fast_device
 def _overhang(d: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) of a fold of unit height whose cheek rises from d = 0 on, and its darkness."""
     soft = f4(0.5) * blur + f4(0.25) * furrow
@@ -129,7 +129,7 @@ def _overhang(d: float, furrow: float, blur: float) -> tuple[float, float]:
     return rise, deep
 
 
-@device
+@fast_device
 def _dimple(
     tables: Tables, rest: Vec, height: float, spacing: float, shadow: float, blur: float
 ) -> tuple[Vec, float]:

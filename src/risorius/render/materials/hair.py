@@ -8,14 +8,15 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
-from ..inputs import EXTRA, HAIR, OCCLUSION, SPECULAR, Batch, Light, Mesh
-from ..jit import device, f4, inlined, kernel
-from ..vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
+from ...core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel
+from ...core.kernels.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
+from ...looks.attributes import EXTRA, HAIR, OCCLUSION, SPECULAR
+from ..inputs import Batch, Light, Mesh
 from .lit import key_share, lamp_colour, lamp_direction, room_light
 from .patch import corners_of, put, weights_of
 
 
-@kernel
+@fast_kernel
 def light_hairs(mesh: Mesh, light: Light, eye: Float32Array, first: int) -> None:
     """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.hair_light`."""
     camera = (eye[0], eye[1], eye[2])
@@ -29,7 +30,7 @@ def light_hairs(mesh: Mesh, light: Light, eye: Float32Array, first: int) -> None
             mesh.hair_light[row, 0], mesh.hair_light[row, 1], mesh.hair_light[row, 2] = colour
 
 
-@device
+@fast_device
 def shade_hairs(n: int, batch: Batch, mesh: Mesh) -> None:
     """Colour the patches of hair among the first n of a row."""
     for k in range(n):
@@ -42,7 +43,7 @@ def shade_hairs(n: int, batch: Batch, mesh: Mesh) -> None:
             )
 
 
-@inlined
+@fast_inlined
 def _fibre(mesh: Mesh, light: Light, i: int, p: Vec, direction: Vec, view: Vec) -> Vec:
     """Return the light from a hair at p, vertex i, that runs along `direction`."""
     albedo = at(mesh.attributes, i)
@@ -67,7 +68,7 @@ def _fibre(mesh: Mesh, light: Light, i: int, p: Vec, direction: Vec, view: Vec) 
     return total
 
 
-@device
+@fast_device
 def _shine(albedo: Vec, colour: Vec, direction: Vec, view: Vec, lamp: Vec) -> Vec:
     """Return the white highlight, and the coloured one that has passed through the fibre, towards the tip."""
     half = unit(add(view, lamp))

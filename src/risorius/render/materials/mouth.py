@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
+from ...core.kernels.jit import f4, fast_device, fast_inlined
+from ...core.kernels.vec import Vec, along, dot, saturate, scale, smooth, sub, times, unit, unrotate, weigh
+from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
 from ..brdf import gloss
-from ..inputs import ALBEDO, OCCLUSION, TEETH, TONGUE, Batch, Light, Mesh, Pose, Sight
-from ..jit import device, f4, inlined
-from ..vec import Vec, along, dot, saturate, scale, smooth, sub, times, unit, unrotate, weigh
+from ..inputs import Batch, Light, Mesh, Pose, Sight
 from .lit import key_share, lamp_colour, lamp_direction, room_light
 from .patch import Corners, corners_of, put, towards, weights_of
 
@@ -18,7 +19,7 @@ _GLOSS = f4(0.03)
 _DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate take half of the light on this way
 
 
-@device
+@fast_device
 def past_lips(
     rotation: Float32Array, pivot: Float32Array, lips: Float32Array, span: Float32Array, p: Vec
 ) -> float:
@@ -37,7 +38,7 @@ def past_lips(
     return share
 
 
-@device
+@fast_device
 def _strip(lips: Float32Array, span: Float32Array, x: float, y: float, z: float) -> float:
     """Return the form factor of the slit over x: half the difference of the sines towards its two edges."""
     left: float = span[0]
@@ -55,13 +56,13 @@ def _strip(lips: Float32Array, span: Float32Array, x: float, y: float, z: float)
     return saturate(f4(0.5) * (up_sine - down_sine)) * ahead / (ahead + f4(2) * beside)
 
 
-@device
+@fast_device
 def _edge(lips: Float32Array, i: int, s: float, column: int) -> tuple[float, float]:
     y, z = lips[i, column], lips[i, column + 1]
     return y + (lips[i + 1, column] - y) * s, z + (lips[i + 1, column + 1] - z) * s
 
 
-@device
+@fast_device
 def shade_mouth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose) -> None:
     """Colour the patches of teeth, gums and tongue among the first n of a row."""
     for k in range(n):
@@ -77,7 +78,7 @@ def shade_mouth(n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, po
             )
 
 
-@inlined
+@fast_inlined
 def _wet(
     mesh: Mesh,
     light: Light,

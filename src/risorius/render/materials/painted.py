@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import math
 
+from ...core.kernels.jit import f4, fast_device, index
+from ...core.kernels.vec import Vec, along, mix, saturate, scale, smooth
+from ...looks.muscle_paint import SOFT
 from ..inputs import Mesh, Paint
-from ..jit import device, f4, index
-from ..vec import Vec, along, mix, saturate, scale, smooth
 from .patch import Corners
 
-SOFT = f4(0.9)  # mm: half the width of a muscle's soft edge
 _FIBRE = f4(2.4)  # mm from fibre to fibre
 _TURN = f4(2 * math.pi)
 _LINE = f4(0.55)  # half a line's width in pixels
 
 
-@device
+@fast_device
 def painted(
     paint: Paint, t: int, corners: Corners, weights: Vec, albedo: Vec, pixel: float
 ) -> tuple[Vec, Vec]:
@@ -39,7 +39,7 @@ def painted(
     return albedo, glow
 
 
-@device
+@fast_device
 def line_share(mesh: Mesh, paint: Paint, t: int, corners: Corners, weights: Vec, samples: int) -> float:
     """Return how much of the pixel the lines along the edges of triangle t cover."""
     share = f4(0)
@@ -54,7 +54,7 @@ def line_share(mesh: Mesh, paint: Paint, t: int, corners: Corners, weights: Vec,
     return share * opacity
 
 
-@device
+@fast_device
 def _near(mesh: Mesh, a: int, b: int, c: int, weight: float, samples: int) -> float:
     """Return how much of a pixel the line b–c covers at `weight` of the height of the corner a over it."""
     bx, by = f4(mesh.xy[b, 0]), f4(mesh.xy[b, 1])

@@ -6,10 +6,12 @@ Skin is shaded in blocks (`lanes`), each step for all patches of a block; for th
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from .. import inputs
+from ...core.kernels.jit import f4, fast_device, fast_inlined, i8
+from ...core.kernels.vec import Vec, add, along, dot, mix, scale, times, weigh
+from ...looks import attributes
+from ...looks.attributes import SKIN, TONGUE
 from ..brdf import gloss
-from ..inputs import SKIN, TONGUE, Batch, Light, Mesh, Paint, Pose, Sight, Tables
-from ..jit import device, f4, i8, inlined
+from ..inputs import Batch, Light, Mesh, Paint, Pose, Sight, Tables
 from ..lanes import (
     ALBEDO,
     FREE,
@@ -28,7 +30,6 @@ from ..lanes import (
     get,
     put,
 )
-from ..vec import Vec, add, along, dot, mix, scale, times, weigh
 from .folds import bent, creased
 from .lit import glow, lamp_colour, lamp_direction, read_reach, room_of
 from .mouth import past_lips
@@ -41,7 +42,7 @@ from .shadows import shadow_at
 _FLESH = f4(1.0)
 
 
-@device
+@fast_device
 def shade_plain(
     n: int,
     batch: Batch,
@@ -68,15 +69,15 @@ def shade_plain(
         _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
 
 
-@inlined
+@fast_inlined
 def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light) -> None:
     """Read patch k of the mesh into a lane."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
     block = batch.block
     batch.chosen[lane] = k
-    block[FREE + lane] = weigh(mesh.attributes, corners, weights, inputs.OCCLUSION)[0]
-    block[INNER + lane] = weigh(mesh.attributes, corners, weights, inputs.INNER)[0]
-    put(block, ALBEDO, lane, weigh(mesh.attributes, corners, weights, inputs.ALBEDO))
+    block[FREE + lane] = weigh(mesh.attributes, corners, weights, attributes.OCCLUSION)[0]
+    block[INNER + lane] = weigh(mesh.attributes, corners, weights, attributes.INNER)[0]
+    put(block, ALBEDO, lane, weigh(mesh.attributes, corners, weights, attributes.ALBEDO))
     p = weigh(mesh.positions, corners, weights, 0)
     put(block, POSITION, lane, p)
     block[SHADOW + lane] = shadow_at(mesh, light, corners, weights, p)
@@ -84,7 +85,7 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light) -> None:
     read_reach(block, lane, mesh.reach, corners, weights)
 
 
-@device
+@fast_device
 def _shade_block(
     count: int,
     batch: Batch,
@@ -115,7 +116,7 @@ def _shade_block(
         put_colour(batch.colour, k, colour)
 
 
-@device
+@fast_device
 def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixel: float) -> None:
     """Let wrinkles turn the normal and take the room's light away."""
     block = batch.block
@@ -131,7 +132,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
             block[FREE + lane] *= f4(1) - f4(0.7) * deep
 
 
-@device
+@fast_device
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
     """Find how much of the lamps and of the room's light arrives."""
     for lane in range(count):
@@ -145,7 +146,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
         block[OPENED + lane] = free
 
 
-@device
+@fast_device
 def _paint(count: int, batch: Batch, mesh: Mesh, paint: Paint, pixel: float) -> None:
     """Colour the clay with muscles; those that rivals suppress glow."""
     block = batch.block
@@ -161,7 +162,7 @@ def _paint(count: int, batch: Batch, mesh: Mesh, paint: Paint, pixel: float) -> 
             put(block, SHINE, lane, scale(light, block[OPENED + lane]))
 
 
-@device
+@fast_device
 def _fill(block: Float32Array, light: Light) -> None:
     """Begin with the room's light and what glows."""
     room = room_of(light.room)
@@ -170,7 +171,7 @@ def _fill(block: Float32Array, light: Light) -> None:
         put(block, TOTAL, k, add(get(block, SHINE, k), times(get(block, ALBEDO, k), arriving)))
 
 
-@device
+@fast_device
 def _add_lamp(block: Float32Array, lamp: int, direction: Vec, colour: Vec) -> None:
     """Add the matt light of one lamp."""
     for k in range(LANES):
@@ -179,7 +180,7 @@ def _add_lamp(block: Float32Array, lamp: int, direction: Vec, colour: Vec) -> No
         put(block, TOTAL, k, along(get(block, TOTAL, k), times(get(block, ALBEDO, k), colour), share))
 
 
-@device
+@fast_device
 def _add_gloss(block: Float32Array, direction: Vec, colour: Vec) -> None:
     """Add a broad, faint gloss of the key lamp."""
     for k in range(LANES):

@@ -4,12 +4,27 @@ from __future__ import annotations
 
 import math
 
-from .. import inputs
+from ...core.kernels.jit import f4, fast_device, fast_inlined
+from ...core.kernels.vec import (
+    Vec,
+    along,
+    dot,
+    mix,
+    saturate,
+    scale,
+    smooth,
+    sub,
+    times,
+    unit,
+    unrotate,
+    weigh,
+)
+from ...looks import attributes
+from ...looks.attributes import EYE_LEFT, TEETH
+from ...looks.eyeball import IRIS
 from ..brdf import gloss
-from ..inputs import EYE_LEFT, TEETH, Batch, Light, Mesh, Pose, Sight
-from ..jit import device, f4, inlined
-from ..vec import Vec, along, dot, mix, saturate, scale, smooth, sub, times, unit, unrotate, weigh
-from .eye import IRIS, lid_distances, lid_shade
+from ..inputs import Batch, Light, Mesh, Pose, Sight
+from .eye import lid_distances, lid_shade
 from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light
 from .mouth import past_lips
 from .patch import Corners, corners_of, towards, weights_of
@@ -22,13 +37,13 @@ _PUPIL = f4(0.42)  # radii of the iris
 _FAR = f4(20)  # mm: plain eyes have no corners
 
 
-@device
+@fast_device
 def facing(normal: Vec, direction: Vec) -> float:
     """Return the cosine of matt light, wrapped a little around the edge."""
     return saturate((dot(normal, direction) + f4(0.12)) * f4(1 / 1.12))
 
 
-@inlined
+@fast_inlined
 def shade_part(k: int, surface: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose) -> Vec:
     """Return the light from patch k of an eye, tooth or tongue."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
@@ -36,13 +51,13 @@ def shade_part(k: int, surface: int, batch: Batch, mesh: Mesh, sight: Sight, lig
     key, view = key_share(light, p), towards(sight.eye, p)
     if surface < TEETH:
         return _ball(mesh, light, pose, surface - EYE_LEFT, corners, weights, p, view, key)
-    albedo = weigh(mesh.attributes, corners, weights, inputs.ALBEDO)
+    albedo = weigh(mesh.attributes, corners, weights, attributes.ALBEDO)
     deep = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p)
     normal = unit(weigh(mesh.normals, corners, weights, 0))
     return _matt(mesh, light, corners, weights, normal, view, albedo, deep, key)
 
 
-@inlined
+@fast_inlined
 def _matt(
     mesh: Mesh,
     light: Light,
@@ -64,7 +79,7 @@ def _matt(
     return along(total, lamp_colour(light.lamps, 0), shine)
 
 
-@inlined
+@fast_inlined
 def _ball(
     mesh: Mesh,
     light: Light,

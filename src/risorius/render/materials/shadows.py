@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
+from ...core.kernels.jit import f4, fast_inlined, fast_kernel
+from ...core.kernels.vec import Vec, at
 from ..inputs import Light, Mesh
-from ..jit import f4, inlined, kernel
-from ..vec import Vec, at
 from .lit import key_share
 from .patch import Corners
 
 _EVEN = f4(0.1)  # shares of the key lamp that differ by less have nothing between them
 
 
-@kernel
+@fast_kernel
 def cast_shadows(positions: Float32Array, light: Light, shadow: Float32Array) -> None:
     """Write the share of the key lamp that reaches each of the first vertices into `shadow` (n,)."""
     for i in range(len(shadow)):
         shadow[i] = key_share(light, at(positions, i))
 
 
-@inlined
+@fast_inlined
 def shadow_at(mesh: Mesh, light: Light, corners: Corners, weights: Vec, p: Vec) -> float:
     """Return the share of the key lamp that reaches p, a place in a triangle of skin."""
     a, b, c = mesh.shadow[corners[0]], mesh.shadow[corners[1]], mesh.shadow[corners[2]]

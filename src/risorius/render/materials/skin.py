@@ -6,9 +6,12 @@ Its patches are shaded in blocks (`lanes`), each step for all patches of a block
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from .. import inputs
-from ..inputs import SKIN, Batch, Light, Mesh, Pose, Sight, Tables
-from ..jit import device, f4, i8, inlined
+from ...core.kernels.jit import f4, fast_device, fast_inlined, i8
+from ...core.kernels.vec import add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
+from ...looks import attributes
+from ...looks.attributes import SKIN
+from ..grain import between, cell_of, heights_about
+from ..inputs import Batch, Light, Mesh, Pose, Sight, Tables
 from ..lanes import (
     ALBEDO,
     BUMPY,
@@ -34,8 +37,6 @@ from ..lanes import (
     get,
     put,
 )
-from ..noise import between, cell_of, heights_about
-from ..vec import add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from .folds import bent, creased
 from .lit import glow, read_reach, room_of
 from .mouth import past_lips
@@ -48,7 +49,7 @@ _FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the 
 _PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 
-@device
+@fast_device
 def shade_skin(
     n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
@@ -64,7 +65,7 @@ def shade_skin(
         _shade_block(count, batch, mesh, sight, light, pose, tables)
 
 
-@device
+@fast_device
 def _shade_block(
     count: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
@@ -82,19 +83,19 @@ def _shade_block(
         put_colour(batch.colour, batch.chosen[k], add(get(block, TOTAL, k), get(block, SHINE, k)))
 
 
-@inlined
+@fast_inlined
 def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light, pixel: float) -> bool:
     """Read patch k of the mesh into a lane; return whether its skin is bare."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
-    bent_by, inner, cloth = weigh(mesh.attributes, corners, weights, inputs.CURVATURE)
+    bent_by, inner, cloth = weigh(mesh.attributes, corners, weights, attributes.CURVATURE)
     if cloth > pixel:
         return False
     block = batch.block
     batch.chosen[lane] = k
     block[CURVATURE + lane], block[INNER + lane], block[CLOTH + lane] = bent_by, inner, cloth
-    free, roughness, strength = weigh(mesh.attributes, corners, weights, inputs.OCCLUSION)
+    free, roughness, strength = weigh(mesh.attributes, corners, weights, attributes.OCCLUSION)
     block[FREE + lane], block[ROUGHNESS + lane], block[STRENGTH + lane] = free, roughness, strength
-    put(block, ALBEDO, lane, weigh(mesh.attributes, corners, weights, inputs.ALBEDO))
+    put(block, ALBEDO, lane, weigh(mesh.attributes, corners, weights, attributes.ALBEDO))
     p = weigh(mesh.positions, corners, weights, 0)
     put(block, POSITION, lane, p)
     block[SHADOW + lane] = shadow_at(mesh, light, corners, weights, p)
@@ -104,7 +105,7 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light, pixel: floa
     return True
 
 
-@device
+@fast_device
 def _find_grain(count: int, block: Float32Array, tile: Float32Array) -> None:
     """Look the pores up."""
     for k in range(count):
@@ -115,7 +116,7 @@ def _find_grain(count: int, block: Float32Array, tile: Float32Array) -> None:
             block[GRAIN + corner * LANES + k] = heights[corner]
 
 
-@device
+@fast_device
 def _roughen(block: Float32Array, pose: Pose, pixel: float) -> None:
     """Let the pores turn the normal and vary colour and gloss."""
     rotation = rows_of(pose.rotation)
@@ -143,7 +144,7 @@ def _roughen(block: Float32Array, pose: Pose, pixel: float) -> None:
         block[FREE + k] *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), block[CLOTH + k])
 
 
-@device
+@fast_device
 def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixel: float) -> None:
     """Let wrinkles turn the normal and darken the skin."""
     block = batch.block
@@ -165,7 +166,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
             put(block, ALBEDO, k, times(get(block, ALBEDO, k), dark))
 
 
-@device
+@fast_device
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
     """Find how much of the key lamp and of the room's light arrives."""
     for k in range(count):
@@ -177,7 +178,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
         block[OPENED + k] = free
 
 
-@device
+@fast_device
 def _fill(block: Float32Array, light: Light) -> None:
     """Begin with the room's light."""
     room = room_of(light.room)

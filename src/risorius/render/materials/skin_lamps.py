@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
+from ...core.kernels.jit import f4, fast_device
+from ...core.kernels.vec import Vec, add, along, dot, times
 from ..brdf import mirrored, schlick
-from ..jit import device, f4
 from ..lanes import (
     ALBEDO,
     ANGLE,
@@ -26,7 +27,6 @@ from ..lanes import (
     put,
 )
 from ..subsurface import angle_place, curvature_place, scattered
-from ..vec import Vec, add, along, dot, times
 from .lit import glow, lamp_colour, lamp_direction, room_of, warm_edge
 
 _DARK = f4(0.004)  # a lamp of which less arrives is left out
@@ -34,7 +34,7 @@ _FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
 _FRONT = 2  # lamps: those further on stand behind the head
 
 
-@device
+@fast_device
 def lamp_light(
     count: int, lamp: int, block: Float32Array, lamps: Float32Array, diffuse: Float32Array
 ) -> None:
@@ -53,7 +53,7 @@ def lamp_light(
         _add_gloss(block, direction, colour, softness, f4(0.4) if lamp >= _FRONT else f4(1))
 
 
-@device
+@fast_device
 def _arrive(count: int, lamp: int, block: Float32Array) -> bool:
     """Find how much of a lamp arrives at each patch; return whether it is worth looking at anywhere."""
     for k in range(LANES):
@@ -69,7 +69,7 @@ def _arrive(count: int, lamp: int, block: Float32Array) -> bool:
     return most > f4(0)
 
 
-@device
+@fast_device
 def _look_up(count: int, block: Float32Array, diffuse: Float32Array) -> None:
     """Find what of a lamp the skin scatters."""
     for k in range(count):
@@ -78,7 +78,7 @@ def _look_up(count: int, block: Float32Array, diffuse: Float32Array) -> None:
             put(block, BELOW, k, scattered(diffuse, block[ANGLE + k], place))
 
 
-@device
+@fast_device
 def _add_scattered(block: Float32Array, colour: Vec) -> None:
     for k in range(LANES):
         below = times(get(block, BELOW, k), warm_edge(block[SHARE + k]))
@@ -86,7 +86,7 @@ def _add_scattered(block: Float32Array, colour: Vec) -> None:
         put(block, TOTAL, k, add(get(block, TOTAL, k), lit))
 
 
-@device
+@fast_device
 def _add_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: float, part: float) -> None:
     for k in range(LANES):
         glint = _mirrored(block, k, direction, block[ROUGHNESS + k] + softness)
@@ -94,7 +94,7 @@ def _add_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: float
         put(block, SHINE, k, along(get(block, SHINE, k), colour, amount))
 
 
-@device
+@fast_device
 def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: float) -> None:
     """Add the key lamp's gloss: a sharp one and, of the oil's uneven film, a broad one."""
     for k in range(LANES):
@@ -105,13 +105,13 @@ def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: f
         put(block, SHINE, k, along(get(block, SHINE, k), colour, amount))
 
 
-@device
+@fast_device
 def _mirrored(block: Float32Array, k: int, direction: Vec, wide: float) -> float:
     bumpy, half = get(block, BUMPY, k), add(get(block, VIEW, k), direction)
     return mirrored(dot(bumpy, direction), dot(bumpy, half), dot(half, half), wide, _FACING)
 
 
-@device
+@fast_device
 def edge_light(block: Float32Array, room: Float32Array) -> None:
     """Add what the skin mirrors of the room along its outline."""
     around = room_of(room)

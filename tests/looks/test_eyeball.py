@@ -1,0 +1,25 @@
+import numpy as np
+import pytest
+
+from risorius.looks.eyeball import cap, iris_image
+
+
+def test_the_cap_is_a_sphere_wound_outwards():
+    vertices, triangles = cap()
+    assert np.linalg.norm(vertices, axis=1) == pytest.approx(np.ones(len(vertices)))
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    assert ((np.cross(b - a, c - a) * (a + b + c)).sum(axis=1) > 0).all()
+
+
+def test_the_iris_is_dark_at_its_limbus_and_has_fibres():
+    image = iris_image((132, 112, 74), (74, 94, 104))
+    assert np.isfinite(image).all()
+    assert image.min() >= 0
+    assert image[-1].mean() < 0.5 * image[len(image) // 2].mean()
+    assert image[len(image) // 2].std() > 0.05 * image[len(image) // 2].mean()
+
+
+def test_the_iris_closes_around_the_pupil():
+    image = iris_image((132, 112, 74), (74, 94, 104))
+    steps = np.abs(np.diff(image, axis=1)).max()
+    assert np.abs(image[:, 0] - image[:, -1]).max() <= 1.5 * steps

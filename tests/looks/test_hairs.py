@@ -1,0 +1,124 @@
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+
+from risorius.face.identity import Looks
+from risorius.looks.attach import unit
+from risorius.looks.brows import brow_shade, grow_brows
+from risorius.looks.cuts import grow_hair
+from risorius.looks.lashes import grow_lashes
+from risorius.looks.scalp import flow, hair_density, hair_shade, inside_hairline, scalp_shade
+from risorius.looks.strands import Strands, root_frames
+
+BROWN = np.array([0.04, 0.025, 0.015])
+
+
+def curves_in_head(surface, hairs: Strands):
+    """Curves (S, P, 3) in the head frame at rest, from the roots' frames."""
+    frames = root_frames(surface.points, surface.normals, hairs.roots, hairs.weights)
+    origin = np.einsum("sk,skc->sc", hairs.weights, surface.points[hairs.roots])
+    return origin[:, None] + np.einsum("spf,sfc->spc", hairs.curves, frames)
+
+
+@pytest.fixture(scope="module")
+def density(anatomy):
+    return hair_density(anatomy, anatomy.skin, anatomy.masks["ears"])
+
+
+def test_the_face_is_bare_and_the_crown_is_covered(anatomy, density):
+    p = anatomy.skin
+    face = (p[:, 1] < anatomy.eye_height + 40) & (p[:, 2] > -20)
+    assert density[face].max() == 0
+    assert density[p[:, 1] > anatomy.top - 10].min() > 0.9
+    assert density[anatomy.masks["ears"] > 0.3].max() == 0
+
+
+def test_the_hairline_is_soft(density):
+    assert ((density > 0.05) & (density < 0.95)).sum() > 200
+
+
+def test_combed_hair_lies_along_the_skin_and_back_from_the_face(anatomy, surface, density):
+    ahead = flow(anatomy, surface.points, surface.normals)
+    assert np.abs((ahead * surface.normals).sum(axis=1)).max() < 1e-3
+    top = (density > 0.5) & (surface.points[:, 1] > anatomy.top - 25)
+    assert (ahead[top, 2] < 0).mean() > 0.95
+
+
+def test_hair_grows_from_the_scalp_and_stays_off_the_skull(anatomy, surface):
+    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=800))
+    curves = curves_in_head(surface, hairs)
+    assert inside_hairline(anatomy, curves[:, 0]).min() > -10
+    _, near = cKDTree(surface.points).query(curves[:, 2:].reshape(-1, 3))
+    height = ((curves[:, 2:].reshape(-1, 3) - surface.points[near]) * surface.normals[near]).sum(axis=1)
+    assert np.percentile(height, 1) > -1.0
+    assert height.max() < 40
+
+
+def test_brows_are_mirrored_and_lie_over_the_eyes(anatomy, surface):
+    brows = grow_brows(anatomy, surface, BROWN, count=100)
+    curves = curves_in_head(surface, brows)
+    left, right = curves[:100], curves[100:]
+    assert left * [-1, 1, 1] == pytest.approx(right, abs=0.6)
+    assert (left[:, 0, 0] > 0).all()
+    assert left[:, 0, 1].min() > anatomy.eye_height + 5
+    assert left[:, 0, 1].max() < anatomy.eye_height + 35
+
+
+def test_skin_is_darkened_under_the_brows_alone(anatomy):
+    shade = brow_shade(anatomy)
+    assert shade.max() > 0.5
+    assert shade[anatomy.skin[:, 1] < anatomy.eye_height].max() < 0.01
+    assert shade[np.abs(anatomy.skin[:, 0]) < 4].max() < 0.05
+
+
+def test_lashes_point_out_of_the_eye(head, surface):
+    lashes = grow_lashes(head, surface, BROWN, upper=20, lower=10)
+    curves = curves_in_head(surface, lashes)
+    side = np.repeat([0, 1], 30)
+    out = unit(curves[:, 0] - head.eye_centre[side])
+    assert ((unit(curves[:, -1] - curves[:, 0]) * out).sum(axis=1) > 0.25).all()
+    distance = np.linalg.norm(curves[:, 0] - head.eye_centre[side], axis=1)
+    assert np.abs(distance - head.eye_radius[side]).max() < 4
+
+
+def test_the_same_hairs_grow_every_time(anatomy, surface):
+    first, second = (grow_hair(anatomy, surface, BROWN, Looks(hairs=200))[0] for _ in range(2))
+    assert np.array_equal(first.curves, second.curves)
+    assert np.array_equal(first.colours, second.colours)
+
+
+@pytest.mark.parametrize("style", ["short", "medium", "shaved"])
+def test_every_cut_leaves_the_face_free_and_enters_no_skull(anatomy, surface, style):
+    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style))
+    points = curves_in_head(surface, hairs)[:, 1:].reshape(-1, 3)
+    x, y, z = np.abs(points[:, 0]), points[:, 1] - anatomy.eye_height, points[:, 2]
+    assert not ((x < 45) & (y < 25) & (y > -110) & (z > 0)).any()
+    _, near = cKDTree(surface.points).query(points)
+    height = ((points - surface.points[near]) * surface.normals[near]).sum(axis=1)
+    assert np.percentile(height, 5) > -3.0
+
+
+def test_medium_hair_hangs_lower_than_short_hair(anatomy, surface):
+    lowest = {}
+    for style in ("short", "medium"):
+        (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style))
+        lowest[style] = np.percentile(curves_in_head(surface, hairs)[:, -1, 1], 10)
+    assert lowest["medium"] < lowest["short"] - 20
+    assert lowest["medium"] == pytest.approx(anatomy.chin, abs=40)
+
+
+def test_a_bald_head_has_no_hair_and_no_shade_of_it(anatomy, surface):
+    assert grow_hair(anatomy, surface, BROWN, Looks(hair_style="bald")) == []
+    assert scalp_shade(anatomy, "bald").max() == 0
+    assert all(share.max() == 0 for share in hair_shade(anatomy, "bald", np.array([0.0, 1.0, 0.0])))
+
+
+def test_hair_shades_the_forehead_below_the_hairline_from_above(anatomy):
+    covered, cast, around = hair_shade(anatomy, "short", np.array([0.0, 0.7, 0.7]))
+    inside = inside_hairline(anatomy, anatomy.skin)
+    front = (anatomy.skin[:, 2] > 0) & (anatomy.masks["ears"] < 0.01)
+    close, far = front & (inside < -3) & (inside > -8), front & (inside < -25)
+    assert cast[close].mean() > 0.1
+    assert cast[far].max() == 0
+    assert covered[far].max() == 0
+    assert around[far].max() == 0
