@@ -236,8 +236,7 @@ def stream(
         raise InputError(f"no greeting asks for {protocol} first; expected --to, or one of {greeted}")
     if listen is None:
         check_host(address)
-    audio = take.sound or (take.utterance.audio if take.utterance else None)
-    clock = SoundClock(audio) if sound and audio is not None else MachineClock()
+    clock = SoundClock(take.audio) if sound and take.audio is not None else MachineClock()
     progress("Fitting weights …")
     track = take.arkit
     if listen is not None:

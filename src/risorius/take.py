@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from .face.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
-    from .ports.source import Material
 
 
 @dataclass
@@ -104,12 +103,13 @@ class Take:
 
         Raises OutputError if a file cannot be written; then none is.
         """
-        from .ports.source import WriteOptions
         from .ports.targets import check_targets, write_targets
+        from .ports.writable import WriteOptions
 
         chosen = self.settings
-        options = WriteOptions(chosen.size, chosen.at, chosen.every, chosen.look.transparent)
-        write_targets(self._material(progress), check_targets(paths), options)
+        transparent = chosen.look.transparent
+        options = WriteOptions(chosen.size, chosen.at, chosen.every, transparent, progress=progress)
+        write_targets(self, check_targets(paths), options)
 
     def faces(
         self,
@@ -118,6 +118,7 @@ class Take:
         lead_in: float | None = None,
         solver: FaceSolver | None = None,
         reuse: bool = False,
+        progress: Progress = quiet,
     ) -> Iterator[FaceFrame]:
         """Yield the face of every frame, or of the frames in `indices`, one at a time.
 
@@ -131,7 +132,9 @@ class Take:
         moving, drive = self.settings.dynamics != "static", self._curves_between_frames
         solver = solver or self._solver
         room = solver.room() if reuse else None
-        return animate(self.performance, solver, moving, drive, indices, lead_in, room)
+        faces = animate(self.performance, solver, moving, drive, indices, lead_in, room)
+        total = len(self.performance.values if indices is None else indices)
+        return faces if progress is quiet else _counted(faces, total, progress)
 
     def _curves_between_frames(self, times: Array) -> Array:
         return self._plan.at(np.minimum(times, self.performance.times[-1]))
@@ -173,36 +176,18 @@ class Take:
 
         return self.planned or Plan(self.score, lip_rig(self.score, self.settings.head))
 
-    def _material(self, progress: Progress) -> Material:
-        from .ports.source import Material
+    @property
+    def audio(self) -> Audio | None:
+        """What is heard: `sound`, or else the voice; None if there is neither."""
+        return self.sound or (self.utterance.audio if self.utterance else None)
 
-        return Material(
-            performance=self.performance,
-            utterance=self.utterance,
-            audio=self.sound or (self.utterance.audio if self.utterance else None),
-            frames=partial(self._told_faces, progress),
-            pictures=partial(self.pictures, progress=progress),
-            measures=self._measured,
-            head=lambda: self._dressed,
-            arkit=partial(self._told_arkit, progress),
-        )
+    def measures(self, frame: FaceFrame) -> list[float]:
+        """Return distances in mm, angles in degrees and the 68 landmarks in mm of a face, in one list.
 
-    def _told_faces(self, progress: Progress) -> Iterator[FaceFrame]:
-        total = len(self.performance.values)
-        for done, face in enumerate(self.faces(), 1):
-            yield face
-            progress("Solving", done, total)
-
-    def _told_arkit(self, progress: Progress) -> ArkitTrack:
-        known = "arkit" in vars(self)
-        rms, worst = self.arkit.residual
-        if not known:
-            progress(f"ARKit weights leave over {rms:.2f} mm root mean square, {worst:.1f} mm at worst")
-        return self.arkit
-
-    def _measured(self, face: FaceFrame) -> list[float]:
-        measures = astuple(self._gauge.measure(face))
-        return [*measures, *self._gauge.landmarks(face).ravel().tolist()]
+        They are the columns of `.landmarks.csv` after `time_s`, in that order.
+        """
+        measures = astuple(self._gauge.measure(frame))
+        return [*measures, *self._gauge.landmarks(frame).ravel().tolist()]
 
     @cached_property
     def _gauge(self) -> Gauge:
@@ -211,8 +196,8 @@ class Take:
         return Gauge(self.head)
 
     @cached_property
-    def _dressed(self) -> Head:
-        """The head in the looks that the settings choose."""
+    def dressed_head(self) -> Head:
+        """The head that performs, with the looks that the settings choose."""
         from .looks.dress import dressed
 
         looks = dressed(self.head.identity.looks, self.settings.look)
@@ -228,6 +213,14 @@ class Take:
 
         return ArkitFit(self.head).track(self.faces())
 
+    def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
+        """Return `arkit`; when it is fitted for the first time, tell what the weights leave over."""
+        fitted = "arkit" in vars(self)
+        rms, worst = self.arkit.residual
+        if not fitted:
+            progress(f"ARKit weights leave over {rms:.2f} mm root mean square, {worst:.1f} mm at worst")
+        return self.arkit
+
     @cached_property
     def head(self) -> Head:
         """The head that performs; raises HeadError if it cannot be loaded."""
@@ -238,6 +231,13 @@ class Take:
     @cached_property
     def _solver(self) -> FaceSolver:
         return make_solver(self.settings)
+
+
+def _counted(faces: Iterator[FaceFrame], total: int, progress: Progress) -> Iterator[FaceFrame]:
+    """Yield faces, and report each when it is done with."""
+    for done, face in enumerate(faces, 1):
+        yield face
+        progress("Solving", done, total)
 
 
 def make_solver(settings: Settings) -> FaceSolver:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -13,12 +14,17 @@ from risorius.core.arrays import Array, ByteArray, Int16Array
 from risorius.core.audio import Audio, AudioWriter
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.core.performance import Performance, frame_times
+from risorius.core.progress import Progress, quiet
 from risorius.core.score import Score
 from risorius.core.utterance import Utterance
 from risorius.ports.landmarks_csv import COLUMNS
-from risorius.ports.source import Material
+from risorius.ports.writable import WritableTake
 
-MaterialMaker = Callable[..., Material]
+if TYPE_CHECKING:
+    from risorius.face.arkit_fit import ArkitTrack
+    from risorius.face.head import Head
+
+TakeMaker = Callable[..., WritableTake]
 Pictures = Callable[[tuple[int, int], Sequence[int]], Iterator[ByteArray]]
 
 
@@ -30,9 +36,39 @@ def _grey_pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[By
         yield picture
 
 
+@dataclass
+class SmallTake:
+    """A take without a face: its faces are the frames' numbers, and its measures repeat them."""
+
+    performance: Performance
+    utterance: Utterance | None = None
+    audio: Audio | None = None
+    draw: Pictures = _grey_pictures
+    face_count: int | None = None
+    measure_count: int = len(COLUMNS) - 1
+
+    @property
+    def dressed_head(self) -> Head:
+        raise AssertionError("a small take has no head")
+
+    def faces(self, *, progress: Progress = quiet) -> Iterator[Any]:
+        yield from range(len(self.performance.values) if self.face_count is None else self.face_count)
+
+    def pictures(
+        self, size: tuple[int, int], indices: Sequence[int], progress: Progress = quiet
+    ) -> Iterator[ByteArray]:
+        return self.draw(size, indices)
+
+    def measures(self, frame: Any) -> Array:
+        return np.full(self.measure_count, float(frame))
+
+    def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
+        raise AssertionError("a small take has no head")
+
+
 @pytest.fixture
-def material_of() -> MaterialMaker:
-    """Return a function that makes a material: a smile that rises over `duration`."""
+def take_of() -> TakeMaker:
+    """Return a function that makes a take: a smile that rises over `duration`."""
 
     def make(
         duration: float = 1.0,
@@ -41,23 +77,12 @@ def material_of() -> MaterialMaker:
         utterance: Utterance | None = None,
         pictures: Pictures = _grey_pictures,
         score: Score | None = None,
-    ) -> Material:
+    ) -> WritableTake:
         times = frame_times(duration, fps)
         values = np.tile(NEUTRAL, (len(times), 1))
         values[:, INDEX["zygomatic_major.left"]] = np.minimum(times / duration, 1.0)
         values[:, INDEX["head_yaw"]] = -times / duration * 10.0
-
-        def measures(frame: Any) -> Array:
-            return np.full(len(COLUMNS) - 1, float(frame))
-
-        return Material(
-            Performance(score or Score(duration), fps, values),
-            utterance,
-            audio,
-            lambda: iter(range(len(times))),  # type: ignore[arg-type]
-            pictures,
-            measures,
-        )
+        return SmallTake(Performance(score or Score(duration), fps, values), utterance, audio, pictures)
 
     return make
 

@@ -10,10 +10,10 @@ import pytest
 from risorius.core.arrays import ByteArray
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
-from risorius.ports.source import Material, WriteOptions
 from risorius.ports.targets import check_targets, write_targets
+from risorius.ports.writable import WritableTake, WriteOptions
 
-MaterialMaker = Callable[..., Material]
+TakeMaker = Callable[..., WritableTake]
 COLOUR = (180, 90, 60)
 
 
@@ -27,29 +27,29 @@ def _halves(size: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray
 
 
 @pytest.fixture
-def material(material_of: MaterialMaker, utterance_of: Callable[..., Utterance]) -> Material:
+def take(take_of: TakeMaker, utterance_of: Callable[..., Utterance]) -> WritableTake:
     utterance = utterance_of("M AA M", lead=0.1, tail=0.1)
-    return material_of(audio=utterance.audio, utterance=utterance, pictures=_halves, duration=0.2)
+    return take_of(audio=utterance.audio, utterance=utterance, pictures=_halves, duration=0.2)
 
 
-def _write(material: Material, path: Path) -> None:
-    write_targets(material, check_targets([path]), WriteOptions(size=(96, 64), alpha=True))
+def _write(take: WritableTake, path: Path) -> None:
+    write_targets(take, check_targets([path]), WriteOptions(size=(96, 64), alpha=True))
 
 
 def test_a_format_without_alpha_is_refused_before_anything_is_drawn(
-    material: Material, tmp_path: Path
+    take: WritableTake, tmp_path: Path
 ) -> None:
     with pytest.raises(OutputError, match=r"\.mp4 has no transparent background; expected one of \.webm"):
-        _write(material, tmp_path / "x.mp4")
+        _write(take, tmp_path / "x.mp4")
     assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize(("suffix", "decoder"), [(".webm", "libvpx-vp9"), (".mov", None)])
 def test_alpha_and_colour_survive(
-    material: Material, tmp_path: Path, suffix: str, decoder: str | None
+    take: WritableTake, tmp_path: Path, suffix: str, decoder: str | None
 ) -> None:
     path = tmp_path / f"x{suffix}"
-    _write(material, path)
+    _write(take, path)
     with av.open(str(path)) as file:
         stream = file.streams.video[0]
         # FFmpeg's own VP9 decoder leaves the alpha out.

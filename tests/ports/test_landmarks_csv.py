@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from risorius.ports.landmarks_csv import write_landmarks_csv
-from risorius.ports.source import Material, WriteOptions
+from risorius.ports.writable import WritableTake, WriteOptions
 
 EXPECTED = [
     "time_s",
@@ -29,20 +29,20 @@ EXPECTED = [
 ]
 
 
-def test_measures_of_another_number_are_refused(tmp_path: Path, material_of: Callable[..., Material]) -> None:
-    material = replace(material_of(), measures=lambda frame: [1.0])
+def test_measures_of_another_number_are_refused(tmp_path: Path, take_of: Callable[..., WritableTake]) -> None:
+    take = replace(take_of(), measure_count=1)
     with pytest.raises(ValueError, match="a row has shape"):
-        write_landmarks_csv(material, tmp_path / "x.csv", WriteOptions())
+        write_landmarks_csv(take, tmp_path / "x.csv", WriteOptions())
 
 
-def test_fewer_faces_than_frames_are_noticed(tmp_path: Path, material_of: Callable[..., Material]) -> None:
-    material = replace(material_of(), frames=lambda: iter(()))
+def test_fewer_faces_than_frames_are_noticed(tmp_path: Path, take_of: Callable[..., WritableTake]) -> None:
+    take = replace(take_of(), face_count=0)
     with pytest.raises(ValueError, match="zip"):
-        write_landmarks_csv(material, tmp_path / "x.csv", WriteOptions())
+        write_landmarks_csv(take, tmp_path / "x.csv", WriteOptions())
 
 
-def test_columns_stand_in_the_documented_order(tmp_path: Path, material_of: Callable[..., Material]) -> None:
-    write_landmarks_csv(material_of(), tmp_path / "x.csv", WriteOptions())
+def test_columns_stand_in_the_documented_order(tmp_path: Path, take_of: Callable[..., WritableTake]) -> None:
+    write_landmarks_csv(take_of(), tmp_path / "x.csv", WriteOptions())
     with (tmp_path / "x.csv").open(newline="") as file:
         header, *rows = csv.reader(file)
     assert header[:16] == EXPECTED

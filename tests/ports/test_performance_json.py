@@ -12,14 +12,14 @@ from risorius.core.score import Score
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError
 from risorius.ports.performance_json import read_performance, read_performance_file, write_performance_json
-from risorius.ports.source import Material, WriteOptions
+from risorius.ports.writable import WritableTake, WriteOptions
 
 SMILE = Movement("emotion", 0.0, 0.5, 0.1, 0.1, {"zygomatic_major.left": 1 / 3})
 
 
 @pytest.fixture
-def written(tmp_path: Path, material_of: Callable[..., Material]) -> Path:
-    write_performance_json(material_of(score=Score(1.0, (SMILE,))), tmp_path / "x.json", WriteOptions())
+def written(tmp_path: Path, take_of: Callable[..., WritableTake]) -> Path:
+    write_performance_json(take_of(score=Score(1.0, (SMILE,))), tmp_path / "x.json", WriteOptions())
     return tmp_path / "x.json"
 
 
@@ -69,18 +69,18 @@ def test_a_faulty_performance_is_refused_with_its_path(
 @pytest.mark.parametrize("fps", [Fraction(30), Fraction(24000, 1001)])
 def test_a_performance_is_read_back_exactly(
     tmp_path: Path,
-    material_of: Callable[..., Material],
+    take_of: Callable[..., WritableTake],
     utterance_of: Callable[..., Utterance],
     fps: Fraction,
 ) -> None:
     utterance = utterance_of("M AA")
     score = Score(utterance.duration, (SMILE,), text="ma", seed=7)
-    material = material_of(utterance.duration, fps, utterance.audio, utterance, score=score)
-    write_performance_json(material, tmp_path / "x.json", WriteOptions())
+    take = take_of(utterance.duration, fps, utterance.audio, utterance, score=score)
+    write_performance_json(take, tmp_path / "x.json", WriteOptions())
     held = read_performance_file(tmp_path / "x.json")
     assert held.performance.score == score
     assert held.performance.fps == fps
-    np.testing.assert_array_equal(held.performance.values, material.performance.values)
+    np.testing.assert_array_equal(held.performance.values, take.performance.values)
     assert held.utterance is not None
     assert held.utterance.phones == utterance.phones
 

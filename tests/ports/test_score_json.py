@@ -15,7 +15,7 @@ from risorius.core.parameters import PARAMETERS
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError
 from risorius.ports.score_json import read_score, read_score_file, score_to_json, write_score_json
-from risorius.ports.source import Material, WriteOptions
+from risorius.ports.writable import WritableTake, WriteOptions
 
 MINIMAL = (
     '{"risorius": 1, "duration": 7.0, "settings": {"conflict": "inhibit", "activation_threshold": 0.1, '
@@ -167,15 +167,15 @@ def test_the_smallest_score_of_the_documentation_is_read(tmp_path: Path) -> None
 @settings(max_examples=100, suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture])
 @given(score=SCORES)
 def test_a_score_is_read_back_exactly(
-    score: Score, material_of: Callable[..., Material], tmp_path_factory: pytest.TempPathFactory
+    score: Score, take_of: Callable[..., WritableTake], tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     path = tmp_path_factory.mktemp("score") / "x.score.json"
-    material = material_of()
-    material = replace(material, performance=replace(material.performance, score=score))
-    write_score_json(material, path, WriteOptions())
+    take = take_of()
+    take = replace(take, performance=replace(take.performance, score=score))
+    write_score_json(take, path, WriteOptions())
     assert read_score(path) == score
     first = path.read_bytes()
-    write_score_json(material, path, WriteOptions())
+    write_score_json(take, path, WriteOptions())
     assert path.read_bytes() == first
 
 

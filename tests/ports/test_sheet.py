@@ -10,7 +10,7 @@ from PIL import Image
 from risorius.errors import InputError
 from risorius.ports.png import write_png
 from risorius.ports.sheet import GAP, LABEL, MAX_PICTURES, WIDTH, sheet_frames, write_sheet
-from risorius.ports.source import Material, WriteOptions
+from risorius.ports.writable import WritableTake, WriteOptions
 
 
 @pytest.mark.parametrize(
@@ -37,9 +37,9 @@ def test_the_step_that_is_asked_for_is_kept_or_a_sufficient_one_is_named(count: 
 
 
 def test_every_fifth_frame_stands_in_order_with_ink_under_it(
-    tmp_path: Path, material_of: Callable[..., Material]
+    tmp_path: Path, take_of: Callable[..., WritableTake]
 ) -> None:
-    write_png(material_of(), tmp_path / "x.png", WriteOptions(size=(400, 200), every=5))
+    write_png(take_of(), tmp_path / "x.png", WriteOptions(size=(400, 200), every=5))
     with Image.open(tmp_path / "x.png") as image:
         pixels = np.asarray(image)
     cell = (WIDTH // 2 + LABEL, WIDTH + GAP)
@@ -54,8 +54,8 @@ def test_every_fifth_frame_stands_in_order_with_ink_under_it(
 
 @pytest.mark.parametrize("size", [(1, 1), (2000, 3), (20, 3000)])
 def test_any_size_makes_a_sheet(
-    tmp_path: Path, material_of: Callable[..., Material], size: tuple[int, int]
+    tmp_path: Path, take_of: Callable[..., WritableTake], size: tuple[int, int]
 ) -> None:
-    write_sheet(material_of(), tmp_path / "x.png", size, 7)
+    write_sheet(take_of(), tmp_path / "x.png", WriteOptions(size=size), 7)
     with Image.open(tmp_path / "x.png") as image:
         assert min(image.size) > 0

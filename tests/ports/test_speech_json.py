@@ -13,9 +13,9 @@ from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError
 from risorius.ports.node import Node
 from risorius.ports.score_json import read_score, read_score_file
-from risorius.ports.source import Material
 from risorius.ports.speech_json import speech_from_json
 from risorius.ports.targets import check_targets, write_targets
+from risorius.ports.writable import WritableTake
 
 SPEECH: dict[str, Any] = {
     "language": "en",
@@ -85,12 +85,12 @@ def spoken(utterance_of: Callable[..., Utterance]) -> Utterance:
 
 
 def test_speech_is_read_back_with_its_sound(
-    tmp_path: Path, material_of: Callable[..., Material], spoken: Utterance
+    tmp_path: Path, take_of: Callable[..., WritableTake], spoken: Utterance
 ) -> None:
-    material = material_of(audio=spoken.audio, utterance=spoken, score=Score(spoken.duration))
+    take = take_of(audio=spoken.audio, utterance=spoken, score=Score(spoken.duration))
     folder = tmp_path / "sub"
     folder.mkdir()
-    write_targets(material, check_targets([tmp_path / "x.wav", folder / "x.score.json"]))
+    write_targets(take, check_targets([tmp_path / "x.wav", folder / "x.score.json"]))
     assert json.loads((folder / "x.score.json").read_text())["speech"]["audio"] == "../x.wav"
     held = read_score_file(folder / "x.score.json").utterance
     assert held is not None
@@ -101,10 +101,10 @@ def test_speech_is_read_back_with_its_sound(
 
 
 def test_without_a_sound_file_speech_is_silent_and_as_long(
-    tmp_path: Path, material_of: Callable[..., Material], spoken: Utterance
+    tmp_path: Path, take_of: Callable[..., WritableTake], spoken: Utterance
 ) -> None:
-    material = material_of(audio=spoken.audio, utterance=spoken, score=Score(spoken.duration))
-    write_targets(material, check_targets([tmp_path / "x.score.json"]))
+    take = take_of(audio=spoken.audio, utterance=spoken, score=Score(spoken.duration))
+    write_targets(take, check_targets([tmp_path / "x.score.json"]))
     held = read_score_file(tmp_path / "x.score.json").utterance
     assert held is not None
     assert replace(held, audio=spoken.audio) == spoken

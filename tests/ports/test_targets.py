@@ -10,10 +10,10 @@ from risorius.core.audio import Audio
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
 from risorius.ports.formats import OUTPUTS, Need
-from risorius.ports.source import Material, WriteOptions
 from risorius.ports.targets import check_target, check_targets, write_targets
+from risorius.ports.writable import WritableTake, WriteOptions
 
-MaterialMaker = Callable[..., Material]
+TakeMaker = Callable[..., WritableTake]
 NOWHERE = Path("/proc")
 
 
@@ -78,7 +78,7 @@ def test_the_same_file_twice_is_refused(tmp_path: Path) -> None:
         check_targets([tmp_path / "x.mp4", tmp_path / "." / "x.mp4"])
 
 
-def test_when_one_writer_fails_none_of_the_files_appears(tmp_path: Path, material_of: MaterialMaker) -> None:
+def test_when_one_writer_fails_none_of_the_files_appears(tmp_path: Path, take_of: TakeMaker) -> None:
     """The second of three outputs breaks in the middle of its pictures."""
 
     def pictures(size: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray]:
@@ -87,38 +87,36 @@ def test_when_one_writer_fails_none_of_the_files_appears(tmp_path: Path, materia
                 raise RuntimeError("broken")
             yield np.zeros((size[1], size[0], 3), np.uint8)
 
-    material = material_of(pictures=pictures)
+    take = take_of(pictures=pictures)
     old = tmp_path / "x.muscles.csv"
     old.write_text("old")
     paths = [old, tmp_path / "x.mp4", tmp_path / "x.landmarks.csv"]
     with pytest.raises(RuntimeError, match="broken"):
-        write_targets(material, check_targets(paths), WriteOptions(size=(32, 32)))
+        write_targets(take, check_targets(paths), WriteOptions(size=(32, 32)))
     assert old.read_text() == "old"
     assert list(tmp_path.iterdir()) == [old]
 
 
-def test_a_take_without_sound_gives_an_error_with_the_place(
-    tmp_path: Path, material_of: MaterialMaker
-) -> None:
+def test_a_take_without_sound_gives_an_error_with_the_place(tmp_path: Path, take_of: TakeMaker) -> None:
     with pytest.raises(OutputError, match=r"x\.wav: there is no voice to write"):
-        write_targets(material_of(), check_targets([tmp_path / "x.wav"]))
+        write_targets(take_of(), check_targets([tmp_path / "x.wav"]))
     assert list(tmp_path.iterdir()) == []
 
 
 def test_all_formats_are_written_twice_with_the_same_bytes(
     tmp_path: Path,
-    material_of: MaterialMaker,
+    take_of: TakeMaker,
     sound_of: Callable[..., Audio],
     utterance_of: Callable[..., Utterance],
 ) -> None:
     utterance = utterance_of("M AA M", lead=0.3, tail=0.4)
-    material = material_of(audio=utterance.audio, utterance=utterance)
+    take = take_of(audio=utterance.audio, utterance=utterance)
     suffixes = [suffix[1:] for suffix in OUTPUTS if Need.HEAD not in OUTPUTS.get(suffix).needs]
     written = []
     for folder in (tmp_path / "a", tmp_path / "b"):
         folder.mkdir()
         targets = check_targets([folder / f"x.{suffix}" for suffix in suffixes])
-        write_targets(material, targets, WriteOptions(size=(64, 48)))
+        write_targets(take, targets, WriteOptions(size=(64, 48)))
         written.append({path.name: path.read_bytes() for path in folder.iterdir()})
     assert sorted(written[0]) == sorted(f"x.{suffix}" for suffix in suffixes)
     assert written[0] == written[1]

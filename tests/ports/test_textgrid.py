@@ -9,8 +9,8 @@ from praatio import textgrid as praatio_textgrid
 
 from risorius.core.utterance import Accent, Boundary, Phone, Utterance
 from risorius.errors import OutputError
-from risorius.ports.source import Material, WriteOptions
 from risorius.ports.textgrid import phone_label, write_textgrid
+from risorius.ports.writable import WritableTake, WriteOptions
 
 UtteranceMaker = Callable[..., Utterance]
 
@@ -19,22 +19,22 @@ def _read(path: Path) -> Any:
     return praatio_textgrid.openTextgrid(str(path), includeEmptyIntervals=True, reportingMode="error")
 
 
-def _written(utterance: Utterance, material_of: Callable[..., Material], path: Path) -> Any:
-    write_textgrid(material_of(utterance=utterance), path, WriteOptions())
+def _written(utterance: Utterance, take_of: Callable[..., WritableTake], path: Path) -> Any:
+    write_textgrid(take_of(utterance=utterance), path, WriteOptions())
     return _read(path)
 
 
-def test_nothing_said_is_an_error(tmp_path: Path, material_of: Callable[..., Material]) -> None:
+def test_nothing_said_is_an_error(tmp_path: Path, take_of: Callable[..., WritableTake]) -> None:
     with pytest.raises(OutputError, match="nothing said"):
-        write_textgrid(material_of(), tmp_path / "x.TextGrid", WriteOptions())
+        write_textgrid(take_of(), tmp_path / "x.TextGrid", WriteOptions())
 
 
 def test_praatio_reads_all_tiers_without_gaps(
-    tmp_path: Path, material_of: Callable[..., Material], utterance_of: UtteranceMaker
+    tmp_path: Path, take_of: Callable[..., WritableTake], utterance_of: UtteranceMaker
 ) -> None:
     utterance = replace(utterance_of("M AA _ B IY"), accents=(Accent(0.65, 0, 0, "H*"), Accent(1.0, 1, 1)))
     utterance = replace(utterance, boundaries=(Boundary(0.8, 0, "L-H%"),))
-    grid = _written(utterance, material_of, tmp_path / "x.TextGrid")
+    grid = _written(utterance, take_of, tmp_path / "x.TextGrid")
     assert grid.tierNames == ("words", "phones", "accents", "boundaries")
     for name in ("words", "phones"):
         entries = grid.getTier(name).entries
@@ -52,21 +52,21 @@ def test_praatio_reads_all_tiers_without_gaps(
 
 
 def test_quotes_lines_and_other_alphabets_survive(
-    tmp_path: Path, material_of: Callable[..., Material], utterance_of: UtteranceMaker
+    tmp_path: Path, take_of: Callable[..., WritableTake], utterance_of: UtteranceMaker
 ) -> None:
     utterance = utterance_of("M")
     word = replace(utterance.words[0], text='“ü\n"x"')
-    grid = _written(replace(utterance, words=(word,)), material_of, tmp_path / "x.TextGrid")
+    grid = _written(replace(utterance, words=(word,)), take_of, tmp_path / "x.TextGrid")
     assert grid.getTier("words").entries[1].label == '“ü "x"'
 
 
 def test_words_that_meet_inexactly_leave_no_sliver(
-    tmp_path: Path, material_of: Callable[..., Material], utterance_of: UtteranceMaker
+    tmp_path: Path, take_of: Callable[..., WritableTake], utterance_of: UtteranceMaker
 ) -> None:
     utterance = utterance_of("M AA")
     first, second = utterance.words
     words = (replace(first, end=first.end - 1e-9), second)
-    grid = _written(replace(utterance, words=words), material_of, tmp_path / "x.TextGrid")
+    grid = _written(replace(utterance, words=words), take_of, tmp_path / "x.TextGrid")
     assert [entry.label for entry in grid.getTier("words").entries] == ["", "m", "aa", ""]
 
 

@@ -12,8 +12,8 @@ from risorius.errors import OutputError
 from risorius.ports.azure_json import write_azure_json
 from risorius.ports.oculus_csv import write_oculus_csv
 from risorius.ports.rhubarb import write_moho_dat, write_rhubarb_json, write_rhubarb_tsv, write_rhubarb_xml
-from risorius.ports.source import Material, WriteOptions
 from risorius.ports.visemes import OCULUS, viseme_of, viseme_table
+from risorius.ports.writable import WritableTake, WriteOptions
 
 WRITERS = (
     write_rhubarb_json,
@@ -26,9 +26,9 @@ WRITERS = (
 
 
 @pytest.mark.parametrize("write", WRITERS)
-def test_nothing_said_is_an_error(tmp_path: Path, material_of: Callable[..., Material], write) -> None:
+def test_nothing_said_is_an_error(tmp_path: Path, take_of: Callable[..., WritableTake], write) -> None:
     with pytest.raises(OutputError, match="nothing said"):
-        write(material_of(), tmp_path / "x", WriteOptions())
+        write(take_of(), tmp_path / "x", WriteOptions())
 
 
 def test_an_unknown_phone_is_named() -> None:
@@ -64,33 +64,33 @@ def test_the_table_is_whole() -> None:
 
 
 @pytest.fixture
-def material(material_of: Callable[..., Material], utterance_of: Callable[..., Utterance]) -> Material:
+def take(take_of: Callable[..., WritableTake], utterance_of: Callable[..., Utterance]) -> WritableTake:
     utterance = utterance_of("M AA M P _ OW", lead=0.3, tail=0.4)
-    return material_of(duration=utterance.duration, utterance=utterance, audio=utterance.audio)
+    return take_of(duration=utterance.duration, utterance=utterance, audio=utterance.audio)
 
 
-def test_the_four_forms_say_the_same(tmp_path: Path, material: Material) -> None:
+def test_the_four_forms_say_the_same(tmp_path: Path, take: WritableTake) -> None:
     path, options = tmp_path / "x", WriteOptions(voice=Path("a/v.wav"))
-    write_rhubarb_json(material, path, options)
+    write_rhubarb_json(take, path, options)
     document = json.loads(path.read_text())
     cues = [(cue["start"], cue["end"], cue["value"]) for cue in document["mouthCues"]]
     assert document["metadata"] == {"soundFile": "v.wav", "duration": 1.4}
     assert cues[0] == (0.0, 0.3, "X")
     assert [shape for *_, shape in cues] == ["X", "A", "D", "A", "E", "F", "X"]  # closed through the pause
     assert all(a[1] == b[0] for a, b in pairwise(cues))
-    write_rhubarb_tsv(material, path, options)
+    write_rhubarb_tsv(take, path, options)
     lines = [line.split("\t") for line in path.read_text().splitlines()]
     assert [(float(time), shape) for time, shape in lines[:-1]] == [
         (start, shape) for start, _, shape in cues
     ]
     assert lines[-1] == ["1.40", "X"]
-    write_rhubarb_xml(material, path, options)
+    write_rhubarb_xml(take, path, options)
     root = ET.fromstring(path.read_bytes())
     assert root.tag == "rhubarbResult"
     assert root.findtext("metadata/soundFile") == "v.wav"
     found = [(float(c.get("start")), float(c.get("end")), c.text) for c in root.iter("mouthCue")]
     assert found == cues
-    write_moho_dat(material, path, options)
+    write_moho_dat(take, path, options)
     head, *rows = path.read_text().splitlines()
     assert head == "MohoSwitch1"
     frames = [int(row.split()[0]) for row in rows]
@@ -99,15 +99,15 @@ def test_the_four_forms_say_the_same(tmp_path: Path, material: Material) -> None
     assert rows[1] == "10 A"
 
 
-def test_azure_counts_in_100_ns(tmp_path: Path, material: Material) -> None:
-    write_azure_json(material, tmp_path / "x", WriteOptions())
+def test_azure_counts_in_100_ns(tmp_path: Path, take: WritableTake) -> None:
+    write_azure_json(take, tmp_path / "x", WriteOptions())
     events = json.loads((tmp_path / "x").read_text())["visemes"]
     assert events[0] == {"AudioOffset": 0, "VisemeId": 0}
     assert events[1] == {"AudioOffset": pytest.approx(3_000_000, abs=500), "VisemeId": 21}
 
 
-def test_oculus_weights_add_up_and_follow_the_phones(tmp_path: Path, material: Material) -> None:
-    write_oculus_csv(material, tmp_path / "x", WriteOptions())
+def test_oculus_weights_add_up_and_follow_the_phones(tmp_path: Path, take: WritableTake) -> None:
+    write_oculus_csv(take, tmp_path / "x", WriteOptions())
     header, *lines = (tmp_path / "x").read_text().splitlines()
     assert header.split(",") == ["time_s", *OCULUS]
     rows = np.array([[float(cell) for cell in line.split(",")] for line in lines])

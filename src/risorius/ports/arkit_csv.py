@@ -20,8 +20,8 @@ from ..core.arrays import Array
 from ..errors import InputError, unknown
 from ..face.arkit_fit import ArkitTrack
 from .capture import Column, Header, Parse, Table, check_times, radians, read_table
-from .source import Material, WriteOptions, needed
 from .table import write_lines
+from .writable import WritableTake, WriteOptions
 
 APP_RATE = 60.0  # frames per second of the app's takes
 _CLOCK = 4  # numbers of a time code, the first of each row
@@ -32,9 +32,9 @@ COUNT = len(CSV_SHAPES) + len(ROTATIONS)
 _ORDER = [INDEX[name[0].lower() + name[1:]] for name in CSV_SHAPES]
 
 
-def write_arkit_csv(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_arkit_csv(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write one row per frame, ten decimals; raise OutputError where the head has no ARKit shapes."""
-    write_lines(path, rows(needed(material.arkit), material.performance.fps))
+    write_lines(path, rows(take.fit_arkit(options.progress), take.performance.fps))
 
 
 def rows(track: ArkitTrack, fps: Fraction) -> Iterator[str]:

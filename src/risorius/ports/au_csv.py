@@ -20,13 +20,14 @@ import numpy as np
 from ..core.action_unit_fit import ActionUnitFit
 from ..core.action_units import action_unit
 from ..core.arrays import Array, Int64Array
+from ..core.progress import Progress
 from ..errors import InputError, Place, unknown
 from ..face.frame import FaceFrame
 from ..face.rotations import about_axis, rotation_angles
 from .capture import Column, Header, Table, check_times, radians, read_table
 from .landmarks_csv import MEASURES
-from .source import Material, WriteOptions
 from .table import write_lines
+from .writable import WritableTake, WriteOptions
 
 INTENSITIES = (1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 45)
 PRESENCES = (1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 28, 45)
@@ -48,22 +49,22 @@ CAMERA = np.diag([1.0, -1.0, -1.0])
 """From the head's axes to the camera's, and back."""
 
 
-def write_au_csv(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_au_csv(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write one row per frame, counted from 1."""
-    write_lines(path, _lines(material))
+    write_lines(path, _lines(take, options.progress))
 
 
-def _lines(material: Material) -> Iterator[str]:
+def _lines(take: WritableTake, progress: Progress) -> Iterator[str]:
     numbers = tuple(dict.fromkeys((*INTENSITIES, *PRESENCES)))
     # Units outside the columns take up what they do, so that no other unit has to.
     fit = ActionUnitFit((*numbers, 16, 22, 24, 11))
-    units = fit.intensities(material.performance.values)[:, : len(numbers)]
+    units = fit.intensities(take.performance.values)[:, : len(numbers)]
     gap = MEASURES.index("lip_gap_mm")
     yield ", ".join(COLUMNS)
-    rows = zip(material.performance.times, units, material.frames(), strict=True)
+    rows = zip(take.performance.times, units, take.faces(progress=progress), strict=True)
     for number, (time, found, frame) in enumerate(rows, 1):
         strength = dict(zip(numbers, SCALE * found, strict=True))
-        strength[25] = max(strength[25], SCALE * min(float(material.measures(frame)[gap]) / _PARTED, 1.0))
+        strength[25] = max(strength[25], SCALE * min(float(take.measures(frame)[gap]) / _PARTED, 1.0))
         parts = [f"{number}", "0", f"{time:.3f}", "1.00", "1", *(f"{v + 0.0:.6f}" for v in _seen(frame))]
         parts += [f"{strength[au]:.2f}" for au in INTENSITIES]
         parts += ["1" if strength[au] >= PRESENT else "0" for au in PRESENCES]

@@ -8,18 +8,18 @@ from __future__ import annotations
 from pathlib import Path
 
 from .layout import write_json
-from .source import Material, WriteOptions
 from .visemes import Viseme, cues, said
+from .writable import WritableTake, WriteOptions
 
 TICKS_PER_SECOND = 10_000_000
 SILENCE = 0
 
 
-def write_azure_json(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_azure_json(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write a list `visemes` of `AudioOffset` (ticks) and `VisemeId`; OutputError if nothing is said."""
     events = [
         {"AudioOffset": round(cue.start * TICKS_PER_SECOND), "VisemeId": int(cue.shape)}
-        for cue in cues(said(material), _ids, str(SILENCE))
+        for cue in cues(said(take), _ids, str(SILENCE))
     ]
     write_json(path, {"visemes": events})
 

@@ -11,8 +11,8 @@ from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
 from ..core.movement import Movement
-from .source import Material, WriteOptions
 from .table import write_lines
+from .writable import WritableTake, WriteOptions
 
 NAMESPACE = "http://www.bml-initiative.org/bml/bml-1.0"
 _BLOCK = "risorius"
@@ -20,22 +20,22 @@ _PEAKS = {"head": "stroke", "gaze": "ready", "face": "attackPeak"}
 """Behaviours, and what the standard calls the time at which each is fully there."""
 
 
-def write_bml_feedback(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_bml_feedback(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write one block with its predicted times."""
-    write_lines(path, _lines(material))
+    write_lines(path, _lines(take))
 
 
-def _lines(material: Material) -> Iterator[str]:
-    end = f"{material.performance.duration:.6f}"
+def _lines(take: WritableTake) -> Iterator[str]:
+    end = f"{take.performance.duration:.6f}"
     yield '<?xml version="1.0" encoding="utf-8"?>'
     yield f'<predictionFeedback xmlns="{NAMESPACE}">'
     yield f'  <bml id="{_BLOCK}" globalStart="0" globalEnd="{end}"/>'
-    if material.utterance is not None:
+    if take.utterance is not None:
         yield f'  <speech id="{_BLOCK}:speech" start="0" end="{end}">'
-        for number, word in enumerate(material.utterance.words):
+        for number, word in enumerate(take.utterance.words):
             yield f'    <sync id="word{number}" time="{word.start:.6f}"/>'
         yield "  </speech>"
-    for number, movement in enumerate(material.performance.score.movements):
+    for number, movement in enumerate(take.performance.score.movements):
         element = _behaviour(movement)
         name = quoteattr(f"{_BLOCK}:{movement.id or f'{movement.channel}{number}'}")
         peak = min(movement.start + movement.onset, movement.end)

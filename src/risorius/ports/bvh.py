@@ -12,27 +12,28 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array
+from ..core.progress import Progress
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from .source import Material, WriteOptions, needed
 from .table import write_lines
+from .writable import WritableTake, WriteOptions
 
 _CM = 0.1
 _ORDER = "Zrotation Xrotation Yrotation"
 
 
-def write_bvh(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_bvh(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write a root at the neck's base that stays, and a head with two eyes that turn."""
-    write_lines(path, _lines(material, needed(material.head)))
+    write_lines(path, _lines(take, options.progress))
 
 
-def _lines(material: Material, head: Head) -> Iterator[str]:
-    performance = material.performance
-    yield from _hierarchy(head)
+def _lines(take: WritableTake, progress: Progress) -> Iterator[str]:
+    performance = take.performance
+    yield from _hierarchy(take.dressed_head)
     yield "MOTION"
     yield f"Frames: {len(performance.values)}"
     yield f"Frame Time: {float(1 / performance.fps):.8f}"
-    for frame in material.frames():
+    for frame in take.faces(progress=progress):
         yield " ".join(f"{value + 0.0:.6f}" for value in np.round(_row(frame), 6))
 
 

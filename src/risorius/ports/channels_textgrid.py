@@ -11,22 +11,22 @@ from pathlib import Path
 
 from ..core.movement import Movement
 from ..core.performance import Performance
-from .source import Material, WriteOptions
 from .table import write_lines
 from .textgrid import Interval, grid_lines, phone_label
+from .writable import WritableTake, WriteOptions
 
 
-def write_channels_textgrid(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_channels_textgrid(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write the tiers; without speech only those of the channels."""
-    write_lines(path, grid_lines(material.performance.duration, list(_tiers(material))))
+    write_lines(path, grid_lines(take.performance.duration, list(_tiers(take))))
 
 
-def _tiers(material: Material) -> Iterator[tuple[str, list[Interval]]]:
-    utterance = material.utterance
+def _tiers(take: WritableTake) -> Iterator[tuple[str, list[Interval]]]:
+    utterance = take.utterance
     if utterance is not None:
         yield "words", [(w.start, w.end, w.text) for w in utterance.words]
         yield "phones", [(p.start, p.end, phone_label(p, utterance.language)) for p in utterance.phones]
-    yield from _channels(material.performance)
+    yield from _channels(take.performance)
 
 
 def _channels(performance: Performance) -> Iterator[tuple[str, list[Interval]]]:

@@ -17,11 +17,12 @@ import numpy as np
 
 from ..core.arrays import Array, BoolArray
 from ..core.performance import MAX_FPS
+from ..core.progress import Progress
 from ..errors import InputError, Place
 from ..face.feature_points import COUNT, SHOWN, FeaturePoints
 from .capture import check_length, read_lines
-from .source import Material, WriteOptions, needed
 from .table import write_lines
+from .writable import WritableTake, WriteOptions
 
 Line = tuple[int, list[str]]
 """Where a line stands, and its words."""
@@ -32,16 +33,16 @@ _WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
 FLAGS = " ".join("1" if number in SHOWN else "0" for number in range(1, COUNT + 1))
 
 
-def write_fap(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_fap(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write all frames, measured on the head's feature points in its own units (FAPU)."""
-    write_lines(path, _lines(material))
+    write_lines(path, _lines(take, options.progress))
 
 
-def _lines(material: Material) -> Iterator[str]:
-    points, shown = FeaturePoints(needed(material.head)), np.array(SHOWN) - 1
-    performance = material.performance
+def _lines(take: WritableTake, progress: Progress) -> Iterator[str]:
+    points, shown = FeaturePoints(take.dressed_head), np.array(SHOWN) - 1
+    performance = take.performance
     yield f"{VERSION} risorius {round(performance.fps)} {len(performance.values)}"
-    for number, frame in enumerate(material.frames()):
+    for number, frame in enumerate(take.faces(progress=progress)):
         values = np.round(points.values(frame)[shown]).astype(int)
         yield FLAGS
         yield f"{number} " + " ".join(map(str, values))

@@ -11,9 +11,9 @@ from pathlib import Path
 
 from ..errors import OutputError, Place
 from ..registry import Registry
-from .source import Material, WriteOptions
+from .writable import WritableTake, WriteOptions
 
-Writer = Callable[[Material, Path, WriteOptions], None]
+Writer = Callable[[WritableTake, Path, WriteOptions], None]
 
 
 class Need(StrEnum):
@@ -46,7 +46,7 @@ OUTPUTS: Registry[Output] = Registry("output suffix")
 def register(
     suffix: str, description: str, needs: Iterable[str], write: Writer, *, opaque: bool = False
 ) -> None:
-    """Add a format. `write(material, path, options)` fills `path`, an empty file beside the final one."""
+    """Add a format. `write(take, path, options)` fills `path`, an empty file beside the final one."""
     output = Output(suffix, description, frozenset(Need(need) for need in needs), write, opaque)
     OUTPUTS.register(suffix)(output)
 
@@ -57,8 +57,8 @@ def deferred(module: str, name: str) -> Writer:
     What draws or fits faces takes a second to import, and most commands need none of it.
     """
 
-    def write(material: Material, path: Path, options: WriteOptions) -> None:
-        getattr(import_module(f".{module}", __package__), name)(material, path, options)
+    def write(take: WritableTake, path: Path, options: WriteOptions) -> None:
+        getattr(import_module(f".{module}", __package__), name)(take, path, options)
 
     return write
 

@@ -24,23 +24,23 @@ from ..looks.figure import Piece, figure_of
 from .basis import ClipBasis
 from .glb_scene import ON_SKIN, GlbScene, riding
 from .gltf import Animation, Gltf, quaternions
-from .source import Material, WriteOptions, needed
+from .writable import WritableTake, WriteOptions
 
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: displacements below it are none
 _MOVED = ("skin", "tongue", "teeth_lower")
 
 
-def write_glb(material: Material, path: Path, options: WriteOptions) -> None:
+def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the clip by its own basis, or one frame as a still."""
-    head = needed(material.head)
+    head = take.dressed_head
     pieces = figure_of(head)
-    if len(material.performance.values) <= 2 and material.audio is None:
-        still(head, pieces, next(material.frames()), _asset(options)).save(path)
+    if len(take.performance.values) <= 2 and take.audio is None:
+        still(head, pieces, next(take.faces(progress=options.progress)), _asset(options)).save(path)
         return
     rest = np.concatenate([pieces[name].points for name in _MOVED])
     basis, turns = ClipBasis(rest), Turns()
-    for frame in material.frames():
+    for frame in take.faces(progress=options.progress):
         basis.show(np.concatenate([frame.skin, frame.tongue, frame.teeth_lower]))
         turns.append(frame)
     shapes, weights = basis.finish()
@@ -53,20 +53,20 @@ def write_glb(material: Material, path: Path, options: WriteOptions) -> None:
     }
     scene = GlbScene(head, gltf, pieces, moving)
     scene.build()
-    animate(scene, material.performance.times, dict(zip(moving, weights.T, strict=True)), turns)
+    animate(scene, take.performance.times, dict(zip(moving, weights.T, strict=True)), turns)
     gltf.save(path)
 
 
-def write_rig_glb(material: Material, path: Path, options: WriteOptions) -> None:
+def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the clip as weights of the 52 ARKit shapes; raise HeadError where the head has none."""
-    head, track = needed(material.head), needed(material.arkit)
+    head, track = take.dressed_head, take.fit_arkit(options.progress)
     rms, worst = track.residual
     gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
     scene = rig_scene(head, gltf)
     turns = Turns()
-    for frame in material.frames():
+    for frame in take.faces(progress=options.progress):
         turns.append(frame)
-    animate(scene, material.performance.times, dict(zip(SHAPES, track.weights.T, strict=True)), turns)
+    animate(scene, take.performance.times, dict(zip(SHAPES, track.weights.T, strict=True)), turns)
     gltf.save(path)
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from .source import Material, WriteOptions
+from ..core.progress import Progress
 from .table import Row, table_lines, write_lines
+from .writable import WritableTake, WriteOptions
 
 MEASURES = (
     "lip_gap_mm",
@@ -31,14 +32,14 @@ POINTS = tuple(f"{axis}{number:02d}" for number in range(68) for axis in "xyz")
 COLUMNS = ("time_s", *MEASURES, *POINTS)
 
 
-def write_landmarks_csv(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_landmarks_csv(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the time in seconds, the measures and the 68 iBUG points, mm and degrees to 1e-5.
 
     Skin is float32: at 100 mm that is 1e-5.
     """
-    write_lines(path, table_lines(COLUMNS, _rows(material), [6] + [5] * (len(COLUMNS) - 1)))
+    write_lines(path, table_lines(COLUMNS, _rows(take, options.progress), [6] + [5] * (len(COLUMNS) - 1)))
 
 
-def _rows(material: Material) -> Iterator[Row]:
-    for time, frame in zip(material.performance.times, material.frames(), strict=True):
-        yield np.concatenate([[time], np.asarray(material.measures(frame), dtype=np.float64)])
+def _rows(take: WritableTake, progress: Progress) -> Iterator[Row]:
+    for time, frame in zip(take.performance.times, take.faces(progress=progress), strict=True):
+        yield np.concatenate([[time], np.asarray(take.measures(frame), dtype=np.float64)])

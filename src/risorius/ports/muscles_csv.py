@@ -9,15 +9,15 @@ import numpy as np
 
 from ..core.parameters import NAMES
 from ..core.performance import Performance
-from .source import Material, WriteOptions
 from .table import table_lines, write_lines
+from .writable import WritableTake, WriteOptions
 
 COLUMNS = ("time_s", *NAMES)
 
 
-def write_muscles_csv(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_muscles_csv(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write the time in seconds, then every parameter in the table's order, to 1e-6."""
-    write_lines(path, rows(material.performance))
+    write_lines(path, rows(take.performance))
 
 
 def rows(performance: Performance) -> Iterator[str]:

@@ -16,27 +16,27 @@ import numpy as np
 from ..core.arrays import AnyArray
 from ..core.parameters import NAMES
 from ..core.performance import Performance
-from .source import Material, WriteOptions, needed
+from .writable import WritableTake, WriteOptions
 
 
-def write_npz(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_npz(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write the curves."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        _curves(archive, material.performance)
+        _curves(archive, take.performance)
 
 
-def write_vertices_npz(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_vertices_npz(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the curves, and the skin frame by frame: memory does not grow with the clip."""
-    head = needed(material.head)
-    frames, rest = len(material.performance.values), head.skin.matrix @ head.rest
+    head = take.dressed_head
+    frames, rest = len(take.performance.values), head.skin.matrix @ head.rest
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        _curves(archive, material.performance)
+        _curves(archive, take.performance)
         _add(archive, "skin_rest", rest.astype(np.float32))
         _add(archive, "skin_triangles", head.skin.triangles)
         header = {"descr": "<f4", "fortran_order": False, "shape": (frames, *rest.shape)}
         with archive.open(_entry("skin"), "w", force_zip64=True) as file:
             np.lib.format.write_array_header_2_0(file, header)
-            for frame in material.frames():
+            for frame in take.faces(progress=options.progress):
                 file.write(np.ascontiguousarray(frame.skin, "<f4").tobytes())
 
 

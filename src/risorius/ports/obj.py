@@ -19,17 +19,17 @@ from ..looks.figure import Piece, figure_of
 from ..looks.srgb import srgb_encode
 from .glb_scene import ON_SKIN, riding
 from .png import frame_at
-from .source import Material, WriteOptions, needed
 from .table import write_lines
+from .writable import WritableTake, WriteOptions
 
 _EYES = ("eye_left", "eye_right")
 
 
-def write_obj(material: Material, path: Path, options: WriteOptions) -> None:
+def write_obj(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write one frame; raise InputError for a time outside the performance."""
-    head, pieces = needed(material.head), figure_of(needed(material.head))
-    index = frame_at(material.performance, options.at)
-    frame = next(islice(material.frames(), index, None))
+    head, pieces = take.dressed_head, figure_of(take.dressed_head)
+    index = frame_at(take.performance, options.at)
+    frame = next(islice(take.faces(progress=options.progress), index, None))
     write_lines(path, _lines(pieces, placed(head, pieces, frame)))
 
 

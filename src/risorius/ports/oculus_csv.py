@@ -11,18 +11,18 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array
-from .source import Material, WriteOptions
 from .table import table_lines, write_lines
 from .visemes import OCULUS, Cue, Viseme, cues, said
+from .writable import WritableTake, WriteOptions
 
 FADE = 0.08
 COLUMNS = ("time_s", *OCULUS)
 
 
-def write_oculus_csv(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_oculus_csv(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write the time in seconds and 15 weights; raise OutputError if nothing is said."""
-    held = cues(said(material), _names, OCULUS[0])
-    write_lines(path, table_lines(COLUMNS, _rows(held, material.performance.times), [6] + [4] * len(OCULUS)))
+    held = cues(said(take), _names, OCULUS[0])
+    write_lines(path, table_lines(COLUMNS, _rows(held, take.performance.times), [6] + [4] * len(OCULUS)))
 
 
 def _names(viseme: Viseme) -> tuple[str, ...]:

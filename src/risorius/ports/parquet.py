@@ -12,17 +12,17 @@ import numpy as np
 from ..core.arkit import SHAPES
 from ..core.parameters import NAMES
 from ..errors import OutputError
-from .source import Material, WriteOptions, needed
+from .writable import WritableTake, WriteOptions
 
 
-def write_parquet(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_parquet(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the table; raise OutputError where pyarrow is not installed."""
     try:
         import pyarrow as pa
         from pyarrow import parquet
     except ImportError:
         raise OutputError("needs pyarrow; expected pip install 'risorius[data]'") from None
-    performance, track = material.performance, needed(material.arkit)
+    performance, track = take.performance, take.fit_arkit(options.progress)
     columns = {"time_s": performance.times}
     columns |= {name: performance.values[:, k] for k, name in enumerate(NAMES)}
     columns |= {f"arkit_{name}": track.weights[:, k] for k, name in enumerate(SHAPES)}

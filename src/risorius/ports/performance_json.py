@@ -15,7 +15,7 @@ from ..errors import unknown
 from .layout import write_json
 from .node import Node
 from .score_json import VERSION, check_version, reading, score_from_json, score_to_json
-from .source import Material, WriteOptions
+from .writable import WritableTake, WriteOptions
 
 _KEYS = ("risorius", "fps", "curves", "score")
 # Curves that were added up may miss their limits by rounding.
@@ -30,14 +30,14 @@ class PerformanceFile:
     utterance: Utterance | None
 
 
-def write_performance_json(material: Material, path: Path, options: WriteOptions) -> None:
-    """Write a material's curves, exactly, and its score."""
-    performance = material.performance
+def write_performance_json(take: WritableTake, path: Path, options: WriteOptions) -> None:
+    """Write a take's curves, exactly, and its score."""
+    performance = take.performance
     document = {
         "risorius": VERSION,
         "fps": str(performance.fps),
         "curves": {name: curve.tolist() for name, curve in performance.curves.items()},
-        "score": score_to_json(performance.score, material.utterance, options.voice, path.parent),
+        "score": score_to_json(performance.score, take.utterance, options.voice, path.parent),
     }
     write_json(path, document)
 

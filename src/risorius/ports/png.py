@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from ..core.performance import Performance
 from ..errors import InputError
 from .sheet import write_sheet
-from .source import Material, WriteOptions
+from .writable import WritableTake, WriteOptions
 
 if TYPE_CHECKING:
     from PIL.PngImagePlugin import PngInfo
 
 
-def write_png(material: Material, path: Path, options: WriteOptions) -> None:
+def write_png(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the frame nearest to `options.at` seconds, by default the middle one; with `every`, a sheet.
 
     Raises InputError for a time outside the performance, and as `write_sheet`.
@@ -22,10 +22,10 @@ def write_png(material: Material, path: Path, options: WriteOptions) -> None:
     from PIL import Image
 
     if options.every is not None:
-        write_sheet(material, path, options.size, options.every)
+        write_sheet(take, path, options, options.every)
         return
-    index = frame_at(material.performance, options.at)
-    for picture in material.pictures(options.size, [index]):
+    index = frame_at(take.performance, options.at)
+    for picture in take.pictures(options.size, [index], options.progress):
         Image.fromarray(picture).save(path, format="PNG", pnginfo=srgb())
 
 

@@ -13,9 +13,9 @@ from xml.sax.saxutils import escape
 from ..core.utterance import Utterance
 from .layout import write_json
 from .rhubarb_timing import IDLE, paused, tweened
-from .source import Material, WriteOptions
 from .table import write_lines
 from .visemes import Cue, Viseme, cues, said
+from .writable import WritableTake, WriteOptions
 
 
 def mouth_cues(utterance: Utterance) -> list[Cue]:
@@ -28,23 +28,23 @@ def mouth_cues(utterance: Utterance) -> list[Cue]:
     return [cue for cue in rounded if cue.start < cue.end]
 
 
-def write_rhubarb_json(material: Material, path: Path, options: WriteOptions) -> None:
+def write_rhubarb_json(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write `metadata` and `mouthCues`; raises OutputError if nothing is said, as the others here."""
-    utterance = said(material)
+    utterance = said(take)
     rows = [{"start": cue.start, "end": cue.end, "value": cue.shape} for cue in mouth_cues(utterance)]
     write_json(path, {"metadata": _metadata(utterance, options), "mouthCues": rows})
 
 
-def write_rhubarb_tsv(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_rhubarb_tsv(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write a start and a shape on each line; the last line is the end, idle."""
-    utterance = said(material)
+    utterance = said(take)
     lines = [f"{cue.start:.2f}\t{cue.shape}" for cue in mouth_cues(utterance)]
     write_lines(path, [*lines, f"{utterance.duration:.2f}\t{IDLE}"])
 
 
-def write_rhubarb_xml(material: Material, path: Path, options: WriteOptions) -> None:
+def write_rhubarb_xml(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write `rhubarbResult` with its cues."""
-    utterance = said(material)
+    utterance = said(take)
     metadata = _metadata(utterance, options)
     lines = ['<?xml version="1.0" encoding="utf-8"?>', "<rhubarbResult>", "  <metadata>"]
     lines.append(f"    <soundFile>{escape(str(metadata['soundFile']))}</soundFile>")
@@ -55,9 +55,9 @@ def write_rhubarb_xml(material: Material, path: Path, options: WriteOptions) -> 
     write_lines(path, [*lines, "  </mouthCues>", "</rhubarbResult>"])
 
 
-def write_moho_dat(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_moho_dat(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write Moho switch data: a frame, counted from 1 at the performance's rate, and a shape on each line."""
-    utterance, fps = said(material), material.performance.fps
+    utterance, fps = said(take), take.performance.fps
     lines, last = ["MohoSwitch1"], 0
     for cue in mouth_cues(utterance):
         if (frame := _frame(cue.start, fps)) != last:

@@ -16,8 +16,8 @@ from .layout import write_json
 from .movement_json import Entry, entry_from_json, entry_to_json
 from .node import Node, load
 from .records import from_record
-from .source import Material, WriteOptions
 from .speech_json import speech_from_json, speech_to_json
+from .writable import WritableTake, WriteOptions
 
 T = TypeVar("T")
 
@@ -36,10 +36,10 @@ class ScoreFile:
     utterance: Utterance | None
 
 
-def write_score_json(material: Material, path: Path, options: WriteOptions) -> None:
-    """Write a material's score, with its speech and the way to `options.voice`."""
-    score = material.performance.score
-    write_json(path, score_to_json(score, material.utterance, options.voice, path.parent))
+def write_score_json(take: WritableTake, path: Path, options: WriteOptions) -> None:
+    """Write a take's score, with its speech and the way to `options.voice`."""
+    score = take.performance.score
+    write_json(path, score_to_json(score, take.utterance, options.voice, path.parent))
 
 
 def read_score(path: Path) -> Score:

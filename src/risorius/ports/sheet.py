@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from ..core.arrays import ByteArray
 from ..core.look import Size
 from ..errors import InputError
-from .source import Material
+from .writable import WritableTake, WriteOptions
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage
@@ -23,16 +23,17 @@ BACKGROUND = (255, 255, 255)
 INK = (30, 30, 30)
 
 
-def write_sheet(material: Material, path: Path, size: Size, every: int) -> None:
+def write_sheet(take: WritableTake, path: Path, options: WriteOptions, every: int) -> None:
     """Write frames 0, n, 2n … for n = `every` as PNG, left to right, each with its number under it.
 
-    Pictures have the proportions of `size` and are at most WIDTH wide. Raises InputError as `sheet_frames`.
+    Pictures have the proportions of `options.size` and are at most WIDTH wide. Raises as `sheet_frames`.
     """
-    indices = sheet_frames(len(material.performance.values), every)
-    size = _thumbnail(size)
+    indices = sheet_frames(len(take.performance.values), every)
+    size = _thumbnail(options.size)
     columns = _columns(len(indices), size)
     sheet = _blank(len(indices), columns, size)
-    for place, (index, picture) in enumerate(zip(indices, material.pictures(size, indices), strict=True)):
+    pictures = take.pictures(size, indices, options.progress)
+    for place, (index, picture) in enumerate(zip(indices, pictures, strict=True)):
         row, column = divmod(place, columns)
         corner = (GAP + column * (size[0] + GAP), GAP + row * (size[1] + LABEL))
         _paste(sheet, picture, corner, f"{index}")

@@ -12,7 +12,7 @@ from pathlib import Path
 from ..errors import OutputError, Place
 from .atomic import os_failure, replacing
 from .formats import OUTPUTS, Need, Output, output_for
-from .source import Material, WriteOptions
+from .writable import WritableTake, WriteOptions
 
 PathLike = str | os.PathLike[str]
 
@@ -78,7 +78,7 @@ def _shows(output: Output) -> bool:
     return Need.PIXELS in output.needs
 
 
-def write_targets(material: Material, targets: Sequence[Target], options: WriteOptions | None = None) -> None:
+def write_targets(take: WritableTake, targets: Sequence[Target], options: WriteOptions | None = None) -> None:
     """Write all targets; they appear together, when the last is complete, or not at all.
 
     A score refers to the `.wav` among the targets, if there is one. Raises OutputError.
@@ -92,12 +92,12 @@ def write_targets(material: Material, targets: Sequence[Target], options: WriteO
     with ExitStack() as stack:
         beside = [stack.enter_context(replacing(target.path)) for target in targets]
         for target, temporary in zip(targets, beside, strict=True):
-            _write_one(material, target, temporary, options)
+            _write_one(take, target, temporary, options)
 
 
-def _write_one(material: Material, target: Target, temporary: Path, options: WriteOptions) -> None:
+def _write_one(take: WritableTake, target: Target, temporary: Path, options: WriteOptions) -> None:
     try:
-        target.output.write(material, temporary, options)
+        target.output.write(take, temporary, options)
     except OSError as error:
         raise os_failure(target.path, error) from error
     except OutputError as error:

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from ..core.utterance import Phone, Utterance
 from ..errors import OutputError
-from .source import Material, WriteOptions
 from .table import write_lines
+from .writable import WritableTake, WriteOptions
 
 Interval = tuple[float, float, str]
 Point = tuple[float, str]
@@ -17,11 +17,11 @@ Point = tuple[float, str]
 _STRESS_DIGIT = {0: "0", 1: "2", 2: "1"}
 
 
-def write_textgrid(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_textgrid(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write tiers `words`, `phones`, `accents` and `boundaries`. Raises OutputError if nothing is said."""
-    if material.utterance is None:
+    if take.utterance is None:
         raise OutputError("there is nothing said to write; expected a performance that speaks")
-    write_lines(path, textgrid_lines(material.utterance))
+    write_lines(path, textgrid_lines(take.utterance))
 
 
 def textgrid_lines(utterance: Utterance) -> Iterator[str]:

@@ -22,20 +22,20 @@ from ..face.shapes import arkit_shapes
 from ..looks.figure import Piece, figure_of
 from ..looks.srgb import srgb_encode
 from .gltf import quaternion
-from .source import Material, WriteOptions, needed
+from .writable import WritableTake, WriteOptions
 
 METRES = 0.001
 _SMALL = 1e-3  # mm: displacements below it are none
 
 
-def write_usda(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_usda(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the stage; raise OutputError where usd-core is not installed."""
     try:
         from pxr import Usd
     except ImportError:
         raise OutputError("needs usd-core; expected pip install 'risorius[usd]'") from None
     stage = Usd.Stage.CreateInMemory(".usda")
-    _Stage(stage, needed(material.head)).build(material, needed(material.arkit))
+    _Stage(stage, take.dressed_head).build(take, take.fit_arkit(options.progress))
     path.write_text(stage.GetRootLayer().ExportToString(), encoding="utf-8", newline="\n")
 
 
@@ -46,11 +46,11 @@ class _Stage:
         self._stage, self._head = stage, head
         self._pieces = figure_of(head)
 
-    def build(self, material: Material, track: ArkitTrack) -> None:
+    def build(self, take: WritableTake, track: ArkitTrack) -> None:
         """Define the model, its skeleton, meshes and animation."""
         from pxr import UsdGeom, UsdSkel
 
-        stage, performance = self._stage, material.performance
+        stage, performance = self._stage, take.performance
         UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
         UsdGeom.SetStageMetersPerUnit(stage, 1.0)
         stage.SetTimeCodesPerSecond(float(performance.fps))

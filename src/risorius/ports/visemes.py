@@ -10,7 +10,7 @@ from importlib import resources
 from ..core.toml import parse_rows
 from ..core.utterance import Phone, Utterance
 from ..errors import OutputError, unknown
-from .source import Material
+from .writable import WritableTake
 
 OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
 """The 15 visemes of OVRLipSync, in its order."""
@@ -61,11 +61,11 @@ def cues(utterance: Utterance, shapes: Callable[[Viseme], tuple[str, ...]], sile
     return list(_merged(_each(utterance.phones, shapes, silence)))
 
 
-def said(material: Material) -> Utterance:
+def said(take: WritableTake) -> Utterance:
     """Return what is said; raise OutputError if nothing is."""
-    if material.utterance is None:
+    if take.utterance is None:
         raise OutputError("there is nothing said to write; expected a performance that speaks")
-    return material.utterance
+    return take.utterance
 
 
 def _each(

@@ -18,7 +18,7 @@ from ..core.parameters import INDEX
 from ..face.expressions import expressions, preset_weights
 from ..face.rotations import head_rotation
 from .gltf import Animation, Gltf, quaternions
-from .source import Material, WriteOptions, needed
+from .writable import WritableTake, WriteOptions
 
 Json = dict[str, object]
 EXTENSION, VERSION = "VRMC_vrm_animation", "1.0"
@@ -27,9 +27,9 @@ BONES = {"hips": 1.0, "spine": 0.12, "chest": 0.2, "neck": 0.22, "head": 0.08}
 _EYES_ABOVE_HEAD = 0.06
 
 
-def write_vrma(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_vrma(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the animation; raise HeadError where the head has no ARKit shapes."""
-    track, performance = needed(material.arkit), material.performance
+    track, performance = take.fit_arkit(options.progress), take.performance
     gltf = Gltf(generator="Risorius")
     gltf.use(EXTENSION)
     bones = _bones(gltf)

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from ..core.audio import Audio
 from ..errors import OutputError
-from .source import Material, WriteOptions
+from .writable import WritableTake, WriteOptions
 
 
-def write_wav(material: Material, path: Path, _options: WriteOptions) -> None:
+def write_wav(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write the sound as 16-bit mono PCM. Raises OutputError if nothing is said."""
-    audio = voice_of(material)
+    audio = voice_of(take)
     with wave.open(str(path), "wb") as file:
         file.setnchannels(1)
         file.setsampwidth(2)
@@ -21,8 +21,8 @@ def write_wav(material: Material, path: Path, _options: WriteOptions) -> None:
             file.writeframes(block.astype("<i2", copy=False).tobytes())
 
 
-def voice_of(material: Material) -> Audio:
-    """Return the sound of a material; raise OutputError if it has none."""
-    if material.audio is None:
+def voice_of(take: WritableTake) -> Audio:
+    """Return the sound of a take; raise OutputError if it has none."""
+    if take.audio is None:
         raise OutputError("there is no voice to write; expected a performance that speaks")
-    return material.audio
+    return take.audio

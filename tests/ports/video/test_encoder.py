@@ -12,9 +12,9 @@ import pytest
 
 from risorius.errors import OutputError
 from risorius.ports.atomic import replacing
-from risorius.ports.source import Material, WriteOptions
 from risorius.ports.targets import check_targets, write_targets
 from risorius.ports.video.encoder import VideoEncoder
+from risorius.ports.writable import WritableTake, WriteOptions
 
 SIZE = (320, 320)
 NOISE = np.random.default_rng(0).integers(0, 256, (SIZE[1], SIZE[0], 3)).astype(np.uint8)
@@ -182,14 +182,14 @@ print(sorted(heavy | ({"av"} & set(sys.modules))))
 
 
 def test_errors_of_the_worker_carry_the_output_s_name(
-    tmp_path: Path, material_of: Callable[..., Material], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, take_of: Callable[..., WritableTake], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     broken = tmp_path / "broken"
     broken.mkdir()
     (broken / "av.py").write_text("raise ImportError('gone')")
     monkeypatch.setattr(sys, "path", [str(broken), *sys.path])
     with pytest.raises(OutputError, match=r"x\.mp4: the video encoder died"):
-        write_targets(material_of(), check_targets([tmp_path / "x.mp4"]), WriteOptions(size=(32, 32)))
+        write_targets(take_of(), check_targets([tmp_path / "x.mp4"]), WriteOptions(size=(32, 32)))
     assert sorted(path.name for path in tmp_path.iterdir()) == ["broken"]
 
 

@@ -15,10 +15,10 @@ import pytest
 
 from risorius.core.arrays import Array, ByteArray
 from risorius.core.audio import Audio
-from risorius.ports.source import Material, WriteOptions
 from risorius.ports.video.mp4 import write_mp4
+from risorius.ports.writable import WritableTake, WriteOptions
 
-MaterialMaker = Callable[..., Material]
+TakeMaker = Callable[..., WritableTake]
 SoundMaker = Callable[..., Audio]
 BARS = np.array(
     [
@@ -64,8 +64,8 @@ def _rgb(planes: Array, size: tuple[int, int]) -> Array:
     return np.clip(np.stack([red, green, blue], axis=-1) * 255.0, 0.0, 255.0)
 
 
-def _write(material: Material, path: Path, size: tuple[int, int]) -> Film:
-    write_mp4(material, path, WriteOptions(size=size))
+def _write(take: WritableTake, path: Path, size: tuple[int, int]) -> Film:
+    write_mp4(take, path, WriteOptions(size=size))
     return _decoded(path)
 
 
@@ -88,15 +88,15 @@ def _flashes(marked: set[int]) -> Callable[..., Iterator[ByteArray]]:
     ],
 )
 def test_flash_and_click_agree_within_a_millisecond(
-    tmp_path: Path, material_of: MaterialMaker, sound_of: SoundMaker, fps: Fraction, rate: int
+    tmp_path: Path, take_of: TakeMaker, sound_of: SoundMaker, fps: Fraction, rate: int
 ) -> None:
     marked = {round(t * fps) for t in (0.5, 1.5, 2.5)}
     samples = np.zeros(3 * rate, np.int16)
     for index in marked:
         at = round(index / fps * rate)
         samples[at : at + 200] = 20_000
-    material = material_of(3.0, fps, audio=sound_of(samples, rate), pictures=_flashes(marked))
-    film = _write(material, tmp_path / "x.mp4", (64, 48))
+    take = take_of(3.0, fps, audio=sound_of(samples, rate), pictures=_flashes(marked))
+    film = _write(take, tmp_path / "x.mp4", (64, 48))
     flashes = [time for time, planes in film.pictures if planes[:48].mean() > 128]
     loud = np.flatnonzero(np.abs(film.sound) > 0.4 * np.abs(film.sound).max())
     first = loud[np.diff(loud, prepend=-film.sound_rate) > film.sound_rate // 4]
@@ -106,35 +106,33 @@ def test_flash_and_click_agree_within_a_millisecond(
 
 
 @pytest.mark.parametrize("fps", [Fraction(30), Fraction(24000, 1001), Fraction(1, 2), Fraction(997)])
-def test_picture_k_is_shown_at_k_by_fps_exactly(
-    tmp_path: Path, material_of: MaterialMaker, fps: Fraction
-) -> None:
-    material = material_of(float(10 / fps), fps)
-    film = _write(material, tmp_path / "x.mp4", (32, 32))
+def test_picture_k_is_shown_at_k_by_fps_exactly(tmp_path: Path, take_of: TakeMaker, fps: Fraction) -> None:
+    take = take_of(float(10 / fps), fps)
+    film = _write(take, tmp_path / "x.mp4", (32, 32))
     assert [time for time, _ in film.pictures] == [k / fps for k in range(11)]
     assert len(film.sound) == 0
 
 
 @pytest.mark.parametrize("seconds", [0.2, 1.0, 2.5])
 def test_the_whole_sound_is_kept_whatever_the_pictures_last(
-    tmp_path: Path, material_of: MaterialMaker, sound_of: SoundMaker, seconds: float
+    tmp_path: Path, take_of: TakeMaker, sound_of: SoundMaker, seconds: float
 ) -> None:
     tone = np.round(8000 * np.sin(np.arange(round(22_050 * seconds)) * 0.1)).astype(np.int16)
-    film = _write(material_of(1.0, audio=sound_of(tone)), tmp_path / "x.mp4", (32, 32))
+    film = _write(take_of(1.0, audio=sound_of(tone)), tmp_path / "x.mp4", (32, 32))
     heard = film.sound[: len(tone)]
     assert len(heard) == len(tone)
     assert np.abs(heard * 32_768 - tone).mean() < 200
     assert len(film.pictures) == 31
 
 
-def test_colours_are_exact_and_tagged_bt709(tmp_path: Path, material_of: MaterialMaker) -> None:
+def test_colours_are_exact_and_tagged_bt709(tmp_path: Path, take_of: TakeMaker) -> None:
     size = (12 * 40, 80)
     bars = BARS.repeat(40, 0)[None].repeat(size[1], 0)
 
     def pictures(_: tuple[int, int], indices: Sequence[int]) -> Iterator[ByteArray]:
         yield from (bars for _ in indices)
 
-    film = _write(material_of(0.5, pictures=pictures), tmp_path / "x.mp4", size)
+    film = _write(take_of(0.5, pictures=pictures), tmp_path / "x.mp4", size)
     assert film.video.pix_fmt == "yuv420p"
     tags = (film.video.colorspace, film.video.color_primaries, film.video.color_trc, film.video.color_range)
     assert tags == (1, 1, 1, 1)
@@ -148,17 +146,17 @@ def test_colours_are_exact_and_tagged_bt709(tmp_path: Path, material_of: Materia
 
 @pytest.mark.parametrize("size", [(33, 21), (1, 1), (32, 21), (33, 20)])
 def test_an_odd_size_repeats_the_last_row_and_column(
-    tmp_path: Path, material_of: MaterialMaker, size: tuple[int, int]
+    tmp_path: Path, take_of: TakeMaker, size: tuple[int, int]
 ) -> None:
     even = (size[0] + size[0] % 2, size[1] + size[1] % 2)
-    film = _write(material_of(0.2), tmp_path / "x.mp4", size)
+    film = _write(take_of(0.2), tmp_path / "x.mp4", size)
     assert film.size == even
     for k, (_, planes) in enumerate(film.pictures):
         assert np.abs(_rgb(planes, even) - (10 + k)).max() <= 3.0
 
 
 def test_the_same_take_gives_the_same_bytes_on_one_processor_and_on_many(
-    tmp_path: Path, material_of: MaterialMaker, sound_of: SoundMaker
+    tmp_path: Path, take_of: TakeMaker, sound_of: SoundMaker
 ) -> None:
     noise = np.random.default_rng(0).integers(0, 256, (120, 160, 3)).astype(np.uint8)
 
@@ -166,11 +164,11 @@ def test_the_same_take_gives_the_same_bytes_on_one_processor_and_on_many(
         yield from (np.roll(noise, (index, 3 * index), (0, 1)) for index in indices)
 
     audio = sound_of(np.random.default_rng(1).integers(-9000, 9000, 44_100).astype(np.int16))
-    material = material_of(2.0, audio=audio, pictures=pictures)
+    take = take_of(2.0, audio=audio, pictures=pictures)
     films = []
     for name, processors in (("a", nullcontext()), ("b", nullcontext()), ("c", _one_processor())):
         with processors:
-            write_mp4(material, tmp_path / name, WriteOptions(size=(160, 120)))
+            write_mp4(take, tmp_path / name, WriteOptions(size=(160, 120)))
         films.append((tmp_path / name).read_bytes())
     assert films[0] == films[1] == films[2]
 

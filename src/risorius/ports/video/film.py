@@ -11,23 +11,23 @@ from pathlib import Path
 
 from ...core.arrays import Int16Array
 from ...core.audio import Audio
-from ..source import Material, WriteOptions
+from ..writable import WritableTake, WriteOptions
 from .encoder import VideoEncoder
 
 
-def write_film(material: Material, path: Path, options: WriteOptions, codec: str) -> None:
-    """Write all frames at `options.size`, with the material's sound if it has one.
+def write_film(take: WritableTake, path: Path, options: WriteOptions, codec: str) -> None:
+    """Write all frames at `options.size`, with the take's sound if it has one.
 
     `codec` is a name of `codecs.CODECS`. Raises OutputError if the encoder fails, OSError for a fault of
     the disk.
     """
-    performance, audio = material.performance, material.audio
+    performance, audio = take.performance, take.audio
     frames = range(len(performance.values))
     rate = None if audio is None else audio.sample_rate
     channels = 4 if options.alpha else 3
     with VideoEncoder(path, options.size, performance.fps, rate, codec=codec, channels=channels) as encoder:
         sound = _Sound(audio)
-        for index, picture in zip(frames, material.pictures(options.size, frames), strict=True):
+        for index, picture in zip(frames, take.pictures(options.size, frames, options.progress), strict=True):
             encoder.picture(picture)
             # Sound goes along with the pictures: the file interleaves them, and nothing piles up.
             for block in sound.until(float((index + 1) / performance.fps)):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..source import Material, WriteOptions
+from ..writable import WritableTake, WriteOptions
 from .film import write_film
 
 
-def write_mov(material: Material, path: Path, options: WriteOptions) -> None:
+def write_mov(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write all frames; raises as `write_film`."""
-    write_film(material, path, options, "mov")
+    write_film(take, path, options, "mov")

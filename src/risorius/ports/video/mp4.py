@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..source import Material, WriteOptions
+from ..writable import WritableTake, WriteOptions
 from .film import write_film
 
 
-def write_mp4(material: Material, path: Path, options: WriteOptions) -> None:
+def write_mp4(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write all frames; raises as `write_film`."""
-    write_film(material, path, options, "mp4")
+    write_film(take, path, options, "mp4")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..source import Material, WriteOptions
+from ..writable import WritableTake, WriteOptions
 from .film import write_film
 
 
-def write_webm(material: Material, path: Path, options: WriteOptions) -> None:
+def write_webm(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write all frames; raises as `write_film`."""
-    write_film(material, path, options, "webm")
+    write_film(take, path, options, "webm")

@@ -1,0 +1,77 @@
+"""What a writer receives: a take that can be written, and the options of the outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
+
+from ..core.look import Size
+from ..core.progress import Progress, quiet
+
+if TYPE_CHECKING:
+    from ..core.arrays import Array, ByteArray
+    from ..core.audio import Audio
+    from ..core.performance import Performance
+    from ..core.utterance import Utterance
+    from ..face.arkit_fit import ArkitTrack
+    from ..face.frame import FaceFrame
+    from ..face.head import Head
+
+
+class WritableTake(Protocol):
+    """A performance with all that can be drawn or measured from it; each stage runs when it is called.
+
+    The package's `Take` is one. Writers know this protocol alone, so that no format imports the take.
+    """
+
+    @property
+    def performance(self) -> Performance:
+        """The curves and the score that they were made from."""
+
+    @property
+    def utterance(self) -> Utterance | None:
+        """What is said; None if nothing is."""
+
+    @property
+    def audio(self) -> Audio | None:
+        """The sound that is heard; None if there is none."""
+
+    @property
+    def dressed_head(self) -> Head:
+        """The head that performs, with the looks that the settings choose."""
+
+    def faces(self, *, progress: Progress = quiet) -> Iterator[FaceFrame]:
+        """Yield the solved faces of all frames in order, one at a time."""
+
+    def pictures(self, size: Size, indices: Sequence[int], progress: Progress = quiet) -> Iterator[ByteArray]:
+        """Yield pictures of the frames in `indices`, which rise and lie within the performance.
+
+        They are RGB, uint8 of shape (height, width, 3) for `size` (width, height), or RGBA with four
+        channels if their background is transparent. A picture is valid until the next one is asked for.
+        """
+
+    def measures(self, frame: FaceFrame) -> Sequence[float] | Array:
+        """Return the numbers of `landmarks_csv.COLUMNS` after `time_s`, in that order."""
+
+    def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
+        """Return the performance as ARKit weights, fitted once; HeadError if the head has no such shapes."""
+
+
+@dataclass(frozen=True, slots=True)
+class WriteOptions:
+    """How outputs are written.
+
+    `size`: width and height of pictures in pixels. `at`: the time in seconds of a single picture, None for
+    the middle; `every`: a contact sheet of every so many frames instead. `alpha`: pictures have an alpha
+    channel. `voice`: the sound file that a score refers to, None if there is none. `progress` is called as
+    the frames are made.
+    """
+
+    size: Size = (720, 720)
+    at: float | None = None
+    every: int | None = None
+    alpha: bool = False
+    voice: Path | None = None
+    progress: Progress = quiet
