@@ -1,4 +1,4 @@
-"""A take can go to another process, and is the same there."""
+"""A take can go to another process, and is the same there; its head is one head, its shape included."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ import pytest
 
 import risorius
 from risorius.settings import Settings
+from risorius.take import make_solver
+
+SHAPE = {"jaw_width": 1.0, "cheekbones": 1.0, "nose_width": 1.0}
 
 
 def _spoken() -> risorius.Take:
@@ -41,3 +44,29 @@ def test_a_pickled_take_has_its_words_and_its_sound_when_the_first_is_gone() -> 
     again = pickle.loads(pickled)
     assert again.utterance.words == words
     np.testing.assert_array_equal(again.utterance.audio.read(), sound)
+
+
+@pytest.fixture(scope="module")
+def takes() -> tuple[risorius.Take, risorius.Take]:
+    """A face at rest as it is, and one whose shape is changed."""
+    plain, shaped = (risorius.pose({}, settings=Settings(shape=shape)) for shape in ({}, SHAPE))
+    return plain, shaped
+
+
+def test_the_shape_moves_the_face_that_performs(takes: tuple[risorius.Take, risorius.Take]) -> None:
+    plain, shaped = (next(take.faces()).skin for take in takes)
+    assert np.abs(shaped - plain).max() > 2.0
+
+
+def test_the_shape_leaves_the_arkit_weights_of_a_face_at_rest(
+    takes: tuple[risorius.Take, risorius.Take],
+) -> None:
+    plain, shaped = (take.arkit for take in takes)
+    np.testing.assert_allclose(shaped.weights, plain.weights, atol=0.01)
+    assert shaped.residual[1] < 0.1
+
+
+@pytest.mark.parametrize("changed", [{"age": 70.0}, {"shape": SHAPE}])
+def test_the_solver_moves_the_head_that_the_take_names(changed: dict[str, object]) -> None:
+    settings = Settings(**changed)  # type: ignore[arg-type]
+    assert make_solver(settings).head is risorius.pose({}, settings=settings).head

@@ -197,10 +197,10 @@ def play(
     elif path.name.lower().endswith(".json"):
         take = mix(path, settings=settings)
     else:
-        from .face.head import load_head
+        from .face.head import head_of
         from .ports.playback import captured
 
-        head = partial(load_head, settings.head, age=settings.age, shape=settings.shape)
+        head = partial(head_of, settings)
         take = perform(captured(path, head, progress), settings)
     return take if audio is None else replace(take, sound=read_recording(audio))
 
@@ -264,7 +264,7 @@ def rig(
     is written with the take's animation. Raises RisoriusError.
     """
     from .face.arkit_fit import ArkitFit
-    from .face.head import load_head
+    from .face.head import head_of
     from .ports.atomic import replacing
     from .ports.glb_file import save_glb
     from .ports.rig import animated, check_performable, read_rig, report
@@ -280,7 +280,7 @@ def rig(
         track = ArkitFit(take.head, found.shapes).track(take.faces())
         with replacing(Path(output)) as path:
             save_glb(animated(found, track, take.times), path)
-    return found, report(found, load_head(settings.head, age=settings.age, shape=settings.shape))
+    return found, report(found, head_of(settings))
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

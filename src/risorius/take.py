@@ -224,9 +224,9 @@ class Take:
     @cached_property
     def head(self) -> Head:
         """The head that performs; raises HeadError if it cannot be loaded."""
-        from .face.head import load_head
+        from .face.head import head_of
 
-        return load_head(self.settings.head, age=self.settings.age, shape=self.settings.shape)
+        return head_of(self.settings)
 
     @cached_property
     def _solver(self) -> FaceSolver:
@@ -241,11 +241,11 @@ def _counted(faces: Iterator[FaceFrame], total: int, progress: Progress) -> Iter
 
 
 def make_solver(settings: Settings) -> FaceSolver:
-    """Return a solver for the head, age, wrinkles and skin that settings choose; HeadError if none is."""
-    from .face.head import load_head
+    """Return a solver for the head, wrinkles and skin that settings choose; HeadError as `head_of`."""
+    from .face.head import head_of
     from .face.solve import FaceSolver
 
-    head = load_head(settings.head, age=settings.age)
+    head = head_of(settings)
     phases: Literal["linear", "biphasic"] = "biphasic" if settings.dynamics == "biphasic" else "linear"
     return FaceSolver(head, phases=phases, age=head.identity.age, wrinkles=settings.wrinkles)
 

@@ -10,7 +10,7 @@ from functools import lru_cache
 from importlib import resources
 from pathlib import Path
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -223,6 +223,27 @@ def load_head(
     return _load_shaped(path, changed, None if age is None else float(age), given)
 
 
+class HeadChoice(Protocol):
+    """What chooses a head and changes it."""
+
+    @property
+    def head(self) -> str:
+        """Its name or path, as `load_head` takes it."""
+
+    @property
+    def age(self) -> float | None:
+        """Years; None is the age it was made at."""
+
+    @property
+    def shape(self) -> Mapping[str, float]:
+        """Amounts of sliders by name, -1 to 1."""
+
+
+def head_of(choice: HeadChoice) -> Head:
+    """Load the head that settings choose, with its age and shape. Raises HeadError as `load_head`."""
+    return load_head(choice.head, age=choice.age, shape=choice.shape)
+
+
 def shipped_heads() -> tuple[str, ...]:
     """Return the names of the heads that come with Risorius."""
     return tuple(entry.name for entry in _shipped())
@@ -342,4 +363,15 @@ def _tongue(file: HeadFile) -> Tongue:
     return Tongue(rest, quads, fields, catmull_clark(len(rest), quads))
 
 
-__all__ = ["FORMAT", "Field", "Head", "Mesh", "Tongue", "load_head", "required_fields", "shipped_heads"]
+__all__ = [
+    "FORMAT",
+    "Field",
+    "Head",
+    "HeadChoice",
+    "Mesh",
+    "Tongue",
+    "head_of",
+    "load_head",
+    "required_fields",
+    "shipped_heads",
+]

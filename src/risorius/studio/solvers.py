@@ -9,7 +9,7 @@ from contextlib import asynccontextmanager, contextmanager
 from functools import lru_cache
 
 from ..core.parameters import NEUTRAL
-from ..face.head import load_head
+from ..face.head import head_of
 from ..face.solve import FaceSolver
 from ..looks.dress import dressed
 from ..settings import Settings
@@ -79,6 +79,6 @@ def stage_of(
 
     from ..core.look import Look
 
-    found = load_head(head, age=age)
+    found = head_of(Settings(head=head, age=age))
     looks = dressed(found.identity.looks, Look(hair=hair, complexion=complexion))
     return Stage(replace(found, identity=replace(found.identity, looks=looks)))
