@@ -14,8 +14,7 @@ from pathlib import Path
 import numpy as np
 from lips_measures import DISPLAYS, Result, Spoken, measure
 
-from risorius.core.score import BlendSettings
-from risorius.settings import SPEAK_POLICY, Settings
+from risorius.settings import PLANNED, BlendChoices, Settings
 
 SENTENCES = Path(__file__).with_name("lips_sentences.txt").read_text().splitlines()
 
@@ -54,10 +53,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sentences", type=int, default=len(SENTENCES))
     parser.add_argument("--lips", default="dominance")
-    parser.add_argument("--conflict", default=SPEAK_POLICY)
+    parser.add_argument("--conflict", default=PLANNED.conflict)
     parser.add_argument("--displays", nargs="+", choices=DISPLAYS, default=DISPLAYS)
     options = parser.parse_args()
-    blend = BlendSettings(conflict=options.conflict, lips=options.lips)
+    blend = BlendChoices(conflict=options.conflict, lips=options.lips)
     found = {display: Result() for display in options.displays}
     for sentence in SENTENCES[: options.sentences]:
         spoken = Spoken.of(sentence, Settings(lively=False, blend=blend))

@@ -14,11 +14,10 @@ import numpy as np
 from lips_measures import machine
 
 from risorius import blend
-from risorius.core.score import BlendSettings
 from risorius.face.lip_fit import load_lip_rig
 from risorius.pipeline import plan
 from risorius.script import read_script
-from risorius.settings import Settings
+from risorius.settings import BlendChoices, Settings
 from risorius.speech import say
 
 SENTENCES = Path(__file__).with_name("lips_sentences.txt").read_text().splitlines()
@@ -31,7 +30,7 @@ def gaps(sentence: str, rate: int, model: str) -> np.ndarray:
     """Return the lip gap in mm every `STEP` seconds."""
     script = read_script(sentence, text=True)
     utterance = say(script, rate=rate)
-    settings = Settings(lively=False, blend=BlendSettings(lips=model))
+    settings = Settings(lively=False, blend=BlendChoices(lips=model))
     score = plan(script, utterance, (), settings)
     values = blend.at(score, np.arange(0.0, score.duration, STEP), load_lip_rig())
     return machine().mouth(values)[:, 0]

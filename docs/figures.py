@@ -25,7 +25,7 @@ from risorius.core.parameters import INDEX, parameters_named
 from risorius.core.performance import Performance
 from risorius.core.score import BlendSettings, Score
 from risorius.pipeline import perform, speak
-from risorius.settings import Settings
+from risorius.settings import BlendChoices, Settings
 from risorius.take import Take
 
 Array = npt.NDArray[np.float64]
@@ -143,14 +143,14 @@ FACES = {
 @cache
 def smiling(conflict: str) -> Take:
     """Return a sentence said with a full smile, combined by a policy, at 200 frames per second."""
-    settings = Settings(fps=FINE, lively=False, blend=BlendSettings(conflict=conflict))
+    settings = Settings(fps=FINE, lively=False, blend=BlendChoices(conflict=conflict))
     return speak(SMILING_SENTENCE, text=True, emotion={"happiness": 1.0}, settings=settings)
 
 
 @cache
 def demonstration() -> Take:
     """Return paper A's demonstration (section 6, Figure 7), by its policy."""
-    return speak(str(DEMONSTRATION), settings=Settings(blend=BlendSettings(conflict="inhibit")))
+    return speak(str(DEMONSTRATION), settings=Settings(blend=BlendChoices(conflict="inhibit")))
 
 
 def finely(take: Take) -> Performance:

@@ -21,7 +21,7 @@ GROUND = {"errors", "registry"}
 WORDS = {"core", "languages", "rules", "script", "speech"}
 SKIN = {"core", "kept"}
 TAKE = WORDS | SKIN | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
-PIPELINE = TAKE | {"take", "playback", "rig"}
+PIPELINE = TAKE | {"unread", "take", "playback", "rig"}
 LIBRARY = PIPELINE | {"pipeline", "api", "live", "batch", "narration"}
 
 # From the ground up: each package, or module of the top level, and what it may import beside itself and the
@@ -45,6 +45,7 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "render": SKIN | {"face", "looks", "workers"},
     "ports": {"core", "script", "face", "looks", "render", "workers"},
     "settings": TAKE - {"settings"},
+    "unread": {"settings"},
     "take": TAKE,
     "playback": TAKE | {"take"},
     "rig": TAKE | {"take"},

@@ -16,17 +16,16 @@ import risorius.pipeline
 from risorius import blend
 from risorius.core.movement import Cause
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.core.score import BlendSettings
 from risorius.errors import InputError
 from risorius.face.lip_fit import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.rules.emotions import emotions
-from risorius.settings import Settings
+from risorius.settings import BlendChoices, Settings
 
 ROOT = Path(__file__).parent.parent
 DEMO = str(ROOT / "examples" / "demo.xml")
 LABIALS = "My baby brother put the map by the beam."
-PAPER_A = Settings(blend=BlendSettings(conflict="inhibit"))
+PAPER_A = Settings(blend=BlendChoices(conflict="inhibit"))
 SMALL = Settings(size=(96, 96))
 SMILE, FUNNELER = "zygomatic_major.left", "orbicularis_oris_funneler"
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from . import __version__
-from .errors import InputError, OutputError, RisoriusError
+from .errors import InputError, OutputError, RisoriusError, UnreadError
 
 if TYPE_CHECKING:
     from .channels import Display
@@ -61,6 +61,8 @@ def run(arguments: list[str]) -> int:
         return EXIT_INTERRUPTED
     except click.ClickException as error:
         return _fault(error.format_message())
+    except UnreadError as error:
+        return _fault(str(error.spelled(_flag)))
     except RisoriusError as error:
         return _fault(str(error))
     except BrokenPipeError:
@@ -87,6 +89,12 @@ def leave() -> None:
     os._exit(0)
 
 
+def _flag(name: str) -> str:
+    """Return the option that gives a setting."""
+    flags = {"dynamics": "skin", "lively": "still", "attitudes": "attitude", "contact": "without-contact"}
+    return f"--{flags.get(name, name).replace('_', '-')}"
+
+
 def _fault(message: str) -> int:
     _say(f"risorius: {' '.join(message.split())}")
     return EXIT_FAULT
@@ -111,14 +119,13 @@ def commands() -> None:
 
 def _settings(**chosen: Any) -> Settings:
     from .core.performance import parse_fps
-    from .core.score import BlendSettings
-    from .settings import SPEAK_POLICY, Settings, parse_size
+    from .settings import BlendChoices, Settings, parse_size
 
-    blend = BlendSettings(
-        conflict=chosen.pop("conflict", None) or SPEAK_POLICY,
-        lips=chosen.pop("lips", None) or BlendSettings().lips,
+    blend = BlendChoices(
+        conflict=chosen.pop("conflict", None),
+        lips=chosen.pop("lips", None),
         onset_function=chosen.pop("onset_function", None),
-        contact=not chosen.pop("without_contact", False),
+        contact=False if chosen.pop("without_contact", False) else None,
     )
     look = _look(chosen)
     if (size := chosen.pop("size", None)) is not None:
@@ -293,6 +300,8 @@ def speak(
     """
     if source is None and audio is None:
         raise InputError("nothing to perform; expected a text, a file or --audio")
+    if source is None and is_text:
+        raise UnreadError(["text"], "there is no INPUT; expected one, or --transcript TEXT")
     settings = _settings(lively=not still, **chosen)
     targets = outputs or (Path(DEFAULT_OUTPUT),)
     from .console import Console
@@ -376,12 +385,9 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from .pipeline import check_outputs
     from .pipeline import mix as combine
 
-    shared = ("size", "head", "age", "shape", "fps", "dynamics", "at", "every", *_LOOK_OPTIONS)
-    settings = _settings(**{name: value for name, value in chosen.items() if name in shared})
+    settings = _settings(**chosen)
     check_outputs(outputs, alpha=settings.look.transparent)
-    take = combine(
-        score, settings=settings, conflict=chosen["conflict"], onset_function=chosen["onset_function"]
-    )
+    take = combine(score, settings=settings)
     if outputs:
         take.write(*outputs)
     else:
@@ -475,12 +481,16 @@ def stream(
 ) -> None:
     """Perform INPUT for another program, live: the sound is the clock, late frames are dropped."""
     from .console import Console
+    from .pipeline import PATIENCE
     from .pipeline import speak as perform
     from .pipeline import stream as send
-    from .stream import PROTOCOLS, Options, parse_address
+    from .stream import PROTOCOLS, Options, check_options, parse_address
 
     given = {"subject": subject, "names": names}
     options = Options(**{name: value for name, value in given.items() if value is not None})
+    check_options(protocol, options)
+    if listen is None and patience != PATIENCE:
+        raise UnreadError(["patience"], "no greeting is waited for; expected --listen as well")
     if to is not None and listen is not None:
         raise InputError("--to and --listen exclude each other; expected one of them")
     to = to or "127.0.0.1"
@@ -524,6 +534,7 @@ def rig(
     from .narration import tell_rig
     from .pipeline import rig as report
     from .pipeline import speak as speak_
+    from .settings import Settings
 
     if (perform is None) != (output is None):
         raise InputError("--perform and -o go together; expected both or neither")
@@ -534,7 +545,8 @@ def rig(
             if perform is None
             else partial(speak_, perform, settings=settings, progress=console.progress)
         )
-        found, rows = report(character, map_file=map_file, take=take, output=output, settings=settings)
+        measured = settings if take is None else Settings(head=settings.head)
+        found, rows = report(character, map_file=map_file, take=take, output=output, settings=measured)
         for line in tell_rig(found, rows, guessed=map_file is None):
             click.echo(line)
         if output is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import inspect
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -51,6 +51,23 @@ class SpeechWarning(RisoriusWarning):
 
 class InputError(RisoriusError):
     """The text, markup, score or option that the user gave cannot be used."""
+
+
+class UnreadError(InputError):
+    """Settings were given that nothing reads: `names`, and the `reason` with what is expected instead."""
+
+    def __init__(self, names: Sequence[str], reason: str, place: Place | None = None) -> None:
+        self.names, self.reason = tuple(names), reason
+        verb = "has" if len(self.names) == 1 else "have"
+        super().__init__(f"{', '.join(self.names)} {verb} no effect: {reason}", place)
+
+    def at(self, place: Place) -> UnreadError:
+        """Return the same error with its place, unless it has one already."""
+        return self if self.place is not None else UnreadError(self.names, self.reason, place)
+
+    def spelled(self, spell: Callable[[str], str]) -> UnreadError:
+        """Return the same error with its names as the command line spells them."""
+        return UnreadError([spell(name) for name in self.names], self.reason, self.place)
 
 
 class ParameterError(InputError):

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .blend import Plan, changed_span
 from .channels import Brief, Display, compose
@@ -28,11 +28,27 @@ from .rules.emotions import emotion_key
 from .rules.fuzzy import blended
 from .rules.profiles import Profile, attitude, profile_of
 from .script import Script, felt_in, listening_in, movements_of, read_script
-from .settings import Settings
+from .settings import PLANNED, BlendChoices, Settings
 from .speech import feelings, say
 from .speech.from_recording import holds_labels, listen
 from .speech.recordings.recording import read_recording
 from .take import Take, lip_rig
+from .unread import (
+    CAPTURED,
+    HELD,
+    MEASURED,
+    PERFORMED,
+    PLANNING,
+    RECORDED,
+    SCHEDULED,
+    SCORE,
+    SILENT,
+    TIMED,
+    Stage,
+    refuse,
+    refuse_all_but,
+    refuse_stages,
+)
 
 if TYPE_CHECKING:
     from .ports.rig import Rig, Shown
@@ -41,6 +57,8 @@ if TYPE_CHECKING:
 
 __all__ = ["align", "check_outputs", "load", "mix", "perform", "play", "pose", "rig", "speak", "stream"]
 
+# Seconds to wait for a greeting.
+PATIENCE = 60.0
 # Seconds that a script without speech lasts at least.
 SILENT_DURATION = 1.0
 Emotions = Mapping[str, float] | Iterable[Display]
@@ -65,20 +83,32 @@ def speak(
     these, it is recognized, which is weaker. `emotion`: intensities 0..1 by name, or displays with their
     spans. Raises RisoriusError with one line on what is wrong and where.
     """
-    settings = settings or Settings()
+    settings, displays = settings or Settings(), _displays(emotion)
     if given is not None and given.lower().endswith(".json") and not text:
+        arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
+        refuse_stages(settings, PLANNING, SCORE, Place(given), **arguments)
         return mix(given, settings=settings)
     settings = looking_like(profile_of(settings.profile), settings)
-    displays = _displays(emotion)
     utterance: Utterance | None
     if given is None or audio is not None or transcript is not None or holds_labels(given, text):
+        recorded = TIMED if audio is None else RECORDED
+        refuse_stages(settings, [Stage.VOICE], recorded, Place(str(audio or given)))
         script, utterance = listen(given, audio, transcript, progress, text=text, source=source)
     else:
         script = read_script(given, text=text, source=source)
+        _check_voice_is_heard(script, settings)
         progress("Speaking …")
         utterance = spoken(script, displays, settings) if script.lines else None
     score = plan(script, utterance, displays, settings)
     return perform(score, settings, utterance)
+
+
+def _check_voice_is_heard(script: Script, settings: Settings) -> None:
+    """Raise UnreadError for settings of a voice that says nothing, and of silence that no voice has."""
+    if not script.lines:
+        refuse_stages(settings, [Stage.VOICE], SILENT)
+    if script.timed:
+        refuse(settings, ("lead", "tail"), SCHEDULED)
 
 
 def looking_like(speaker: Profile, settings: Settings) -> Settings:
@@ -132,7 +162,7 @@ def plan(
         attitudes=tuple(attitude(name) for name in settings.attitudes),
         book=book_of(settings.rules),
     )
-    return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend)
+    return compose(brief, seed=settings.seed, without=settings.without, settings=settings.blend.over(PLANNED))
 
 
 def perform(
@@ -165,18 +195,30 @@ def mix(
     conflict: str | None = None,
     onset_function: str | None = None,
 ) -> Take:
-    """Combine the movements of a score file; `conflict` and `onset_function` override the score's own."""
+    """Combine the movements of a score file; `conflict`, `onset_function` and what `settings.blend` chooses
+    override the score's own.
+
+    Raises RisoriusError; UnreadError for settings of a voice or a plan, which a score has behind it.
+    """
+    settings = settings or Settings()
+    refuse_stages(settings, PLANNING, SCORE, Place(str(score)))
     file = read_score_file(Path(score))
-    chosen = {"conflict": conflict, "onset_function": onset_function}
-    changed: dict[str, Any] = {name: value for name, value in chosen.items() if value is not None}
-    blend = replace(file.score.settings, **changed)
+    blend = settings.blend.over(file.score.settings)
+    blend = BlendChoices(conflict=conflict, onset_function=onset_function).over(blend)
     return perform(replace(file.score, settings=blend), settings, file.utterance)
 
 
 def load(performance: str | PathLike[str], *, settings: Settings | None = None) -> Take:
-    """Read a `.performance.json` back, with its curves as they were written."""
+    """Read a `.performance.json` back, with its curves as they were written.
+
+    Raises RisoriusError; UnreadError for settings that would change the curves.
+    """
+    settings, place = settings or Settings(), Place(str(performance))
+    refuse_stages(settings, [*PLANNING, Stage.COMBINE], PERFORMED, place)
     file = read_performance_file(Path(performance))
-    settings = replace(settings or Settings(), fps=file.performance.fps)
+    if settings.fps != file.performance.fps:
+        refuse(settings, ("fps",), PERFORMED, place)
+    settings = replace(settings, fps=file.performance.fps)
     return Take(file.performance, settings, file.utterance)
 
 
@@ -189,7 +231,8 @@ def play(
 ) -> Take:
     """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
 
-    `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used.
+    `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used, and for
+    settings that nothing reads (UnreadError).
     """
     settings, path = settings or Settings(), Path(capture)
     if path.name.lower().endswith(".performance.json"):
@@ -200,6 +243,7 @@ def play(
         from .face.head import head_of
         from .ports.playback import captured
 
+        refuse_stages(settings, [*PLANNING, Stage.COMBINE], CAPTURED, Place(str(capture)))
         head = partial(head_of, settings)
         take = perform(captured(path, head, progress), settings)
     return take if audio is None else replace(take, sound=read_recording(audio))
@@ -211,7 +255,7 @@ def stream(
     to: str = "127.0.0.1",
     *,
     listen: str | None = None,
-    patience: float = 60.0,
+    patience: float = PATIENCE,
     options: Options | None = None,
     sound: bool = False,
     progress: Progress = quiet,
@@ -224,7 +268,7 @@ def stream(
     With `sound` the voice is played here and is the clock. Raises InputError for a wrong protocol or address,
     OutputError where nothing listens or nobody greets.
     """
-    from .stream import PROTOCOLS, Address, Options, parse_address, send, wait_for_greeting
+    from .stream import PROTOCOLS, Address, Options, check_options, parse_address, send, wait_for_greeting
     from .stream.clock import MachineClock, SoundClock
     from .stream.line import check_host
 
@@ -234,6 +278,7 @@ def stream(
     if listen is not None and not chosen.greetings:
         greeted = ", ".join(name for name in PROTOCOLS if PROTOCOLS.get(name).greetings)
         raise InputError(f"no greeting asks for {protocol} first; expected --to, or one of {greeted}")
+    check_options(protocol, options)
     if listen is None:
         check_host(address)
     clock = SoundClock(take.audio) if sound and take.audio is not None else MachineClock()
@@ -261,7 +306,8 @@ def rig(
     """Return what a character (`.glb` with blend shapes) has and how well it shows each of our muscles.
 
     With `take` (or what makes it, once the files are known to be right) and `output`, a `.glb`, the character
-    is written with the take's animation. Raises RisoriusError.
+    is written with the take's animation. Of `settings`, the head is read, which performs and measures. Raises
+    RisoriusError.
     """
     from .face.arkit_fit import ArkitFit
     from .face.head import head_of
@@ -270,6 +316,7 @@ def rig(
     from .ports.rig import animated, check_performable, read_rig, report
 
     settings = settings or Settings()
+    refuse_all_but(settings, [Stage.HEAD], MEASURED, Place(str(character)))
     found = read_rig(Path(character), None if map_file is None else Path(map_file))
     if take is not None and output is not None:
         (target,) = check_outputs((output,))
@@ -289,6 +336,8 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     keys = {name: ((0.0, value),) for name, value in _posed(targets, shown).items()}
     held = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))
+    settings = settings or Settings()
+    refuse_all_but(settings, [Stage.HEAD, Stage.SKIN, Stage.LOOK], HELD)
     return perform(score, settings)
 
 

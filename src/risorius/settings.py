@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 from .core.look import Look
 from .core.performance import parse_fps
@@ -16,8 +17,29 @@ from .errors import InputError, unknown
 
 LARGEST_SIDE = 4096
 # The policy that keeps most of a display without on/off flutter or spoilt rounding: docs/combination.md.
-SPEAK_POLICY = "graded"
+PLANNED = BlendSettings(conflict="graded")
+"""How the movements of a planned score are combined."""
 DYNAMICS = ("springs", "biphasic", "static")
+
+
+@dataclass(frozen=True, slots=True)
+class BlendChoices:
+    """How movements are combined, as far as a user chooses: None leaves it to the score that is performed,
+    or to `PLANNED` for one that is planned. The fields are those of `BlendSettings`.
+    """
+
+    conflict: str | None = None
+    activation_threshold: float | None = None
+    min_onset: float | None = None
+    min_offset: float | None = None
+    onset_function: str | None = None
+    contact: bool | None = None
+    lips: str | None = None
+
+    def over(self, settings: BlendSettings) -> BlendSettings:
+        """Return `settings` with the choices in place of theirs."""
+        chosen: dict[str, Any] = {f.name: getattr(self, f.name) for f in fields(self)}
+        return replace(settings, **{name: value for name, value in chosen.items() if value is not None})
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +55,8 @@ class Settings:
     rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with inertia),
     "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100, the head's
     own where None; `shape`: the head's sliders, -1 to 1 by name; `wrinkles`: factors 0 to 2 by region of the
-    face, for a speaker who shows some more or less than others of that age. `look`: how all this is drawn.
+    face, for a speaker who shows some more or less than others of that age. `look`: how all this is drawn;
+    `blend`: how movements are combined.
     """
 
     fps: Fraction = Fraction(30)
@@ -60,7 +83,7 @@ class Settings:
     at: float | None = None
     every: int | None = None
     look: Look = field(default_factory=Look)
-    blend: BlendSettings = field(default_factory=lambda: BlendSettings(conflict=SPEAK_POLICY))
+    blend: BlendChoices = field(default_factory=BlendChoices)
 
     def __post_init__(self) -> None:
         parse_fps(self.fps)

@@ -4,13 +4,19 @@ from .greeting import wait_for_greeting
 from .ifacialmocap import GREETINGS, ifacialmocap_packets, ifacialmocap_pieces
 from .line import Address, parse_address
 from .livelink import livelink_packets
-from .protocols import PROTOCOLS, Options, Packets, Protocol, register
+from .protocols import PROTOCOLS, Options, Packets, Protocol, check_options, register
 from .send import send
 from .vmc import vmc_packets
 
-register("livelink", 11111, "Live Link Face, as Unreal Engine receives it", livelink_packets)
-register("vmc", 39539, "Virtual Motion Capture (OSC), as VRM avatars receive it", vmc_packets)
-register("ifacialmocap", 49983, "iFacialMocap, by datagrams", ifacialmocap_packets, GREETINGS)
+register(
+    "livelink", 11111, "Live Link Face, as Unreal Engine receives it", livelink_packets, reads=("subject",)
+)
+register(
+    "vmc", 39539, "Virtual Motion Capture (OSC), as VRM avatars receive it", vmc_packets, reads=("names",)
+)
+register(
+    "ifacialmocap", 49983, "iFacialMocap, by datagrams", ifacialmocap_packets, GREETINGS, reads=("dialect",)
+)
 register("ifacialmocap-tcp", 49986, "iFacialMocap, as one stream", ifacialmocap_pieces, tcp=True)
 
 __all__ = [
@@ -19,6 +25,7 @@ __all__ = [
     "Options",
     "Packets",
     "Protocol",
+    "check_options",
     "parse_address",
     "send",
     "wait_for_greeting",

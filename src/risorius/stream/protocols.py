@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
-from ..errors import InputError, unknown
+from ..errors import InputError, UnreadError, unknown
 from ..face.arkit_fit import ArkitTrack
 from ..registry import Registry
 
@@ -52,7 +52,7 @@ class Protocol:
     """A protocol: its receivers' usual port, and `make(track, fps, options)`, which returns its packets.
 
     `greetings`: what a receiver says first to that port of ours, where the protocol has that. `tcp`: the
-    packets are pieces of one stream, not datagrams.
+    packets are pieces of one stream, not datagrams. `reads`: the options that it reads.
     """
 
     port: int
@@ -60,6 +60,7 @@ class Protocol:
     make: Callable[[ArkitTrack, Fraction, Options], Packets]
     greetings: Greetings = field(default_factory=dict)
     tcp: bool = False
+    reads: tuple[str, ...] = ()
 
 
 PROTOCOLS: Registry[Protocol] = Registry("protocol")
@@ -73,6 +74,17 @@ def register(
     greetings: Greetings | None = None,
     *,
     tcp: bool = False,
+    reads: tuple[str, ...] = (),
 ) -> None:
     """Add a protocol."""
-    PROTOCOLS.register(name)(Protocol(port, description, make, greetings or {}, tcp))
+    PROTOCOLS.register(name)(Protocol(port, description, make, greetings or {}, tcp, reads))
+
+
+def check_options(name: str, options: Options) -> None:
+    """Raise UnreadError for options that are given and that the protocol `name` does not read."""
+    usual, reads = Options(), PROTOCOLS.get(name).reads
+    given = [f.name for f in fields(options) if getattr(options, f.name) != getattr(usual, f.name)]
+    unread = [option for option in given if option not in reads]
+    if unread:
+        readers = [other for other in PROTOCOLS if unread[0] in PROTOCOLS.get(other).reads]
+        raise UnreadError(unread, f"{name} sends no such thing; expected one of {', '.join(readers)} for it")

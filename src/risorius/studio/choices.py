@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import asdict
 from pathlib import Path
 
 from ..core.look import Look
@@ -11,7 +12,7 @@ from ..core.score import BlendSettings
 from ..errors import InputError, unknown
 from ..face.head import shipped_heads
 from ..rules.profiles import profile, profile_from, profile_texts
-from ..settings import Settings
+from ..settings import BlendChoices, Settings
 from ..speech.engines.registry import is_voice_file
 from .session_files import kept_table
 from .wire import Choices
@@ -48,7 +49,7 @@ def settings_of(choices: Choices, folder: Path) -> Settings:
         seed=choices.seed,
         rules=_rules(choices.rules_off, folder),
         look=Look(hair=choices.hair, complexion=choices.complexion),
-        blend=blend_of(choices),
+        blend=BlendChoices(**asdict(blend_of(choices))),
     )
 
 

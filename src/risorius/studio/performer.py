@@ -19,7 +19,7 @@ from ..settings import Settings
 from ..speech.from_recording import listen
 from ..speech.recordings.recording import read_recording
 from . import limits
-from .choices import settings_of
+from .choices import blend_of, settings_of
 from .scores import adopted, parsed, score_file
 from .session_files import SessionFiles
 from .version import Version
@@ -63,7 +63,7 @@ class Performer:
 
     def _scored(self, made: Made, settings: Settings) -> Version:
         held = self._held(made.source)
-        score = identified(replace(held.score, settings=settings.blend))
+        score = identified(replace(held.score, settings=blend_of(made.choices)))
         return Version(made, score, score, settings, held.utterance)
 
     def _held(self, source: Source) -> ScoreFile:
