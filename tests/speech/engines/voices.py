@@ -1,5 +1,7 @@
 """Programs that speak, for the tests: one that gives phone times, and one that does not."""
 
+from risorius.speech.engines import worker
+
 BEEPER = """
 import base64, json, struct, sys
 
@@ -15,35 +17,38 @@ audio = base64.b64encode(struct.pack(f"<{len(samples)}h", *samples)).decode()
 print(json.dumps({"sample_rate": rate, "audio": audio, "phones": phones}))
 """
 
+# espeak-ng as its worker drives it, without Risorius and numpy, which take long to import.
+_ESPEAK = f"""
+import importlib.util
+
+spec = importlib.util.spec_from_file_location("worker", {worker.__file__!r})
+worker = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(worker)
+
+
+def spoken(text, rate):
+    answer, sound = worker.Worker(*worker._locate()).answer(
+        {{"op": "speak", "text": text, "voice": "gmw/en-US+m3", "rate": rate}}
+    )
+    return answer["sample_rate"], sound
+"""
+
 # espeak-ng with another rate and timbre, which keeps its phone times to itself.
-MUTE_OF_TIMES = """
+MUTE_OF_TIMES = f"""{_ESPEAK}
 import base64, json, sys
 
-from risorius.speech.engines.protocol import SpeechRequest
-from risorius.speech.engines.registry import load_engine
-from risorius.speech.engines.voices import find_voice
-
-request = json.loads(sys.stdin.readline())
-engine = load_engine()
-said = engine.speak(SpeechRequest(request["text"], find_voice("en-us+m3", None, engine), 150))
-audio = base64.b64encode(said.samples.tobytes()).decode()
-print(json.dumps({"sample_rate": said.sample_rate, "audio": audio}))
+rate, sound = spoken(json.loads(sys.stdin.readline())["text"], 150)
+print(json.dumps({{"sample_rate": rate, "audio": base64.b64encode(sound).decode()}}))
 """
 
 # What Piper's command line does, with espeak-ng's voice.
-PIPER = """
+PIPER = f"""{_ESPEAK}
 import sys, wave
-
-from risorius.speech.engines.protocol import SpeechRequest
-from risorius.speech.engines.registry import load_engine
-from risorius.speech.engines.voices import find_voice
 
 options = dict(zip(sys.argv[1::2], sys.argv[2::2]))
 assert options["--model"].endswith(".onnx"), options
-rate = round(175 / float(options["--length_scale"]))
-engine = load_engine()
-said = engine.speak(SpeechRequest(sys.stdin.readline().strip(), find_voice("en-us+m3", None, engine), rate))
+rate, sound = spoken(sys.stdin.readline().strip(), round(175 / float(options["--length_scale"])))
 with wave.open(options["--output_file"], "wb") as out:
-    out.setparams((1, 2, said.sample_rate, 0, "NONE", ""))
-    out.writeframes(said.samples.tobytes())
+    out.setparams((1, 2, rate, 0, "NONE", ""))
+    out.writeframes(sound)
 """
