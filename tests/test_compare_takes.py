@@ -12,7 +12,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.arkit import INDEX
@@ -20,6 +20,7 @@ from risorius.errors import InputError
 from risorius.face.arkit_fit import ArkitTrack
 from risorius.ports.arkit_csv import ArkitTake, rows
 from risorius.ports.table import write_lines
+from tests.profiles import examples
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +55,7 @@ def test_a_take_is_like_itself(tool: ModuleType) -> None:
     assert tool.still(moving(), moving()) == ([], [])
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(st.floats(-0.3, 0.3), st.floats(0.3, 1.0), st.sampled_from([24.0, 30.0, 60.0]))
 def test_delay_and_amplitude_are_found(tool: ModuleType, late: float, share: float, fps: float) -> None:
     other = moving(fps=fps, late=late)

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from risorius.blend import Plan, changed_span
@@ -15,6 +15,7 @@ from risorius.core.edits import Add, Delete, Keys, Move, Retarget, Stretch, edit
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import RisoriusError
+from tests.profiles import examples
 
 DURATION = 40.0
 FPS = Fraction(30)
@@ -66,7 +67,7 @@ edits = st.one_of(
 
 
 @pytest.mark.parametrize("policy", PLANS)
-@settings(max_examples=15, deadline=None)
+@examples(15)
 @given(st.lists(edits, min_size=1, max_size=2))
 def test_what_lies_outside_is_the_same_and_a_performance_of_the_rest_is_the_whole(policy, some):
     plan, score = PLANS[policy], PLANS[policy].score

@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.blend.concatenate import concatenate, sequence
 from risorius.blend.curve_pieces import MovementCurve
 from risorius.core.functions import ONSET_FUNCTIONS
 from risorius.core.movement import Movement
+from tests.profiles import examples
 
 from . import reference
 from .strategies import MUSCLES, movements
@@ -178,7 +179,7 @@ class TestSigned:
 
 
 @pytest.mark.parametrize("function", ONSET_FUNCTIONS.names())
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(found=movements(("emotion",), most=6))
 def test_agrees_with_the_reference(function: str, found: tuple[Movement, ...]) -> None:
     layer = [reference.with_function(m, function) for m in found if m.layer == ""]
@@ -198,7 +199,7 @@ def test_agrees_with_the_reference(function: str, found: tuple[Movement, ...]) -
         assert got == pytest.approx(np.array(expected), abs=1e-12)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(found=movements(("emotion",), most=6, directions=False), threshold=st.sampled_from((0.0, 0.1, 0.5)))
 def test_above_finds_exactly_the_times_over_the_threshold(
     found: tuple[Movement, ...], threshold: float

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
@@ -13,6 +13,7 @@ from risorius.blend.tradeoffs import tradeoffs
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
+from tests.profiles import examples
 
 from .strategies import DURATION, PHONES, scores
 
@@ -139,7 +140,7 @@ class TestCombined:
         assert values[:, INDEX[TUCK]].tolist() == [0.7, 0.0]
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(score=st.one_of(scores("inhibit"), scores("graded"), scores("sum")))
 def test_every_closure_holds(score: Score) -> None:
     for segment in score.lips:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.blend.coarticulation import LIP_MODELS, SHORTEST_SILENCE, without_gaps
 from risorius.blend.dominance import DominanceModel
 from risorius.core.movement import Dominance, LipSegment
+from tests.profiles import examples
 
 JAW = "masseter"
 
@@ -42,7 +43,7 @@ def test_registered_by_name() -> None:
     assert LIP_MODELS.get("dominance") is DominanceModel
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(phones())
 def test_weights_are_shares(found: list[LipSegment]) -> None:
     model = DominanceModel(without_gaps(found))
@@ -52,7 +53,7 @@ def test_weights_are_shares(found: list[LipSegment]) -> None:
     assert weights.average(np.ones(len(model.targets(JAW)))) == pytest.approx(np.ones(len(times)))
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(phones())
 def test_the_curve_stays_between_the_targets(found: list[LipSegment]) -> None:
     values = curve(found, np.arange(-1.0, found[-1].end + 1, 0.003))
@@ -60,7 +61,7 @@ def test_the_curve_stays_between_the_targets(found: list[LipSegment]) -> None:
     assert values.max() <= max(s.targets[JAW] for s in found) + 1e-12
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(phones())
 def test_the_curve_has_no_kinks(found: list[LipSegment]) -> None:
     def sharpest(step: float) -> float:

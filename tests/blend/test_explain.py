@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
@@ -14,6 +14,7 @@ from risorius.core.movement import Cause, LipSegment, ManualCurve, Movement
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL
 from risorius.core.score import Score
 from risorius.errors import InputError, ParameterError
+from tests.profiles import examples
 
 from .strategies import DURATION, scores
 
@@ -106,7 +107,7 @@ class TestWords:
         assert found.value == pytest.approx(sum(p.given for p in (found.winner, *found.losers)))
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(data=st.data(), policy=st.sampled_from(("inhibit", "graded", "attenuate", "sum")))
 def test_the_value_is_the_curves_and_follows_from_the_parts(data: st.DataObject, policy: str) -> None:
     plan = blend.Plan(data.draw(scores(policy)))

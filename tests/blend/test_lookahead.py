@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.blend.coarticulation import LIP_MODELS, Coarticulation, without_gaps
 from risorius.blend.lookahead import OPPOSED, LookAheadModel
 from risorius.core.movement import Dominance, LipSegment
+from tests.profiles import examples
 
 WIDTH, GAP = "lip_width", "lip_aperture"
 ROUND = {WIDTH: -12.0, GAP: 3.0}
@@ -55,7 +56,7 @@ def phones(draw: st.DrawFn) -> list[LipSegment]:
     return found
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(phones())
 def test_weights_are_shares(found: list[LipSegment]) -> None:
     model = LookAheadModel(without_gaps(found))
@@ -65,7 +66,7 @@ def test_weights_are_shares(found: list[LipSegment]) -> None:
         assert weights.average(np.ones(len(model.targets(name)))) == pytest.approx(np.ones(weights.count))
 
 
-@settings(max_examples=30, deadline=None)
+@examples(30)
 @given(phones())
 def test_no_articulator_jumps(found: list[LipSegment]) -> None:
     times = np.arange(-0.3, found[-1].end + 0.3, 0.0005)

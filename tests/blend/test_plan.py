@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
@@ -17,10 +17,13 @@ from risorius.core.movement import Dominance, LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS, RIVALS
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError, ParameterError
+from tests.profiles import examples, samples
 
 from . import reference
 from .strategies import DURATION, movements, scores, speech
 
+RATE = samples(2000, everyday=500)
+"""Hz, at which curves are searched for jumps and compared."""
 POLICIES = ("inhibit", "graded", "attenuate", "sum")
 SMILE = Movement("emotion", 0.0, 4.0, 0.45, 0.75, {"zygomatic_major.left": 0.8})
 
@@ -95,7 +98,7 @@ class TestResult:
 
 
 @pytest.mark.parametrize("policy", POLICIES)
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(found=movements(("signals",), most=1, shortest=1))
 def test_a_lone_movement_is_reproduced(policy: str, found: tuple[Movement, ...]) -> None:
     for movement in found:
@@ -112,17 +115,17 @@ def test_a_lone_movement_is_reproduced(policy: str, found: tuple[Movement, ...])
 
 
 @pytest.mark.parametrize("policy", POLICIES)
-@settings(max_examples=7, deadline=None)
+@examples(9)
 @given(data=st.data())
 def test_curves_are_continuous(policy: str, data: st.DataObject) -> None:
     """Where a curve changes most between two times, the change does not survive halving their distance."""
     plan = Plan(data.draw(scores(policy)))
-    times = np.arange(0.0, DURATION, 1 / 2000)
+    times = np.arange(0.0, DURATION, 1 / RATE)
     steps = np.abs(np.diff(plan.at(times), axis=0)) * [1 / 20 if p.signed else 1.0 for p in PARAMETERS]
     for column in np.argsort(steps.max(axis=0))[-3:]:
         row = int(np.argmax(steps[:, column]))
         low, high = times[row], times[row + 1]
-        for _ in range(22):
+        for _ in range(24):
             middle = (low + high) / 2
             a, b, c = plan.at(np.array([low, middle, high]))[:, column]
             low, high = (low, middle) if abs(b - a) > abs(c - b) else (middle, high)
@@ -130,7 +133,7 @@ def test_curves_are_continuous(policy: str, data: st.DataObject) -> None:
 
 
 @pytest.mark.parametrize("policy", POLICIES)
-@settings(max_examples=15, deadline=None)
+@examples(15)
 @given(data=st.data())
 def test_values_stay_in_range(policy: str, data: st.DataObject) -> None:
     score = data.draw(scores(policy))
@@ -140,7 +143,7 @@ def test_values_stay_in_range(policy: str, data: st.DataObject) -> None:
 
 
 @pytest.mark.parametrize("policy", POLICIES)
-@settings(max_examples=15, deadline=None)
+@examples(15)
 @given(data=st.data())
 def test_order_of_input_does_not_matter(policy: str, data: st.DataObject) -> None:
     score = data.draw(scores(policy))
@@ -154,7 +157,7 @@ def test_order_of_input_does_not_matter(policy: str, data: st.DataObject) -> Non
 
 
 @pytest.mark.parametrize("policy", POLICIES)
-@settings(max_examples=15, deadline=None)
+@examples(15)
 @given(data=st.data(), delay=st.sampled_from((0.5, 7.0, 119.25)))
 def test_a_shifted_score_gives_shifted_curves(policy: str, data: st.DataObject, delay: float) -> None:
     score = data.draw(scores(policy))
@@ -172,7 +175,7 @@ def _mirrored(name: str) -> str:
     return name.replace(".left", ".#").replace(".right", ".left").replace(".#", ".right")
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(score=scores())
 def test_a_mirrored_score_gives_mirrored_curves(score: Score) -> None:
     def flip(mapping: dict[str, object]) -> dict[str, object]:
@@ -190,7 +193,7 @@ def test_a_mirrored_score_gives_mirrored_curves(score: Score) -> None:
     assert blend.at(mirrored, times)[:, columns] == pytest.approx(blend.at(score, times), abs=1e-12)
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(score=scores())
 def test_the_frame_rate_does_not_matter(score: Score) -> None:
     slow = blend.combine(score, Fraction(30)).values
@@ -198,7 +201,7 @@ def test_the_frame_rate_does_not_matter(score: Score) -> None:
     assert slow[::3] == pytest.approx(fast[::100], abs=1e-12)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(score=scores())
 def test_inhibit_never_shows_two_rivals_of_different_priority(score: Score) -> None:
     plan = Plan(score)
@@ -221,7 +224,7 @@ def test_inhibit_never_shows_two_rivals_of_different_priority(score: Score) -> N
                 assert not (up & also & (levels[one] != levels[two])).any()
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(score=scores(priorities=False))
 def test_inhibit_changes_nothing_far_from_a_conflict(score: Score) -> None:
     plan = Plan(score)
@@ -257,11 +260,11 @@ def test_a_change_of_priority_makes_no_jump() -> None:
 Curve = Callable[[np.ndarray], np.ndarray]
 
 
-@settings(max_examples=12, deadline=None)
+@examples(12)
 @given(found=movements(("manipulators", "signals", "emotion"), most=3, directions=False))
 def test_inhibit_agrees_with_a_search_over_samples(found: tuple[Movement, ...]) -> None:
     """Section 6 of paper A done on samples, level after level, with one minimum duration for all."""
-    minimum, frame = 0.2, 1 / 2000
+    minimum, frame = 0.2, 1 / RATE
     score = Score(DURATION, found, settings=settled(min_onset=minimum, min_offset=minimum))
     times = np.arange(0, 9.0, frame)
     result = dict(zip(NAMES, blend.at(score, times).T, strict=True))
@@ -314,7 +317,7 @@ def _restrained(curve: np.ndarray, stopped: np.ndarray, times: np.ndarray, minim
     return np.where(stopped, 0.0, np.minimum(curve, np.minimum(left, right)))
 
 
-@settings(max_examples=10, deadline=None)
+@examples(10)
 @given(lips=speech())
 def test_speech_alone_leaves_all_else_at_rest(lips: tuple[LipSegment, ...]) -> None:
     values = blend.at(Score(DURATION, (), lips), np.arange(0, DURATION, 0.02))

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from risorius import blend
 from risorius.blend.concatenate import SIGNED
@@ -14,6 +14,7 @@ from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
 from risorius.errors import ParameterError
+from tests.profiles import examples
 
 from .strategies import DURATION, scores
 
@@ -49,7 +50,7 @@ def test_a_smile_is_inhibited_by_rounding_and_limited_around_it() -> None:
     assert after[0] == last + 1
 
 
-@settings(max_examples=10, deadline=None)
+@examples(10)
 @given(scores())
 def test_what_channels_are_given_makes_the_value(score: Score) -> None:
     spoken = replace(score, lips=(), settings=replace(score.settings, conflict="inhibit"))

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
@@ -17,6 +17,7 @@ from risorius.face.arkit_given import gaze_of
 from risorius.face.head import load_head, shipped_heads
 from risorius.face.shapes import arkit_shapes
 from risorius.face.solve import FaceSolver
+from tests.profiles import everyday, examples
 
 FITTED = [name for name in SHAPES if not name.startswith("eyeLook") and name != "tongueOut"]
 
@@ -39,7 +40,7 @@ def test_a_file_without_a_shape_is_named(head, tmp_path: Path) -> None:
         arkit_shapes(replace(head, folder=tmp_path))
 
 
-@pytest.mark.parametrize("name", shipped_heads())
+@pytest.mark.parametrize("name", everyday(shipped_heads(), ["amara", "standard"]))
 def test_every_head_has_the_shapes_and_its_jaw_opens(name: str) -> None:
     shapes = arkit_shapes(load_head(name))
     jaw = shapes.skin_at(INDEX["jawOpen"])
@@ -50,7 +51,7 @@ def test_every_head_has_the_shapes_and_its_jaw_opens(name: str) -> None:
     assert np.abs(shapes.skin_at(INDEX["mouthSmileLeft"])[:, 0]).max() > 3.0
 
 
-@settings(max_examples=30, deadline=None)
+@examples(30)
 @given(st.dictionaries(st.sampled_from(FITTED), st.floats(0.0, 1.0), max_size=6))
 def test_weights_to_face_to_weights(fit, chosen: dict[str, float]) -> None:
     weights = np.zeros(52)
@@ -86,7 +87,7 @@ def test_a_muscle_is_its_shape(fit, face, targets: dict[str, float], shape: str)
     ).removesuffix("Right")
 
 
-@pytest.mark.parametrize("name", ["standard", "kenji"])
+@pytest.mark.parametrize("name", everyday(["standard", "kenji"], ["standard"]))
 def test_a_lid_that_is_shut_is_a_whole_blink(name: str) -> None:
     """So that another character's eyes shut, too; and a whole blink shuts ours."""
     fit, solver = ArkitFit(load_head(name)), FaceSolver(load_head(name))

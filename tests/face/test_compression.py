@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.compression import Compression, Zone
 from risorius.face.rotations import head_rotation
+from tests.profiles import examples
 
 
 @pytest.fixture(scope="module")
@@ -24,14 +25,14 @@ def measured(zones, skin):
     return [out[zones.row_zone == k] for k in range(zones.zones)]
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(angles=st.tuples(*[st.floats(-30.0, 30.0)] * 3), shift=st.floats(-50.0, 50.0))
 def test_skin_that_only_moves_is_not_compressed(zones, head, angles, shift):
     for values in measured(zones, head.rest @ head_rotation(*angles).T + shift):
         np.testing.assert_allclose(values, 1.0, atol=1e-9)
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(scale=st.floats(0.6, 1.02))
 def test_uniform_scaling_is_measured_exactly(zones, head, scale):
     along, area = measured(zones, head.rest * scale)

@@ -2,17 +2,18 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.eyes import eye_rotations, pitch_and_yaw
 from risorius.face.rotations import direction
+from tests.profiles import examples
 
 CENTRES = np.array([[30.0, 0.0, 0.0], [-30.0, 0.0, 0.0]])
 
 
 @given(st.floats(-35.0, 35.0), st.floats(-45.0, 45.0), st.floats(0.1, 100.0))
-@settings(max_examples=40, deadline=None)
+@examples(40)
 def test_both_eyes_look_at_the_same_point(pitch, yaw, metres):
     point = direction(pitch, yaw) * metres * 1000.0
     for rotation, centre in zip(eye_rotations(CENTRES, pitch, yaw, metres), CENTRES, strict=True):

@@ -1,11 +1,12 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import nnls
 
 from risorius.face import far_vertices
 from risorius.face.far_vertices import FAR, FarVertices
+from tests.profiles import examples
 
 SHAPES, VERTICES = 6, 40
 
@@ -30,7 +31,7 @@ def test_what_is_near_stays_as_the_least_squares_have_it() -> None:
     assert np.array_equal(held.settle(start, least), start)
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(st.integers(0, 10_000))
 def test_it_is_the_least(seed: int) -> None:
     """No weights nearby cost less, whichever way one goes within the limits."""

@@ -2,13 +2,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.parameters import INDEX, MUSCLES, NEUTRAL, RIVALS
 from risorius.errors import InputError, ParameterError
 from risorius.face.links import NO_LINKS, Link, Links, load_links
 from risorius.face.solve import FaceSolver
+from tests.profiles import examples
 
 from .conftest import values_of
 
@@ -81,7 +82,7 @@ def test_no_links_change_nothing():
 
 
 @given(st.lists(st.floats(0.0, 1.0), min_size=len(MUSCLES), max_size=len(MUSCLES)))
-@settings(max_examples=50, deadline=None, derandomize=True)
+@examples(50, derandomize=True)
 def test_the_shipped_table_only_adds_and_stays_in_range(activations):
     values = np.array(NEUTRAL)
     values[[INDEX[m.name] for m in MUSCLES]] = activations

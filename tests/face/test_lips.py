@@ -4,12 +4,13 @@ import itertools
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.contact import Contacts, find_contacts
 from risorius.face.measure import Gauge
 from risorius.face.mouth import Mouth, TeethEdge
+from tests.profiles import examples
 
 from .conftest import EMOTIONS, MOUTH_MUSCLES, values_of
 from .winding import LipTester
@@ -58,7 +59,7 @@ def test_lips_do_not_pass_through_each_other_for_pairs(face, tester, a, b):
     st.floats(0.0, 0.2),
     st.sampled_from([0.0, 0.5, 1.0]),
 )
-@settings(max_examples=15, deadline=None, derandomize=True)
+@examples(15, derandomize=True)
 def test_lips_do_not_pass_through_each_other_in_random_poses(face, tester, muscles, jaw, seal):
     assert tester.overlap(face(**muscles, masseter=jaw, lip_seal=seal).skin) < TOLERANCE
 

@@ -2,10 +2,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.rotations import about_axis, direction, forward_to, head_rotation, turned
+from tests.profiles import examples
 
 degrees = st.floats(-60.0, 60.0)
 
@@ -16,7 +17,7 @@ def assert_rotation(matrix):
 
 
 @given(degrees, degrees, degrees)
-@settings(max_examples=30, deadline=None)
+@examples(30)
 def test_all_are_rotations(a, b, c):
     assert_rotation(head_rotation(a, b, c))
     assert_rotation(forward_to(direction(a, b)))
@@ -24,7 +25,7 @@ def test_all_are_rotations(a, b, c):
 
 
 @given(degrees, degrees)
-@settings(max_examples=30, deadline=None)
+@examples(30)
 def test_forward_to_takes_the_eye_to_its_target_without_torsion(pitch, yaw):
     target = direction(pitch, yaw)
     rotation = forward_to(target)

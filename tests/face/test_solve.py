@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.parameters import INDEX, NEUTRAL, PARAMETERS
@@ -13,6 +13,7 @@ from risorius.core.performance import Performance
 from risorius.errors import ParameterError
 from risorius.face.motion import animate
 from risorius.face.solve import checked_values
+from tests.profiles import examples
 
 from .conftest import EMOTIONS, values_of
 
@@ -80,7 +81,7 @@ def mirrored(values):
     st.sampled_from([0.0, 0.0, 1.0]),
     st.floats(-25.0, 25.0),
 )
-@settings(max_examples=15, deadline=None, derandomize=True)
+@examples(15, derandomize=True)
 def test_mirrored_values_give_the_mirrored_face(solver, fine_mirror, muscles, jaw, seal, yaw):
     values = values_of({**muscles, "masseter": jaw, "lip_seal": seal, "gaze_yaw": yaw})
     one, other = solver.solve(values).skin, solver.solve(mirrored(values)).skin

@@ -2,10 +2,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.subdivide import catmull_clark, triangulate
+from tests.profiles import examples
 
 CUBE = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 CUBE_QUADS = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
@@ -48,7 +49,7 @@ def test_border_follows_the_cubic_spline() -> None:
     assert fine[0] == pytest.approx([0.125, 0.125, 0.0])
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(st.integers(1, 5), st.integers(1, 5), st.floats(-3.0, 3.0), st.floats(-3.0, 3.0))
 def test_rows_sum_to_one_and_planes_stay_planes(width: int, height: int, slope: float, lift: float) -> None:
     points, quads = grid(width, height)
@@ -59,7 +60,7 @@ def test_rows_sum_to_one_and_planes_stay_planes(width: int, height: int, slope: 
     assert refined[:, 2] == pytest.approx(slope * refined[:, 0] - refined[:, 1] + lift, abs=1e-9)
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(st.integers(1, 4), st.integers(1, 4))
 def test_every_fine_edge_of_the_inside_belongs_to_two_faces(width: int, height: int) -> None:
     points, quads = grid(width, height)

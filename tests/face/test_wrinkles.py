@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.errors import InputError
@@ -12,6 +12,7 @@ from risorius.face.links import NO_LINKS
 from risorius.face.regions import region_names, regions
 from risorius.face.solve import FaceSolver
 from risorius.face.wrinkles import FLAT, Wrinkles, fold_height
+from tests.profiles import examples
 
 from .conftest import values_of
 
@@ -58,7 +59,6 @@ def test_a_region_that_does_not_exist_is_named(head):
         Wrinkles(head, 40.0, {"brow": 1.0})
 
 
-@settings(deadline=None)  # the first call compiles
 @given(stretch=st.floats(0.6, 0.9), give=st.floats(0.0, 0.07), width=st.floats(3.0, 15.0))
 def test_a_fold_keeps_the_skin_s_length(stretch, give, width):
     height, chord = fold_height(width, stretch, give), width * stretch
@@ -157,7 +157,7 @@ def test_folding_the_same_skin_gives_the_same_bytes(old):
     assert first.skin.tobytes() == again.skin.tobytes()
 
 
-@settings(max_examples=10, deadline=None, derandomize=True)
+@examples(10, derandomize=True)
 @given(st.lists(st.floats(0.0, 1.0), min_size=6, max_size=6))
 def test_any_face_keeps_its_folds_within_their_caps(old, strengths):
     units = dict(zip(("AU1", "AU4", "AU6", "AU9", "AU12", "AU15"), strengths, strict=True))

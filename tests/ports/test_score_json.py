@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from risorius.core.articulators import ARTICULATORS
@@ -16,6 +16,7 @@ from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError
 from risorius.ports.score_json import read_score, read_score_file, score_to_json, write_score_json
 from risorius.ports.writable import WritableTake, WriteOptions
+from tests.profiles import examples
 
 MINIMAL = (
     '{"risorius": 1, "duration": 7.0, "settings": {"conflict": "inhibit", "activation_threshold": 0.1, '
@@ -164,7 +165,7 @@ def test_the_smallest_score_of_the_documentation_is_read(tmp_path: Path) -> None
     assert held.utterance is None
 
 
-@settings(max_examples=100, suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture])
+@examples(100, suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture])
 @given(score=SCORES)
 def test_a_score_is_read_back_exactly(
     score: Score, take_of: Callable[..., WritableTake], tmp_path_factory: pytest.TempPathFactory

@@ -1,15 +1,16 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.looks.noise import SIZE, noise_at, noise_tile
 from risorius.render.grain import grain
+from tests.profiles import examples
 
 PLACE = st.tuples(*[st.floats(-300, 300)] * 3)
 
 
-@settings(max_examples=50, deadline=None)
+@examples(50)
 @given(PLACE)
 def test_the_kernel_agrees_with_numpy_at_all_places(place):
     point = np.array(place, np.float32)
@@ -18,7 +19,7 @@ def test_the_kernel_agrees_with_numpy_at_all_places(place):
     assert height == pytest.approx(expected[0], abs=0.02)
 
 
-@settings(max_examples=50, deadline=None)
+@examples(50)
 @given(PLACE)
 def test_slopes_are_those_of_the_heights(place):
     cells, step = 0.5, 0.02

@@ -2,11 +2,12 @@ import itertools
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.render.raster import SUBPIXEL
 from risorius.render.visibility import Visibility
+from tests.profiles import examples
 
 SIZE = 24
 NARROW, WIDE = 12, 40
@@ -55,7 +56,7 @@ def test_what_covers_no_sample_is_not_drawn(corners):
 
 
 @pytest.mark.parametrize("size", [NARROW, SIZE, WIDE])
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(corners=st.tuples(PLACES, PLACES, PLACES), stretched=st.integers(1, 2))
 def test_coverage_of_a_triangle_is_exact(size, corners, stretched):
     corners = [(stretched * x, y) for x, y in corners]
@@ -78,7 +79,7 @@ def test_coverage_is_exact_where_edge_functions_need_more_than_32_bits(corners):
     assert np.array_equal(buffer.ids == 0, inside(corners, 250))
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(PLACES, st.lists(PLACES, min_size=4, max_size=9, unique=True))
 def test_triangles_around_a_point_share_no_sample_and_leave_none_out(middle, ring):
     angle = [np.arctan2(y - middle[1], x - middle[0]) for x, y in ring]

@@ -1,10 +1,11 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from risorius.render.yuv import planes
+from tests.profiles import examples
 
 
 def in_film(rgb):
@@ -34,7 +35,7 @@ def test_colours_are_those_of_the_standard(colour, expected):
         assert (plane == value).all()
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(arrays(np.uint8, (4, 6, 3), elements=st.integers(0, 255)))
 def test_planes_are_the_rounded_formula(rgb):
     r, g, b = np.moveaxis(rgb.astype(float), -1, 0)

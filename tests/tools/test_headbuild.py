@@ -18,8 +18,9 @@ from headbuild.pack import quantized, write_npz  # type: ignore[import-not-found
 from headbuild.section import MouthSections  # type: ignore[import-not-found]
 from headbuild.source import open_source  # type: ignore[import-not-found]
 from headbuild.teeth import build_teeth, incisor_edge  # type: ignore[import-not-found]
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tests.profiles import examples
 
 from risorius.face.subdivide import catmull_clark
 
@@ -99,7 +100,7 @@ class TestRecipes:
 
 class TestLoops:
     @given(st.integers(3, 12), st.integers(3, 6))
-    @settings(max_examples=20, deadline=None)
+    @examples(20)
     def test_a_ring_of_a_tube(self, around: int, rings: int) -> None:
         _, quads = tube(around, rings)
         loop = Loops(quads).walk(around, around + 1)
@@ -131,7 +132,7 @@ class TestPack:
             assert {entry.date_time[0] for entry in archive.infolist()} == {1980}
 
     @given(st.floats(0.1, 30.0), st.integers(0, 10_000))
-    @settings(max_examples=30, deadline=None)
+    @examples(30)
     def test_quantized_fields_keep_a_hundredth_of_a_millimetre(self, size: float, seed: int) -> None:
         field = np.random.default_rng(seed).normal(size=(40, 3)) * size
         field[::3] = 0.0
@@ -144,7 +145,7 @@ class TestPack:
 
 class TestArch:
     @given(st.floats(-30.0, 30.0), st.floats(0.02, 0.06))
-    @settings(max_examples=30, deadline=None)
+    @examples(30)
     def test_lengths_along_it_are_true(self, along: float, bend: float) -> None:
         steps = np.linspace(0.0, along, 400)
         x, z = Arch(20.0, bend).place(steps, np.zeros(400))
@@ -180,7 +181,7 @@ class TestTeeth:
 
 class TestSections:
     @given(st.floats(-2.0, 2.0))
-    @settings(max_examples=20, deadline=None)
+    @examples(20)
     def test_gap_between_two_slabs(self, height: float) -> None:
         x, z = np.meshgrid(np.linspace(-5.0, 5.0, 6), np.linspace(14.0, 30.0, 6))
         slab = np.stack([x.ravel(), np.zeros(36), z.ravel()], axis=1)
@@ -198,7 +199,7 @@ class TestSections:
 
 class TestLocalMaps:
     @given(st.floats(0.8, 1.25), st.floats(-1.0, 1.0))
-    @settings(max_examples=15, deadline=None)
+    @examples(15)
     def test_a_turn_and_growth_of_the_whole_are_found(self, growth: float, angle: float) -> None:
         points, quads = tube(12, 6)
         edges = np.unique(

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 from io import FileIO
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.ports.video import messages
+from tests.profiles import examples
 
 Pipe = tuple[FileIO, FileIO]
 
@@ -48,7 +49,7 @@ def test_a_message_larger_than_the_pipe_arrives_whole(pipe: Pipe) -> None:
     sender.join()
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(st.text(), st.integers(1, 9999), st.integers(1, 9999), st.none() | st.integers(1, 99_999))
 def test_a_setup_is_read_back(path: str, width: int, height: int, rate: int | None) -> None:
     setup = messages.Setup(path, width, height, "24000/1001", rate)

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tests.profiles import examples
 
 from risorius.script.utt import parse_utterance
 from risorius.speech import say
@@ -45,7 +46,7 @@ def test_without_durations_nothing_is_moved() -> None:
     assert say(parse_utterance(PLAIN)).duration == say(parse_utterance(PLAIN + "\n")).duration
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(st.floats(0.4, 2.5), st.floats(100.0, 400.0))
 def test_stretching_keeps_pitch_and_power(factor: float, pitch: float) -> None:
     tone = (8000 * np.sin(2 * np.pi * pitch * np.arange(RATE) / RATE)).astype(np.int16)

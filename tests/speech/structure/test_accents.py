@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.directions import UNDIRECTED, Directions, Emphasis, Span, Tone
@@ -60,7 +60,6 @@ def test_a_phrase_without_content_words_has_an_accent_all_the_same(engine) -> No
 WORDS = st.sampled_from(["map,", "the", "Bob.", "of", "banana", "is;", "really?", "a"])
 
 
-@settings(deadline=None)
 @given(st.lists(WORDS, min_size=1, max_size=10))
 def test_accents_are_in_order_inside_their_syllables(words) -> None:
     said = synthesize(" ".join(words))
