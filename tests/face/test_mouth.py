@@ -8,6 +8,7 @@ from risorius.face.contact import Contacts, find_contacts
 from risorius.face.head import load_head, shipped_heads
 from risorius.face.mouth import OVERLAP, STATIONS, Mouth, TeethEdge
 from risorius.face.solve import FaceSolver
+from tests.profiles import everyday
 
 
 @pytest.fixture(scope="module")
@@ -22,7 +23,7 @@ def test_the_lips_do_not_overlap_at_rest(mouth, head):
     assert found.gap[:count].min() > -OVERLAP
 
 
-@pytest.mark.parametrize("name", shipped_heads())
+@pytest.mark.parametrize("name", everyday(shipped_heads(), ["standard"]))
 def test_a_jaw_that_opens_brings_nothing_together_and_the_corners_do_not_jump(name):
     head = load_head(name)
     solver, values = FaceSolver(head), NEUTRAL.copy()

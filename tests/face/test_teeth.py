@@ -13,11 +13,13 @@ from risorius.face.solve import FaceSolver
 from risorius.face.teeth import LONG, SHORT, Teeth
 from risorius.face.tooth_row import Row
 from risorius.rules.emotions import emotion
+from tests.profiles import everyday
 
 from .conftest import values_of
 from .teeth import TeethTester
 
 PIERCED = 0.3  # mm
+CHEEK = ["orbicularis_oris_funneler", "zygomatic_major"]
 EMOTIONS = ("happiness", "sadness", "anger", "disgust", "fear", "surprise")
 # What the demonstration sentences do to the mouth, one phone each.
 PHONES = {
@@ -95,7 +97,7 @@ def test_what_is_far_from_the_teeth_stays(teeth, opening):
     np.testing.assert_array_equal(moved, far)
 
 
-@pytest.mark.parametrize("muscle", ["orbicularis_oris_funneler", "zygomatic_major"])
+@pytest.mark.parametrize("muscle", everyday(CHEEK, CHEEK[1:]))
 def test_long_faces_of_a_cheek_do_not_cut_the_teeth_of_a_wide_jaw(muscle):
     head = load_head("olaf")
     frame = FaceSolver(head).solve(values_of({muscle: 1.0, "masseter": 1.0}))
