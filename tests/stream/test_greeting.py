@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import socket
 import threading
 import time
@@ -13,11 +12,13 @@ import pytest
 from risorius.core.arkit import INDEX
 from risorius.errors import InputError, OutputError
 from risorius.pipeline import stream
-from risorius.stream import PROTOCOLS, Address, wait_for_greeting
+from risorius.stream import PROTOCOLS, Address, clock, wait_for_greeting
 from risorius.stream.ifacialmocap import GREETINGS
 from risorius.stream.protocols import Asked
 from risorius.stream.send import Sent
 from risorius.take import Take
+
+from .clocks import SleepingClock
 
 GREETING = b"iFacialMocap_sahuasouryya9218sauhuiayeta91555dy3719"
 OVER_TCP = b"iFacialMocap_UDPTCP_sahuasouryya9218sauhuiayeta91555dy3719"
@@ -34,6 +35,14 @@ def udp(host: str, port: int = 0) -> socket.socket:
 def free_port(host: str) -> int:
     with udp(host) as line:
         return int(line.getsockname()[1])
+
+
+@pytest.fixture
+def sleeping(monkeypatch: pytest.MonkeyPatch) -> SleepingClock:
+    """The clock of what is sent: it sleeps no real time."""
+    found = SleepingClock()
+    monkeypatch.setattr(clock, "MachineClock", lambda: found)
+    return found
 
 
 def greet(port: int, *said: bytes, seconds: float = 2.0) -> None:
@@ -84,33 +93,31 @@ def test_who_greets_is_known_with_what_they_ask_for(said: bytes, protocol: str, 
 
 
 @pytest.mark.parametrize(("said", "joint"), [(GREETING, "-"), (GREETING + b"|sendDataVersion=v2", "&")])
-def test_a_receiver_greets_and_is_sent_the_performance(clip: Take, said: bytes, joint: str) -> None:
+def test_a_receiver_greets_and_is_sent_the_performance(
+    clip: Take, said: bytes, joint: str, sleeping: SleepingClock
+) -> None:
     """Both ends at port 49983, as the app and its receivers are, on two addresses of this machine."""
     port = PROTOCOLS.get("ifacialmocap").port
     assert port == 49983
     clip.arkit  # noqa: B018  (fitted before anyone waits)
-    got: list[tuple[float, bytes]] = []
     sent: list[Sent] = []
     with udp(PC, port) as receiver:
-        receiver.settimeout(0.5)
         greet(port, said, seconds=0.5)
         thread = threading.Thread(target=lambda: sent.append(stream(clip, "ifacialmocap", listen=PHONE)))
         thread.start()
-        while thread.is_alive():
-            with contextlib.suppress(TimeoutError):
-                data = receiver.recv(4096)
-                got.append((time.perf_counter(), data))
-    assert len(got) == sent[0].frames >= 3
-    opened = [dict(part.split(joint) for part in data.decode().split("|=")[0].split("|")) for _, data in got]
+        thread.join(60.0)
+        got = [receiver.recv(4096) for _ in range(sent[0].frames)]
+    assert len(got) == len(clip.times) >= 3
+    opened = [dict(part.split(joint) for part in data.decode().split("|=")[0].split("|")) for data in got]
     assert all(len(pairs) == 52 for pairs in opened)
     jaw = [int(pairs["jawOpen"]) for pairs in opened]
     wanted = np.round(100.0 * clip.arkit.weights[:, INDEX["jawOpen"]])
     assert max(jaw) > 10
     assert set(jaw) <= set(wanted)
-    assert got[-1][0] - got[0][0] == pytest.approx(clip.times[-1], abs=0.3)
+    assert sleeping.now() == pytest.approx(clip.times[-1], abs=1e-3)
 
 
-def test_a_receiver_greets_and_is_sent_a_stream(clip: Take) -> None:
+def test_a_receiver_greets_and_is_sent_a_stream(clip: Take, sleeping: SleepingClock) -> None:
     """The app connects to the receiver's port 49986; frames end with a mark, wherever the stream is cut."""
     clip.arkit  # noqa: B018  (fitted before anyone waits)
     sent: list[Sent] = []
@@ -123,10 +130,8 @@ def test_a_receiver_greets_and_is_sent_a_stream(clip: Take) -> None:
         line, _ = receiver.accept()
         data = b""
         with line:
-            start = time.perf_counter()
             while more := line.recv(100):
                 data += more
-        seconds = time.perf_counter() - start
         thread.join(10.0)
     *frames, rest = data.split(b"___iFacialMocap")
     assert rest == b""
@@ -136,4 +141,4 @@ def test_a_receiver_greets_and_is_sent_a_stream(clip: Take) -> None:
     ]
     assert max(jaw) > 10
     assert set(jaw) <= set(np.round(100.0 * clip.arkit.weights[:, INDEX["jawOpen"]]))
-    assert seconds == pytest.approx(clip.times[-1], abs=0.3)
+    assert sleeping.now() == pytest.approx(clip.times[-1], abs=1e-3)

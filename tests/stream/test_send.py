@@ -5,7 +5,6 @@ from __future__ import annotations
 import socket
 import sys
 import threading
-import time
 from collections.abc import Iterator
 from fractions import Fraction
 from types import SimpleNamespace
@@ -16,19 +15,22 @@ import pytest
 from risorius.core.audio import silence
 from risorius.errors import InputError, OutputError
 from risorius.stream import Address, line, parse_address, send
+from risorius.stream import clock as clocks
 from risorius.stream.clock import MachineClock, SoundClock
+
+from .clocks import SleepingClock
 
 FPS = Fraction(50)
 
 
 class Receiver:
-    """Collects datagrams and when they came."""
+    """Collects datagrams."""
 
     def __init__(self) -> None:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.bind(("127.0.0.1", 0))
         self.socket.settimeout(5.0)
-        self.got: list[tuple[float, bytes]] = []
+        self.got: list[bytes] = []
         self.address = Address("127.0.0.1", self.socket.getsockname()[1])
 
     def collect(self, last: bytes) -> threading.Thread:
@@ -36,7 +38,7 @@ class Receiver:
             data = b""
             while data != last:
                 data = self.socket.recv(2048)
-                self.got.append((time.perf_counter(), data))
+                self.got.append(data)
 
         thread = threading.Thread(target=run)
         thread.start()
@@ -121,16 +123,20 @@ def test_a_receiver_that_does_not_read_is_named(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_frames_come_at_their_time(receiver: Receiver) -> None:
-    thread = receiver.collect(b"24")
-    start = time.perf_counter()
-    sent = send(lambda k: [b"%d" % k], 25, FPS, receiver.address, MachineClock())
+    thread, clock = receiver.collect(b"24"), SleepingClock()
+    late: list[float] = []
+
+    def packets(k: int) -> list[bytes]:
+        late.append(clock.now() - k / 50)
+        return [b"%d" % k]
+
+    sent = send(packets, 25, FPS, receiver.address, clock)
     thread.join(10.0)
-    assert sent.frames + sent.dropped == 25
-    assert receiver.got[-1][1] == b"24"
-    late = [came - start - int(data) / 50 for came, data in receiver.got]
+    assert (sent.frames, sent.dropped) == (25, 0)
+    assert receiver.got == [b"%d" % k for k in range(25)]
     # Never early; and the last frame no later than the first ones: nothing piles up.
-    assert min(late) > -0.002
-    assert np.median(late) < 0.05
+    assert min(late) > -1e-9
+    assert max(late) < 0.001
 
 
 def test_late_frames_are_dropped(receiver: Receiver) -> None:
@@ -138,7 +144,7 @@ def test_late_frames_are_dropped(receiver: Receiver) -> None:
     clock = Steps([0.0, 0.02, 0.13, 0.145, 9.0])
     sent = send(lambda k: [b"%d" % k], 10, FPS, receiver.address, clock)
     thread.join(10.0)
-    assert [data for _, data in receiver.got] == [b"0", b"1", b"6", b"7", b"9"]
+    assert receiver.got == [b"0", b"1", b"6", b"7", b"9"]
     assert (sent.frames, sent.dropped) == (5, 5)
 
 
@@ -167,15 +173,16 @@ class FakeStream:
 def test_the_sound_is_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
     fake = SimpleNamespace(OutputStream=FakeStream, PortAudioError=RuntimeError)
     monkeypatch.setitem(sys.modules, "sounddevice", fake)
+    monkeypatch.setattr(clocks, "time", SimpleNamespace(perf_counter=lambda: 7.0))
     audio = silence(1.0)
     with SoundClock(audio) as clock:
-        assert clock.now() == pytest.approx(-0.1, abs=0.02)
+        assert clock.now() == pytest.approx(-0.1)
         out = np.ones((11_025, 1), np.int16)
         clock._stream.callback(out, 11_025, None, None)
         assert not out.any()
         clock._stream.callback(out, 11_025, None, None)
         # The second block begins at 0.5 s and is heard after the latency.
-        assert clock.now() == pytest.approx(0.4, abs=0.02)
+        assert clock.now() == pytest.approx(0.4)
     assert clock._stream.state == "closed"
 
 

@@ -3,13 +3,42 @@
 from __future__ import annotations
 
 import asyncio
-from concurrent.futures import ThreadPoolExecutor
+import selectors
+from concurrent.futures import Executor, Future
 from types import SimpleNamespace
 
 from risorius.studio import pose_preview, wire
 from risorius.studio.pose_preview import PosePreview
 from risorius.studio.session_files import SessionFiles
 from risorius.studio.solvers import Solvers
+
+
+class AtOnce(Executor):
+    """Does what it is given when it is given."""
+
+    def submit(self, work, /, *arguments, **options):
+        done = Future()
+        done.set_result(work(*arguments, **options))
+        return done
+
+
+class Leaping(asyncio.SelectorEventLoop):
+    """A loop in which waiting takes no time: its clock leaps to when the next work is due."""
+
+    def __init__(self):
+        self.now, loop = 100.0, self
+
+        class Selector(selectors.DefaultSelector):
+            def select(self, timeout=None):
+                ready = super().select(0)
+                if not ready and timeout:
+                    loop.now += timeout
+                return ready
+
+        super().__init__(Selector())
+
+    def time(self):
+        return self.now
 
 
 def test_a_dragged_dial_has_one_face_for_each_turn(monkeypatch, tmp_path):
@@ -20,17 +49,16 @@ def test_a_dragged_dial_has_one_face_for_each_turn(monkeypatch, tmp_path):
         sent.append(number)
 
     async def drag():
-        with ThreadPoolExecutor(1) as threads:
-            page = PosePreview(threads, Solvers(), send)
-            page._dial, page._looks = dial, ("standard", None)
-            for number in range(turns):
-                asked = wire.Dial()
-                await page.turn(number, asked, SessionFiles(tmp_path))
-                await asyncio.sleep(0.045)
-            dragged = len(sent)
-            await page.stop()
-            return dragged
+        page = PosePreview(AtOnce(), Solvers(), send)
+        page._dial, page._looks = dial, ("standard", None)
+        for number in range(turns):
+            await page.turn(number, wire.Dial(), SessionFiles(tmp_path))
+            await asyncio.sleep(0.045)
+        dragged = len(sent)
+        await page.stop()
+        return dragged
 
     stage = SimpleNamespace(packed=lambda kind, number, first, faces: number)
     monkeypatch.setattr(pose_preview, "stage_of", lambda head, age: stage)
-    assert turns - 2 <= asyncio.run(drag()) <= turns + 4
+    with asyncio.Runner(loop_factory=Leaping) as runner:
+        assert turns - 2 <= runner.run(drag()) <= turns + 4
