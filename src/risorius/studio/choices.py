@@ -12,7 +12,7 @@ from ..core.score import BlendSettings
 from ..errors import InputError, unknown
 from ..face.head import shipped_heads
 from ..rules.profiles import profile, profile_from, profile_texts
-from ..settings import BlendChoices, Settings
+from ..settings import PLANNED, BlendChoices, Settings
 from ..speech.engines.registry import is_voice_file
 from .session_files import kept_table
 from .wire import Choices
@@ -49,8 +49,14 @@ def settings_of(choices: Choices, folder: Path) -> Settings:
         seed=choices.seed,
         rules=_rules(choices.rules_off, folder),
         look=Look(hair=choices.hair, complexion=choices.complexion),
-        blend=BlendChoices(**asdict(blend_of(choices))),
+        blend=_chosen_blend(choices),
     )
+
+
+def _chosen_blend(choices: Choices) -> BlendChoices:
+    """Return what is other than in a planned score."""
+    blend, usual = asdict(blend_of(choices)), asdict(PLANNED)
+    return BlendChoices(**{name: value for name, value in blend.items() if value != usual[name]})
 
 
 def blend_of(choices: Choices) -> BlendSettings:
