@@ -20,6 +20,7 @@ from enum import StrEnum
 from typing import Annotated, Any, Literal, TypeVar
 
 from ..errors import InputError, Place, RisoriusError, unknown
+from .frozen import FrozenDict
 
 T = TypeVar("T")
 KeyPath = tuple[str | int, ...]
@@ -112,7 +113,7 @@ def _scalar(hint: Any, value: object) -> object:
 def _mapping(arguments: tuple[Any, ...], value: object, source: Source, path: KeyPath) -> object:
     if not isinstance(value, Mapping):
         return None
-    return {key: _convert(arguments[1], v, source, (*path, key)) for key, v in value.items()}
+    return FrozenDict({key: _convert(arguments[1], v, source, (*path, key)) for key, v in value.items()})
 
 
 def _tuple(arguments: tuple[Any, ...], value: object, source: Source, path: KeyPath) -> object:

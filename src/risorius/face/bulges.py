@@ -6,12 +6,14 @@ the skin over it rises by T·(1/J − 1).
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
 from ..core.arrays import Array, UInt32Array
+from ..core.frozen import FrozenDict
 from ..core.kernels.jit import device, kernel
 from .compression import Compression, Zone
 from .head import Head
@@ -38,10 +40,10 @@ class Bulge:
 
 
 @lru_cache(maxsize=1)
-def bulges() -> dict[str, Bulge]:
+def bulges() -> Mapping[str, Bulge]:
     """Return all bulges by name."""
     table = read_table("bulges.toml")
-    return {name: build(Bulge, values, f"bulges.toml: {name}") for name, values in table.items()}
+    return FrozenDict({name: build(Bulge, values, f"bulges.toml: {name}") for name, values in table.items()})
 
 
 class Bulges:

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..core.arkit import INDEX
 from ..core.arrays import Array
+from ..core.frozen import FrozenDict
 from ..core.toml import parse_rows
 from ..errors import InputError, unknown
 
@@ -26,7 +27,7 @@ class Expression:
 
 
 @lru_cache(maxsize=1)
-def expressions() -> dict[str, Expression]:
+def expressions() -> Mapping[str, Expression]:
     """Return the presets by their name in VRM 1; raise InputError where the table names an unknown shape."""
     text = (resources.files(__package__) / "data" / FILE).read_text(encoding="utf-8")
     found = parse_rows(Expression, text, FILE)
@@ -34,7 +35,7 @@ def expressions() -> dict[str, Expression]:
         for name in expression.shapes:
             if name not in INDEX:
                 raise InputError(f"{FILE}: {unknown('shape', name, INDEX)}")
-    return found
+    return FrozenDict(found)
 
 
 def preset_weights(weights: Array) -> Array:

@@ -89,6 +89,7 @@ def load_sliders() -> Sliders:
         for part, end in zip(row, "+-", strict=True):
             vertices, displacement = file.field(f"{name}/{end}", count)
             part[vertices] = displacement
+    skin.setflags(write=False)
     return Sliders(
         names, skin, file.array("mouth", (len(names), 2, 3)), file.array("eyes", (len(names), 2, 2, 3))
     )

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import resources
 
+from ..core.frozen import FrozenDict
 from ..core.toml import parse_rows
 from ..core.utterance import Phone, Utterance
 from ..errors import OutputError, unknown
@@ -36,10 +37,10 @@ class Cue:
 
 
 @lru_cache(maxsize=1)
-def viseme_table() -> dict[str, Viseme]:
+def viseme_table() -> Mapping[str, Viseme]:
     """Return the table by ARPAbet symbol without stress digit."""
     text = (resources.files(__package__) / "data" / "visemes.toml").read_text(encoding="utf-8")
-    return parse_rows(Viseme, text, "visemes.toml")
+    return FrozenDict(parse_rows(Viseme, text, "visemes.toml"))
 
 
 @lru_cache(maxsize=512)

@@ -10,6 +10,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ..core.articulators import PROTRUSION, within_range
+from ..core.frozen import FrozenDict
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
 from .lips import PhoneShape, Targets, check_shape, lip_table
@@ -32,7 +33,7 @@ class Row:
     manner: str | None = None
     like: str | None = None
     lip_class: str | None = field(default=None, metadata={"key": "class"})
-    targets: Targets = field(default_factory=dict)
+    targets: Targets = field(default_factory=FrozenDict)
 
     def __post_init__(self) -> None:
         if (self.like is None) == (self.lip_class is None):

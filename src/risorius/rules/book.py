@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+from ..core.frozen import FrozenDict
 from ..core.schema import Source
 from ..core.toml import parse, read_text
 from ..errors import ParameterError, Place, unknown
@@ -40,7 +41,7 @@ class Entry:
 class Book:
     """The rules that hold, by id, in the order of their files."""
 
-    entries: Mapping[str, Entry] = field(default_factory=dict)
+    entries: Mapping[str, Entry] = field(default_factory=FrozenDict)
 
     def __iter__(self) -> Iterator[Rule]:
         return (entry.rule for entry in self.entries.values())
@@ -96,7 +97,7 @@ def extended(book: Book, text: str, name: str) -> Book:
     _check_own(file, own, book, source)
     gone = {old for rule in file.rule for old in rule.replaces}
     kept = {key: entry for key, entry in entries.items() if key not in gone}
-    return Book({**kept, **{key: entry for key, entry in own.items() if key not in gone}})
+    return Book(FrozenDict({**kept, **{key: entry for key, entry in own.items() if key not in gone}}))
 
 
 def _rule_texts(text: str) -> list[str]:

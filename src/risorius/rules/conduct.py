@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Annotated
 
+from ..core.frozen import FrozenDict
 from ..core.schema import Range
 
 ModulationFactor = Annotated[float, Range(0.0, 5.0)]
@@ -21,8 +22,8 @@ ModulationFactor = Annotated[float, Range(0.0, 5.0)]
 class Conduct:
     """Factors by rule id, or by its beginning up to a dot; those of several beginnings multiply."""
 
-    rates: Mapping[str, ModulationFactor] = field(default_factory=dict)
-    sizes: Mapping[str, ModulationFactor] = field(default_factory=dict)
+    rates: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
+    sizes: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
 
     def at(self, intensity: float) -> Conduct:
         """Return the conduct at an intensity 0..1: at 0 nothing is changed."""

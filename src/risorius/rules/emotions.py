@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Annotated
 
 from ..core.action_units import check_intensity, resolve_targets
+from ..core.frozen import FrozenDict
 from ..core.schema import Range
 from ..core.toml import written
 from ..core.units import RiseSeconds, Share
@@ -56,7 +57,7 @@ class Emotion:
     units: Mapping[str, float] = field(metadata={"key": "targets"})
     emblem: Emblem
     conduct: Conduct = field(default_factory=Conduct)
-    degrees: Mapping[str, Degrees] = field(default_factory=dict)
+    degrees: Mapping[str, Degrees] = field(default_factory=FrozenDict)
 
     def __post_init__(self) -> None:
         resolve_targets(self.units)

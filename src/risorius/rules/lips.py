@@ -42,7 +42,7 @@ class LipClass:
     before: Annotated[float, Range(0.001, 1.0)]
     after: Annotated[float, Range(0.001, 1.0)]
     limits: Mapping[str, tuple[float, float]]
-    yields: Mapping[str, Annotated[float, Range(0.0, 100.0)]] = field(default_factory=dict)
+    yields: Mapping[str, Annotated[float, Range(0.0, 100.0)]] = field(default_factory=FrozenDict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +105,7 @@ class LipTable:
     opening: Opening
     articulation: Mapping[str, float]
     manners: Mapping[str, LipManner]
-    rest: PhoneShape = field(default_factory=lambda: PhoneShape("silence", {}))
+    rest: PhoneShape = field(default_factory=lambda: PhoneShape("silence", FrozenDict()))
 
     def shape(self, symbol: str) -> PhoneShape:
         """Return a phone's shape; raise InputError for a phone that the table does not have."""
@@ -143,7 +143,9 @@ def lip_table() -> LipTable:
     raw = load(_File, "lips.toml")
     _check_names(raw)
     holdings = {name: _holding(lip_class) for name, lip_class in raw.classes.items()}
-    return LipTable(holdings, raw.phones, raw.diphthongs, raw.opening, raw.articulation, raw.manners)
+    return LipTable(
+        FrozenDict(holdings), raw.phones, raw.diphthongs, raw.opening, raw.articulation, raw.manners
+    )
 
 
 def _holding(lip_class: LipClass) -> Holding:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from ..core.action_units import resolve_targets
+from ..core.frozen import FrozenDict
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..core.schema import Range, Source, build
 from ..core.toml import read_tables, read_text
@@ -111,11 +112,11 @@ class Profile:
     gaze: Gaze
     head: Head
     side: SignedShare = 0.0
-    rates: Mapping[str, ModulationFactor] = field(default_factory=dict)
-    sizes: Mapping[str, ModulationFactor] = field(default_factory=dict)
-    posture: Mapping[str, float] = field(default_factory=dict)
+    rates: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
+    sizes: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
+    posture: Mapping[str, float] = field(default_factory=FrozenDict)
     age: Annotated[float, Range(0.0, 100.0)] | None = None
-    wrinkles: Mapping[str, Annotated[float, Range(0.0, 2.0)]] = field(default_factory=dict)
+    wrinkles: Mapping[str, Annotated[float, Range(0.0, 2.0)]] = field(default_factory=FrozenDict)
 
     def __post_init__(self) -> None:
         _check_posture(self.posture)
@@ -138,9 +139,9 @@ class Attitude:
     name: str
     description: str
     source: str
-    rates: Mapping[str, ModulationFactor] = field(default_factory=dict)
-    sizes: Mapping[str, ModulationFactor] = field(default_factory=dict)
-    posture: Mapping[str, float] = field(default_factory=dict)
+    rates: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
+    sizes: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
+    posture: Mapping[str, float] = field(default_factory=FrozenDict)
 
     def __post_init__(self) -> None:
         _check_posture(self.posture)
@@ -155,7 +156,9 @@ class Attitude:
 def profiles() -> Mapping[str, Profile]:
     """Return the package's profiles by name."""
     texts = profile_texts()
-    return {name: profile_from(text, f"profiles/{name}.toml", texts) for name, text in texts.items()}
+    return FrozenDict(
+        {name: profile_from(text, f"profiles/{name}.toml", texts) for name, text in texts.items()}
+    )
 
 
 @cache
@@ -163,7 +166,9 @@ def profile_texts() -> Mapping[str, str]:
     """Return the texts of the package's profiles by name."""
     folder = DATA / "profiles"
     names = sorted(entry.name for entry in folder.iterdir() if entry.name.endswith(".toml"))
-    return {name.removesuffix(".toml"): (folder / name).read_text(encoding="utf-8") for name in names}
+    return FrozenDict(
+        {name.removesuffix(".toml"): (folder / name).read_text(encoding="utf-8") for name in names}
+    )
 
 
 def profile_from(text: str, name: str, bases: Mapping[str, str]) -> Profile:
@@ -197,7 +202,7 @@ def _merged(under: dict[str, Any], over: dict[str, Any]) -> dict[str, Any]:
 @cache
 def attitudes() -> Mapping[str, Attitude]:
     """Return the package's attitudes by name."""
-    return {a.name: a for a in load_folder(Attitude, "attitudes").values()}
+    return FrozenDict({a.name: a for a in load_folder(Attitude, "attitudes").values()})
 
 
 def profile_of(given: str) -> Profile:

@@ -13,6 +13,7 @@ from enum import StrEnum
 from typing import Annotated
 
 from ..core.action_units import resolve_targets
+from ..core.frozen import FrozenDict
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.schema import Range
 from ..core.tobi import boundary_tone, pitch_accent
@@ -133,7 +134,7 @@ class Effect:
     related utterances.
     """
 
-    targets: Mapping[str, float] = field(default_factory=dict)
+    targets: Mapping[str, float] = field(default_factory=FrozenDict)
     gesture: str | None = None
     times: Annotated[int, Range(1, 10)] = 1
     size: Annotated[float, Range(0.0, 3.0)] = 1.0

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from ..core.frozen import FrozenDict
 from ..core.utterance import Accent, PauseKind, Question
 from .rule import Level, Position, TurnState
 from .synchrony import synchrony
@@ -34,7 +35,7 @@ class Unit:
     words: frozenset[str] = frozenset()
     rate: float = field(default_factory=lambda: synchrony().usual_rate)
     group: int = 0
-    emotions: Mapping[str, float] = field(default_factory=dict)
+    emotions: Mapping[str, float] = field(default_factory=FrozenDict)
     turn: TurnState = TurnState.SPEAKING
 
     @property

@@ -35,7 +35,6 @@ from .wire import Choices, Format
 ONSET_STEPS = 25
 
 
-@cache
 def catalogue() -> tables.Catalogue:
     """Return all tables."""
     return tables.Catalogue(

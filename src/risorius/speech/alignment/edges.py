@@ -20,6 +20,7 @@ from importlib import resources
 import numpy as np
 
 from ...core.arrays import Array, Int64Array
+from ...core.frozen import FrozenDict
 from ...core.toml import parse
 from ...errors import InputError
 from .spectra import BANDS, STEP_SECONDS
@@ -156,7 +157,9 @@ def compiled(table: EdgeTable) -> EdgeModel:
     left = np.array([table.left[name] for name in order]) + np.array(table.common)
     right = np.array([table.right[name] for name in order])
     numbers = {phone: order[name] for name, phones in table.classes.items() for phone in phones}
-    return EdgeModel(numbers, bias, left, right)
+    for array in (bias, left, right):
+        array.setflags(write=False)
+    return EdgeModel(FrozenDict(numbers), bias, left, right)
 
 
 def _prefixed(side: str, rows: Mapping[str, tuple[float, ...]]) -> dict[str, tuple[float, ...]]:
