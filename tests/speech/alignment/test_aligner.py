@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 
 import numpy as np
@@ -65,6 +66,14 @@ def test_phones_are_where_espeak_says(spoken: Utterance) -> None:
     assert np.abs(away).max() < 0.08
     for labials in ("M", "B", "P"):
         assert starts(found, labials) == pytest.approx(starts(spoken, labials), abs=0.05)
+
+
+def test_two_threads_that_align_at_once_get_what_each_gets_alone(spoken: Utterance) -> None:
+    other = synthesize("I told you so.")
+    expected = [quietly(said.audio, said.text).phones for said in (spoken, other)]
+    with ThreadPoolExecutor(2) as threads:
+        both = list(threads.map(lambda said: align(said.audio, said.text).phones, (spoken, other)))
+    assert both == expected
 
 
 def test_the_result_is_whole(spoken: Utterance) -> None:

@@ -16,7 +16,7 @@ from ..recordings.resampled import Resampled
 from ..structure.accents import intone
 from ..structure.pauses import find_pauses
 from ..structure.syllables import syllabify
-from .decoder import AlignmentError, Found, Readings, align_words
+from .decoder import AlignmentError, Decoders, Found, Readings
 from .doubt import check_words
 from .edges import place_edges
 from .lexicon import ScriptWord, read_transcript, stresses_of
@@ -62,13 +62,14 @@ def decoded(resampled: Resampled, words: Sequence[Readings]) -> Iterator[list[Fo
 
     Raises InputError if the recording has no room for the words.
     """
-    for window in windows(resampled, words):
+    decoders = Decoders()
+    for window in windows(resampled, words, decoders):
         inside = words[window.first : window.last]
         if not inside:
             yield [Found(SILENCE, window.start, window.end, -1, 0.0)]
             continue
         try:
-            found = align_words(resampled.read(window.start, window.end), inside)
+            found = decoders.align_words(resampled.read(window.start, window.end), inside)
         except AlignmentError:
             span = f"{window.start:.2f} to {window.end:.2f} s"
             message = (

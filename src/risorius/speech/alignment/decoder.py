@@ -7,8 +7,8 @@ no model has heard, from ending it early.
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -50,32 +50,46 @@ class Found(NamedTuple):
     score: float
 
 
-def align_words(sound: Array, words: Sequence[Readings]) -> list[Found]:
-    """Return the phones and silences of `sound` (16 kHz), in which all `words` are said in order.
+class Decoders:
+    """The decoders of one recording, each made when first needed.
 
-    They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
+    What a decoder has heard before changes what it finds, and it serves one thread: no two recordings share
+    one.
     """
-    decoder, data = _decoder(_WIDE_BEAM), prepared(sound)
-    _set_grammar(decoder, words, stops=False)
-    decode(decoder, data)
-    said = [segment.word for segment in _segments(decoder)]
-    if sum(not word.startswith(UNSPOKEN) for word in said) != len(words):
-        raise AlignmentError
-    decoder.set_alignment()
-    decode(decoder, data)
-    return list(_phones(decoder.get_alignment(), len(sound) / RATE))
 
+    def align_words(self, sound: Array, words: Sequence[Readings]) -> list[Found]:
+        """Return the phones and silences of `sound` (16 kHz), in which all `words` are said in order.
 
-def follow_words(sound: Array, words: Sequence[Readings]) -> list[tuple[float, float]]:
-    """Return the spans in seconds of as many of `words`, from the first on, as are said in `sound`."""
-    decoder, data = _decoder(_BEAM), prepared(sound)
-    _set_grammar(decoder, words, stops=True)
-    decode(decoder, data)
-    return [
-        (segment.start_frame * FRAME - PAD_SECONDS, (segment.end_frame + 1) * FRAME - PAD_SECONDS)
-        for segment in _segments(decoder)
-        if not segment.word.startswith(UNSPOKEN)
-    ]
+        They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
+        """
+        decoder, data = self._wide, prepared(sound)
+        _set_grammar(decoder, words, stops=False)
+        decode(decoder, data)
+        said = [segment.word for segment in _segments(decoder)]
+        if sum(not word.startswith(UNSPOKEN) for word in said) != len(words):
+            raise AlignmentError
+        decoder.set_alignment()
+        decode(decoder, data)
+        return list(_phones(decoder.get_alignment(), len(sound) / RATE))
+
+    def follow_words(self, sound: Array, words: Sequence[Readings]) -> list[tuple[float, float]]:
+        """Return the spans in seconds of as many of `words`, from the first on, as are said in `sound`."""
+        decoder, data = self._narrow, prepared(sound)
+        _set_grammar(decoder, words, stops=True)
+        decode(decoder, data)
+        return [
+            (segment.start_frame * FRAME - PAD_SECONDS, (segment.end_frame + 1) * FRAME - PAD_SECONDS)
+            for segment in _segments(decoder)
+            if not segment.word.startswith(UNSPOKEN)
+        ]
+
+    @cached_property
+    def _wide(self) -> Decoder:
+        return _decoder(_WIDE_BEAM)
+
+    @cached_property
+    def _narrow(self) -> Decoder:
+        return _decoder(_BEAM)
 
 
 def dictionary_path() -> str:
@@ -85,7 +99,6 @@ def dictionary_path() -> str:
     return str(pocketsphinx.get_model_path("en-us/cmudict-en-us.dict"))
 
 
-@functools.cache
 def _decoder(beam: float) -> Decoder:
     import pocketsphinx
 

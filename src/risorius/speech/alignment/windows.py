@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ..recordings.resampled import Resampled
-from .decoder import Readings, follow_words
+from .decoder import Decoders, Readings
 
 # Seconds. What is no longer than the first is one window.
 WHOLE, HEARD, EARLIEST, LATEST = 36.0, 30.0, 10.0, 25.0
@@ -28,15 +28,14 @@ class Window(NamedTuple):
     last: int
 
 
-def windows(resampled: Resampled, words: Sequence[Readings]) -> Iterator[Window]:
+def windows(resampled: Resampled, words: Sequence[Readings], decoders: Decoders) -> Iterator[Window]:
     """Yield windows that follow one another over the recording and all words."""
     start, first = 0.0, 0
     duration = resampled.audio.duration
     while duration - start > WHOLE:
         heard = resampled.read(start, start + HEARD)
-        spans = (
-            follow_words(heard, words[first : first + round(HEARD * FASTEST)]) if first < len(words) else []
-        )
+        ahead = words[first : first + round(HEARD * FASTEST)]
+        spans = decoders.follow_words(heard, ahead) if ahead else []
         count, length = _cut(spans) if first + len(spans) < len(words) else (len(spans), HEARD)
         yield Window(start, start + length, first, first + count)
         start, first = start + length, first + count

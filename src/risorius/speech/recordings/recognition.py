@@ -8,9 +8,9 @@ mouth does. Both are far weaker than a transcript: about one word in four is wro
 from __future__ import annotations
 
 import contextlib
-import functools
 import re
 from collections.abc import Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,8 +27,8 @@ from ..alignment.decoder import (
     PAD_SECONDS,
     UNSPOKEN,
     AlignmentError,
+    Decoders,
     Found,
-    align_words,
     decode,
     prepared,
 )
@@ -49,13 +49,41 @@ _LOUD_PERCENTILE = 95.0
 _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
 
+class RecognizingDecoders(Decoders):
+    """The decoders of one recording without a transcript: those that name its words, and its phones, too."""
+
+    @cached_property
+    def words(self) -> Decoder:
+        """Names words by the language model."""
+        import pocketsphinx
+
+        return pocketsphinx.Decoder(loglevel="FATAL", samprate=RATE)
+
+    @cached_property
+    def phones(self) -> Decoder:
+        """Names phones, whatever they make."""
+        import pocketsphinx
+
+        model = pocketsphinx.get_model_path("en-us/en-us-phone.lm.bin")
+        return pocketsphinx.Decoder(
+            loglevel="FATAL",
+            samprate=RATE,
+            lm=None,
+            dict=None,
+            allphone=model,
+            lw=2.0,
+            beam=1e-20,
+            pbeam=1e-20,
+        )
+
+
 def recognize(audio: Audio) -> Utterance:
     """Return what seems to be said when in a recording. Raises InputError if nothing is."""
-    resampled = Resampled(audio)
+    resampled, decoders = Resampled(audio), RecognizingDecoders()
     found: list[Found] = []
     names: list[str] = []
     for start, end in stretches(resampled):
-        phones, words = _recognized(resampled.read(start, end))
+        phones, words = _recognized(resampled.read(start, end), decoders)
         found += refined(resampled, without_gaps(moved(phones, start, end, len(names))))
         names += words
     if not names:
@@ -86,23 +114,23 @@ def _longest_run(true: BoolArray, shortest: int) -> int | None:
     return int(edges[lengths.argmax()].mean())
 
 
-def _recognized(sound: Array) -> tuple[list[Found], list[str]]:
+def _recognized(sound: Array, decoders: RecognizingDecoders) -> tuple[list[Found], list[str]]:
     """Return the phones of a stretch, and the names of its words."""
-    names = [_ALTERNATIVE.sub("", segment.word) for segment in _spoken(_word_decoder(), sound)]
+    names = [_ALTERNATIVE.sub("", segment.word) for segment in _spoken(decoders.words, sound)]
     if names:
         with contextlib.suppress(AlignmentError):
-            found = align_words(sound, [written_readings(name) for name in names])
+            found = decoders.align_words(sound, [written_readings(name) for name in names])
             if mean_score([f for f in found if f.word >= 0]) >= POOR_WORD:
                 return found, names
-    return _phone_runs(sound)
+    return _phone_runs(sound, decoders.phones)
 
 
-def _phone_runs(sound: Array) -> tuple[list[Found], list[str]]:
+def _phone_runs(sound: Array, decoder: Decoder) -> tuple[list[Found], list[str]]:
     """Return the phones that a loop over all phones hears; each run without a pause is called a word."""
     duration = len(sound) / RATE
     found: list[Found] = []
     names: list[str] = []
-    for segment in _segments(_phone_decoder(), sound):
+    for segment in _segments(decoder, sound):
         start = max(segment.start_frame * FRAME + MIDDLE - PAD_SECONDS, 0.0)
         end = min((segment.end_frame + 1) * FRAME + MIDDLE - PAD_SECONDS, duration)
         if start >= end:
@@ -134,20 +162,3 @@ def _spoken(decoder: Decoder, sound: Array) -> list[Any]:
 def _segments(decoder: Decoder, sound: Array) -> list[Any]:
     decode(decoder, prepared(sound))
     return [] if decoder.hyp() is None else list(decoder.seg())
-
-
-@functools.cache
-def _word_decoder() -> Decoder:
-    import pocketsphinx
-
-    return pocketsphinx.Decoder(loglevel="FATAL", samprate=RATE)
-
-
-@functools.cache
-def _phone_decoder() -> Decoder:
-    import pocketsphinx
-
-    model = pocketsphinx.get_model_path("en-us/en-us-phone.lm.bin")
-    return pocketsphinx.Decoder(
-        loglevel="FATAL", samprate=RATE, lm=None, dict=None, allphone=model, lw=2.0, beam=1e-20, pbeam=1e-20
-    )
