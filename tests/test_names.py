@@ -43,7 +43,6 @@ TO_MEND = {
     "Pause",
     "Performer",
     "Phone",
-    "Piece",
     "Point",
     "Progress",
     "Range",

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.looks.eyeball import cap, iris_image
+from risorius.looks.eyeball import cap, iris_image, iris_picture
 
 
 def test_the_cap_is_a_sphere_wound_outwards():
@@ -23,3 +23,11 @@ def test_the_iris_closes_around_the_pupil():
     image = iris_image((132, 112, 74), (74, 94, 104))
     steps = np.abs(np.diff(image, axis=1)).max()
     assert np.abs(image[:, 0] - image[:, -1]).max() <= 1.5 * steps
+
+
+def test_the_picture_of_an_eye_is_an_iris_within_white():
+    picture = iris_picture((132, 112, 74), (74, 94, 104), 64)
+    assert picture.shape == (64, 64, 3)
+    assert picture[32, 32].max() < 40
+    assert picture[0, 0].min() > 200
+    assert 40 < picture[32, 32 + 8].mean() < 200

@@ -75,9 +75,9 @@ def test_brows_and_lashes_go_along_with_the_skin(stage, faces):
     _, _, positions = unpacked(stage, stage.packed(FRAMES, 1, 0, faces[:1]))
     parts = {part.name: part for part in stage.described().parts}
     for name in ("brows", "lashes"):
-        part, piece = parts[name], stage.pieces[name]
+        part, piece = parts[name], stage.head_parts[name]
         there = positions[0][part.first : part.first + part.count]
-        own = faces[0].skin.astype(np.float64) - stage.pieces["skin"].points
+        own = faces[0].skin.astype(np.float64) - stage.head_parts["skin"].points
         moved = np.einsum("vk,vkc->vc", piece.weights, own[piece.roots])
         assert np.abs(there - piece.points - moved).max() <= 0.51 * STEP
 
@@ -99,13 +99,13 @@ def test_the_head_s_file_has_the_vertices_of_the_frames(stage):
 def test_all_heads_at_all_ages_fit_the_whole_numbers(stage):
     for age in (0.0, 100.0):
         other = stage_of("standard", age)
-        points = np.concatenate([other.pieces[name].points for name in PARTS])
+        points = np.concatenate([other.head_parts[name].points for name in PARTS])
         # With room for the jaw, which goes down by less than 40 mm.
         assert np.abs(points - other.origin).max() + 40.0 < 32767 * STEP
 
 
 def test_a_page_is_told_where_lips_meet_and_where_cloth_begins(stage):
-    skin = stage.pieces["skin"].points
+    skin = stage.head_parts["skin"].points
     upper, lower = np.array(stage.described().lips).T
     assert np.abs(skin[upper, 0] - skin[lower, 0]).max() < 3.0
     assert np.median(skin[upper, 1] - skin[lower, 1]) >= 0.0

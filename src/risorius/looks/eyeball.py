@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import Array, Float32Array, Int32Array
+from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
 from ..core.kernels.jit import f4
+from ..face.identity import Colour
 from .noise import noise_at
-from .srgb import srgb_decode
+from .srgb import linear, srgb_decode, srgb_encode
 
 IRIS = f4(0.365)  # radius of the iris in radii of the eye
+_PUPIL = 0.36 * float(IRIS)  # of the eyeball's radius
+_SCLERA = (228, 220, 212)
 _RINGS, _SECTORS = 16, 40
 _WIDEST = np.radians(80.0)
 _IRIS_RINGS, _IRIS_ANGLES = 64, 720
@@ -36,7 +39,7 @@ def cap() -> tuple[Array, Int32Array]:
     return vertices, np.concatenate([fan, first, second]).astype(np.int32)
 
 
-def iris_image(inner: tuple[int, int, int], outer: tuple[int, int, int]) -> Float32Array:
+def iris_image(inner: Colour, outer: Colour) -> Float32Array:
     """Return the iris' albedo (rings, angles, 3) from the pupil outwards, between two sRGB colours.
 
     Radial fibres, a ruff about the pupil, a few furrows, and the dark limbus.
@@ -53,6 +56,25 @@ def iris_image(inner: tuple[int, int, int], outer: tuple[int, int, int]) -> Floa
     light *= 1.0 - 0.88 * np.clip((r - 0.70) / 0.30, 0.0, 1.0) ** 1.4
     light *= 0.45 + 0.55 * np.clip(r / 0.12, 0.0, 1.0)
     return np.asarray(colour * np.clip(light, 0.08, 2.2)[..., None], np.float32)
+
+
+def iris_picture(inner: Colour, outer: Colour, side: int = 256) -> ByteArray:
+    """Return the front of an eye seen straight on, sRGB (side, side, 3), as wide as the eyeball.
+
+    `inner` and `outer` are the iris' sRGB colours at the pupil and at the rim.
+    """
+    image, rim = iris_image(inner, outer), float(IRIS)
+    x = (np.arange(side) + 0.5) / side * 2.0 - 1.0
+    across, down = np.meshgrid(x, x)
+    radius, angle = np.hypot(across, down), np.arctan2(-down, across) % (2.0 * np.pi)
+    way = (radius - _PUPIL) / (rim - _PUPIL)
+    rows = np.clip(way * (len(image) - 1), 0, len(image) - 1).round().astype(int)
+    columns = (angle / (2.0 * np.pi) * image.shape[1]).astype(int) % image.shape[1]
+    picture = image[rows, columns].astype(np.float64)
+    picture[way < 0.0] = 0.005
+    edge = np.clip((way - 1.0) / 0.06, 0.0, 1.0)[..., None]
+    picture = picture + edge * (linear(_SCLERA) - picture)
+    return np.asarray(np.round(255.0 * srgb_encode(np.clip(picture, 0.0, 1.0))), np.uint8)
 
 
 def _ring_noise(r: Array, angle: Array, across: float, along: float) -> Array:

@@ -1,4 +1,4 @@
-"""The pieces of the scene: skin, eyes, teeth, tongue, each with its attributes."""
+"""The parts of a head model: skin, eyes, teeth, tongue and hairs, each a mesh with its attributes."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import Array, Float32Array, Int32Array
+from ..core.arrays import Array, Float32Array, Int32Array, Int64Array
 from ..face.head import Head
 from ..face.head import Mesh as RigidMesh
 from ..face.identity import Looks
@@ -17,6 +17,8 @@ from .attributes import (
     ATTRIBUTES,
     EXTRA,
     EYE_LEFT,
+    EYE_RIGHT,
+    HAIR,
     INNER,
     OCCLUSION,
     ROUGHNESS,
@@ -33,19 +35,42 @@ from .garment import neckline
 from .normals import Normals, triangles_as_faces
 from .scalp import scalp_shade
 from .srgb import linear
+from .strands import Strands, root_frames
 
+HEM = 10.0  # mm over which skin becomes cloth: triangles there are that wide
 _TOOTH, _GUM, _TONGUE = (244, 234, 214), (186, 98, 92), (206, 122, 114)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """Vertices (n, 3) mm at rest, faces (f, 4), triangles (m, 3), attributes (n, ATTRIBUTES), and surface."""
+    """One mesh of a head at rest, in the head frame.
 
-    vertices: Array
+    points      (n, 3) mm
+    faces       (f, 4) vertices; a triangle repeats its last one. Smooth normals are those of the faces
+    triangles   (m, 3) vertices, wound outwards
+    attributes  (n, ATTRIBUTES) float32, see `attributes`
+    surface     what the part is of: one of the surfaces in `attributes`
+    colours     (n, 3) linear, 0..1: the albedo and, where it is worn, the cloth's
+    roughness   0..1, one for the whole part
+    roots       (n, 3) vertices of the skin with which each point of a hair moves, None for solid parts
+    weights     (n, 3) their weights, None for solid parts
+    """
+
+    name: str
+    points: Array
     faces: Int32Array
     triangles: Int32Array
     attributes: Float32Array
     surface: int
+    colours: Array
+    roughness: float
+    roots: Int64Array | None = None
+    weights: Array | None = None
+
+    @property
+    def two_sided(self) -> bool:
+        """Whether the part is seen from both sides, as hairs are."""
+        return self.roots is not None
 
 
 def skin_surface(head: Head, anatomy: Anatomy) -> Surface:
@@ -60,9 +85,9 @@ def skin_part(
     head: Head, anatomy: Anatomy, surface: Surface, looks: Looks, brows: Array, hair: Array
 ) -> Part:
     """Return the skin, darkened under the brows by their albedo (3,) and under the hair by its own."""
-    quads = head.skin.quads
+    quads, inside = head.skin.quads, neckline(anatomy)
     curvature = mean_curvature(surface.points, surface.normals, quads)
-    attributes = paint_skin(anatomy, looks, neckline(anatomy), curvature)
+    attributes = paint_skin(anatomy, looks, inside, curvature)
     under = attributes[:, ALBEDO : ALBEDO + 3]
     for shade, colour in (
         (0.42 * brow_shade(anatomy), brows),
@@ -70,48 +95,89 @@ def skin_part(
     ):
         under += shade[:, None].astype(np.float32) * (1.3 * colour.astype(np.float32) - under)
         attributes[:, SPECULAR] *= 1.0 - 0.9 * shade
-    return Part(anatomy.skin, quads, head.skin.triangles, attributes, SKIN)
+    worn = np.clip(0.5 + inside / HEM, 0.0, 1.0)[:, None]
+    colours = _albedo(attributes)
+    colours = colours + worn * (linear(looks.cloth) - colours)
+    return Part("skin", anatomy.skin, quads, head.skin.triangles, attributes, SKIN, colours, 0.5)
 
 
 def eye_parts(head: Head) -> list[Part]:
-    """Return the left and the right eye; their colours come from the shader."""
+    """Return the left and the right eye: white, since programs draw the iris by a texture or a shader."""
     sphere, triangles = cap()
     attributes = _attributes(len(sphere), (255, 255, 255), 0.02, 1.0)
+    faces, colours = triangles_as_faces(triangles), _albedo(attributes)
     return [
-        Part(
-            head.eye_centre[side] + head.eye_radius[side] * sphere,
-            triangles_as_faces(triangles),
-            triangles,
-            attributes,
-            EYE_LEFT + side,
+        Part(name, centre + radius * sphere, faces, triangles, attributes, surface, colours, 0.1)
+        for name, surface, centre, radius in zip(
+            ("eye_left", "eye_right"), (EYE_LEFT, EYE_RIGHT), head.eye_centre, head.eye_radius, strict=True
         )
-        for side in range(2)
     ]
 
 
-def teeth_part(mesh: RigidMesh) -> Part:
+def teeth_part(name: str, mesh: RigidMesh) -> Part:
     """Return a row of teeth with its gum."""
     triangles = _outward(mesh.vertices, mesh.triangles)
     attributes = _attributes(len(mesh.vertices), _TOOTH, 0.035, 1.3)
     gum = mesh.material[:, None]
     attributes[:, ALBEDO : ALBEDO + 3] += gum * (linear(_GUM) - attributes[:, ALBEDO : ALBEDO + 3])
     attributes[:, EXTRA] = mesh.material
-    return Part(mesh.vertices, triangles_as_faces(triangles), triangles, attributes, TEETH)
+    faces, colours = triangles_as_faces(triangles), _albedo(attributes)
+    return Part(name, mesh.vertices, faces, triangles, attributes, TEETH, colours, 0.2)
 
 
 def tongue_part(head: Head) -> Part:
     """Return the tongue at its level 1."""
     fine = head.tongue.subdivision
-    vertices = np.asarray(fine.matrix @ head.tongue.rest)
-    triangles = _outward(vertices, fine.triangles)
-    faces = fine.quads if triangles is fine.triangles else fine.quads[:, ::-1]
+    points = np.asarray(fine.matrix @ head.tongue.rest)
+    triangles = _outward(points, fine.triangles)
+    faces = np.ascontiguousarray(fine.quads if triangles is fine.triangles else fine.quads[:, ::-1])
+    attributes = _attributes(len(points), _TONGUE, 0.09, 1.0)
+    return Part("tongue", points, faces, triangles, attributes, TONGUE, _albedo(attributes), 0.3)
+
+
+def hair_part(name: str, hairs: Strands, skin: Surface) -> Part:
+    """Return hairs as ribbons that lie flat on the skin."""
+    frames = root_frames(skin.points, skin.normals, hairs.roots, hairs.weights)
+    origin = np.einsum("sk,skc->sc", hairs.weights, skin.points[hairs.roots])
+    line = origin[:, None] + np.einsum("spf,sfc->spc", hairs.curves, frames)
+    ahead = np.gradient(line, axis=1)
+    across = np.cross(ahead, frames[:, None, 2])
+    across /= np.maximum(np.linalg.norm(across, axis=2, keepdims=True), 1e-9)
+    half = 0.5 * hairs.widths[:, :, None] * across
+    ribbon = np.stack([line - half, line + half], axis=2)
+    vertices_per_hair = ribbon.shape[1] * 2
+    triangles, attributes = hairs.triangles(), hair_attributes(hairs)
     return Part(
-        vertices,
-        np.ascontiguousarray(faces),
+        name,
+        ribbon.reshape(-1, 3),
+        triangles_as_faces(triangles),
         triangles,
-        _attributes(len(vertices), _TONGUE, 0.09, 1.0),
-        TONGUE,
+        attributes,
+        HAIR,
+        _albedo(attributes),
+        0.6,
+        np.repeat(hairs.roots.astype(np.int64), vertices_per_hair, axis=0),
+        np.repeat(hairs.weights.astype(np.float64), vertices_per_hair, axis=0),
     )
+
+
+def hair_attributes(hairs: Strands) -> Float32Array:
+    """Return attributes (n, ATTRIBUTES) of the ribbons' vertices, hair by hair from root to tip.
+
+    They are colour, depth, gloss, and the way from root (0) to tip (1).
+    """
+    strands, points = hairs.widths.shape
+    result = np.zeros((strands, points, 2, ATTRIBUTES), np.float32)
+    result[..., ALBEDO : ALBEDO + 3] = hairs.colours[:, None, None, :]
+    result[..., OCCLUSION] = (1.0 - hairs.depths)[:, None, None]
+    result[..., SPECULAR] = hairs.gloss
+    result[..., EXTRA] = np.linspace(0.0, 1.0, points)[None, :, None]
+    return result.reshape(-1, ATTRIBUTES)
+
+
+def _albedo(attributes: Float32Array) -> Array:
+    """Return the albedo (n, 3) of vertices within 0..1."""
+    return np.clip(attributes[:, ALBEDO : ALBEDO + 3].astype(np.float64), 0.0, 1.0)
 
 
 def _attributes(count: int, colour: tuple[int, int, int], roughness: float, strength: float) -> Float32Array:

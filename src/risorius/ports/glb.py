@@ -20,7 +20,8 @@ from ..core.arrays import Array, Float32Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.shapes import ArkitShapes, arkit_shapes
-from ..looks.figure import Piece, figure_of
+from ..looks.head_model import head_model
+from ..looks.parts import Part
 from .basis import ClipBasis
 from .glb_scene import ON_SKIN, GlbScene, riding
 from .gltf import Animation, Gltf, quaternions
@@ -34,11 +35,11 @@ _MOVED = ("skin", "tongue", "teeth_lower")
 def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the clip by its own basis, or one frame as a still."""
     head = take.dressed_head
-    pieces = figure_of(head)
+    parts = head_model(head).parts()
     if len(take.performance.values) <= 2 and take.audio is None:
-        still(head, pieces, next(take.faces(progress=options.progress)), _asset(options)).save(path)
+        still(head, parts, next(take.faces(progress=options.progress)), _asset(options)).save(path)
         return
-    rest = np.concatenate([pieces[name].points for name in _MOVED])
+    rest = np.concatenate([parts[name].points for name in _MOVED])
     basis, turns = ClipBasis(rest), Turns()
     for frame in take.faces(progress=options.progress):
         basis.show(np.concatenate([frame.skin, frame.tongue, frame.teeth_lower]))
@@ -46,12 +47,12 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     shapes, weights = basis.finish()
     rms, worst = basis.residual
     gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
-    cuts = np.cumsum([len(pieces[name].points) for name in _MOVED])[:-1]
+    cuts = np.cumsum([len(parts[name].points) for name in _MOVED])[:-1]
     moving = {
-        f"clip_{number:02d}": _moves(pieces, dict(zip(_MOVED, np.split(shape, cuts), strict=True)))
+        f"clip_{number:02d}": _moves(parts, dict(zip(_MOVED, np.split(shape, cuts), strict=True)))
         for number, shape in enumerate(shapes)
     }
-    scene = GlbScene(head, gltf, pieces, moving)
+    scene = GlbScene(head, gltf, parts, moving)
     scene.build()
     animate(scene, take.performance.times, dict(zip(moving, weights.T, strict=True)), turns)
     gltf.save(path)
@@ -72,23 +73,23 @@ def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None
 
 def rig_scene(head: Head, gltf: Gltf) -> GlbScene:
     """Build the head at rest with its 52 shapes as morph targets; raise HeadError where it has none."""
-    pieces, shapes = figure_of(head), arkit_shapes(head)
-    moving = {name: _moves(pieces, _shape(shapes, index)) for index, name in enumerate(SHAPES)}
+    parts, shapes = head_model(head).parts(), arkit_shapes(head)
+    moving = {name: _moves(parts, _shape(shapes, index)) for index, name in enumerate(SHAPES)}
     for moves in moving.values():
-        moves.setdefault("skin", np.zeros_like(pieces["skin"].points))
-    scene = GlbScene(head, gltf, pieces, moving)
+        moves.setdefault("skin", np.zeros_like(parts["skin"].points))
+    scene = GlbScene(head, gltf, parts, moving)
     scene.build()
     return scene
 
 
-def still(head: Head, pieces: Mapping[str, Piece], frame: FaceFrame, asset: Mapping[str, object]) -> Gltf:
+def still(head: Head, parts: Mapping[str, Part], frame: FaceFrame, asset: Mapping[str, object]) -> Gltf:
     """Return one frame as a document without animation."""
     skin = frame.skin.astype(np.float64)
     posed = {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
     posed["teeth_lower"] = frame.teeth_lower.astype(np.float64)
-    moved = riding(pieces, skin - pieces["skin"].points)
+    moved = riding(parts, skin - parts["skin"].points)
     gltf = Gltf(**asset)
-    scene = GlbScene(head, gltf, pieces, posed=posed | {n: pieces[n].points + moved[n] for n in ON_SKIN})
+    scene = GlbScene(head, gltf, parts, posed=posed | {n: parts[n].points + moved[n] for n in ON_SKIN})
     scene.build()
     turns = Turns()
     turns.append(frame)
@@ -127,9 +128,9 @@ def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: 
     animation.finish()
 
 
-def _moves(pieces: Mapping[str, Piece], moved: Mapping[str, Array]) -> dict[str, Array]:
-    """Return displacements by piece: those given, and of the hairs on the skin; none for what stays."""
-    everything = {**moved, **riding(pieces, moved["skin"])}
+def _moves(parts: Mapping[str, Part], moved: Mapping[str, Array]) -> dict[str, Array]:
+    """Return displacements by part: those given, and of the hairs on the skin; none for what stays."""
+    everything = {**moved, **riding(parts, moved["skin"])}
     return {name: move for name, move in everything.items() if np.abs(move).max() > _SMALL}
 
 

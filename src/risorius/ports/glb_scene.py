@@ -10,7 +10,8 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, IntArray
 from ..face.head import Head
-from ..looks.figure import Piece, iris_picture
+from ..looks.eyeball import iris_picture
+from ..looks.parts import Part
 from .gltf import INDICES, VERTICES, Gltf
 
 METRES = 0.001
@@ -22,13 +23,13 @@ _EYES = ("eye_left", "eye_right")
 class GlbScene:
     """What has been built: the document, nodes by name, and which nodes have which morph targets by name.
 
-    `pieces` as `render.figure_of` gives them; `posed` are points (n, 3) mm of pieces that are not at rest;
-    `moving` are displacements (n, 3) mm of pieces by morph target: {"jawOpen": {"skin": …, "tongue": …}}.
+    `parts` as `HeadModel.parts` gives them; `posed` are points (n, 3) mm of parts that are not at rest;
+    `moving` are displacements (n, 3) mm of parts by morph target: {"jawOpen": {"skin": …, "tongue": …}}.
     """
 
     head: Head
     gltf: Gltf
-    pieces: Mapping[str, Piece]
+    parts: Mapping[str, Part]
     moving: Mapping[str, Mapping[str, Array]] = field(default_factory=dict)
     posed: Mapping[str, Array] = field(default_factory=dict)
     nodes: dict[str, int] = field(default_factory=dict)
@@ -37,21 +38,21 @@ class GlbScene:
 
     def build(self) -> None:
         """Add all nodes and meshes; the skin turns with the head by its neck weights, the rest as a whole."""
-        pieces, pivot, gltf = self.pieces, self.head.head_pivot, self.gltf
+        parts, pivot, gltf = self.parts, self.head.head_pivot, self.gltf
         self.nodes["head"] = gltf.add("nodes", {"name": "head", "translation": _metres(pivot)})
         self.nodes["body"] = gltf.add("nodes", {"name": "body", "children": [self.nodes["head"]]})
         children = []
-        for name, piece in pieces.items():
+        for name, part in parts.items():
             if name == "skin":
                 continue
             about = self.head.eye_centre[_EYES.index(name)] if name in _EYES else pivot
-            node = {"name": name, "mesh": self._mesh(piece, about)}
+            node = {"name": name, "mesh": self._mesh(part, about)}
             if name in _EYES:
                 node["translation"] = _metres(about - pivot)
             self.nodes[name] = gltf.add("nodes", node)
             children.append(self.nodes[name])
         gltf.document["nodes"][self.nodes["head"]]["children"] = children
-        skin = {"name": "skin", "mesh": self._mesh(pieces["skin"], np.zeros(3)), "skin": self._joints()}
+        skin = {"name": "skin", "mesh": self._mesh(parts["skin"], np.zeros(3)), "skin": self._joints()}
         self.nodes["skin"] = gltf.add("nodes", skin)
         scene = {"name": self.head.name, "nodes": [self.nodes["body"], self.nodes["skin"]]}
         gltf.document["scene"] = gltf.add("scenes", scene)
@@ -64,41 +65,41 @@ class GlbScene:
         inverse = self.gltf.accessor(matrices.reshape(2, 16))
         return self.gltf.add("skins", {"name": "neck", "joints": joints, "inverseBindMatrices": inverse})
 
-    def _mesh(self, piece: Piece, about: Array) -> int:
-        points = self.posed.get(piece.name, piece.points)
+    def _mesh(self, part: Part, about: Array) -> int:
+        points = self.posed.get(part.name, part.points)
         gltf = self.gltf
-        self._normals[piece.name] = normals(points, piece.triangles)
+        self._normals[part.name] = normals(points, part.triangles)
         place = ((points - about) * METRES).astype(np.float32)
         attributes = {
             "POSITION": gltf.accessor(place, VERTICES),
-            "NORMAL": gltf.accessor(self._normals[piece.name].astype(np.float32), VERTICES),
+            "NORMAL": gltf.accessor(self._normals[part.name].astype(np.float32), VERTICES),
         }
-        if piece.name in _EYES:
-            across = (points - about) / self.head.eye_radius[_EYES.index(piece.name)]
+        if part.name in _EYES:
+            across = (points - about) / self.head.eye_radius[_EYES.index(part.name)]
             uv = np.stack([0.5 + 0.5 * across[:, 0], 0.5 - 0.5 * across[:, 1]], axis=1)
             attributes["TEXCOORD_0"] = gltf.accessor(uv.astype(np.float32), VERTICES)
         else:
-            attributes["COLOR_0"] = gltf.accessor(piece.colours.astype(np.float32), VERTICES)
-        if piece.name == "skin":
+            attributes["COLOR_0"] = gltf.accessor(part.colours.astype(np.float32), VERTICES)
+        if part.name == "skin":
             attributes |= self._neck()
         primitive: dict[str, object] = {
             "attributes": attributes,
-            "indices": gltf.accessor(piece.triangles.astype(np.uint32).ravel(), INDICES),
-            "material": self._material(piece),
+            "indices": gltf.accessor(part.triangles.astype(np.uint32).ravel(), INDICES),
+            "material": self._material(part),
         }
-        mesh: dict[str, object] = {"name": piece.name, "primitives": [primitive]}
-        named = {target: moved[piece.name] for target, moved in self.moving.items() if piece.name in moved}
+        mesh: dict[str, object] = {"name": part.name, "primitives": [primitive]}
+        named = {target: moved[part.name] for target, moved in self.moving.items() if part.name in moved}
         if named:
-            primitive["targets"] = [self._target(piece, move) for move in named.values()]
+            primitive["targets"] = [self._target(part, move) for move in named.values()]
             mesh["extras"] = {"targetNames": list(named)}
             mesh["weights"] = [0.0] * len(named)
-            self.targets[piece.name] = tuple(named)
+            self.targets[part.name] = tuple(named)
         return gltf.add("meshes", mesh)
 
-    def _target(self, piece: Piece, move: Array) -> dict[str, int]:
+    def _target(self, part: Part, move: Array) -> dict[str, int]:
         target = {"POSITION": self.gltf.sparse((move * METRES).astype(np.float32))}
-        if piece.roots is None:
-            change = normals(piece.points + move, piece.triangles) - self._normals[piece.name]
+        if part.roots is None:
+            change = normals(part.points + move, part.triangles) - self._normals[part.name]
             still = np.abs(change).max(axis=1) < 1e-3
             target["NORMAL"] = self.gltf.sparse(np.where(still[:, None], 0.0, change).astype(np.float32))
         return target
@@ -116,15 +117,18 @@ class GlbScene:
             "WEIGHTS_0": self.gltf.accessor(weights, VERTICES, normalized=True),
         }
 
-    def _material(self, piece: Piece) -> int:
+    def _material(self, part: Part) -> int:
         gltf = self.gltf
-        surface: dict[str, object] = {"metallicFactor": 0.0, "roughnessFactor": piece.roughness}
-        name = "eye" if piece.name in _EYES else "teeth" if piece.name.startswith("teeth") else piece.name
+        surface: dict[str, object] = {"metallicFactor": 0.0, "roughnessFactor": part.roughness}
+        name = "eye" if part.name in _EYES else "teeth" if part.name.startswith("teeth") else part.name
         for index, known in enumerate(gltf.document.get("materials", ())):
             if known["name"] == name:
                 return index
         if name == "eye":
-            image = {"bufferView": gltf.view(_png(iris_picture(self.head))), "mimeType": "image/png"}
+            image = {
+                "bufferView": gltf.view(_png(iris_picture(*self.head.identity.looks.iris))),
+                "mimeType": "image/png",
+            }
             source = gltf.add("images", {"name": "iris", **image})
             sampler = gltf.add(
                 "samplers", {"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071}
@@ -133,14 +137,14 @@ class GlbScene:
                 "index": gltf.add("textures", {"source": source, "sampler": sampler})
             }
         material: dict[str, object] = {"name": name, "pbrMetallicRoughness": surface}
-        return gltf.add("materials", {**material, "doubleSided": True} if piece.two_sided else material)
+        return gltf.add("materials", {**material, "doubleSided": True} if part.two_sided else material)
 
 
-def riding(pieces: Mapping[str, Piece], skin: Array) -> dict[str, Array]:
-    """Return how hairs rooted in the skin go along with its displacement (n, 3), by piece."""
+def riding(parts: Mapping[str, Part], skin: Array) -> dict[str, Array]:
+    """Return how hairs rooted in the skin go along with its displacement (n, 3), by part."""
     moves = {}
     for name in ON_SKIN:
-        roots, weights = pieces[name].roots, pieces[name].weights
+        roots, weights = parts[name].roots, parts[name].weights
         assert roots is not None
         assert weights is not None
         moves[name] = np.einsum("vk,vkc->vc", weights, skin[roots])

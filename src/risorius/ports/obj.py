@@ -1,4 +1,4 @@
-"""`.obj`: one frame as a still mesh (Wavefront), each piece a group; mm, Y up, the face looks along +Z.
+"""`.obj`: one frame as a still mesh (Wavefront), each part a group; mm, Y up, the face looks along +Z.
 
 The frame nearest to `--at` seconds, the middle one without it; turned as the head and the eyes are. Colours
 follow the coordinates of each vertex (sRGB, 0 to 1), as many programs read them. Lost: motion, materials.
@@ -15,7 +15,8 @@ import numpy as np
 from ..core.arrays import Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from ..looks.figure import Piece, figure_of
+from ..looks.head_model import head_model
+from ..looks.parts import Part
 from ..looks.srgb import srgb_encode
 from .glb_scene import ON_SKIN, riding
 from .png import frame_at
@@ -27,20 +28,20 @@ _EYES = ("eye_left", "eye_right")
 
 def write_obj(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write one frame; raise InputError for a time outside the performance."""
-    head, pieces = take.dressed_head, figure_of(take.dressed_head)
+    head, parts = take.dressed_head, head_model(take.dressed_head).parts()
     index = frame_at(take.performance, options.at)
     frame = next(islice(take.faces(progress=options.progress), index, None))
-    write_lines(path, _lines(pieces, placed(head, pieces, frame)))
+    write_lines(path, _lines(parts, placed(head, parts, frame)))
 
 
-def placed(head: Head, pieces: Mapping[str, Piece], frame: FaceFrame) -> dict[str, Array]:
-    """Return the points (n, 3) mm of every piece in the world."""
+def placed(head: Head, parts: Mapping[str, Part], frame: FaceFrame) -> dict[str, Array]:
+    """Return the points (n, 3) mm of every part in the world."""
     skin = frame.skin.astype(np.float64)
-    points = {name: piece.points for name, piece in pieces.items()}
+    points = {name: part.points for name, part in parts.items()}
     points |= {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
     points["teeth_lower"] = frame.teeth_lower.astype(np.float64)
-    moved = riding(pieces, skin - pieces["skin"].points)
-    points |= {name: pieces[name].points + moved[name] for name in ON_SKIN}
+    moved = riding(parts, skin - parts["skin"].points)
+    points |= {name: parts[name].points + moved[name] for name in ON_SKIN}
     for name, centre, turn in zip(_EYES, head.eye_centre, frame.eye_rotation, strict=True):
         points[name] = (points[name] - centre) @ turn.T + centre
     share = np.asarray(head.skin.matrix @ head.neck_weight)[:, None]
@@ -50,14 +51,14 @@ def placed(head: Head, pieces: Mapping[str, Piece], frame: FaceFrame) -> dict[st
     return points
 
 
-def _lines(pieces: Mapping[str, Piece], points: Mapping[str, Array]) -> Iterator[str]:
+def _lines(parts: Mapping[str, Part], points: Mapping[str, Array]) -> Iterator[str]:
     yield "# Risorius; head: CC0 1.0"
     first = 1
-    for name, piece in pieces.items():
+    for name, part in parts.items():
         yield f"o {name}"
-        colours = srgb_encode(piece.colours)
+        colours = srgb_encode(part.colours)
         for place, colour in zip(points[name], colours, strict=True):
             yield "v {:.4f} {:.4f} {:.4f} {:.3f} {:.3f} {:.3f}".format(*place, *colour)
-        for a, b, c in piece.triangles + first:
+        for a, b, c in part.triangles + first:
             yield f"f {a} {b} {c}"
-        first += len(piece.points)
+        first += len(part.points)

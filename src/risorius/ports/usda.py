@@ -19,7 +19,8 @@ from ..face.arkit_fit import ArkitTrack
 from ..face.head import Head
 from ..face.rotations import head_rotation
 from ..face.shapes import arkit_shapes
-from ..looks.figure import Piece, figure_of
+from ..looks.head_model import head_model
+from ..looks.parts import Part
 from ..looks.srgb import srgb_encode
 from .gltf import quaternion
 from .writable import WritableTake, WriteOptions
@@ -44,7 +45,7 @@ class _Stage:
 
     def __init__(self, stage: Any, head: Head) -> None:
         self._stage, self._head = stage, head
-        self._pieces = figure_of(head)
+        self._parts = head_model(head).parts()
 
     def build(self, take: WritableTake, track: ArkitTrack) -> None:
         """Define the model, its skeleton, meshes and animation."""
@@ -60,12 +61,12 @@ class _Stage:
         stage.SetDefaultPrim(root.GetPrim())
         self._skeleton()
         moved = arkit_shapes(self._head)
-        self._mesh(self._pieces["skin"], [moved.skin_at(k) for k in range(len(SHAPES))])
-        self._mesh(self._pieces["tongue"], list(moved.tongue))
-        self._mesh(self._pieces["teeth_lower"], list(moved.teeth_lower))
-        self._mesh(self._pieces["teeth_upper"], [])
+        self._mesh(self._parts["skin"], [moved.skin_at(k) for k in range(len(SHAPES))])
+        self._mesh(self._parts["tongue"], list(moved.tongue))
+        self._mesh(self._parts["teeth_lower"], list(moved.teeth_lower))
+        self._mesh(self._parts["teeth_upper"], [])
         for name in ("eye_left", "eye_right"):
-            self._mesh(self._pieces[name], [])
+            self._mesh(self._parts[name], [])
         self._animate(track)
 
     def _skeleton(self) -> None:
@@ -81,27 +82,27 @@ class _Stage:
         binding = UsdSkel.BindingAPI.Apply(skeleton.GetPrim())
         binding.CreateAnimationSourceRel().SetTargets(["/head/animation"])
 
-    def _mesh(self, piece: Piece, moves: list[Array]) -> None:
+    def _mesh(self, part: Part, moves: list[Array]) -> None:
         from pxr import UsdGeom, UsdSkel, Vt
 
-        mesh = UsdGeom.Mesh.Define(self._stage, f"/head/{piece.name}")
-        points = (piece.points * METRES).astype(np.float32)
+        mesh = UsdGeom.Mesh.Define(self._stage, f"/head/{part.name}")
+        points = (part.points * METRES).astype(np.float32)
         mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
-        mesh.CreateFaceVertexCountsAttr([3] * len(piece.triangles))
-        mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(piece.triangles.astype(np.int32).ravel()))
+        mesh.CreateFaceVertexCountsAttr([3] * len(part.triangles))
+        mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(part.triangles.astype(np.int32).ravel()))
         mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
-        colours = srgb_encode(piece.colours).astype(np.float32)
+        colours = srgb_encode(part.colours).astype(np.float32)
         colour = mesh.CreateDisplayColorPrimvar(UsdGeom.Tokens.vertex)
         colour.Set(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(colours)))
         binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
         binding.CreateSkeletonRel().SetTargets(["/head/skeleton"])
-        share = self._share(piece)
+        share = self._share(part)
         binding.CreateJointIndicesPrimvar(False, 2).Set([0, 1] * len(points))
         weights = np.stack([1.0 - share, share], axis=1).astype(np.float32)
         binding.CreateJointWeightsPrimvar(False, 2).Set(Vt.FloatArray.FromNumpy(weights.ravel()))
-        self._blend_shapes(binding, piece, moves)
+        self._blend_shapes(binding, part, moves)
 
-    def _blend_shapes(self, binding: Any, piece: Piece, moves: list[Array]) -> None:
+    def _blend_shapes(self, binding: Any, part: Part, moves: list[Array]) -> None:
         from pxr import Sdf, UsdSkel, Vt
 
         paths = {}
@@ -109,7 +110,7 @@ class _Stage:
             rows = np.flatnonzero(np.abs(move).max(axis=1) > _SMALL)
             if not len(rows):
                 continue
-            paths[name] = Sdf.Path(f"/head/{piece.name}/{name}")
+            paths[name] = Sdf.Path(f"/head/{part.name}/{name}")
             shape = UsdSkel.BlendShape.Define(self._stage, paths[name])
             offsets = np.ascontiguousarray(move[rows] * METRES, np.float32)
             shape.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(offsets))
@@ -118,9 +119,9 @@ class _Stage:
             binding.CreateBlendShapesAttr(list(paths))
             binding.CreateBlendShapeTargetsRel().SetTargets(list(paths.values()))
 
-    def _share(self, piece: Piece) -> Array:
-        if piece.name != "skin":
-            return np.ones(len(piece.points))
+    def _share(self, part: Part) -> Array:
+        if part.name != "skin":
+            return np.ones(len(part.points))
         return np.asarray(np.clip(self._head.skin.matrix @ self._head.neck_weight, 0.0, 1.0))
 
     def _animate(self, track: ArkitTrack) -> None:

@@ -15,6 +15,7 @@ from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.identity import Looks
 from ..looks.eyeball import iris_image
+from ..looks.head_model import head_model
 from ..looks.noise import noise_tile
 from .backdrop import gradient
 from .camera import Camera, project
@@ -69,7 +70,7 @@ class Renderer:
                 raise InputError(unknown(kind, name, known))
         self.size = (width, height)
         self._lights = lights.lighting()
-        self.scene = HeadScene(head, self._lights.lamps, looks)
+        self.scene = HeadScene(head_model(head, looks), self._lights.lamps)
         self.camera = camera or frame_head(self.scene.anatomy, width / height)
         self._samples = QUALITIES[quality]
         if alpha:
@@ -83,8 +84,9 @@ class Renderer:
         self._matrix = self.camera.matrix(width * self._samples, height * self._samples)
         self._empty = to_bytes(self._background)
         tones = (film_table(), tone_table(), to_bytes(film_table()))
-        iris = iris_image(*self.scene.looks.iris)
-        self._tables = Tables(diffuse_table(), noise_tile(), iris, self.scene.cloth, *tones)
+        cloth = self.scene.model.cloth.astype(np.float32)
+        iris = iris_image(*self.scene.model.looks.iris)
+        self._tables = Tables(diffuse_table(), noise_tile(), iris, cloth, *tones)
         self._least = 0.9 * self.camera.millimetres_per_sample(height * self._samples)
         views = HairViews(self.scene, math.dist(self.camera.eye, self.camera.target), self._least)
         self._hair_views = views if views.reliable else None

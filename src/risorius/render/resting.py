@@ -7,6 +7,7 @@ import numpy as np
 from ..core.arrays import Float32Array
 from ..face.head import Head
 from ..looks.attributes import OCCLUSION
+from ..looks.head_model import head_model
 from .lights import LightRig
 from .scene import HeadScene
 
@@ -18,7 +19,7 @@ def light_at_rest(head: Head, rig: LightRig) -> Float32Array:
     """
     lamps = rig.lighting().lamps
     # A scene leaves its first lamp to shadows that move, so all of the rig's stand behind it here.
-    scene = HeadScene(head, np.concatenate([lamps[:1], lamps]))
+    scene = HeadScene(head_model(head), np.concatenate([lamps[:1], lamps]))
     count = scene.skin_vertices
     under_hair = scene.reach[:count, :1]
     reach = scene.reach[:count, 1:] * np.concatenate([under_hair, np.ones((count, len(lamps) - 1))], axis=1)

@@ -10,19 +10,12 @@ from ..core.arrays import ByteArray, Float32Array, Int8Array, Int32Array
 from ..core.kernels.jit import f4
 from ..errors import InputError
 from ..face.frame import FaceFrame
-from ..face.head import Head
-from ..face.identity import Looks
-from ..looks.anatomy import find_anatomy
-from ..looks.attributes import ALBEDO, ATTRIBUTES, EXTRA, HAIR, OCCLUSION, SPECULAR
-from ..looks.brows import grow_brows
-from ..looks.cuts import grow_hair
+from ..looks.attributes import HAIR, OCCLUSION
 from ..looks.garment import neckline, standing_off
-from ..looks.lashes import grow_lashes
+from ..looks.head_model import HeadModel
 from ..looks.normals import Normals
-from ..looks.parts import Part, eye_parts, skin_part, skin_surface, teeth_part, tongue_part
+from ..looks.parts import Part, hair_attributes
 from ..looks.scalp import hair_shade
-from ..looks.srgb import linear
-from ..looks.strands import Strands
 from .aperture import lid_margins, lip_edges
 from .creases import lay_creases, raise_creases
 from .inputs import Pose
@@ -44,28 +37,16 @@ class HeadScene:
     triangle is. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32 in the world.
     """
 
-    def __init__(self, head: Head, lamps: Float32Array, looks: Looks | None = None) -> None:
-        """Make the scene of a head lit by `lamps` (n, 7); `looks` are its own where None."""
-        self.head = head
-        self.looks = looks or head.identity.looks
-        self.anatomy = find_anatomy(head)
-        surface = skin_surface(head, self.anatomy)
-        looks = self.looks
-        hair, brows = linear(looks.hair), linear(looks.brows or looks.hair)
-        self.cloth: Float32Array = linear(looks.cloth).astype(np.float32)
-        skin = skin_part(head, self.anatomy, surface, looks, brows, hair)
-        teeth = [teeth_part(head.teeth_upper), teeth_part(head.teeth_lower)]
-        parts = [skin, *eye_parts(head), *teeth, tongue_part(head)]
-        self._hairs = [
-            grow_brows(self.anatomy, surface, brows, looks.brow_hairs),
-            grow_lashes(head, surface, 0.35 * hair),
-            *grow_hair(self.anatomy, surface, hair, looks),
-        ]
-        self._offset = standing_off(neckline(self.anatomy), surface.normals).astype(np.float32)
+    def __init__(self, model: HeadModel, lamps: Float32Array) -> None:
+        """Make the scene of a head lit by `lamps` (n, 7)."""
+        self.model, self.head, self.anatomy = model, model.head, model.anatomy
+        self._hairs = list(model.hairs.values())
+        self._offset = standing_off(neckline(self.anatomy), model.skin.normals).astype(np.float32)
         self.skin_vertices = len(self._offset)
-        self._starts = np.concatenate([[0], np.cumsum([len(part.vertices) for part in parts])])
+        parts = list(model.solids.values())
+        self._starts = np.concatenate([[0], np.cumsum([len(part.points) for part in parts])])
         self._gather(parts)
-        self.creases = lay_creases(head, len(self.triangles))
+        self.creases = lay_creases(self.head, len(self.triangles))
         self._bake(lamps)
 
     def _gather(self, parts: list[Part]) -> None:
@@ -84,7 +65,7 @@ class HeadScene:
             triangles.append(group.triangles() + first)
             per_hair = 2 * (group.widths.shape[1] - 1)
             surfaces.append(number + np.repeat(np.arange(len(group.widths)), per_hair))
-            attributes.append(_hair_attributes(group))
+            attributes.append(hair_attributes(group))
             first, number = first + group.vertices, number + len(group.widths)
         self.hairs = number - HAIR
         self.facial_hairs = sum(len(group.widths) for group in self._hairs[:2])
@@ -94,7 +75,7 @@ class HeadScene:
         self.surfaces: Int32Array = np.concatenate(surfaces).astype(np.int32)
         self.two_sided: ByteArray = (self.surfaces >= HAIR).astype(np.uint8)
         self.attributes: Float32Array = np.concatenate(attributes)
-        self._local: Float32Array = np.concatenate([part.vertices for part in parts]).astype(np.float32)
+        self._local: Float32Array = np.concatenate([part.points for part in parts]).astype(np.float32)
         self._local[: len(self._offset)] += self._offset
         self.rest: Float32Array = np.zeros((first, 3), np.float32)
         self.rest[: self.mesh_vertices] = self._local
@@ -115,7 +96,7 @@ class HeadScene:
         columns = max(len(lamps), LAMPS)  # as many as kernels read
         self.reach: Float32Array = np.ones((len(self.rest), columns), np.float32)
         self.reach[:count, 1 : len(lamps)] = reach[:count]
-        covered, cast, around = hair_shade(self.anatomy, self.looks.hair_style, lamps[0, :3])
+        covered, cast, around = hair_shade(self.anatomy, self.model.looks.hair_style, lamps[0, :3])
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast
         self.shadow: Float32Array = np.ones(count, np.float32)
@@ -216,14 +197,3 @@ class HeadScene:
             lips=np.ascontiguousarray(lips, np.float32),
             lip_span=span.astype(np.float32),
         )
-
-
-def _hair_attributes(group: Strands) -> Float32Array:
-    """Return attributes of the ribbons' vertices: colour, depth, gloss, and the way from root to tip."""
-    strands, points = group.widths.shape
-    result = np.zeros((strands, points, 2, ATTRIBUTES), np.float32)
-    result[..., ALBEDO : ALBEDO + 3] = group.colours[:, None, None, :]
-    result[..., OCCLUSION] = (1.0 - group.depths)[:, None, None]
-    result[..., SPECULAR] = group.gloss
-    result[..., EXTRA] = np.linspace(0.0, 1.0, points)[None, :, None]
-    return result.reshape(-1, ATTRIBUTES)

@@ -13,7 +13,7 @@ from .stage import Stage
 def head_glb(stage: Stage) -> bytes:
     """Return the file."""
     gltf = Gltf(generator="Risorius", copyright="Head: CC0 1.0")
-    GlbScene(stage.head, gltf, stage.pieces).build()
+    GlbScene(stage.head, gltf, stage.head_parts).build()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "head.glb"
         gltf.save(path)

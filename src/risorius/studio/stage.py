@@ -17,7 +17,8 @@ import numpy as np
 from ..core.arrays import Array, Float32Array, Int16Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from ..looks.figure import Piece, figure_of
+from ..looks.head_model import head_model
+from ..looks.parts import Part
 from ..looks.srgb import linear
 from ..ports.glb_scene import riding
 from ..ports.gltf import quaternions
@@ -37,17 +38,17 @@ class Stage:
 
     def __init__(self, head: Head) -> None:
         self.head = head
-        self.pieces: dict[str, Piece] = figure_of(head)
-        points = np.concatenate([self.pieces[name].points for name in PARTS])
+        self.head_parts: dict[str, Part] = head_model(head).parts()
+        points = np.concatenate([self.head_parts[name].points for name in PARTS])
         self.vertices = len(points)
         self.origin = np.round(0.5 * (points.min(axis=0) + points.max(axis=0)))
-        self._rest = self.pieces["skin"].points
+        self._rest = self.head_parts["skin"].points
         self.parts = tuple(self._parts())
 
     def _parts(self) -> Iterator[StagePart]:
         first = 0
         for name in PARTS:
-            count = len(self.pieces[name].points)
+            count = len(self.head_parts[name].points)
             about = np.zeros(3) if name == "skin" else self.head.head_pivot
             yield StagePart(name, first, count, _place(about))
             first += count
@@ -77,8 +78,8 @@ class Stage:
 
     def _positions(self, face: FaceFrame) -> Int16Array:
         skin = face.skin.astype(np.float64)
-        hairs = riding(self.pieces, skin - self._rest)
-        grown = [self.pieces[name].points + move for name, move in hairs.items()]
+        hairs = riding(self.head_parts, skin - self._rest)
+        grown = [self.head_parts[name].points + move for name, move in hairs.items()]
         points = np.concatenate([skin, face.tongue, face.teeth_lower, *grown])
         return np.asarray(np.round((points - self.origin) / STEP).clip(-32768, 32767), "<i2")
 

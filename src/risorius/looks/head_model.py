@@ -1,0 +1,69 @@
+"""The head model: all that is drawn of one head, for every renderer, file and page that shows it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ..core.arrays import Array
+from ..face.head import Head
+from ..face.identity import Looks
+from .anatomy import Anatomy, find_anatomy
+from .attach import Surface
+from .brows import grow_brows
+from .cuts import grow_hair
+from .lashes import grow_lashes
+from .parts import Part, eye_parts, hair_part, skin_part, skin_surface, teeth_part, tongue_part
+from .srgb import linear
+from .strands import Strands
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HeadModel:
+    """A head at rest with its looks, in mm in the head frame.
+
+    `solids` are the parts with a volume by name: skin, eye_left, eye_right, teeth_upper, teeth_lower and
+    tongue. `hairs` are brows, lashes and, unless the head is bald, hair. `skin` is the skin's surface, in
+    which hairs are rooted; `cloth` the garment's linear albedo (3,).
+
+    In a frame (`face.frame.FaceFrame`) the points of skin, tongue and lower teeth are replaced by the frame's
+    own, each eye turns about `head.eye_centre` by `eye_rotation`, and hairs move with the skin's triangles.
+    Then all turn about `head.head_pivot` by `head_rotation`: the skin by the share `head.neck_weight`, the
+    other parts as a whole.
+    """
+
+    head: Head
+    looks: Looks
+    anatomy: Anatomy
+    skin: Surface
+    solids: Mapping[str, Part]
+    hairs: Mapping[str, Strands]
+    cloth: Array
+
+    def parts(self) -> dict[str, Part]:
+        """Return all parts by name, the solids first; hairs are ribbons that lie flat on the skin."""
+        ribbons = {name: hair_part(name, strands, self.skin) for name, strands in self.hairs.items()}
+        return {**self.solids, **ribbons}
+
+
+def head_model(head: Head, looks: Looks | None = None) -> HeadModel:
+    """Return the model of a head; `looks` are the head's own where None."""
+    looks = looks or head.identity.looks
+    anatomy = find_anatomy(head)
+    surface = skin_surface(head, anatomy)
+    hair, brows = linear(looks.hair), linear(looks.brows or looks.hair)
+    solids = [
+        skin_part(head, anatomy, surface, looks, brows, hair),
+        *eye_parts(head),
+        teeth_part("teeth_upper", head.teeth_upper),
+        teeth_part("teeth_lower", head.teeth_lower),
+        tongue_part(head),
+    ]
+    hairs = {
+        "brows": grow_brows(anatomy, surface, brows, looks.brow_hairs),
+        "lashes": grow_lashes(head, surface, 0.35 * hair),
+    }
+    for strands in grow_hair(anatomy, surface, hair, looks):
+        hairs["hair"] = strands
+    by_name = {part.name: part for part in solids}
+    return HeadModel(head, looks, anatomy, surface, by_name, hairs, linear(looks.cloth))
