@@ -7,10 +7,10 @@ from pathlib import Path
 
 from ..ports.glb_scene import GlbScene
 from ..ports.gltf import Gltf
-from .stage import Stage
+from .stage import FacePacker
 
 
-def head_glb(stage: Stage) -> bytes:
+def head_glb(stage: FacePacker) -> bytes:
     """Return the file."""
     gltf = Gltf(generator="Risorius", copyright="Head: CC0 1.0")
     GlbScene(stage.head, gltf, stage.head_parts).build()

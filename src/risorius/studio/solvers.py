@@ -14,7 +14,7 @@ from ..face.solve import FaceSolver
 from ..looks.dress import dressed
 from ..settings import Settings
 from ..take import make_solver
-from .stage import Stage
+from .stage import FacePacker
 from .threads import on_thread
 
 _MOST_IDLE = 4
@@ -73,7 +73,7 @@ class Solvers:
 @lru_cache(maxsize=4)
 def stage_of(
     head: str, age: float | None = None, hair: str | None = None, complexion: float | None = None
-) -> Stage:
+) -> FacePacker:
     """Return the stage of a head that comes with Risorius."""
     from dataclasses import replace
 
@@ -81,4 +81,4 @@ def stage_of(
 
     found = head_of(Settings(head=head, age=age))
     looks = dressed(found.identity.looks, Look(hair=hair, complexion=complexion))
-    return Stage(replace(found, identity=replace(found.identity, looks=looks)))
+    return FacePacker(replace(found, identity=replace(found.identity, looks=looks)))

@@ -33,7 +33,7 @@ _OWN = ("skin", "tongue", "teeth_lower")
 PARTS = (*_OWN, "brows", "lashes")
 
 
-class Stage:
+class FacePacker:
     """How a head's faces are packed."""
 
     def __init__(self, head: Head) -> None:

@@ -13,7 +13,7 @@ from ..take import Take
 from . import wire
 from .session import Live
 from .solvers import Solvers, stage_of
-from .stage import FRAMES, MOMENT, Stage
+from .stage import FRAMES, MOMENT, FacePacker
 from .threads import on_thread
 
 Send = Callable[[bytes], Awaitable[None]]
@@ -93,12 +93,12 @@ async def _until(time: float) -> None:
     await asyncio.sleep(max(0.0, time - asyncio.get_running_loop().time()))
 
 
-def stage_for(settings: Settings) -> Stage:
+def stage_for(settings: Settings) -> FacePacker:
     """Return the stage on which a take is shown."""
     return stage_of(settings.head, settings.age, settings.look.hair, settings.look.complexion)
 
 
 def _chunk(
-    stage: Stage, take: int, first: int, count: int, faces: Iterator[FaceFrame]
+    stage: FacePacker, take: int, first: int, count: int, faces: Iterator[FaceFrame]
 ) -> Callable[[], bytes]:
     return lambda: stage.packed(FRAMES, take, first, [next(faces) for _ in range(count)])
