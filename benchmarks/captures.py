@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import risorius
-from risorius.ports.playback import CAPTURES
+from risorius.ports.formats import FORMATS, Need
 
 
 def main() -> None:
@@ -28,7 +28,9 @@ def main() -> None:
     take = risorius.speak(asked.input, settings=settings)
     skins = [frame.skin.copy() for frame in take.faces()]
     with tempfile.TemporaryDirectory() as folder:
-        for suffix in (suffix for suffix in CAPTURES if suffix != ".csv"):
+        for suffix in (
+            s for s in FORMATS if FORMATS.get(s).read_suffixes and Need.HEAD in FORMATS.get(s).needs
+        ):
             path = Path(folder) / f"x{suffix}"
             take.write(path)
             again = risorius.play(path, settings=settings)

@@ -12,7 +12,7 @@ import pytest
 
 from risorius.cli import commands, run
 from risorius.core.movement import CHANNELS
-from risorius.ports.formats import OUTPUTS
+from risorius.ports.formats import FORMATS
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -67,5 +67,5 @@ def test_every_command_channel_and_output_is_documented() -> None:
     reference = "".join(
         (ROOT / page).read_text() for page in ("docs/reference.md", "docs/formats.md", "README.md")
     )
-    for name in (*commands.commands, *CHANNELS, *OUTPUTS):
+    for name in (*commands.commands, *CHANNELS, *FORMATS):
         assert f"`{name}`" in reference or f"risorius {name}" in reference, name

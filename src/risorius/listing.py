@@ -60,9 +60,9 @@ def voices() -> Listing:
 
 def outputs() -> Listing:
     """The outputs by suffix."""
-    from .ports.formats import OUTPUTS
+    from .ports.formats import FORMATS
 
-    return ("suffix", "content"), [(suffix, OUTPUTS.get(suffix).description) for suffix in OUTPUTS]
+    return ("suffix", "content"), [(suffix, FORMATS.get(suffix).description) for suffix in FORMATS]
 
 
 def heads() -> Listing:

@@ -234,18 +234,20 @@ def play(
     `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used, and for
     settings that nothing reads (UnreadError).
     """
+    from .face.head import head_of
+    from .ports.formats import format_read
+    from .ports.readable import ReadOptions
+
     settings, path = settings or Settings(), Path(capture)
-    if path.name.lower().endswith(".performance.json"):
+    kind = format_read(path)
+    if kind.suffix == ".performance.json":
         take = load(path, settings=settings)
-    elif path.name.lower().endswith(".json"):
+    elif kind.suffix == ".score.json":
         take = mix(path, settings=settings)
     else:
-        from .face.head import head_of
-        from .ports.playback import captured
-
         refuse_stages(settings, [*PLANNING, Stage.COMBINE], CAPTURED, Place(str(capture)))
-        head = partial(head_of, settings)
-        take = perform(captured(path, head, progress), settings)
+        file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
+        take = perform(file.score, settings, file.utterance)
     return take if audio is None else replace(take, sound=read_recording(audio))
 
 
@@ -320,7 +322,7 @@ def rig(
     found = read_rig(Path(character), None if map_file is None else Path(map_file))
     if take is not None and output is not None:
         (target,) = check_outputs((output,))
-        if target.output.suffix not in (".glb", ".rig.glb"):
+        if target.format.suffix not in (".glb", ".rig.glb"):
             raise InputError("is no .glb; expected one for the character", Place(str(output)))
         check_performable(found)
         take = take if isinstance(take, Take) else take()

@@ -12,7 +12,7 @@ from risorius.core.movement import Movement
 from risorius.core.parameters import NAMES
 from risorius.ports.bvh import euler
 from risorius.ports.channels_textgrid import label
-from risorius.ports.formats import OUTPUTS, Need
+from risorius.ports.formats import FORMATS, Need
 from risorius.take import Take
 
 
@@ -124,7 +124,7 @@ def test_feedback_has_every_word_and_movement(folder: Path, clip: Take) -> None:
 
 def test_formats_with_a_head_give_the_same_bytes_twice(tmp_path: Path, clip: Take) -> None:
     slow = (".glb", ".rig.glb", ".vertices.npz")  # these have tests of their own
-    suffixes = [s for s in OUTPUTS if Need.HEAD in OUTPUTS.get(s).needs and s not in slow]
+    suffixes = [s for s in FORMATS if Need.HEAD in FORMATS.get(s).needs and s not in slow]
     for name in ("a", "b"):
         clip.write(*(tmp_path / f"{name}{suffix}" for suffix in suffixes))
     for suffix in suffixes:

@@ -9,7 +9,7 @@ from risorius.core.arrays import ByteArray
 from risorius.core.audio import Audio
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
-from risorius.ports.formats import OUTPUTS, Need
+from risorius.ports.formats import FORMATS, Need
 from risorius.ports.targets import check_target, check_targets, write_targets
 from risorius.ports.writable import WritableTake, WriteOptions
 
@@ -64,7 +64,7 @@ def test_an_impossible_name_is_refused(tmp_path: Path, name: str) -> None:
 def test_a_need_that_is_not_available_is_named(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match=r"x\.wav: \.wav needs speech, and here is none$"):
         check_target(tmp_path / "x.wav", {"curves"})
-    assert check_target(tmp_path / "x.muscles.csv", {"curves"}).output.suffix == ".muscles.csv"
+    assert check_target(tmp_path / "x.muscles.csv", {"curves"}).format.suffix == ".muscles.csv"
 
 
 def test_one_bad_output_among_many_stops_all(tmp_path: Path) -> None:
@@ -111,7 +111,7 @@ def test_all_formats_are_written_twice_with_the_same_bytes(
 ) -> None:
     utterance = utterance_of("M AA M", lead=0.3, tail=0.4)
     take = take_of(audio=utterance.audio, utterance=utterance)
-    suffixes = [suffix[1:] for suffix in OUTPUTS if Need.HEAD not in OUTPUTS.get(suffix).needs]
+    suffixes = [suffix[1:] for suffix in FORMATS if Need.HEAD not in FORMATS.get(suffix).needs]
     written = []
     for folder in (tmp_path / "a", tmp_path / "b"):
         folder.mkdir()

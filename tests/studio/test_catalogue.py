@@ -7,7 +7,7 @@ import json
 from risorius.core.movement import CHANNELS
 from risorius.core.parameters import PARAMETERS
 from risorius.listing import LISTINGS
-from risorius.ports.formats import OUTPUTS
+from risorius.ports.formats import FORMATS
 from risorius.rules.book import shipped
 from risorius.settings import Settings
 from risorius.studio.catalogue import catalogue, catalogue_json
@@ -19,7 +19,7 @@ def test_it_is_json_with_every_table_whole():
     held = json.loads(catalogue_json())
     assert [row["name"] for row in held["parameters"]] == [p.name for p in PARAMETERS]
     assert [row["name"] for row in held["channels"]] == list(CHANNELS)
-    assert [row["suffix"] for row in held["outputs"]] == list(OUTPUTS)
+    assert [row["suffix"] for row in held["outputs"]] == list(FORMATS)
     assert {row["id"] for row in held["rules"]} == set(shipped().entries)
     for table in ("emotions", "profiles", "attitudes", "voices", "heads"):
         assert [row["name"] for row in held[table]] == [row[0] for row in LISTINGS[table]()[1]]

@@ -1,8 +1,9 @@
 """`.arkit.csv`: the 52 ARKit weights and nine rotations, as the Live Link Face app writes and Unreal reads.
 
-Header and order are those of the app's takes. Rotations are in radians: yaw to the subject's left, pitch up,
-roll to the left are positive; no vendor's document says how the app counts them. Lost: what 52 shapes cannot
-show (the fit's residual), wrinkles, the tongue but for `TongueOut`, the sound.
+Header and order are those of the app's takes. The app names them `.csv`, so that suffix is read as this
+format, too. Rotations are in radians: yaw to the subject's left, pitch up, roll to the left are positive; no
+vendor's document says how the app counts them. Lost: what 52 shapes cannot show (the fit's residual),
+wrinkles, the tongue but for `TongueOut`, the sound.
 """
 
 from __future__ import annotations
@@ -17,14 +18,32 @@ import numpy as np
 
 from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
 from ..core.arrays import Array
+from ..core.parameters import INDEX as PARAMETER
 from ..errors import InputError, unknown
-from ..face.arkit_fit import ArkitTrack
-from .capture import Column, Header, Parse, Table, check_times, radians, read_table
+from ..face.arkit_fit import ArkitFit, ArkitTrack
+from ..face.arkit_given import gaze_of
+from ..face.response import Responses
+from ..face.solve import FaceSolver
+from .capture import (
+    GAZE_ANGLES,
+    HEAD_ANGLES,
+    Column,
+    Header,
+    Parse,
+    Table,
+    check_times,
+    radians,
+    read_table,
+    score_of_capture,
+)
+from .formats import register
+from .readable import ReadOptions, ScoreFile
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
 APP_RATE = 60.0  # frames per second of the app's takes
 _CLOCK = 4  # numbers of a time code, the first of each row
+_OPEN = 0.02  # of the jaw's way: less is no opening that lips could close
 DAY = 86_400.0  # s; a take may go on past midnight
 _TIMECODE = re.compile(r"(\d+):(\d{2}):(\d{2})[:;](\d+(?:\.\d+)?)")
 COLUMNS = ("Timecode", "BlendshapeCount", *CSV_SHAPES, *ROTATIONS)
@@ -85,6 +104,30 @@ def read_arkit_csv(path: Path) -> ArkitTake:
     return ArkitTake(_times(table), weights, rotations)
 
 
+def read_arkit_capture(path: Path, options: ReadOptions) -> ScoreFile:
+    """Fit a take's weights to the head's muscles; raises as `read_arkit_csv`."""
+    take = read_arkit_csv(path)
+    options.progress("Fitting muscles …")
+    head = options.head()
+    fit = ArkitFit(head)
+    open_, close = take.weights[:, INDEX["jawOpen"]], take.weights[:, INDEX["mouthClose"]]
+    # Lips that are closed over an open jaw are brought together by contact, not by muscles against the jaw.
+    apart = take.weights.copy()
+    apart[:, INDEX["mouthClose"]] = 0.0
+    responses = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin))
+    values = responses.of_shapes(apart, fit.seen_displacement(np.eye(len(INDEX))))
+    values[:, PARAMETER["lip_seal"]] = np.where(
+        open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0
+    )
+    values[:, PARAMETER["tongue_out"]] = take.weights[:, INDEX["tongueOut"]]
+    degrees = np.degrees(take.rotations)
+    values[:, HEAD_ANGLES] = degrees[:, [1, 0, 2]]
+    eyes = degrees[:, 3:].reshape(-1, 2, 3).mean(axis=1)
+    looked = eyes[:, [1, 0]] if np.any(degrees[:, 3:]) else np.stack(gaze_of(take.weights), axis=1)
+    values[:, GAZE_ANGLES] = looked
+    return score_of_capture(take.times, values, path.name)
+
+
 def _columns(header: Header) -> list[Column]:
     for name in header.names:
         if name not in COLUMNS:
@@ -131,3 +174,13 @@ def _rate(seconds: Array, frames: Array) -> float:
         return APP_RATE
     usual = float(np.median(step[whole == 0.0])) if (whole == 0.0).any() else 1.0
     return max(round(float(np.median(usual - step[ends])), 2), 1.0)
+
+
+register(
+    ".arkit.csv",
+    "52 ARKit weights as Live Link Face writes them",
+    {"head"},
+    write_arkit_csv,
+    read_arkit_capture,
+    also_read=(".csv",),
+)

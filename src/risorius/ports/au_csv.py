@@ -18,14 +18,27 @@ from pathlib import Path
 import numpy as np
 
 from ..core.action_unit_fit import ActionUnitFit
-from ..core.action_units import action_unit
+from ..core.action_units import action_unit, resolve_targets
 from ..core.arrays import Array, Int64Array
+from ..core.parameters import INDEX, NEUTRAL
 from ..core.progress import Progress
 from ..errors import InputError, Place, unknown
 from ..face.frame import FaceFrame
 from ..face.rotations import about_axis, rotation_angles
-from .capture import Column, Header, Table, check_times, radians, read_table
+from .capture import (
+    GAZE_ANGLES,
+    HEAD_ANGLES,
+    Column,
+    Header,
+    Table,
+    check_times,
+    radians,
+    read_table,
+    score_of_capture,
+)
+from .formats import register
 from .landmarks_csv import MEASURES
+from .readable import ReadOptions, ScoreFile
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
@@ -121,6 +134,18 @@ def read_au_csv(path: Path) -> ActionUnitTake:
     return ActionUnitTake(times, dict(zip(units, strengths.T, strict=True)), head, gaze)
 
 
+def read_au_capture(path: Path, _options: ReadOptions) -> ScoreFile:
+    """Return the muscles of a file's action units; raises as `read_au_csv`."""
+    take = read_au_csv(path)
+    values = np.tile(NEUTRAL, (len(take.times), 1))
+    for k, row in enumerate(values):
+        units = {f"AU{number}": float(strength[k]) for number, strength in take.units.items()}
+        for name, value in resolve_targets(units).items():
+            row[INDEX[name]] = value
+    values[:, HEAD_ANGLES], values[:, GAZE_ANGLES] = take.head, take.gaze
+    return score_of_capture(take.times, values, path.name)
+
+
 def _columns(header: Header) -> list[Column]:
     units = [name for name in header.names if _UNIT.fullmatch(name)]
     header.require(("timestamp", *([] if units else ["AU01_r"])), "OpenFace")
@@ -179,3 +204,8 @@ def _gaze(angles: Array, turns: list[Array]) -> Array:
     x, y, z = np.array(local).T
     pitch, yaw = np.arctan2(y, np.hypot(x, z)), np.arctan2(x, z)
     return np.asarray(np.degrees(np.stack([pitch, yaw], axis=1)))
+
+
+register(
+    ".au.csv", "action units, gaze and pose in OpenFace's columns", {"head"}, write_au_csv, read_au_capture
+)

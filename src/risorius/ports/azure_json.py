@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from .formats import register
 from .layout import write_json
 from .visemes import Viseme, cues, said
 from .writable import WritableTake, WriteOptions
@@ -26,3 +27,6 @@ def write_azure_json(take: WritableTake, path: Path, _options: WriteOptions) -> 
 
 def _ids(viseme: Viseme) -> tuple[str, ...]:
     return (str(viseme.azure),)
+
+
+register(".azure.json", "viseme events as Azure Speech sends them", {"speech"}, write_azure_json)

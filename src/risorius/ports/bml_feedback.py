@@ -11,6 +11,7 @@ from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
 from ..core.movement import Movement
+from .formats import register
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
@@ -53,3 +54,6 @@ def _behaviour(movement: Movement) -> str:
     if not moved <= {"head", "gaze"}:
         return "face"
     return "head" if "head" in moved and movement.channel != "gaze" else "gaze"
+
+
+register(".feedback.xml", "the plan as BML feedback", {"curves"}, write_bml_feedback)

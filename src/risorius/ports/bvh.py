@@ -15,6 +15,7 @@ from ..core.arrays import Array
 from ..core.progress import Progress
 from ..face.frame import FaceFrame
 from ..face.head import Head
+from .formats import register
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
@@ -75,3 +76,6 @@ def _joint(name: str, place: Array, depth: int, *, closing: bool = True) -> Iter
         yield f"{indent}\t\tOFFSET 0.0000 0.0000 1.5000"
         yield f"{indent}\t}}"
         yield f"{indent}}}"
+
+
+register(".bvh", "rotations of head and eyes", {"head"}, write_bvh)

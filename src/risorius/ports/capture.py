@@ -17,12 +17,20 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array
+from ..core.movement import Cause, ManualCurve
+from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
+from ..core.score import BlendSettings, Score
 from ..errors import InputError, Place
+from .readable import ScoreFile
 from .score_json import MAX_SECONDS
 
 Parse = Callable[[str], Sequence[float]]
 """Reads a cell; raises ValueError saying what was expected."""
 
+HEAD_ANGLES = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
+GAZE_ANGLES = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
+"""The columns of the head's and the gaze's angles among the parameters."""
+_RESTS = 1e-4  # a parameter that never leaves its rest by more gets no curve
 LARGEST = 512_000_000  # bytes
 LONGEST_LINE = 1_000_000  # characters
 
@@ -184,6 +192,21 @@ def _position(line: str, index: int) -> int | None:
     cells = line.split(",")
     start = list(accumulate((len(cell) + 1 for cell in cells[:index]), initial=1))[-1]
     return start + len(cells[index]) - len(cells[index].lstrip())
+
+
+def score_of_capture(times: Array, values: Array, source: str) -> ScoreFile:
+    """Return `values` (frames, 46) at `times` (frames,) in seconds as one set of curves drawn by hand.
+
+    `source` is the file's name, and becomes the curves' cause.
+    """
+    low, high = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
+    kept = np.clip(values, low, high)
+    moving = np.flatnonzero(np.abs(kept - NEUTRAL).max(axis=0) > _RESTS)
+    clock = times.tolist()
+    keys = {NAMES[column]: tuple(zip(clock, kept[:, column].tolist(), strict=True)) for column in moving}
+    curves = (ManualCurve(keys, Cause("capture", source)),) if keys else ()
+    settings = BlendSettings(contact=False)
+    return ScoreFile(Score(max(float(times[-1]), 1e-3), manual=curves, settings=settings))
 
 
 def check_times(times: Array, path: Path, lines: Sequence[int]) -> Array:

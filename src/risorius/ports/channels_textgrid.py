@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ..core.movement import Movement
 from ..core.performance import Performance
+from .formats import register
 from .table import write_lines
 from .textgrid import Interval, grid_lines, phone_label
 from .writable import WritableTake, WriteOptions
@@ -59,3 +60,6 @@ def label(movement: Movement) -> str:
         base = name.partition(".")[0]
         values[base] = max(values.get(base, value), value, key=abs)
     return " ".join(f"{base}={value:.2g}" for base, value in values.items())
+
+
+register(".channels.TextGrid", "every channel as a tier, for Praat", {"curves"}, write_channels_textgrid)

@@ -16,11 +16,17 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array, BoolArray
+from ..core.parameters import INDEX, NEUTRAL
 from ..core.performance import MAX_FPS
 from ..core.progress import Progress
-from ..errors import InputError, Place
-from ..face.feature_points import COUNT, SHOWN, FeaturePoints
-from .capture import check_length, read_lines
+from ..errors import InputError, Place, warn
+from ..face.feature_points import ANGLE, COUNT, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
+from ..face.response import TONGUE as TONGUE_FITTED
+from ..face.response import Responses
+from ..face.solve import FaceSolver
+from .capture import GAZE_ANGLES, HEAD_ANGLES, check_length, read_lines, score_of_capture
+from .formats import register
+from .readable import ReadOptions, ScoreFile
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
@@ -86,6 +92,37 @@ def read_fap(path: Path) -> FapTake:
     return FapTake(times, np.frombuffer(values).reshape(frames, COUNT), used)
 
 
+def read_fap_capture(path: Path, options: ReadOptions) -> ScoreFile:
+    """Fit a file's feature points to the head's muscles; raises as `read_fap`."""
+    take = read_fap(path)
+    options.progress("Fitting muscles …")
+    head = options.head()
+    points, solver = FeaturePoints(head), FaceSolver(head)
+    sizes = points.sizes()
+    rows = [number - 1 for number in (*POINTS, *LIDS) if take.used[number - 1]]
+    responses = Responses(solver, lambda frame: points.of_skin(frame.skin) * sizes)
+    values = responses.values(take.values * sizes, rows) if rows else np.tile(NEUTRAL, (len(take.times), 1))
+    tongue = [number - 1 for number in TONGUE]
+    if take.used[tongue].all():
+        tip = Responses(solver, points.tongue_tip, TONGUE_FITTED).values(take.values[:, tongue], (0, 1))
+        places = [INDEX[name] for name in TONGUE_FITTED]
+        values[:, places] = tip[:, places]
+    _warn_of_left_out(take, path)
+    angles = np.degrees(take.values * ANGLE)
+    values[:, HEAD_ANGLES] = angles[:, 47:50] * [-1.0, 1.0, -1.0]
+    values[:, GAZE_ANGLES] = np.stack([-angles[:, 24:26].mean(axis=1), angles[:, 22:24].mean(axis=1)], axis=1)
+    return score_of_capture(take.times, values, path.name)
+
+
+def _warn_of_left_out(take: FapTake, path: Path) -> None:
+    """Warn of parameters that do something in a file, and nothing in our face."""
+    moved = np.flatnonzero(take.values.any(axis=0)) + 1
+    left_out = sorted({int(number) for number in moved} - set(SHOWN))
+    if left_out:
+        named = ", ".join(map(str, left_out))
+        warn(f"{path}: FAP {named} cannot be shown; left out")
+
+
 def _pairs(lines: Iterator[Line], path: Path) -> Iterator[tuple[Line, Line]]:
     """Yield the mask and the values of each frame."""
     for mask in lines:
@@ -124,3 +161,6 @@ def _numbers(words: list[str], expected: int, place: Place) -> list[int]:
         message = f"has {len(numbers) - 1} values; expected {expected}, one for each flag that is 1"
         raise InputError(message, place)
     return numbers
+
+
+register(".fap", "MPEG-4 facial animation parameters", {"head"}, write_fap, read_fap_capture)

@@ -1,19 +1,34 @@
-"""The table of output formats, found by the suffix of a file's name."""
+"""The table of file formats, found by the suffix of a file's name.
+
+Each format is one file of this package that ends with a line `register(…)`. The table is made from these
+lines, read as text: the files themselves draw and fit faces and take seconds to import, which most commands
+do not need. A format's file is imported when it is first written or read.
+"""
 
 from __future__ import annotations
 
+import ast
 import difflib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from ..errors import OutputError, Place
+from ..errors import InputError, OutputError, Place, unknown
 from ..registry import Registry
-from .writable import WritableTake, WriteOptions
 
-Writer = Callable[[WritableTake, Path, WriteOptions], None]
+if TYPE_CHECKING:
+    from .readable import PlayedFile, ReadOptions
+    from .writable import WritableTake, WriteOptions
+
+Writer = Callable[["WritableTake", Path, "WriteOptions"], None]
+"""Fills a file, which is empty and stands beside the final one."""
+Reader = Callable[[Path, "ReadOptions"], "PlayedFile"]
+"""Reads a file; raises InputError for one that is wrong."""
+_REGISTER = "\nregister("
+_LAST = 100
 
 
 class Need(StrEnum):
@@ -27,59 +42,135 @@ class Need(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Output:
-    """A format: its suffix with the leading dot, what it holds, what it needs, and its writer.
+class FileFormat:
+    """A format: its suffix with the leading dot, what it holds, and what it needs to be written.
 
-    `opaque`: it shows pictures and has no place for an alpha channel.
+    `module`: the name of the module that writes and reads it. `opaque`: it shows pictures and has no place
+    for an alpha channel. `read_suffixes`: the suffixes of files that are read as this format; none if it is
+    only written. `order`: its place in lists; those of the same place go by their suffix.
     """
 
     suffix: str
     description: str
     needs: frozenset[Need]
-    write: Writer
+    module: str
     opaque: bool = False
+    read_suffixes: tuple[str, ...] = ()
+    order: int = _LAST
+
+    def write(self, take: WritableTake, path: Path, options: WriteOptions) -> None:
+        """Fill `path` with a take; the format's module is imported if it is not yet."""
+        self._functions()[0](take, path, options)
+
+    def read(self, path: Path, options: ReadOptions) -> PlayedFile:
+        """Return what a file of this format holds; the format's module is imported if it is not yet."""
+        reader = self._functions()[1]
+        if reader is None:
+            raise ValueError(f"{self.suffix} is only written")
+        return reader(path, options)
+
+    def _functions(self) -> tuple[Writer, Reader | None]:
+        if self.suffix not in _FUNCTIONS:
+            import_module(self.module)
+        return _FUNCTIONS[self.suffix]
 
 
-OUTPUTS: Registry[Output] = Registry("output suffix")
+FORMATS: Registry[FileFormat] = Registry("output suffix")
+_FUNCTIONS: dict[str, tuple[Writer, Reader | None]] = {}  # filled as the formats' modules are imported
 
 
 def register(
-    suffix: str, description: str, needs: Iterable[str], write: Writer, *, opaque: bool = False
+    suffix: str,
+    description: str,
+    needs: Iterable[str],
+    write: Writer,
+    read: Reader | None = None,
+    *,
+    also_read: tuple[str, ...] = (),
+    opaque: bool = False,
+    order: int = _LAST,
 ) -> None:
-    """Add a format. `write(take, path, options)` fills `path`, an empty file beside the final one."""
-    output = Output(suffix, description, frozenset(Need(need) for need in needs), write, opaque)
-    OUTPUTS.register(suffix)(output)
+    """Register a format, at the end of its file; all but the functions are written as literals.
 
-
-def deferred(module: str, name: str) -> Writer:
-    """Return a writer of this package that is imported when it is first used.
-
-    What draws or fits faces takes a second to import, and most commands need none of it.
+    `also_read`: other suffixes of files that `read` understands. The rest as in `FileFormat`. A format of
+    another package is in the table once its module is imported.
     """
+    _FUNCTIONS[suffix] = (write, read)
+    if suffix not in FORMATS:
+        options = {"also_read": also_read, "opaque": opaque, "order": order}
+        _add(_format(write.__module__, (suffix, description, needs), options, readable=read is not None))
 
-    def write(take: WritableTake, path: Path, options: WriteOptions) -> None:
-        getattr(import_module(f".{module}", __package__), name)(take, path, options)
 
-    return write
+def _format(module: str, columns: tuple[Any, ...], options: dict[str, Any], *, readable: bool) -> FileFormat:
+    suffix, description, needs = columns
+    also_read = options.pop("also_read", ())
+    suffixes = (suffix, *also_read) if readable else ()
+    return FileFormat(
+        suffix, description, frozenset(map(Need, needs)), module, read_suffixes=suffixes, **options
+    )
 
 
-def output_for(path: Path) -> Output:
-    """Return the format that a file's name asks for; the longest suffix wins, in upper or lower case.
+def _add(entry: FileFormat) -> None:
+    FORMATS.register(entry.suffix)(entry)
+
+
+def _declared(package: Path) -> Iterator[FileFormat]:
+    """Yield the formats that the files of the package register, without importing them."""
+    for file in package.rglob("*.py"):
+        _, found, calls = file.read_text(encoding="utf-8").partition(_REGISTER)
+        if found:
+            module = ".".join((__package__, *file.relative_to(package).with_suffix("").parts))
+            for statement in ast.parse(found + calls).body:
+                yield _of_call(module, statement)
+
+
+def _of_call(module: str, statement: ast.stmt) -> FileFormat:
+    """Return the row of a `register(…)` that stands in a module's text."""
+    match statement:
+        case ast.Expr(ast.Call(ast.Name("register"), arguments, keywords)):
+            columns = tuple(ast.literal_eval(argument) for argument in arguments[:3])
+            options = {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in keywords}
+            return _format(module, columns, options, readable=len(arguments) > 4)
+        case _:
+            raise ValueError(f"{module}: expected nothing but register(…) after the first register(…)")
+
+
+for _row in sorted(_declared(Path(__file__).parent), key=lambda row: (row.order, row.suffix.lower())):
+    _add(_row)
+
+
+def format_for(path: Path) -> FileFormat:
+    """Return the format that a file is written in; the longest suffix wins, in upper or lower case.
 
     Raises OutputError with the nearest known suffix and the list of all.
     """
-    name = path.name.lower()
-    found = [suffix for suffix in OUTPUTS if name.endswith(suffix.lower())]
-    if not found:
+    suffix = _suffix_of(path, FORMATS.names())
+    if suffix is None:
         raise OutputError(_unknown_suffix(path), Place(str(path)))
-    return OUTPUTS.get(max(found, key=len))
+    return FORMATS.get(suffix)
+
+
+def format_read(path: Path) -> FileFormat:
+    """Return the format that a file is read as; raise InputError, naming those that are read."""
+    readers = {suffix: row for row in map(FORMATS.get, FORMATS) for suffix in row.read_suffixes}
+    suffix = _suffix_of(path, readers)
+    if suffix is None:
+        raise InputError(
+            unknown("kind of capture", "".join(path.suffixes[-2:]), sorted(readers)), Place(str(path))
+        )
+    return readers[suffix]
+
+
+def _suffix_of(path: Path, known: Collection[str]) -> str | None:
+    name = path.name.lower()
+    return max((suffix for suffix in known if name.endswith(suffix.lower())), key=len, default=None)
 
 
 def _unknown_suffix(path: Path) -> str:
-    known = ", ".join(OUTPUTS)
+    known = ", ".join(FORMATS)
     if not path.suffix:
         return f"the name has no suffix; expected one of {known}"
-    known_by_lower = {suffix.lower(): suffix for suffix in OUTPUTS}
+    known_by_lower = {suffix.lower(): suffix for suffix in FORMATS}
     for asked in ("".join(path.suffixes[-2:]).lower(), path.suffix.lower()):
         near = [suffix for suffix in known_by_lower if suffix.endswith(asked)]
         near = near or difflib.get_close_matches(asked, known_by_lower, n=1, cutoff=0.6)
@@ -87,105 +178,3 @@ def _unknown_suffix(path: Path) -> str:
             nearest = known_by_lower[near[0]]
             return f"unknown suffix '{path.suffix}'; did you mean '{nearest}'? Known: {known}"
     return f"unknown suffix '{path.suffix}'; expected one of {known}"
-
-
-register(".mp4", "video with sound", {"pixels"}, deferred("video.mp4", "write_mp4"), opaque=True)
-register(
-    ".webm",
-    "video with sound for the web, with alpha if asked",
-    {"pixels"},
-    deferred("video.webm", "write_webm"),
-)
-register(
-    ".mov",
-    "video with sound for editing, with alpha if asked",
-    {"pixels"},
-    deferred("video.mov", "write_mov"),
-)
-register(".png", "one frame, or a sheet of every n-th", {"pixels"}, deferred("png", "write_png"))
-register(".wav", "the voice", {"speech"}, deferred("wav", "write_wav"))
-register(
-    ".muscles.csv",
-    "curves of all muscles and parameters",
-    {"curves"},
-    deferred("muscles_csv", "write_muscles_csv"),
-)
-register(
-    ".landmarks.csv",
-    "distances and 68 points measured on the face",
-    {"vertices"},
-    deferred("landmarks_csv", "write_landmarks_csv"),
-)
-register(
-    ".TextGrid", "words, phones and accents for Praat", {"speech"}, deferred("textgrid", "write_textgrid")
-)
-register(
-    ".score.json", "all movements with their causes", {"curves"}, deferred("score_json", "write_score_json")
-)
-register(
-    ".performance.json",
-    "curves with their score",
-    {"curves"},
-    deferred("performance_json", "write_performance_json"),
-)
-register(
-    ".arkit.csv",
-    "52 ARKit weights as Live Link Face writes them",
-    {"head"},
-    deferred("arkit_csv", "write_arkit_csv"),
-)
-register(".glb", "the head in motion, by the clip's own shapes", {"head"}, deferred("glb", "write_glb"))
-register(
-    ".rig.glb",
-    "the head with 52 ARKit shapes, driven by their weights",
-    {"head"},
-    deferred("glb", "write_rig_glb"),
-)
-register(".vrma", "VRM animation: head, gaze, expressions", {"head"}, deferred("vrma", "write_vrma"))
-register(".usda", "the head with 52 blend shapes as USD", {"head"}, deferred("usda", "write_usda"))
-register(".obj", "one frame as a mesh", {"head"}, deferred("obj", "write_obj"))
-register(
-    ".au.csv",
-    "action units, gaze and pose in OpenFace's columns",
-    {"head"},
-    deferred("au_csv", "write_au_csv"),
-)
-register(".fap", "MPEG-4 facial animation parameters", {"head"}, deferred("fap", "write_fap"))
-register(".bvh", "rotations of head and eyes", {"head"}, deferred("bvh", "write_bvh"))
-register(
-    ".visemes.json",
-    "mouth shapes as Rhubarb Lip Sync writes them",
-    {"speech"},
-    deferred("rhubarb", "write_rhubarb_json"),
-)
-register(".visemes.tsv", "the same as a table", {"speech"}, deferred("rhubarb", "write_rhubarb_tsv"))
-register(".visemes.xml", "the same as XML", {"speech"}, deferred("rhubarb", "write_rhubarb_xml"))
-register(".visemes.dat", "the same as Moho switch data", {"speech"}, deferred("rhubarb", "write_moho_dat"))
-register(
-    ".azure.json",
-    "viseme events as Azure Speech sends them",
-    {"speech"},
-    deferred("azure_json", "write_azure_json"),
-)
-register(
-    ".oculus.csv",
-    "weights of the 15 visemes of OVRLipSync",
-    {"speech"},
-    deferred("oculus_csv", "write_oculus_csv"),
-)
-register(
-    ".channels.TextGrid",
-    "every channel as a tier, for Praat",
-    {"curves"},
-    deferred("channels_textgrid", "write_channels_textgrid"),
-)
-register(
-    ".feedback.xml", "the plan as BML feedback", {"curves"}, deferred("bml_feedback", "write_bml_feedback")
-)
-register(".npz", "the curves as numpy arrays", {"curves"}, deferred("npz", "write_npz"))
-register(
-    ".vertices.npz", "the curves and the skin of every frame", {"head"}, deferred("npz", "write_vertices_npz")
-)
-register(
-    ".parquet", "curves and ARKit weights for data tools", {"head"}, deferred("parquet", "write_parquet")
-)

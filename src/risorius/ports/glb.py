@@ -23,6 +23,7 @@ from ..face.shapes import ArkitShapes, arkit_shapes
 from ..looks.head_model import head_model
 from ..looks.parts import Part
 from .basis import ClipBasis
+from .formats import register
 from .glb_scene import ON_SKIN, GlbScene, riding
 from .gltf import Animation, Gltf, quaternions
 from .writable import WritableTake, WriteOptions
@@ -152,3 +153,7 @@ def _asset(options: WriteOptions, **extras: object) -> dict[str, object]:
     if options.voice is not None:
         extras["audio"] = options.voice.name
     return {"generator": GENERATOR, "copyright": "Head: CC0 1.0", **({"extras": extras} if extras else {})}
+
+
+register(".glb", "the head in motion, by the clip's own shapes", {"head"}, write_glb)
+register(".rig.glb", "the head with 52 ARKit shapes, driven by their weights", {"head"}, write_rig_glb)

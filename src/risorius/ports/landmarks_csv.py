@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from ..core.progress import Progress
+from .formats import register
 from .table import Row, table_lines, write_lines
 from .writable import WritableTake, WriteOptions
 
@@ -43,3 +44,12 @@ def write_landmarks_csv(take: WritableTake, path: Path, options: WriteOptions) -
 def _rows(take: WritableTake, progress: Progress) -> Iterator[Row]:
     for time, frame in zip(take.performance.times, take.faces(progress=progress), strict=True):
         yield np.concatenate([[time], np.asarray(take.measures(frame), dtype=np.float64)])
+
+
+register(
+    ".landmarks.csv",
+    "distances and 68 points measured on the face",
+    {"vertices"},
+    write_landmarks_csv,
+    order=7,
+)

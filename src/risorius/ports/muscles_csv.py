@@ -9,6 +9,7 @@ import numpy as np
 
 from ..core.parameters import NAMES
 from ..core.performance import Performance
+from .formats import register
 from .table import table_lines, write_lines
 from .writable import WritableTake, WriteOptions
 
@@ -27,3 +28,6 @@ def rows(performance: Performance) -> Iterator[str]:
         np.concatenate([[time], row]) for time, row in zip(performance.times, performance.values, strict=True)
     )
     return table_lines(COLUMNS, numbers, [6] * len(COLUMNS))
+
+
+register(".muscles.csv", "curves of all muscles and parameters", {"curves"}, write_muscles_csv, order=6)

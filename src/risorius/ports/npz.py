@@ -16,6 +16,7 @@ import numpy as np
 from ..core.arrays import AnyArray
 from ..core.parameters import NAMES
 from ..core.performance import Performance
+from .formats import register
 from .writable import WritableTake, WriteOptions
 
 
@@ -59,3 +60,7 @@ def _entry(name: str) -> zipfile.ZipInfo:
     entry = zipfile.ZipInfo(f"{name}.npy", date_time=(1980, 1, 1, 0, 0, 0))
     entry.compress_type = zipfile.ZIP_DEFLATED
     return entry
+
+
+register(".npz", "the curves as numpy arrays", {"curves"}, write_npz)
+register(".vertices.npz", "the curves and the skin of every frame", {"head"}, write_vertices_npz)

@@ -18,6 +18,7 @@ from ..face.head import Head
 from ..looks.head_model import head_model
 from ..looks.parts import Part
 from ..looks.srgb import srgb_encode
+from .formats import register
 from .glb_scene import ON_SKIN, riding
 from .png import frame_at
 from .table import write_lines
@@ -62,3 +63,6 @@ def _lines(parts: Mapping[str, Part], points: Mapping[str, Array]) -> Iterator[s
         for a, b, c in part.triangles + first:
             yield f"f {a} {b} {c}"
         first += len(part.points)
+
+
+register(".obj", "one frame as a mesh", {"head"}, write_obj)

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array
+from .formats import register
 from .table import table_lines, write_lines
 from .visemes import OCULUS, Cue, Viseme, cues, said
 from .writable import WritableTake, WriteOptions
@@ -39,3 +40,6 @@ def _rows(held: list[Cue], times: Array) -> Iterator[Array]:
         weights = np.zeros(len(OCULUS))
         np.add.at(weights, names, np.maximum(shares, 0.0))
         yield np.concatenate([[time], weights])
+
+
+register(".oculus.csv", "weights of the 15 visemes of OVRLipSync", {"speech"}, write_oculus_csv)

@@ -12,6 +12,7 @@ import numpy as np
 from ..core.arkit import SHAPES
 from ..core.parameters import NAMES
 from ..errors import OutputError
+from .formats import register
 from .writable import WritableTake, WriteOptions
 
 
@@ -28,3 +29,6 @@ def write_parquet(take: WritableTake, path: Path, options: WriteOptions) -> None
     columns |= {f"arkit_{name}": track.weights[:, k] for k, name in enumerate(SHAPES)}
     table = pa.table({name: np.ascontiguousarray(values) for name, values in columns.items()})
     parquet.write_table(table, path, compression="zstd")
+
+
+register(".parquet", "curves and ARKit weights for data tools", {"head"}, write_parquet)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -10,24 +9,17 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.parameters import NAMES, PARAMETERS, Parameter
 from ..core.performance import Performance, frame_count, parse_fps
-from ..core.utterance import Utterance
 from ..errors import unknown
+from .formats import register
 from .layout import write_json
 from .node import Node
+from .readable import PerformanceFile, ReadOptions
 from .score_json import VERSION, check_version, reading, score_from_json, score_to_json
 from .writable import WritableTake, WriteOptions
 
 _KEYS = ("risorius", "fps", "curves", "score")
 # Curves that were added up may miss their limits by rounding.
 _SLACK = 1e-6
-
-
-@dataclass(frozen=True, slots=True)
-class PerformanceFile:
-    """What a file holds: the performance, and what is said in it (None if nothing is)."""
-
-    performance: Performance
-    utterance: Utterance | None
 
 
 def write_performance_json(take: WritableTake, path: Path, options: WriteOptions) -> None:
@@ -54,6 +46,11 @@ def read_performance(path: Path) -> Performance:
 def read_performance_file(path: Path) -> PerformanceFile:
     """Return the performance in a file and what is said in it. Raises as `read_performance`."""
     return reading(path, lambda node: _performance(node, path.parent, speech=True))
+
+
+def read_performance_json(path: Path, _options: ReadOptions) -> PerformanceFile:
+    """Return what `read_performance_file` does: the table of formats calls this."""
+    return read_performance_file(path)
 
 
 def _performance(node: Node, folder: Path, *, speech: bool) -> PerformanceFile:
@@ -90,3 +87,13 @@ def _value(node: Node, parameter: Parameter) -> float:
     if not parameter.low - _SLACK <= number <= parameter.high + _SLACK:
         raise node.fault(f"{number:g} is out of range; expected {parameter.low:g} to {parameter.high:g}")
     return number
+
+
+register(
+    ".performance.json",
+    "curves with their score",
+    {"curves"},
+    write_performance_json,
+    read_performance_json,
+    order=10,
+)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..core.performance import Performance
 from ..errors import InputError
+from .formats import register
 from .sheet import write_sheet
 from .writable import WritableTake, WriteOptions
 
@@ -51,3 +52,6 @@ def frame_at(performance: Performance, seconds: float | None) -> int:
         last = float((count - 1) / performance.fps)
         raise InputError(f"--at {seconds:g} is outside the performance; expected 0 to {last:g} seconds")
     return index
+
+
+register(".png", "one frame, or a sheet of every n-th", {"pixels"}, write_png, order=4)

@@ -11,6 +11,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from ..core.utterance import Utterance
+from .formats import register
 from .layout import write_json
 from .rhubarb_timing import IDLE, paused, tweened
 from .table import write_lines
@@ -77,3 +78,9 @@ def _metadata(utterance: Utterance, options: WriteOptions) -> dict[str, object]:
 
 def _frame(seconds: float, fps: Fraction) -> int:
     return 1 + int(seconds * fps)
+
+
+register(".visemes.json", "mouth shapes as Rhubarb Lip Sync writes them", {"speech"}, write_rhubarb_json)
+register(".visemes.tsv", "the same as a table", {"speech"}, write_rhubarb_tsv)
+register(".visemes.xml", "the same as XML", {"speech"}, write_rhubarb_xml)
+register(".visemes.dat", "the same as Moho switch data", {"speech"}, write_moho_dat)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -12,9 +12,11 @@ from ..core.movement import LipSegment, ManualCurve, Movement
 from ..core.score import BlendSettings, Score, check_score
 from ..core.utterance import Utterance
 from ..errors import Place, RisoriusError
+from .formats import register
 from .layout import write_json
 from .movement_json import Entry, entry_from_json, entry_to_json
 from .node import Node, load
+from .readable import ReadOptions, ScoreFile
 from .records import from_record
 from .speech_json import speech_from_json, speech_to_json
 from .writable import WritableTake, WriteOptions
@@ -26,14 +28,6 @@ VERSION = 1
 MAX_SECONDS = 86_400.0
 _KEYS = ("risorius", "duration", "text", "seed", "settings", "movements", "speech")
 _REQUIRED = ("risorius", "duration", "movements")
-
-
-@dataclass(frozen=True, slots=True)
-class ScoreFile:
-    """What a file holds: the score, and what is said in it (None if nothing is)."""
-
-    score: Score
-    utterance: Utterance | None
 
 
 def write_score_json(take: WritableTake, path: Path, options: WriteOptions) -> None:
@@ -54,6 +48,11 @@ def read_score(path: Path) -> Score:
 def read_score_file(path: Path) -> ScoreFile:
     """Return the score and what is said in it. Raises as `read_score`, also if a sound is missing."""
     return reading(path, lambda node: score_from_json(node, path.parent))
+
+
+def read_score_json(path: Path, _options: ReadOptions) -> ScoreFile:
+    """Return what `read_score_file` does: the table of formats calls this."""
+    return read_score_file(path)
 
 
 def reading(path: Path, make: Callable[[Node], T]) -> T:
@@ -120,3 +119,14 @@ def _settings(node: Node) -> BlendSettings:
         with entries["onset_function"].located():
             ONSET_FUNCTIONS.get(settings.onset_function)
     return settings
+
+
+register(
+    ".score.json",
+    "all movements with their causes",
+    {"curves"},
+    write_score_json,
+    read_score_json,
+    also_read=(".json",),
+    order=9,
+)

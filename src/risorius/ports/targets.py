@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..errors import OutputError, Place
 from .atomic import os_failure, replacing
-from .formats import OUTPUTS, Need, Output, output_for
+from .formats import FORMATS, FileFormat, Need, format_for
 from .writable import WritableTake, WriteOptions
 
 PathLike = str | os.PathLike[str]
@@ -22,7 +22,7 @@ class Target:
     """A file to be written and its format."""
 
     path: Path
-    output: Output
+    format: FileFormat
 
 
 def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Target:
@@ -35,10 +35,10 @@ def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Ta
     file = Path(path)
     if "\0" in str(file):
         raise OutputError(f"the name {str(file)!r} contains a null character; expected a file name")
-    target = Target(file, output_for(file))
-    missing = sorted(need for need in target.output.needs if need not in available)
+    target = Target(file, format_for(file))
+    missing = sorted(need for need in target.format.needs if need not in available)
     if missing:
-        raise OutputError(f"{target.output.suffix} needs {missing[0]}, and here is none", Place(str(file)))
+        raise OutputError(f"{target.format.suffix} needs {missing[0]}, and here is none", Place(str(file)))
     try:
         _check_place(file)
     except OSError as error:
@@ -68,14 +68,14 @@ def check_targets(
 def check_alpha(targets: Iterable[Target]) -> None:
     """Raise OutputError for a target that cannot hold pictures with a transparent background."""
     for target in targets:
-        if target.output.opaque:
-            kept = ", ".join(s for s in OUTPUTS if not OUTPUTS.get(s).opaque and _shows(OUTPUTS.get(s)))
-            message = f"{target.output.suffix} has no transparent background; expected one of {kept}"
+        if target.format.opaque:
+            kept = ", ".join(s for s in FORMATS if not FORMATS.get(s).opaque and _shows(FORMATS.get(s)))
+            message = f"{target.format.suffix} has no transparent background; expected one of {kept}"
             raise OutputError(message, Place(str(target.path)))
 
 
-def _shows(output: Output) -> bool:
-    return Need.PIXELS in output.needs
+def _shows(entry: FileFormat) -> bool:
+    return Need.PIXELS in entry.needs
 
 
 def write_targets(take: WritableTake, targets: Sequence[Target], options: WriteOptions | None = None) -> None:
@@ -87,7 +87,7 @@ def write_targets(take: WritableTake, targets: Sequence[Target], options: WriteO
     if options.alpha:
         check_alpha(targets)
     if options.voice is None:
-        voices = [target.path for target in targets if target.output.suffix == ".wav"]
+        voices = [target.path for target in targets if target.format.suffix == ".wav"]
         options = replace(options, voice=voices[0] if voices else None)
     with ExitStack() as stack:
         beside = [stack.enter_context(replacing(target.path)) for target in targets]
@@ -97,7 +97,7 @@ def write_targets(take: WritableTake, targets: Sequence[Target], options: WriteO
 
 def _write_one(take: WritableTake, target: Target, temporary: Path, options: WriteOptions) -> None:
     try:
-        target.output.write(take, temporary, options)
+        target.format.write(take, temporary, options)
     except OSError as error:
         raise os_failure(target.path, error) from error
     except OutputError as error:

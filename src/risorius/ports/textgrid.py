@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..core.utterance import Phone, Utterance
 from ..errors import OutputError
+from .formats import register
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
@@ -124,3 +125,6 @@ def _number(seconds: float) -> str:
 def _quoted(text: str) -> str:
     flat = " ".join(text.split())
     return '"' + flat.replace('"', '""') + '"'
+
+
+register(".TextGrid", "words, phones and accents for Praat", {"speech"}, write_textgrid, order=8)

@@ -22,6 +22,7 @@ from ..face.shapes import arkit_shapes
 from ..looks.head_model import head_model
 from ..looks.parts import Part
 from ..looks.srgb import srgb_encode
+from .formats import register
 from .gltf import quaternion
 from .writable import WritableTake, WriteOptions
 
@@ -138,3 +139,6 @@ class _Stage:
             x, y, z, w = quaternion(head_rotation(float(pitch), float(yaw), float(roll)))
             rotations.Set([Gf.Quatf(1.0), Gf.Quatf(float(w), Gf.Vec3f(float(x), float(y), float(z)))], frame)
             weights.Set([float(weight) for weight in row], frame)
+
+
+register(".usda", "the head with 52 blend shapes as USD", {"head"}, write_usda)

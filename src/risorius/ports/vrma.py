@@ -17,6 +17,7 @@ from ..core.arrays import Array
 from ..core.parameters import INDEX
 from ..face.expressions import expressions, preset_weights
 from ..face.rotations import head_rotation
+from .formats import register
 from .gltf import Animation, Gltf, quaternions
 from .writable import WritableTake, WriteOptions
 
@@ -78,3 +79,6 @@ def _named(nodes: dict[str, int]) -> Json:
 def _gaze(values: Array) -> list[Array]:
     columns = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
     return [head_rotation(pitch, yaw, 0.0) for pitch, yaw in values[:, columns].tolist()]
+
+
+register(".vrma", "VRM animation: head, gaze, expressions", {"head"}, write_vrma)

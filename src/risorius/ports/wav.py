@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..core.audio import Audio
 from ..errors import OutputError
+from .formats import register
 from .writable import WritableTake, WriteOptions
 
 
@@ -26,3 +27,6 @@ def voice_of(take: WritableTake) -> Audio:
     if take.audio is None:
         raise OutputError("there is no voice to write; expected a performance that speaks")
     return take.audio
+
+
+register(".wav", "the voice", {"speech"}, write_wav, order=5)

@@ -12,7 +12,8 @@ from ..errors import RisoriusError
 from ..ports.atomic import replacing
 from ..ports.layout import write_json
 from ..ports.node import Node
-from ..ports.score_json import ScoreFile, score_to_json
+from ..ports.readable import ScoreFile
+from ..ports.score_json import score_to_json
 from .project import Opened, check_version, header, made_from, version_of, view_of
 from .scores import parsed, score_file
 from .session import Session

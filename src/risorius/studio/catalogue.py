@@ -18,7 +18,7 @@ from ..core.look import COMPLEXIONS, FRAMINGS, HAIR_STYLES, LIGHTS, OVERLAYS, QU
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import ALIASES, PARAMETERS, RIVALS, Parameter
 from ..face.head import load_head, shipped_heads
-from ..ports.formats import OUTPUTS, Output
+from ..ports.formats import FORMATS, FileFormat
 from ..registry import Registry
 from ..rules.book import shipped
 from ..rules.emotions import Emotion, emotions
@@ -56,7 +56,7 @@ def catalogue() -> tables.Catalogue:
         dynamics=DYNAMICS,
         formats=get_args(Format),
         rules=tuple(map(_rule, shipped())),
-        outputs=tuple(_output(OUTPUTS.get(suffix)) for suffix in OUTPUTS),
+        outputs=tuple(_output(FORMATS.get(suffix)) for suffix in FORMATS),
         looks=_looks(),
         choices=Choices(),
         size="{}x{}".format(*Settings().size),
@@ -101,7 +101,7 @@ def _rule(rule: Rule) -> tables.RuleRow:
     return tables.RuleRow(rule.id, rule.channel, str(rule.level), rule.probability, rule.comment, asked)
 
 
-def _output(output: Output) -> tables.OutputRow:
+def _output(output: FileFormat) -> tables.OutputRow:
     return tables.OutputRow(output.suffix, output.description, tuple(sorted(map(str, output.needs))))
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from ..core.look import TRANSPARENT, Look
 from ..core.progress import Progress
 from ..errors import InputError, RisoriusError
-from ..ports.formats import OUTPUTS
+from ..ports.formats import FORMATS
 from ..ports.targets import check_targets
 from ..render.backdrop import colour_named
 from ..settings import Settings, parse_size
@@ -94,7 +94,7 @@ def exported_take(take: Take, asked: wire.Export) -> Take:
 def _names(asked: wire.Export) -> tuple[str, ...]:
     """Return the files' names: letters, digits, - and spaces of the name asked for, and each suffix."""
     stem = _NAME.sub("", asked.name).strip()[:60] or "performance"
-    return tuple(f"{stem}{OUTPUTS.get(suffix).suffix}" for suffix in asked.suffixes)
+    return tuple(f"{stem}{FORMATS.get(suffix).suffix}" for suffix in asked.suffixes)
 
 
 def _settings(settings: Settings, asked: wire.Export) -> Settings:

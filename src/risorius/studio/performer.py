@@ -12,7 +12,7 @@ from ..core.progress import Progress
 from ..core.utterance import Utterance
 from ..errors import InputError, warnings_to
 from ..pipeline import looking_like, plan, spoken
-from ..ports.score_json import ScoreFile
+from ..ports.readable import ScoreFile
 from ..rules.profiles import profile_of
 from ..script import Script, parse_script
 from ..settings import Settings

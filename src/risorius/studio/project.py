@@ -24,7 +24,8 @@ from ..core.utterance import Utterance
 from ..errors import InputError
 from ..pipeline import looking_like
 from ..ports.node import Node
-from ..ports.score_json import ScoreFile, score_to_json
+from ..ports.readable import ScoreFile
+from ..ports.score_json import score_to_json
 from ..rules.profiles import profile_of
 from . import wire
 from .choices import settings_of

@@ -9,7 +9,8 @@ from pathlib import Path
 from ..core.score import BlendSettings
 from ..errors import InputError
 from ..ports.node import Node
-from ..ports.score_json import ScoreFile, score_from_json
+from ..ports.readable import ScoreFile
+from ..ports.score_json import score_from_json
 from .wire import Choices
 
 

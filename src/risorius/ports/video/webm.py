@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..formats import register
 from ..writable import WritableTake, WriteOptions
 from .film import write_film
 
@@ -11,3 +12,6 @@ from .film import write_film
 def write_webm(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write all frames; raises as `write_film`."""
     write_film(take, path, options, "webm")
+
+
+register(".webm", "video with sound for the web, with alpha if asked", {"pixels"}, write_webm, order=2)

@@ -1,0 +1,51 @@
+"""What reading a file gives: a score or a performance, with what is said in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ..core.performance import Performance
+from ..core.progress import Progress, quiet
+from ..core.score import Score
+from ..core.utterance import Utterance
+
+if TYPE_CHECKING:
+    from ..face.head import Head
+
+
+@dataclass(frozen=True, slots=True)
+class ScoreFile:
+    """A file's movements or curves as a score, and what is said in it (None if nothing is)."""
+
+    score: Score
+    utterance: Utterance | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PerformanceFile:
+    """A file's performance, its curves as written, and what is said in it (None if nothing is)."""
+
+    performance: Performance
+    utterance: Utterance | None = None
+
+    @property
+    def score(self) -> Score:
+        """The movements that the curves were made from."""
+        return self.performance.score
+
+
+PlayedFile = ScoreFile | PerformanceFile
+
+
+@dataclass(frozen=True, slots=True)
+class ReadOptions:
+    """What a reader may need beside the file.
+
+    `head` loads the head that will perform; it is called when the file is known to be right, and only by
+    formats that are fitted to a face. `progress` is called before long work.
+    """
+
+    head: Callable[[], Head]
+    progress: Progress = quiet
