@@ -100,7 +100,7 @@ _PAUSES = {
 _TOKEN = re.compile(r"(?P<text>[\w']+)(?:\[(?P<tone>[^\]]*)\])?(?P<mark>[,.?!…]?)(?P<gap>\s*)")
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def sentence_of() -> UtteranceMaker:
     """Return a function from marked text to an utterance: a syllable /D AA/ per word.
 

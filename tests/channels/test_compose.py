@@ -5,6 +5,7 @@ import pytest
 
 from risorius.channels import CHANNEL_BUILDERS, Brief, Display, compose
 from risorius.channels.manipulators import blink_interval
+from risorius.core.counted import Counted
 from risorius.core.movement import CHANNELS, Cause, Movement
 from risorius.core.score import Score
 from risorius.errors import InputError, ParameterError
@@ -81,8 +82,7 @@ def test_random_blinks_keep_clear_of_marked_ones() -> None:
 
 
 def test_blink_intervals_lie_between_one_and_three_waits() -> None:
-    rng = np.random.default_rng(0)
-    intervals = np.array([blink_interval(rng, WAIT) for _ in range(20_000)])
+    intervals = np.array([blink_interval(Counted(0, number), WAIT) for number in range(20_000)])
     assert intervals.min() >= WAIT
     assert intervals.max() <= 3 * WAIT
     # Mean of a wait of 1.8 s and then one blink a second, cut at 3.6 s: 1.8 + (1 - e^-1.8) + …

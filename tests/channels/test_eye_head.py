@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from risorius.blend import combine
 from risorius.channels.eye_head import GazeShift, head_duration, head_help, head_share, shifts_of
+from risorius.core.counted import Counted
 from risorius.core.movement import Cause, Movement
 from risorius.core.score import Score
 from risorius.rules.profiles import profile
@@ -21,9 +22,7 @@ def performed(*shifts: tuple[float, tuple[float, float]], duration: float = 6.0)
     """Return the curves of shifts of gaze at 1000 frames a second."""
     cause = Cause("test")
     found = tuple(
-        shifts_of(
-            [GazeShift(t, d, cause) for t, d in shifts], duration, UNBLINKING, (), np.random.default_rng(0)
-        )
+        shifts_of([GazeShift(t, d, cause) for t, d in shifts], duration, UNBLINKING, (), Counted(0))
     )
     assert all(isinstance(m, Movement) for m in found)
     return combine(Score(duration, found), Fraction(1000)).curves
@@ -88,7 +87,7 @@ def test_any_shifts_make_a_score_without_jumps(shifts: list[tuple[float, tuple[f
 def test_large_shifts_blink_and_small_ones_hardly_ever() -> None:
     def share(degrees: float) -> float:
         shifts = [GazeShift(2.0 * k, (0.0, degrees * (k % 2)), Cause("test")) for k in range(200)]
-        found = shifts_of(shifts, 400.0, profile("neutral").blinks, (), np.random.default_rng(1))
+        found = shifts_of(shifts, 400.0, profile("neutral").blinks, (), Counted(1))
         return sum(m.layer == "lids" for m in found) / 199
 
     assert share(34.0) == pytest.approx(0.97, abs=0.04)

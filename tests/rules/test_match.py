@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.core.counted import Counted
 from risorius.core.utterance import Question, Utterance
 from risorius.rules.book import extended, shipped
 from risorius.rules.conduct import Conduct, rate_of, size_of
@@ -19,6 +20,7 @@ from risorius.rules.unit import Unit
 from risorius.rules.units import Units
 
 Maker = Callable[..., Utterance]
+NUMBERS = Counted(7)
 
 
 def rule_of(text: str, name: str = "signals.brows.mine") -> Rule:
@@ -28,16 +30,12 @@ def rule_of(text: str, name: str = "signals.brows.mine") -> Rule:
     return extended(shipped(), given, "my.toml").get(name).rule
 
 
-def generators(name: str) -> np.random.Generator:
-    return np.random.default_rng([7, len(name)])
-
-
 def units_of(said: Utterance, **more: object) -> Units:
     return Units(Situation(said.duration, said, **more))  # type: ignore[arg-type]
 
 
 def events(rules: Sequence[Rule], said: Utterance, **more: object) -> list[Event]:
-    return events_of(rules, units_of(said, **more), generators)
+    return events_of(rules, units_of(said, **more), NUMBERS)
 
 
 def fired(text: str, said: Utterance, **more: object) -> list[str]:
@@ -128,7 +126,7 @@ def test_conduct_thins_or_adds_and_leaves_the_rest(sentence_of: Maker) -> None:
     units = units_of(sentence_of(LONG))
     rules = [rule_of('level = "item"\nwhen = { accent = ["any"] }\nprobability = 0.5')]
     spans = {
-        factor: {e.span for e in events_of(rules, units, generators, conduct=[Conduct({"signals": factor})])}
+        factor: {e.span for e in events_of(rules, units, NUMBERS, conduct=[Conduct({"signals": factor})])}
         for factor in (0.5, 1.0, 1.5)
     }
     assert spans[0.5] < spans[1.0] < spans[1.5]
@@ -169,7 +167,7 @@ def test_times_lie_on_phonemes_or_far_from_any(phone: float, sentence_of: Maker)
     units = units_of(said)
     bounds = np.array(units.boundaries)
     ruled = [r for r in shipped() if r.timing.snap and r.timing.onset > 0.0]
-    found = events_of(ruled, units, generators)
+    found = events_of(ruled, units, NUMBERS)
     assert len(found) > 10
     for event in found:
         times = (event.span.start, event.span.apex, event.span.release, event.span.end)

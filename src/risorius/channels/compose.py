@@ -1,7 +1,7 @@
 """From a brief to the score: rules propose, what happens is settled, every channel builds.
 
-All channels build, each from generators of its own; a channel that is left out is dropped afterwards, so that
-the others are as they were (paper B, section 3.2).
+All channels build, each with random numbers of its own; a channel that is left out is dropped afterwards, so
+that the others are as they were (paper B, section 3.2).
 """
 
 from __future__ import annotations
@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
+from ..core.counted import Counted
 from ..core.movement import LipSegment, Movement
 from ..core.score import BlendSettings, Score, check_score
 from ..rules.match import events_of
 from ..rules.settle import settle
 from . import emotion, gaze, head, lips, manipulators, ruled  # noqa: F401 - each registers its channels
-from .registry import CHANNEL_BUILDERS, Brief, generator
+from .registry import CHANNEL_BUILDERS, Brief
 
 # Channels whose marks keep the events of rules from moving the same parameters meanwhile.
 _MARKED = ("signals", "punctuators", "head", "gaze", "manipulators")
@@ -36,7 +37,7 @@ def compose(
     segments: list[LipSegment] = []
     for name in _ORDER:
         brief = replace(brief, built=tuple(movements))
-        for built in CHANNEL_BUILDERS.get(name)(brief, generator(seed, name)):
+        for built in CHANNEL_BUILDERS.get(name)(brief, Counted(seed, name)):
             if isinstance(built, LipSegment):
                 segments.append(built)
             else:
@@ -63,7 +64,7 @@ def proposed(brief: Brief, seed: int) -> Brief:
     events = events_of(
         brief.book,
         brief.units,
-        lambda name: generator(seed, name),
+        Counted(seed),
         conduct=brief.conduct,
         side=brief.profile.side,
     )

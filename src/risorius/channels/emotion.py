@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
-import numpy as np
-
 from ..core.action_units import check_intensity
+from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import InputError
@@ -23,7 +22,7 @@ _OVERLAP = 0.05
 
 
 @CHANNEL_BUILDERS.register("emotion")
-def emotion(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+def emotion(brief: Brief, numbers: Counted) -> Iterator[Movement]:
     """Yield the marked displays, then the others, each in a layer of its own so that they blend."""
     yield from brief.marked("emotion")
     yield from movements_of_rules(brief, "emotion")

@@ -13,8 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-import numpy as np
-
+from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..rules.match import EYES
@@ -143,7 +142,7 @@ def shifts_of(
     duration: float,
     habits: Blinks,
     boundaries: Sequence[float],
-    rng: np.random.Generator,
+    numbers: Counted,
 ) -> Iterator[Movement]:
     """Yield the movements of eyes, head and lids for shifts of gaze in order of time.
 
@@ -152,14 +151,13 @@ def shifts_of(
     angle (that it grows: Evinger et al. 1994).
     """
     pose = _Pose()
-    for shift, following in pairwise([*shifts, None]):
+    for number, (shift, following) in enumerate(pairwise([*shifts, None])):
         assert shift is not None
-        chance = rng.random()
         start = max(shift.start, pose.ready)
         if start >= (following.start if following else duration):
             continue
         size = pose.shift(start, shift.direction, shift.cause)
-        if chance < habits.shift * min(size / _LARGE, 1.0) ** 2:
+        if numbers.uniform("blink", number) < habits.shift * min(size / _LARGE, 1.0) ** 2:
             yield blink("gaze", start, 1.0, habits, boundaries, Cause(BLINK, shift.cause.trigger), "lids")
     yield from pose.eyes.movements(duration)
     yield from pose.heads.movements(duration)

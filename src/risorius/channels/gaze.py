@@ -10,9 +10,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import count
 
-import numpy as np
-
+from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..rules.conduct import rate_of
 from ..rules.markup import markup_table
@@ -45,7 +45,7 @@ class Look:
 
 
 @CHANNEL_BUILDERS.register("gaze")
-def gaze(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+def gaze(brief: Brief, numbers: Counted) -> Iterator[Movement]:
     """Yield the marked gaze with the head's share of it, and the fixations of the clip, one after another."""
     marked = brief.marked("gaze")
     yield from marked
@@ -56,9 +56,9 @@ def gaze(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
     # While listening the eyes are as free as else: only who is looked at is marked.
     asked = [m for m in marked if (m.start, m.end) not in brief.listening]
     looks = [Look(m.start, m.end, LISTENER, m.cause, fixed=True) for m in asked]
-    looks = _averted(brief, _commanded(brief, _apart(looks), rng), rng)
-    shifts = list(_fixations(brief, looks, rng))
-    yield from shifts_of(shifts, brief.duration, brief.profile.blinks, brief.units.boundaries, rng)
+    looks = _averted(brief, _commanded(brief, _apart(looks), numbers), numbers)
+    shifts = list(_fixations(brief, looks, numbers))
+    yield from shifts_of(shifts, brief.duration, brief.profile.blinks, brief.units.boundaries, numbers)
 
 
 def _apart(looks: Sequence[Look]) -> list[Look]:
@@ -68,53 +68,54 @@ def _apart(looks: Sequence[Look]) -> list[Look]:
     return [replace(k, end=min(k.end, end)) for k, end in zip(ordered, ends, strict=True) if k.start < end]
 
 
-def _commanded(brief: Brief, marked: Sequence[Look], rng: np.random.Generator) -> list[Look]:
+def _commanded(brief: Brief, marked: Sequence[Look], numbers: Counted) -> list[Look]:
     """Return the marked looks, and those of rules where they do not stand against them, one after another."""
     looks = list(marked)
     asked = [e for e in brief.events if e.rule.effect.look is not None]
     for event in sorted(asked, key=lambda e: (e.rule.channel != "gaze", -e.span.start, e.rule.id)):
-        direction = _aimed(event, brief, rng)
+        direction = _aimed(event, brief, numbers)
         end = min([event.span.end, *(k.start for k in looks if k.end > event.span.start)])
         if end - event.span.start >= _SHORTEST:
             looks.append(Look(event.span.start, end, direction, Cause(event.rule.id, event.unit.text)))
     return sorted(looks, key=lambda k: k.start)
 
 
-def _aimed(event: Event, brief: Brief, rng: np.random.Generator) -> Angles:
+def _aimed(event: Event, brief: Brief, numbers: Counted) -> Angles:
     name = str(event.rule.effect.look)
     if name == AWAY:
-        return _away(brief, rng)
+        return _away(brief, numbers.under(event.rule.id, event.unit.phrase, event.unit.number))
     found = markup_table().gaze[name]
     scale = event.rule.effect.size
     return scale * found.pitch, scale * found.yaw
 
 
-def _away(brief: Brief, rng: np.random.Generator) -> Angles:
-    """Draw a direction away from the listener."""
+def _away(brief: Brief, numbers: Counted) -> Angles:
+    """Return a random direction away from the listener."""
     habits = brief.profile.gaze
-    names = sorted(habits.directions)
-    weights = np.array([habits.directions[n] for n in names])
-    way = names[int(rng.choice(len(names), p=weights / weights.sum()))]
-    stray = float(rng.normal(0.0, _STRAY))
+    way = numbers.choice(habits.directions, "way")
+    stray = numbers.normal("stray", deviation=_STRAY)
     if way == "side":
-        sign = 1.0 if rng.random() < 0.5 * (1.0 + brief.profile.side) else -1.0
-        return stray, sign * _size(habits.yaw, rng)
-    return (1.0 if way == "up" else -1.0) * _size(habits.pitch, rng), 2.0 * stray
+        sign = 1.0 if numbers.uniform("side") < 0.5 * (1.0 + brief.profile.side) else -1.0
+        return stray, sign * _around(habits.yaw, numbers, "angle")
+    return (1.0 if way == "up" else -1.0) * _around(habits.pitch, numbers, "angle"), 2.0 * stray
 
 
-def _size(normal: tuple[float, float], rng: np.random.Generator) -> float:
-    mean, sd = normal
-    return float(np.clip(rng.normal(mean, sd), mean - 2.0 * sd, mean + 2.0 * sd))
+def _around(normal: tuple[float, float], numbers: Counted, what: str) -> float:
+    mean, deviation = normal
+    return numbers.normal(what, mean=mean, deviation=deviation, limit=2.0)
 
 
-def _averted(brief: Brief, looks: Sequence[Look], rng: np.random.Generator) -> list[Look]:
+def _averted(brief: Brief, looks: Sequence[Look], numbers: Counted) -> list[Look]:
     """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013)."""
     found = list(looks)
-    time = float(rng.uniform(0.0, 1.0)) * _aversion(brief, 0.0).gap[0]
-    while time < brief.duration:
+    time = numbers.uniform("first aversion") * _aversion(brief, 0.0).gap[0]
+    for number in count():
+        if time >= brief.duration:
+            break
+        own = numbers.under("aversion", number)
         habit = _aversion(brief, time)
-        end = time + _size(habit.length, rng)
-        direction = _away(brief, rng)
+        end = time + _around(habit.length, own, "length")
+        direction = _away(brief, own)
         rival = next((k for k in looks if k.start < end + _SHORTEST and time < k.end + _SHORTEST), None)
         if rival is None and end < brief.duration:
             found.append(Look(time, end, direction, Cause(AVERSION, "habit")))
@@ -123,7 +124,7 @@ def _averted(brief: Brief, looks: Sequence[Look], rng: np.random.Generator) -> l
             time = last + _SHORTEST
             continue
         often = max(rate_of(AVERSION, brief.conduct_at(last)), 1e-3)
-        time = last + max(_size(habit.gap, rng), _SHORTEST) / often
+        time = last + max(_around(habit.gap, own, "gap"), _SHORTEST) / often
     return sorted(found, key=lambda k: k.start)
 
 
@@ -132,35 +133,39 @@ def _aversion(brief: Brief, time: float) -> Aversion:
     return brief.profile.gaze.speaking if speaking else brief.profile.gaze.listening
 
 
-def _fixations(brief: Brief, looks: Sequence[Look], rng: np.random.Generator) -> Iterator[GazeShift]:
+def _fixations(brief: Brief, looks: Sequence[Look], numbers: Counted) -> Iterator[GazeShift]:
     """Yield the shifts of gaze in order: to each look, back, and about what is looked at meanwhile."""
     time = 0.0
-    for look in looks:
-        yield from _scan(brief, time, look.start, LISTENER, rng)
+    for number, look in enumerate(looks):
+        yield from _scan(brief, time, look.start, LISTENER, numbers.under("scan before", number))
         yield GazeShift(look.start, look.direction, look.cause)
         if not look.fixed:
-            yield from _scan(brief, look.start, look.end, look.direction, rng)
+            yield from _scan(brief, look.start, look.end, look.direction, numbers.under("scan", number))
         time = look.end
         if time < brief.duration:
             yield GazeShift(time, LISTENER, Cause(REST, "the listener"))
-    yield from _scan(brief, time, brief.duration, LISTENER, rng)
+    yield from _scan(brief, time, brief.duration, LISTENER, numbers.under("scan before", len(looks)))
 
 
-def _scan(
-    brief: Brief, start: float, end: float, centre: Angles, rng: np.random.Generator
-) -> Iterator[GazeShift]:
+def _scan(brief: Brief, start: float, end: float, centre: Angles, numbers: Counted) -> Iterator[GazeShift]:
     """Yield saccades about a direction, at random times in (start, end)."""
     habits = brief.profile.gaze
-    time = start + _fixation(habits.scan, rng)
-    while time + _REFRACTORY < end:
+    time = start
+    for number in count():
+        time += _fixation(habits.scan, numbers.under("fixation", number))
+        if time + _REFRACTORY >= end:
+            return
         point = (
-            centre[0] + float(np.clip(rng.standard_normal(), -2.0, 2.0)) * habits.scan_pitch,
-            centre[1] + float(np.clip(rng.standard_normal(), -2.0, 2.0)) * habits.scan_yaw,
+            numbers.normal("pitch", number, mean=centre[0], deviation=habits.scan_pitch, limit=2.0),
+            numbers.normal("yaw", number, mean=centre[1], deviation=habits.scan_yaw, limit=2.0),
         )
         yield GazeShift(time, point, Cause(SCAN, "the listener's face" if centre == LISTENER else "looking"))
-        time += _fixation(habits.scan, rng)
 
 
-def _fixation(mean: float, rng: np.random.Generator) -> float:
-    """Return seconds of a fixation: none shorter than the eyes' refractory time, few much longer."""
-    return _REFRACTORY + float(rng.gamma(2.0, 0.5 * max(mean - _REFRACTORY, 0.05)))
+def _fixation(mean: float, numbers: Counted) -> float:
+    """Return seconds of a fixation: none shorter than the eyes' refractory time, few much longer.
+
+    What is beyond that time follows a gamma distribution of shape 2, the sum of two exponential ones.
+    """
+    beyond = numbers.exponential("first") + numbers.exponential("second")
+    return _REFRACTORY + 0.5 * max(mean - _REFRACTORY, 0.05) * beyond

@@ -8,10 +8,10 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-
-import numpy as np
+from itertools import count
 
 from ..core.action_units import resolve_targets
+from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..core.utterance import PauseKind
@@ -27,14 +27,14 @@ _OVERLAP = 0.02
 
 
 @CHANNEL_BUILDERS.register("head")
-def head(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+def head(brief: Brief, numbers: Counted) -> Iterator[Movement]:
     """Yield the marked movements, those of rules, and a smooth wander about the speaker's posture."""
     yield from brief.marked("head")
     yield from movements_of_rules(brief, "head")
     if brief.lively:
         yield from _posture(brief)
         yield from _melody(brief)
-        yield from _noise(brief, rng)
+        yield from _noise(brief, numbers)
 
 
 def posture(brief: Brief) -> dict[str, float]:
@@ -74,31 +74,35 @@ def _melody(brief: Brief) -> Iterator[Movement]:
         yield replace(link, onset=min(s.end, end) - s.start)
 
 
-def _noise(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+def _noise(brief: Brief, numbers: Counted) -> Iterator[Movement]:
     """Yield a chain of smooth movements to random targets; in pauses they go only a part of the way."""
     habits = brief.profile.head
     deviations = dict(zip(HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
     calm = _Calm(brief)
     targets = dict.fromkeys(HEAD, 0.0)
-    for start, end, share in _steps(habits.dwell, calm.edges, brief.duration, rng):
+    steps = _steps(habits.dwell, calm.edges, brief.duration, numbers)
+    for number, (start, end, share) in enumerate(steps):
         left, size = calm.at(start), size_of(NOISE, brief.conduct_at(start))
         for name, sd in deviations.items():
-            drawn = size * sd * float(np.clip(rng.standard_normal(), -2.0, 2.0))
+            drawn = numbers.normal(name, number, deviation=size * sd, limit=2.0)
             kept = 0.0 if calm.rests(start) else (1.0 - left * share) * targets[name]
             targets[name] = left * share * drawn + kept
         yield _link(start, end, dict(targets), "noise", Cause(NOISE, "a living head"))
 
 
 def _steps(
-    dwell: tuple[float, float], edges: Sequence[float], duration: float, rng: np.random.Generator
+    dwell: tuple[float, float], edges: Sequence[float], duration: float, numbers: Counted
 ) -> Iterator[tuple[float, float, float]]:
     """Yield start and end of each movement, and what share of its way there is time for.
 
     The head sets out for the next target at random, and anew where a pause begins or ends.
     """
+    low, high = dwell
     start = 0.0
-    while start < duration:
-        wanted = float(rng.uniform(*dwell))
+    for number in count():
+        if start >= duration:
+            return
+        wanted = numbers.uniform("dwell", number, low=low, high=high)
         index = bisect_right(edges, start)
         length = min([wanted, *(edge - start for edge in edges[index : index + 1])])
         yield start, start + length, length / wanted

@@ -9,9 +9,8 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from ..core.articulators import within_range
+from ..core.counted import Counted
 from ..core.frozen import FrozenDict
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
@@ -25,7 +24,7 @@ SHORTEST_CLOSURE = 0.04
 
 
 @CHANNEL_BUILDERS.register("lips")
-def lips(brief: Brief, rng: np.random.Generator) -> Iterator[LipSegment]:
+def lips(brief: Brief, numbers: Counted) -> Iterator[LipSegment]:
     """Yield the segments of all phones and pauses in order, the in-breath before speech included."""
     if brief.utterance is None:
         return

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from itertools import count
 
-import numpy as np
-
+from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
 from ..rules.profiles import Blinks
@@ -22,11 +22,9 @@ _SHUT, _LONGEST = 0.5, 0.8
 # Seconds between two blinks at least.
 _APART = 0.3
 
-Wait = Callable[[float], float]
-
 
 @CHANNEL_BUILDERS.register("manipulators")
-def manipulators(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+def manipulators(brief: Brief, numbers: Counted) -> Iterator[Movement]:
     """Yield the marked blinks, those of rules, and others where too much time passes without one."""
     known = [*brief.marked("manipulators"), *movements_of_rules(brief, "manipulators")]
     yield from known
@@ -34,9 +32,18 @@ def manipulators(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
         return
     voluntary = sorted((m for m in (*known, *brief.built) if _is_blink(m)), key=lambda m: m.start)
     habits, boundaries = brief.profile.blinks, brief.units.boundaries
-    for start, why in _starts(habits, voluntary, boundaries, brief.duration, rng):
-        depth = float(rng.uniform(*habits.depth)) if rng.random() < habits.incomplete else 1.0
+    starts = _starts(habits, voluntary, boundaries, brief.duration, numbers)
+    for number, (start, why) in enumerate(starts):
+        depth = _depth(habits, numbers.under("depth", number))
         yield blink("manipulators", start, depth, habits, boundaries, Cause(why, "eyes to wet"))
+
+
+def _depth(habits: Blinks, numbers: Counted) -> float:
+    """Return how far a blink closes the eyes, 0..1."""
+    if numbers.uniform("incomplete") >= habits.incomplete:
+        return 1.0
+    low, high = habits.depth
+    return numbers.uniform("depth", low=low, high=high)
 
 
 def _is_blink(m: Movement) -> bool:
@@ -48,16 +55,16 @@ def _starts(
     voluntary: Sequence[Movement],
     boundaries: Sequence[float],
     duration: float,
-    rng: np.random.Generator,
+    numbers: Counted,
 ) -> Iterator[tuple[float, str]]:
     """Yield when blinks are added, between those that happen anyway, and by which rule."""
     if habits.manner == "none":
         return
     length = habits.closing + habits.closed + habits.opening
-    last = -float(rng.uniform(0.0, min(habits.wait, habits.period)))
+    last = -numbers.uniform("first", high=min(habits.wait, habits.period))
     others = list(voluntary)
-    while True:
-        start, why = _next(habits, last, boundaries, rng)
+    for number in count():
+        start, why = _next(habits, last, boundaries, numbers.under("interval", number))
         while others and others[0].start < last:
             others.pop(0)
         if others and others[0].start < start + length + _APART:
@@ -69,20 +76,18 @@ def _starts(
         last = start + length
 
 
-def _next(
-    habits: Blinks, last: float, boundaries: Sequence[float], rng: np.random.Generator
-) -> tuple[float, str]:
+def _next(habits: Blinks, last: float, boundaries: Sequence[float], numbers: Counted) -> tuple[float, str]:
     """Return when the next blink comes after the one that ended at `last`."""
-    random = last + blink_interval(rng, habits.wait), RANDOM
+    random = last + blink_interval(numbers, habits.wait), RANDOM
     periodic = max(nearest(last + habits.period, boundaries), last + _APART), PERIODIC
     if habits.manner == "both":
         return min(random, periodic)
     return periodic if habits.manner == "periodic" else random
 
 
-def blink_interval(rng: np.random.Generator, wait: float) -> float:
+def blink_interval(numbers: Counted, wait: float) -> float:
     """Return a random time in seconds from the end of a blink to the start of the next, 1 to 3 waits."""
-    budget = rng.exponential()
+    budget = numbers.exponential()
     early = _HAZARD * wait
     if budget < early:
         return wait + budget / _HAZARD

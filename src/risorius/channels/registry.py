@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import zlib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-import numpy as np
-
+from ..core.counted import Counted
 from ..core.movement import LipSegment, Movement
 from ..core.utterance import Utterance
 from ..registry import Registry
@@ -73,11 +71,6 @@ class Brief:
 
 
 Built = Iterable[Movement | LipSegment]
-ChannelBuilder = Callable[[Brief, np.random.Generator], Built]
+ChannelBuilder = Callable[[Brief, Counted], Built]
 
 CHANNEL_BUILDERS: Registry[ChannelBuilder] = Registry("channel")
-
-
-def generator(seed: int, name: str) -> np.random.Generator:
-    """Return the random generator of a channel or rule: it depends on the seed and the name alone."""
-    return np.random.Generator(np.random.PCG64(np.random.SeedSequence([seed, zlib.crc32(name.encode())])))

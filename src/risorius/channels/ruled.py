@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-import numpy as np
-
+from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..rules.markup import markup_table
 from ..rules.match import Event
@@ -95,7 +94,7 @@ def _gesture(event: Event) -> Iterator[Movement]:
 
 
 def _ruled(channel: str) -> ChannelBuilder:
-    def build(brief: Brief, rng: np.random.Generator) -> Iterator[Movement]:
+    def build(brief: Brief, numbers: Counted) -> Iterator[Movement]:
         yield from brief.marked(channel)
         yield from movements_of_rules(brief, channel)
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from ..core.action_units import resolve_targets
+from ..core.counted import Counted
 from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
 from .conduct import Conduct, rate_of, size_of
 from .emotions import emotion, emotion_key
@@ -21,8 +20,8 @@ LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
 HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 EYES = ("gaze_pitch", "gaze_yaw")
 SIDED = ("head_yaw", "head_roll", "gaze_yaw")
-
-Generators = Callable[[str], np.random.Generator]
+# No event is smaller than this share of its rule's size.
+_SMALLEST = 0.3
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,41 +51,41 @@ class Event:
 def events_of(
     rules: Iterable[Rule],
     units: Units,
-    generators: Generators,
+    numbers: Counted,
     *,
     conduct: Sequence[Conduct] = (),
     side: float = 0.0,
 ) -> list[Event]:
     """Return all events that rules propose, in order of time and id.
 
-    A rule draws for every unit of its level, whether or not it fits, from its own generator: what another
-    rule, an emotion or a profile changes leaves its other events as they are. `side`: how much the speaker
-    prefers the left, -1 to 1.
+    The numbers of an event are counted by its rule and unit: what another rule, an emotion, a profile or
+    further text changes leaves the other events as they are. `side`: how much the speaker prefers the left,
+    -1 to 1.
     """
-    found = [e for rule in rules for e in _matched(rule, units, generators(rule.id), conduct, side)]
+    found = [e for rule in rules for e in _matched(rule, units, numbers.under(rule.id), conduct, side)]
     return sorted(found, key=lambda e: (e.span.start, e.rule.id))
 
 
 def _matched(
-    rule: Rule, units: Units, rng: np.random.Generator, conduct: Sequence[Conduct], side: float
+    rule: Rule, units: Units, numbers: Counted, conduct: Sequence[Conduct], side: float
 ) -> Iterator[Event]:
-    tried = units.of(rule.level)
-    chances = rng.random(len(tried))
-    sizes, sides = rng.standard_normal(len(tried)), rng.random(len(tried))
-    places = rng.random(len(tried))
-    for index, unit in enumerate(tried):
+    for unit in units.of(rule.level):
         if not fits(rule.when, unit):
             continue
         ways = (*conduct, *felt_conduct(unit.emotions))
-        if chances[index] >= rule.probability * rate_of(rule.id, ways):
+        own = numbers.under(unit.phrase, unit.number)
+        if own.uniform("chance") >= rule.probability * rate_of(rule.id, ways):
             continue
-        draw = min(unit.group, len(tried) - 1) if rule.effect.grouped else index
-        size = size_of(rule.id, ways) * max(
-            0.3, 1.0 + rule.effect.vary * float(np.clip(sizes[draw], -2.0, 2.0))
-        )
-        left = sides[draw] < 0.5 * (1.0 + side)
-        span = _span(rule, unit, float(places[index]))
-        yield _event(rule, unit, units, span, size, mirrored=rule.effect.mirror and not left)
+        alike = numbers.under("group", unit.group) if rule.effect.grouped else own
+        size = size_of(rule.id, ways) * _varied(rule.effect.vary, alike)
+        mirrored = rule.effect.mirror and alike.uniform("side") >= 0.5 * (1.0 + side)
+        span = _span(rule, unit, own.uniform("place"))
+        yield _event(rule, unit, units, span, size, mirrored=mirrored)
+
+
+def _varied(deviation: float, numbers: Counted) -> float:
+    """Return a random factor on an event's size."""
+    return max(_SMALLEST, numbers.normal("size", mean=1.0, deviation=deviation, limit=2.0))
 
 
 def felt_conduct(felt: Mapping[str, float]) -> tuple[Conduct, ...]:
@@ -153,7 +152,7 @@ def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
     for name, value in given.items():
         parameter = PARAMETERS[INDEX[name]]
         sign = -1.0 if mirrored and name in SIDED else 1.0
-        targets[name] = float(np.clip(sign * size * value, parameter.low, parameter.high))
+        targets[name] = min(max(sign * size * value, parameter.low), parameter.high)
     return targets
 
 

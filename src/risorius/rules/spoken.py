@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
 from .rule import Level, Position
 from .situation import Situation
-from .structure import Structure
+from .structure import Stretch, Structure
 from .synchrony import synchrony
 from .unit import Unit
 
@@ -35,17 +35,26 @@ class Spoken:
         self.structure = Structure(said, situation.listening)
         self._syllables_of = Counter(s.word for s in said.syllables)
 
-    def _unit(self, level: Level, index: int, spoken: Timed, text: str, word: int, **more: Any) -> Unit:
-        """Return the unit that something spoken is, whose first word is number `word`."""
+    def _unit(
+        self, level: Level, counts: Counter[int], spoken: Timed, text: str, word: int, **more: Any
+    ) -> Unit:
+        """Return the unit that something spoken is, whose first word is number `word`.
+
+        `counts` has how many units of the level came before it, by phrase.
+        """
         start, end = spoken.start, spoken.end
+        # When a turn will end is not known at its start.
+        felt = start if level is Level.TURN else 0.5 * (start + end)
+        phrase = self.structure.index(Level.PHRASE, word)
+        number, counts[phrase] = counts[phrase], counts[phrase] + 1
         known: dict[str, Any] = {
             "question": self.structure.question(word),
             "group": self.structure.group(word),
             "rate": self.structure.rate(word),
-            "emotions": self.situation.emotions_at(0.5 * (start + end)),
+            "emotions": self.situation.emotions_at(felt),
             "turn": self.situation.turn_at(start),
         }
-        return Unit(level, index, start, end, text, **{**known, **more})
+        return Unit(level, phrase, number, start, end, text, **{**known, **more})
 
     def _texts(self, index: int) -> frozenset[str]:
         """Return a word's text, and those of the two and three words that begin with it."""
@@ -66,13 +75,14 @@ class Spoken:
 
     def phonemes(self) -> Iterator[Unit]:
         """Yield the spoken phones."""
+        counts = Counter[int]()
         for index, phone in enumerate(self.said.phones):
             if phone.symbol == SILENCE or phone.word < 0:
                 continue
             word = self.said.words[phone.word]
             text = f'/{phone.symbol}/ of "{word.text}"'
             yield self._unit(
-                Level.PHONEME, index, phone, text, phone.word,
+                Level.PHONEME, counts, phone, text, phone.word,
                 stress=phone.stress,
                 phone=phone.symbol,
                 words=frozenset({word.text.lower()}),
@@ -83,13 +93,14 @@ class Spoken:
     def syllables(self, level: Level = Level.SYLLABLE) -> Iterator[Unit]:
         """Yield the syllables."""
         accents = {accent.syllable: accent for accent in self.said.accents}
+        counts = Counter[int]()
         place = 0
         for index, s in enumerate(self.said.syllables):
             place = place + 1 if index and self.said.syllables[index - 1].word == s.word else 0
             count = self._syllables_of[s.word]
             text = self.said.words[s.word].text
             yield self._unit(
-                level, index, s, f'"{text}"', s.word,
+                level, counts, s, f'"{text}"', s.word,
                 **self._accented([accents[index]] if index in accents else []),
                 stress=s.stress,
                 words=frozenset({text.lower()}),
@@ -99,13 +110,14 @@ class Spoken:
 
     def words(self, level: Level = Level.WORD) -> Iterator[Unit]:
         """Yield the words."""
+        counts = Counter[int]()
         stresses: dict[int, int] = {}
         for s in self.said.syllables:
             stresses[s.word] = max(stresses.get(s.word, 0), s.stress)
         for index, word in enumerate(self.said.words):
             phrase = self.structure.stretches[Level.PHRASE][self.structure.index(Level.PHRASE, index)]
             yield self._unit(
-                level, index, word, f'"{word.text}"', index,
+                level, counts, word, f'"{word.text}"', index,
                 **self._accented(self._accents(index, index + 1)),
                 stress=stresses.get(index, 0),
                 words=self._texts(index),
@@ -129,15 +141,22 @@ class Spoken:
         """Yield phrases, by their place in the utterance, utterances, by that in the turn, or turns."""
         stretches = self.structure.stretches[level]
         positions = _positions(self._owner(level, s.first) for s in stretches)
-        for index, (s, position) in enumerate(zip(stretches, positions, strict=True)):
-            text = f'"{self.structure.text(s)}"'
+        counts = Counter[int]()
+        for s, position in zip(stretches, positions, strict=True):
+            text = f'"{self.structure.text(self._naming(level, s))}"'
             yield self._unit(
-                level, index, s, text, s.first,
+                level, counts, s, text, s.first,
                 **self._accented(self._accents(s.first, s.last)),
                 **self._ending(s.last - 1, True),
                 question=self.structure.question(s.last - 1),
                 position=position,
             )  # fmt: skip
+
+    def _naming(self, level: Level, stretch: Stretch) -> Stretch:
+        """Return by whose words messages name a stretch: of a turn, which may go on, its first sentence's."""
+        if level is not Level.TURN:
+            return stretch
+        return self.structure.stretches[Level.UTTERANCE][self.structure.index(Level.UTTERANCE, stretch.first)]
 
     def _owner(self, level: Level, word: int) -> int:
         """Return which of the next larger stretches a word belongs to; turns belong to the whole."""
@@ -148,11 +167,12 @@ class Spoken:
     def pauses(self) -> Iterator[Unit]:
         """Yield the pauses."""
         pauses = self.said.pauses
+        counts = Counter[int]()
         for index, pause in enumerate(pauses):
             before = bisect_right(self.said.words, pause.start, key=lambda w: w.end) - 1
             text = f"the {pause.kind} pause"
             yield self._unit(
-                Level.PAUSE, index, pause, text, max(before, 0),
+                Level.PAUSE, counts, pause, text, max(before, 0),
                 pause=pause.kind, position=_position(index, len(pauses)),
             )  # fmt: skip
 

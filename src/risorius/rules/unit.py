@@ -16,11 +16,13 @@ class Unit:
     """A stretch of seconds [start, end] and its facts.
 
     `text`: how messages name it. `accented`: where its accented syllable begins, the nuclear one of several.
-    `rate`: syllables a second of its phrase. `group`: which run of related utterances it belongs to.
+    `rate`: syllables a second of its phrase. `group`: which run of related utterances it belongs to. `phrase`
+    and `number`: its phrase, and which it is of its level there; they count the random numbers of rules.
     """
 
     level: Level
-    index: int
+    phrase: int
+    number: int
     start: float
     end: float
     text: str

@@ -65,6 +65,6 @@ class Units:
             start = index * MOMENT
             middle = start + 0.5 * MOMENT
             yield Unit(
-                Level.MOMENT, index, start, start + MOMENT, f"{start:g} s",
+                Level.MOMENT, 0, index, start, start + MOMENT, f"{start:g} s",
                 emotions=s.emotions_at(middle), turn=s.turn_at(middle),
             )  # fmt: skip
