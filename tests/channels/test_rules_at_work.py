@@ -369,3 +369,12 @@ def test_a_display_shows_less_only_while_another_is_beside_it() -> None:
     assert corners[0] == corners[1] == corners[2]
     apart = compose(Brief(6.0, emotions=(joy, Display("pride", 0.0, 2.0, 3.0)), lively=False)).movements
     assert [m.start for m in apart if m.layer == "1.happiness"] == [0.0]
+
+
+def test_a_gesture_takes_over_from_one_that_is_still_going_on(sentence_of: Maker) -> None:
+    said = sentence_of("No yes.", phone=0.2)
+    found = movements(said, "head.verbal")
+    yes = next(m.start for m in found if m.cause.rule == "head.verbal.yes")
+    no = [m.start for m in found if m.cause.rule == "head.verbal.no"]
+    assert 0 < len(no) < 4
+    assert max(no) < yes

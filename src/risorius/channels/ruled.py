@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterator, Mapping, Sequence
 
 from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..rules.markup import markup_table
 from ..rules.match import Event
+from ..rules.settle import APART
 from ..rules.timing import channel_timing
 from ..script.gestures import strokes_of
 from .blinks import blink
@@ -26,13 +28,12 @@ def with_eyes(targets: Mapping[str, float]) -> dict[str, float]:
 def movements_of_rules(brief: Brief, channel: str) -> Iterator[Movement]:
     """Yield the movements of a channel's events; looks are left to the gaze."""
     boundaries = brief.units.boundaries
-    for event in brief.events:
-        if event.rule.channel != channel:
-            continue
+    events = [event for event in brief.events if event.rule.channel == channel]
+    for event, following in zip(events, _following_gestures(events), strict=True):
         if event.targets:
             yield _held(event)
         if event.rule.effect.gesture is not None:
-            yield from _gesture(event)
+            yield from _gesture(event, following)
         if event.rule.effect.blink is not None:
             depth = min(event.rule.effect.blink, 1.0)
             yield blink(
@@ -71,7 +72,19 @@ def _held(event: Event) -> Movement:
     )
 
 
-def _gesture(event: Event) -> Iterator[Movement]:
+def _following_gestures(events: Sequence[Event]) -> list[float]:
+    """Return for each event when the next gesture of the same part begins, infinity if there is none."""
+    starts: dict[str, float] = {}
+    following = []
+    for event in reversed(events):
+        following.append(starts.get(event.rule.part, math.inf))
+        if event.rule.effect.gesture is not None:
+            starts[event.rule.part] = event.span.start
+    return following[::-1]
+
+
+def _gesture(event: Event, until: float) -> Iterator[Movement]:
+    """Yield a gesture's strokes up to the time at which another gesture takes over."""
     rule = event.rule
     gesture = markup_table().head[str(rule.effect.gesture)]
     strokes = strokes_of(gesture, rule.effect.times)
@@ -79,6 +92,8 @@ def _gesture(event: Event) -> Iterator[Movement]:
     amplitude = gesture.amplitude * rule.effect.size * event.size
     for number, stroke in enumerate(strokes, 1):
         start = event.span.start + stroke.start * seconds
+        if start > until - APART:
+            return
         yield Movement(
             rule.channel,
             start,
