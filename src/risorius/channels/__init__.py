@@ -1,7 +1,7 @@
 """From what is said and marked to movements: one file per channel, each a plain function."""
 
 from ..rules.emotions import Display
-from .compose import compose
+from .compose import HORIZON, compose
 from .registry import CHANNEL_BUILDERS, Brief
 
-__all__ = ["CHANNEL_BUILDERS", "Brief", "Display", "compose"]
+__all__ = ["CHANNEL_BUILDERS", "HORIZON", "Brief", "Display", "compose"]

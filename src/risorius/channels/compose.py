@@ -17,6 +17,16 @@ from ..rules.settle import settle
 from . import emotion, gaze, head, lips, manipulators, ruled  # noqa: F401 - each registers its channels
 from .registry import CHANNEL_BUILDERS, Brief
 
+HORIZON = 9.0
+"""How far appended text reaches back, seconds: it changes no movement that ends more than this before the end
+of the last sentence so far.
+
+The package's rules and profiles keep to it. Gaze reaches furthest: the look at the listener that ends a turn
+begins 2.41 s before the turn's end; a look away that it would break up is left out (up to 2.3 s more), and so
+are an aversion that either look would end too soon (3 s) and a blink just before that (0.6 s). All channels
+but gaze and manipulators keep to 1 s. A user's rule that acts before the end of a turn reaches back by its
+own `lead`.
+"""
 # Channels whose marks keep the events of rules from moving the same parameters meanwhile.
 _MARKED = ("signals", "punctuators", "head", "gaze", "manipulators")
 # Manipulators come last: they look at the blinks of all others.

@@ -29,6 +29,8 @@ LISTENER: Angles = (0.0, 0.0)
 _SHORTEST = 0.3
 # Seconds from one fixation to the next at least (Lee, Badler and Badler 2002: 50 to 100 ms between saccades).
 _REFRACTORY = 0.15
+# An aversion is not begun if another look would end it within this time, seconds; a later one cuts it short.
+_FORESIGHT = 3.0
 # How far a look up or down strays sideways, and one aside up or down: degrees.
 _STRAY = 2.5
 
@@ -116,7 +118,9 @@ def _averted(brief: Brief, looks: Sequence[Look], numbers: Counted) -> list[Look
         habit = _aversion(brief, time)
         end = time + _around(habit.length, own, "length")
         direction = _away(brief, own)
-        rival = next((k for k in looks if k.start < end + _SHORTEST and time < k.end + _SHORTEST), None)
+        foreseen = min(end + _SHORTEST, time + _FORESIGHT)
+        rival = next((k for k in looks if k.start < foreseen and time < k.end + _SHORTEST), None)
+        end = min([end, *(k.start for k in looks if k.start >= foreseen)])
         if rival is None and end < brief.duration:
             found.append(Look(time, end, direction, Cause(AVERSION, "habit")))
         last = end if rival is None else rival.end

@@ -1,0 +1,122 @@
+"""Appended text changes no movement that ends more than the horizon before the end of the last sentence."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from risorius.channels import HORIZON, Brief, Display, compose
+from risorius.core.movement import LipSegment, Movement
+from risorius.core.utterance import Utterance
+from risorius.rules.profiles import Profile, profile, profiles
+
+Maker = Callable[..., Utterance]
+Moved = tuple[list[Movement], list[LipSegment]]
+SPOKEN = "well no yes I don't know very sad really what do you like popcorn here she never um it big"
+WORDS = st.builds(
+    "{}{}{}".format,
+    st.sampled_from(SPOKEN.split()),
+    st.sampled_from(["", "", "[H*]", "[L+H*]", "[L*]"]),
+    st.sampled_from(["", "", "", "", ",", "…"]),
+)
+ENDS = st.sampled_from([".", ".", "?", "!", ".\n\n"])
+
+
+def sentences(words: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    said = st.lists(words, min_size=1, max_size=10).map(" ".join).map(lambda text: text.rstrip(",…"))
+    return st.builds("{}{}".format, said, ENDS)
+
+
+TEXTS = st.lists(sentences(WORDS), min_size=1, max_size=7).map(" ".join)
+SPANS = st.tuples(st.floats(0.0, 20.0), st.floats(0.5, 10.0)).map(lambda s: (s[0], s[0] + s[1]))
+DISPLAYS = st.builds(
+    lambda name, intensity, span: Display(name, intensity, *span),
+    st.sampled_from(["happiness", "anger", "sadness", "fear"]),
+    st.floats(0.0, 1.0),
+    st.one_of(st.just((None, None)), SPANS),
+)
+
+
+@st.composite
+def speakers(draw: st.DrawFn) -> Profile:
+    """Draw one of the package's profiles, in one of the manners of blinking."""
+    speaker = profile(draw(st.sampled_from(sorted(profiles()))))
+    manner = draw(st.sampled_from(["random", "periodic", "both"]))
+    return replace(speaker, blinks=replace(speaker.blinks, manner=manner))
+
+
+def moved_before(time: float, said: Utterance, seed: int, **brief: object) -> Moved:
+    """Return what is composed for an utterance and ends before a time."""
+    score = compose(Brief(said.duration, said, **brief), seed=seed)  # type: ignore[arg-type]
+    return [m for m in score.movements if m.end < time], [s for s in score.lips if s.end < time]
+
+
+@given(
+    text=TEXTS,
+    appended=TEXTS,
+    seed=st.integers(0, 2**32),
+    speaker=speakers(),
+    emotions=st.lists(DISPLAYS, max_size=2).map(tuple),
+    listening=st.lists(SPANS, max_size=1).map(tuple),
+    phone=st.sampled_from([0.06, 0.1, 0.2]),
+)
+def test_appended_text_changes_nothing_before_the_horizon(
+    text: str,
+    appended: str,
+    seed: int,
+    speaker: Profile,
+    emotions: tuple[Display, ...],
+    listening: tuple[tuple[float, float], ...],
+    phone: float,
+    sentence_of: Maker,
+) -> None:
+    before, after = (sentence_of(t, phone=phone) for t in (text, f"{text} {appended}"))
+    settled = before.words[-1].end - HORIZON
+    short, long = (
+        moved_before(settled, said, seed, profile=speaker, emotions=emotions, listening=listening)
+        for said in (before, after)
+    )
+    assert short == long
+
+
+# Each ends in a way that the end of a turn, and so more text, changes how one looks and blinks.
+ENDINGS = {
+    "long": "I like[H*] it very much here, and she likes[L+H*] big popcorn very well.",
+    "short": "Well[H*].",
+    "question": "What do you like[L*] here?",
+    "hesitation": "I um… don't know[H*].",
+    "exclamation": "Never[H*]!",
+}
+OPENING = "She knows[H*] it all, well, and likes popcorn[L+H*]. No[H*], I don't know[H*]. Really? Yes. " * 4
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+@pytest.mark.parametrize("seed", range(4))
+def test_a_script_that_goes_on_begins_as_before(ending: str, seed: int, sentence_of: Maker) -> None:
+    text = OPENING + ENDINGS[ending]
+    before, after = sentence_of(text), sentence_of(f"{text} What do you like? I know it.")
+    settled = before.words[-1].end - HORIZON
+    movements, lips = moved_before(settled, before, seed)
+    assert (movements, lips) == moved_before(settled, after, seed)
+    assert {m.channel for m in movements} >= {"signals", "gaze", "head", "manipulators"}
+    assert len(movements) > 100
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_all_channels_but_the_eyes_keep_to_one_second(seed: int, sentence_of: Maker) -> None:
+    before, after = (sentence_of(OPENING + more) for more in ("I know.", "I know. What do you like?"))
+    settled = before.words[-1].end - 1.0
+    short, long = (
+        [m for m in moved_before(settled, said, seed)[0] if m.channel not in ("gaze", "manipulators")]
+        for said in (before, after)
+    )
+    assert short == long
+    assert len(short) > 50
+
+
+def test_where_nothing_is_said_a_longer_clip_begins_as_a_shorter_one() -> None:
+    short, long = (compose(Brief(duration), seed=2).movements for duration in (60.0, 90.0))
+    settled = 60.0 - HORIZON
+    assert [m for m in short if m.end < settled] == [m for m in long if m.end < settled]
