@@ -7,9 +7,18 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from praatio import textgrid as praatio_textgrid
 
 from risorius.errors import InputError
-from risorius.script.textgrid import INTERVALS, POINTS, Label, parse_textgrid, read_textgrid
+from risorius.script.textgrid import (
+    INTERVALS,
+    POINTS,
+    Label,
+    Tier,
+    parse_textgrid,
+    read_textgrid,
+    textgrid_lines,
+)
 
 LONG = """File type = "ooTextFile"
 Object class = "TextGrid"
@@ -140,3 +149,33 @@ def test_any_label_survives(label: str) -> None:
 def test_nothing_but_input_errors(text: str) -> None:
     with pytest.raises(InputError):
         parse_textgrid(text)
+
+
+def test_gaps_are_filled_and_what_rounding_leaves_nothing_of_is_left_out() -> None:
+    labels = (Label(0.25, 0.5, "a"), Label(0.5, 0.5000001, "b"), Label(0.75, 2.0, "c"))
+    (tier,) = parse_textgrid("\n".join(textgrid_lines(1.0, [Tier("words", INTERVALS, labels)]))).tiers
+    expected = [(0.0, 0.25, ""), (0.25, 0.5, "a"), (0.5, 0.75, ""), (0.75, 1.0, "c")]
+    assert [label[:3] for label in tier.labels] == expected
+
+
+# Without quotes, which praatio does not undo in points; it strips blanks from labels.
+_TEXTS = st.text(st.sampled_from("abc ɔ*!<>[]19"), min_size=1, max_size=8).map(str.strip).filter(bool)
+
+
+@given(st.lists(_TEXTS, min_size=1, max_size=5), st.sampled_from(["long_textgrid", "short_textgrid"]))
+def test_praatio_reads_what_we_write_and_we_read_what_praatio_writes(
+    tmp_path_factory: pytest.TempPathFactory, texts: list[str], form: str
+) -> None:
+    path = tmp_path_factory.mktemp("grids") / "x.TextGrid"
+    labels = tuple(Label(k * 0.5, k * 0.5 + 0.5, text) for k, text in enumerate(texts))
+    points = tuple(Label(label.start, label.start, label.text) for label in labels)
+    tiers = (Tier("words", INTERVALS, labels), Tier("accents", POINTS, points))
+    path.write_text("\n".join(textgrid_lines(0.5 * len(texts), tiers)) + "\n", encoding="utf-8")
+    judged = praatio_textgrid.openTextgrid(str(path), includeEmptyIntervals=True)
+    assert [tuple(entry) for entry in judged.getTier("words").entries] == [label[:3] for label in labels]
+    assert [tuple(entry) for entry in judged.getTier("accents").entries] == [p[1:3] for p in points]
+    judged.save(str(path), format=form, includeBlankSpaces=True)
+    read = read_textgrid(str(path)).tiers
+    assert [[label[:3] for label in tier.labels] for tier in read] == [
+        [label[:3] for label in tier.labels] for tier in tiers
+    ]

@@ -14,7 +14,7 @@ from risorius.cli import run
 from risorius.core.directions import Directions, Tone
 from risorius.core.utterance import Utterance
 from risorius.errors import Place
-from risorius.ports.textgrid import textgrid_lines
+from risorius.ports.textgrid import utterance_lines
 from risorius.script import read_script
 from risorius.settings import Settings
 from risorius.speech.from_recording import hear, with_written_tones
@@ -110,7 +110,7 @@ def test_tones_written_in_the_script_stand(voice: Path) -> None:
 
 
 def test_a_textgrid_without_phones_is_aligned_by_its_words(voice: Path, spoken_line: Utterance) -> None:
-    lines = "\n".join(textgrid_lines(spoken_line)).replace('"phones"', '"sounds by ear"')
+    lines = "\n".join(utterance_lines(spoken_line)).replace('"phones"', '"sounds by ear"')
     (voice / "w.TextGrid").write_text(lines)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -120,7 +120,7 @@ def test_a_textgrid_without_phones_is_aligned_by_its_words(voice: Path, spoken_l
 
 
 def test_a_textgrid_alone_is_performed_in_silence(voice: Path, spoken_line: Utterance) -> None:
-    (voice / "w.TextGrid").write_text("\n".join(textgrid_lines(spoken_line)))
+    (voice / "w.TextGrid").write_text("\n".join(utterance_lines(spoken_line)))
     take = risorius.speak("w.TextGrid")
     assert take.curves["masseter"].max() > 0.1
 

@@ -11,14 +11,12 @@ from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
 from ..core.movement import Movement
+from ..script.bml_shapes import NAMESPACE, PEAKS
 from .formats import register
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
-NAMESPACE = "http://www.bml-initiative.org/bml/bml-1.0"
 _BLOCK = "risorius"
-_PEAKS = {"head": "stroke", "gaze": "ready", "face": "attackPeak"}
-"""Behaviours, and what the standard calls the time at which each is fully there."""
 
 
 def write_bml_feedback(take: WritableTake, path: Path, _options: WriteOptions) -> None:
@@ -42,7 +40,7 @@ def _lines(take: WritableTake) -> Iterator[str]:
         peak = min(movement.start + movement.onset, movement.end)
         relax = max(movement.end - movement.offset, peak)
         yield (
-            f'  <{element} id={name} start="{movement.start:.6f}" {_PEAKS[element]}="{peak:.6f}" '
+            f'  <{element} id={name} start="{movement.start:.6f}" {PEAKS[element]}="{peak:.6f}" '
             f'relax="{relax:.6f}" end="{movement.end:.6f}"/>'
         )
     yield "</predictionFeedback>"

@@ -11,41 +11,36 @@ from pathlib import Path
 
 from ..core.movement import Movement
 from ..core.performance import Performance
+from ..script.textgrid import INTERVALS, Label, Tier, textgrid_lines
 from .formats import register
 from .table import write_lines
-from .textgrid import Interval, grid_lines, phone_label
+from .textgrid import speech_tiers
 from .writable import WritableTake, WriteOptions
 
 
 def write_channels_textgrid(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write the tiers; without speech only those of the channels."""
-    write_lines(path, grid_lines(take.performance.duration, list(_tiers(take))))
+    speech = () if take.utterance is None else speech_tiers(take.utterance)
+    tiers = [*speech, *_channels(take.performance)]
+    write_lines(path, textgrid_lines(take.performance.duration, tiers))
 
 
-def _tiers(take: WritableTake) -> Iterator[tuple[str, list[Interval]]]:
-    utterance = take.utterance
-    if utterance is not None:
-        yield "words", [(w.start, w.end, w.text) for w in utterance.words]
-        yield "phones", [(p.start, p.end, phone_label(p, utterance.language)) for p in utterance.phones]
-    yield from _channels(take.performance)
-
-
-def _channels(performance: Performance) -> Iterator[tuple[str, list[Interval]]]:
+def _channels(performance: Performance) -> Iterator[Tier]:
     found: dict[str, list[Movement]] = {}
     for movement in performance.score.movements:
         layer = f"/{movement.layer}" if movement.layer else ""
         found.setdefault(f"{movement.channel}{layer}", []).append(movement)
     for name in sorted(found):
         for number, row in enumerate(_apart(found[name]), 1):
-            yield name if number == 1 else f"{name} {number}", row
+            yield Tier(name if number == 1 else f"{name} {number}", INTERVALS, tuple(row))
 
 
-def _apart(movements: list[Movement]) -> list[list[Interval]]:
+def _apart(movements: list[Movement]) -> list[list[Label]]:
     """Return intervals in as few rows as keep those of a row apart."""
-    rows: list[list[Interval]] = []
+    rows: list[list[Label]] = []
     for movement in sorted(movements, key=lambda m: (m.start, m.end)):
-        interval = (movement.start, movement.end, label(movement))
-        row = next((r for r in rows if r[-1][1] <= movement.start), None)
+        interval = Label(movement.start, movement.end, label(movement))
+        row = next((r for r in rows if r[-1].end <= movement.start), None)
         if row is None:
             rows.append([interval])
         else:

@@ -11,7 +11,7 @@ from ..rules.bml import bml_table
 from ..rules.markup import markup_table
 from ..rules.timing import channel_timing
 from .anchor import Anchor, Base
-from .bml_shapes import SHIFT_SECONDS, USUAL_AMOUNT, gesture_of, limited
+from .bml_shapes import PEAKS, SHIFT_SECONDS, USUAL_AMOUNT, gesture_of, limited
 from .model import WHOLE, Mark, MarkKind
 from .quote import one_line
 from .sync import Timetable
@@ -55,7 +55,7 @@ def _label(node: Node, name: str) -> str:
 def _faded(mark: Mark, times: Times) -> Mark:
     """Return a mark of the face with the onset and offset that its sync points give."""
     timing = channel_timing(mark.channel)
-    onset = times.between("start", "attackPeak", timing.onset)
+    onset = times.between("start", PEAKS["face"], timing.onset)
     offset = times.between("relax", "end", timing.offset)
     return replace(mark, onset=onset, offset=offset, layer=times.name)
 

@@ -1,8 +1,12 @@
-"""BML's behaviours: what each may say, and the sync points that it has by itself."""
+"""BML's behaviours: what each may say, and the sync points that it has by itself.
+
+Reader and writer share its words: what reads scripts (`bml`), and the feedback that is written from a plan.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 from ..core.parameters import INDEX, PARAMETERS
 from ..rules.bml import bml_table
@@ -12,6 +16,9 @@ from .gestures import MOST_REPETITIONS, strokes_of
 from .model import Stroke
 from .tree import Node
 
+NAMESPACE = "http://www.bml-initiative.org/bml/bml-1.0"
+PEAKS: Mapping[str, str] = MappingProxyType({"face": "attackPeak", "gaze": "ready", "head": "stroke"})
+"""The sync point at which each kind of behaviour is fully there (BML 1.0, sync points)."""
 USUAL_AMOUNT = 0.5
 SHIFT_SECONDS = 0.4
 _HEAD_POINTS = ("start", "ready", "strokeStart", "stroke", "strokeEnd", "relax", "end")
@@ -50,12 +57,12 @@ def gesture_of(node: Node) -> tuple[tuple[Stroke, ...], dict[str, float], float]
 
 def _face_shape(node: Node) -> Mapping[str, float]:
     timing, length = channel_timing("signals"), bml_table().duration.face
-    return {"start": 0.0, "attackPeak": timing.onset, "relax": length - timing.offset, "end": length}
+    return {"start": 0.0, PEAKS["face"]: timing.onset, "relax": length - timing.offset, "end": length}
 
 
 def _gaze_shape(node: Node) -> Mapping[str, float]:
     timing, length = channel_timing("gaze"), bml_table().duration.gaze
-    return {"start": 0.0, "ready": timing.onset, "relax": length - timing.offset, "end": length}
+    return {"start": 0.0, PEAKS["gaze"]: timing.onset, "relax": length - timing.offset, "end": length}
 
 
 def _shift_shape(node: Node) -> Mapping[str, float]:

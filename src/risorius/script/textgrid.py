@@ -1,15 +1,15 @@
-"""`.TextGrid`: labelled intervals and points, as Praat and forced aligners write them, long or short.
+"""`.TextGrid`: labelled intervals and points, as Praat and forced aligners write them, read and written.
 
 The format is a stream of free-standing numbers, quoted strings and flags; all else (names, equals signs,
-indices in brackets, comments) is for the reader's eye (Praat manual, "TextGrid file formats"). So both forms
-are read by the same rules, and every label keeps its line.
+indices in brackets, comments) is for the reader's eye (Praat manual, "TextGrid file formats"). So the long
+and the short form are read by the same rules, and every label keeps its line. The long form is written.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -19,6 +19,7 @@ from .files import decode, names_something
 from .quote import LONGEST_PATH, one_line, quoted
 
 MAX_BYTES = 64_000_000
+DIGITS = 6  # of seconds, after the point, in what is written
 INTERVALS, POINTS = "IntervalTier", "TextTier"
 # Free-standing: not within a word such as "item[1]" or "xmin2".
 _TOKEN = re.compile(
@@ -28,12 +29,12 @@ _TOKEN = re.compile(
 
 
 class Label(NamedTuple):
-    """A label on [start, end] seconds, or at a point where both are the same; its line in the file."""
+    """A label on [start, end] seconds, or at a point where both are the same; `line`: where it was read."""
 
     start: float
     end: float
     text: str
-    line: int
+    line: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +44,7 @@ class Tier:
     name: str
     kind: str
     labels: tuple[Label, ...]
-    line: int
+    line: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,3 +151,73 @@ class _Stream:
 
     def fault(self, message: str) -> InputError:
         return InputError(message, Place(self._source, self.line))
+
+
+def textgrid_lines(duration: float, tiers: Sequence[Tier]) -> Iterator[str]:
+    """Yield the lines of a TextGrid over [0, `duration`] seconds, its times rounded to 1e-6 s.
+
+    Intervals follow one another in each tier; what lies between them is filled with empty ones, because Praat
+    accepts no gaps. An interval that the rounding leaves nothing of is left out.
+    """
+    end = _rounded(duration)
+    yield from ('File type = "ooTextFile"', 'Object class = "TextGrid"', "")
+    yield from _span_lines("", end)
+    yield from ("tiers? <exists>", f"size = {len(tiers)}", "item []:")
+    for number, tier in enumerate(tiers, 1):
+        yield f"    item [{number}]:"
+        yield f'        class = "{tier.kind}"'
+        yield f"        name = {_written(tier.name)}"
+        yield from _span_lines("        ", end)
+        yield from (_interval_lines if tier.kind == INTERVALS else _point_lines)(tier, end)
+
+
+def _interval_lines(tier: Tier, end: float) -> Iterator[str]:
+    intervals = list(_filled(tier.labels, end))
+    yield f"        intervals: size = {len(intervals)}"
+    for number, label in enumerate(intervals, 1):
+        yield f"        intervals [{number}]:"
+        yield f"            xmin = {_number(label.start)}"
+        yield f"            xmax = {_number(label.end)}"
+        yield f"            text = {_written(label.text)}"
+
+
+def _point_lines(tier: Tier, _end: float) -> Iterator[str]:
+    yield f"        points: size = {len(tier.labels)}"
+    for number, label in enumerate(tier.labels, 1):
+        yield f"        points [{number}]:"
+        yield f"            number = {_number(_rounded(label.start))}"
+        yield f"            mark = {_written(label.text)}"
+
+
+def _span_lines(indent: str, end: float) -> Iterator[str]:
+    yield f"{indent}xmin = 0"
+    yield f"{indent}xmax = {_number(end)}"
+
+
+def _filled(labels: Iterable[Label], end: float) -> Iterator[Label]:
+    """Yield intervals that cover [0, end] without a gap."""
+    reached = 0.0
+    for label in labels:
+        start, stop = max(_rounded(label.start), reached), min(_rounded(label.end), end)
+        if start >= stop:
+            continue
+        if start > reached:
+            yield Label(reached, start, "")
+        yield Label(start, stop, label.text)
+        reached = stop
+    if reached < end:
+        yield Label(reached, end, "")
+
+
+def _rounded(seconds: float) -> float:
+    return round(seconds, DIGITS)
+
+
+def _number(seconds: float) -> str:
+    return f"{seconds:.{DIGITS}f}".rstrip("0").rstrip(".")
+
+
+def _written(text: str) -> str:
+    """Return a string as the format quotes it, on one line."""
+    flat = " ".join(text.split())
+    return '"' + flat.replace('"', '""') + '"'

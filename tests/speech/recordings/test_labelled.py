@@ -10,7 +10,7 @@ import pytest
 from risorius.core.audio import silence
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError, SpeechWarning
-from risorius.ports.textgrid import textgrid_lines
+from risorius.ports.textgrid import utterance_lines
 from risorius.script.textgrid import INTERVALS, POINTS, Label, TextGrid, Tier, parse_textgrid
 from risorius.speech import phonesets
 from risorius.speech.recordings.labelled import utterance_of_labels
@@ -149,7 +149,7 @@ def test_tones_stand_on_their_syllables() -> None:
 def test_what_we_write_is_read_back(spoken_line: Utterance) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        text = "\n".join(textgrid_lines(spoken_line))
+        text = "\n".join(utterance_lines(spoken_line))
         back = utterance_of_labels(parse_textgrid(text), spoken_line.audio)
     assert [p.symbol for p in back.phones] == [p.symbol for p in spoken_line.phones]
     assert [p.stress for p in back.phones] == [p.stress for p in spoken_line.phones]
