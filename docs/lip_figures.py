@@ -17,7 +17,7 @@ from drawing import INK, OURS, PRINTED, SECOND, SOFT, SPEECH, figure
 from PIL import Image
 
 from risorius import blend
-from risorius.blend.coarticulation import LIP_MODELS, Weights
+from risorius.blend.coarticulation import LIP_MODELS, SegmentWeights
 from risorius.core.functions import minimum_jerk
 from risorius.core.movement import LipSegment
 from risorius.core.parameters import NEUTRAL
@@ -72,13 +72,13 @@ class Steps:
         """Return each segment's own target."""
         return np.array([s.targets.get(parameter, 0.0) for s in self._segments])
 
-    def weights(self, group: int, times: Array) -> Weights:
+    def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return how far each step has been made, less the next one."""
         share = (times - self._start[:, None]) / (self._end - self._start)[:, None]
         steps = np.vstack([np.ones(len(times)), minimum_jerk(np.clip(share, 0.0, 1.0)), np.zeros(len(times))])
         weight = steps[:-1] - steps[1:]
         segment, time = (i.ravel() for i in np.indices(weight.shape))
-        return Weights(segment, time, weight.ravel(), len(times))
+        return SegmentWeights(segment, time, weight.ravel(), len(times))
 
 
 @LIP_MODELS.register("key poses")

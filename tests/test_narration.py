@@ -1,9 +1,9 @@
-from risorius.blend import Explanation, Part, Tally
+from risorius.blend import Contribution, Explanation, Tally
 from risorius.core.movement import Cause
 from risorius.narration import narrate, tell
 
-SMILE = Part("emotion", "", "smile", Cause("script", "joy", "a.xml:1:1"), 0.9, 0.1, "limited by /M/")
-LIPS = Part("lips", "", "/M/", Cause("lips.M", '/M/ of "me"'), 0.05, 0.05, "lower than joy (emotion)")
+SMILE = Contribution("emotion", "", "smile", Cause("script", "joy", "a.xml:1:1"), 0.9, 0.1, "limited by /M/")
+LIPS = Contribution("lips", "", "/M/", Cause("lips.M", '/M/ of "me"'), 0.05, 0.05, "lower than joy (emotion)")
 
 
 def explanation(name: str) -> Explanation:

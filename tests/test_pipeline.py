@@ -56,7 +56,7 @@ def test_the_smile_yields_before_the_rounded_lips_of_very_and_returns(demo: riso
     during = (demo.times > very.start) & (demo.times < very.end) & rounded
     assert during.any()
     # What is left there is the lips' own: an /EH/ is a little spread.
-    (shown,) = (trace.given for trace in demo.traces(SMILE) if trace.channel == "emotion")
+    (shown,) = (trace.applied for trace in demo.traces(SMILE) if trace.channel == "emotion")
     assert (shown[during] < 0.05).all()
     assert (smile[during] < 0.15).all()
     first = np.flatnonzero(during)[0]

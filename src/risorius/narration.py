@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from .blend import Explanation, Part, Tally
+from .blend import Contribution, Explanation, Tally
 from .console import table
 from .core.parameters import INDEX, PARAMETERS
 
@@ -35,15 +35,12 @@ def _lines(explanation: Explanation) -> Iterator[str]:
     yield from explanation.notes
 
 
-def _sentence(part: Part) -> str:
-    where = f", {part.cause.place}" if part.cause.place else ""
-    amount = (
-        f"{part.given:.3f}"
-        if abs(part.given - part.asked) < 5e-4
-        else f"{part.given:.3f} of {part.asked:.3f}"
-    )
-    reason = f": {part.reason}" if part.reason else ""
-    return f"{amount} from {part.channel}: {part.what} ({part.cause.rule}{where}){reason}"
+def _sentence(contribution: Contribution) -> str:
+    cause, applied, requested = contribution.cause, contribution.applied, contribution.requested
+    place = f", {cause.place}" if cause.place else ""
+    amount = f"{applied:.3f}" if abs(applied - requested) < 5e-4 else f"{applied:.3f} of {requested:.3f}"
+    reason = f": {contribution.reason}" if contribution.reason else ""
+    return f"{amount} from {contribution.channel}: {contribution.what} ({cause.rule}{place}){reason}"
 
 
 def tell(summary: Mapping[str, Tally]) -> Iterator[str]:

@@ -15,7 +15,7 @@ from risorius.core.movement import Movement
 
 
 @dataclass(frozen=True)
-class Span:
+class Hold:
     """A movement, or what is left of one after an interruption."""
 
     start: float
@@ -46,23 +46,23 @@ def shape(name: str, x: float) -> float:
     }.get(name, ONSET_FUNCTIONS.get(name))(min(max(x, 0.0), 1.0))
 
 
-def span(movement: Movement, start: float) -> Span:
+def hold(movement: Movement, start: float) -> Hold:
     length, wanted = movement.end - start, movement.onset + movement.offset
     factor = min(1.0, length / wanted) if wanted > 0 else 1.0
-    return Span(start, movement.end, movement.onset * factor, movement.offset * factor, movement)
+    return Hold(start, movement.end, movement.onset * factor, movement.offset * factor, movement)
 
 
-def order(movements: Sequence[Movement]) -> list[Span]:
+def order(movements: Sequence[Movement]) -> list[Hold]:
     """Movements in the order in which they hold the layer; what is nested interrupts."""
-    queue = [(m.start, 0, i, span(m, m.start)) for i, m in enumerate(movements)]
+    queue = [(m.start, 0, i, hold(m, m.start)) for i, m in enumerate(movements)]
     heapq.heapify(queue)
-    held: list[Span] = []
-    waiting: list[Span] = []  # interrupted, innermost last
+    held: list[Hold] = []
+    waiting: list[Hold] = []  # interrupted, innermost last
     while queue or waiting:
         if waiting and held and (not queue or held[-1].release < queue[0][0]):
             inner, outer = held[-1], waiting.pop()
             if outer.end - inner.release > outer.offset:
-                held.append(span(outer.source, inner.release))
+                held.append(hold(outer.source, inner.release))
             continue
         if not queue:
             break
@@ -74,7 +74,7 @@ def order(movements: Sequence[Movement]) -> list[Span]:
     return held
 
 
-def alone(s: Span, target: float, t: float) -> float:
+def alone(s: Hold, target: float, t: float) -> float:
     """F of one movement: paper A, section 4."""
     name = s.source.function
     if s.start <= t < s.start + s.onset:
@@ -86,7 +86,7 @@ def alone(s: Span, target: float, t: float) -> float:
     return 0.0
 
 
-def concatenated(held: list[Span], parameter: str, signed: bool, t: float) -> float:
+def concatenated(held: list[Hold], parameter: str, signed: bool, t: float) -> float:
     """F of all movements in order: paper A, section 5.2, as DESIGN mends it."""
     if not held:
         return 0.0

@@ -14,9 +14,9 @@ from risorius.blend.coarticulation import (
     AT_ONCE,
     LIP_MODELS,
     TARGET,
-    Averages,
-    Column,
-    Columns,
+    SegmentAverages,
+    SegmentTable,
+    SegmentValues,
     without_gaps,
 )
 from risorius.core.movement import Dominance, LipSegment
@@ -32,20 +32,20 @@ LONG = [
 
 @given(arrays(np.float64, st.integers(1, 50), elements=st.floats(-1, 1)))
 def test_a_column_holds_every_value(values):
-    assert Column(values)[np.arange(len(values))].tolist() == values.tolist()
+    assert SegmentValues(values)[np.arange(len(values))].tolist() == values.tolist()
 
 
 def test_a_column_may_have_many_values():
     values = np.linspace(0.0, 1.0, 2**16 + 5)
-    assert Column(values)[np.arange(len(values))].tolist() == values.tolist()
+    assert SegmentValues(values)[np.arange(len(values))].tolist() == values.tolist()
 
 
 @pytest.mark.parametrize("name", list(LIP_MODELS))
 def test_averages_do_not_depend_on_how_many_times_are_worked_at_once(name):
     model = LIP_MODELS.get(name)(without_gaps(LONG))
-    columns = Columns(model, {(TARGET, n): Column(model.targets(n)) for n in (JAW, WIDTH)})
+    columns = SegmentTable(model, {(TARGET, n): SegmentValues(model.targets(n)) for n in (JAW, WIDTH)})
     times = np.linspace(-1.0, 21.0, 3 * AT_ONCE + 11)
-    average = Averages(columns, times)
+    average = SegmentAverages(columns, times)
     for parameter in (JAW, WIDTH):
         weights = model.weights(model.group(parameter), times)
         assert average(parameter).tolist() == weights.average(model.targets(parameter)).tolist()
@@ -55,10 +55,10 @@ def test_averages_do_not_depend_on_how_many_times_are_worked_at_once(name):
 
 def test_threads_that_ask_for_the_same_get_the_same():
     model = LIP_MODELS.get("dominance")(without_gaps(LONG))
-    columns = Columns(model, {(TARGET, n): Column(model.targets(n)) for n in (JAW, WIDTH)})
+    columns = SegmentTable(model, {(TARGET, n): SegmentValues(model.targets(n)) for n in (JAW, WIDTH)})
     times = np.linspace(-1.0, 21.0, AT_ONCE)
-    alone = Averages(columns, times)(JAW).tolist()
+    alone = SegmentAverages(columns, times)(JAW).tolist()
     with ThreadPoolExecutor(8) as threads:
         for _ in range(20):
-            average = Averages(columns, times)
+            average = SegmentAverages(columns, times)
             assert all(found.tolist() == alone for found in threads.map(average, [JAW] * 8))

@@ -102,8 +102,8 @@ class TestTwoMovements:
         onset = (times > two.start) & (times <= two.start + two.onset)
         falls = got[until][-1] >= two.targets[Z]
         assert (np.diff(got[onset]) <= 0).all() if falls else (np.diff(got[onset]) >= 0).all()
-        settled = (times >= two.start + max(two.onset, one.offset)) & (times <= two.end - two.offset)
-        assert got[settled] == pytest.approx(np.full(settled.sum(), two.targets[Z]), abs=1e-12)
+        steady = (times >= two.start + max(two.onset, one.offset)) & (times <= two.end - two.offset)
+        assert got[steady] == pytest.approx(np.full(steady.sum(), two.targets[Z]), abs=1e-12)
 
     def test_release_longer_than_the_next_onset_has_no_jump(self) -> None:
         found = [move(0, 7, 2, 3, 1.0), move(3, 4.5, 0.3, 0.4, 0.5)]

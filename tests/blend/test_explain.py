@@ -55,7 +55,7 @@ class TestWords:
         found = blend.explain(PLAN, 0.7, SMILE)
         assert found.winner is not None
         assert found.winner.cause == HAPPY.cause
-        assert found.winner.given == found.value == 0.8
+        assert found.winner.applied == found.value == 0.8
         assert found.losers == ()
 
     def test_inhibited(self) -> None:
@@ -104,7 +104,7 @@ class TestWords:
         found = blend.explain(Score(2.0, turns), 1.0, "head_yaw")
         assert found.winner is not None
         assert [p.reason for p in (found.winner, *found.losers)] == ["added, made smaller by the others"] * 2
-        assert found.value == pytest.approx(sum(p.given for p in (found.winner, *found.losers)))
+        assert found.value == pytest.approx(sum(p.applied for p in (found.winner, *found.losers)))
 
 
 @examples(20)
@@ -117,16 +117,20 @@ def test_the_value_is_the_curves_and_follows_from_the_parts(data: st.DataObject,
         found = blend.explain(plan, time, name)
         value = values[INDEX[name]]
         assert found.value == pytest.approx(value, abs=1e-9)
-        parts = [p for p in (found.winner, *found.losers) if p is not None]
+        contributions = [p for p in (found.winner, *found.losers) if p is not None]
         assert all(p.reason for p in found.losers)
-        assert all(p.reason for p in parts if abs(p.given) < abs(p.asked) - 1e-9 and p.channel != "lips")
+        assert all(
+            p.reason
+            for p in contributions
+            if abs(p.applied) < abs(p.requested) - 1e-9 and p.channel != "lips"
+        )
         if (
             name != JAW
             and not found.notes
             and policy != "sum"
             and name not in ("head_pitch", "gaze_distance")
         ):
-            assert value == pytest.approx(max((p.given for p in parts), default=0.0), abs=1e-8)
+            assert value == pytest.approx(max((p.applied for p in contributions), default=0.0), abs=1e-8)
 
 
 def test_every_frame_can_be_explained() -> None:

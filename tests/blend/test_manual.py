@@ -91,7 +91,7 @@ class TestReplacing:
         assert [part.reason for part in told.losers] == ["replaced by the curve drawn by hand"]
         manual, emotion = blend.traces(plan, name, np.array([0.8, 2.0]))
         assert (manual.channel, emotion.channel) == ("manual", "emotion")
-        assert emotion.asked[1] == pytest.approx(self.HAPPY.targets[name])
+        assert emotion.requested[1] == pytest.approx(self.HAPPY.targets[name])
         assert emotion.inhibited == ((1, 1),)
 
 

@@ -28,23 +28,27 @@ POLICIES = ("inhibit", "graded", "attenuate", "sum")
 SMILE = Movement("emotion", 0.0, 4.0, 0.45, 0.75, {"zygomatic_major.left": 0.8})
 
 
-def settled(**changes: object) -> BlendSettings:
+def with_settings(**changes: object) -> BlendSettings:
     return replace(BlendSettings(), **changes)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
     ("score", "error", "words"),
     [
-        (Score(4.0, settings=settled(conflict="graaded")), ParameterError, "did you mean 'graded'"),
+        (Score(4.0, settings=with_settings(conflict="graaded")), ParameterError, "did you mean 'graded'"),
         (
-            Score(4.0, settings=settled(lips="dominanse")),
+            Score(4.0, settings=with_settings(lips="dominanse")),
             ParameterError,
             "dominance",
         ),
-        (Score(4.0, settings=settled(onset_function="linaer")), ParameterError, "did you mean 'linear'"),
-        (Score(4.0, settings=settled(activation_threshold=1.5)), InputError, "expected 0 to 1"),
-        (Score(4.0, settings=settled(min_onset=-0.1)), InputError, "min_onset"),
-        (Score(4.0, settings=settled(min_offset=float("nan"))), InputError, "min_offset"),
+        (
+            Score(4.0, settings=with_settings(onset_function="linaer")),
+            ParameterError,
+            "did you mean 'linear'",
+        ),
+        (Score(4.0, settings=with_settings(activation_threshold=1.5)), InputError, "expected 0 to 1"),
+        (Score(4.0, settings=with_settings(min_onset=-0.1)), InputError, "min_onset"),
+        (Score(4.0, settings=with_settings(min_offset=float("nan"))), InputError, "min_offset"),
         (Score(-1.0), InputError, "duration"),
         (Score(4.0, (SMILE, replace(SMILE, end=2.0))), InputError, "both start at"),
         (Score(4.0, (replace(SMILE, targets={"zygomatic_major": 0.5}),)), ParameterError, "did you mean"),
@@ -102,7 +106,7 @@ class TestResult:
 @given(found=movements(("signals",), most=1, shortest=1))
 def test_a_lone_movement_is_reproduced(policy: str, found: tuple[Movement, ...]) -> None:
     for movement in found:
-        score = Score(DURATION, (movement,), settings=settled(conflict=policy))
+        score = Score(DURATION, (movement,), settings=with_settings(conflict=policy))
         times = np.arange(0, DURATION, 0.033)
         values = blend.at(score, times)
         (span,) = reference.order([movement])
@@ -212,7 +216,7 @@ def test_inhibit_never_shows_two_rivals_of_different_priority(score: Score) -> N
         for name in channel.curves:
             if RIVALS[name]:
                 dense = np.zeros(len(times))
-                index, values = moment.settled(channel, name)
+                index, values = moment.with_settings(channel, name)
                 if channel.name != "lips":
                     values = moment.bounded(channel, name, index, values, moment.own(name))
                 dense[index] = values
@@ -235,11 +239,11 @@ def test_inhibit_changes_nothing_far_from_a_conflict(score: Score) -> None:
         for name in channel.curves:
             reach = max(plan.tuning.min_onset[name], plan.tuning.min_offset[name])
             near = np.zeros(len(times), dtype=bool)
-            for other, _, rival in plan.field.rivals(channel, name, level):
+            for other, _, rival in plan.inputs.rivals(channel, name, level):
                 for start, end in other.above(rival, plan.tuning.threshold[rival]):
                     near |= (times > start - reach) & (times < end + reach)
             index, wanted = channel.sample(name, times)
-            _, left = moment.settled(channel, name)
+            _, left = moment.with_settings(channel, name)
             assert (left[~near[index]] == wanted[~near[index]]).all()
 
 
@@ -265,7 +269,7 @@ Curve = Callable[[np.ndarray], np.ndarray]
 def test_inhibit_agrees_with_a_search_over_samples(found: tuple[Movement, ...]) -> None:
     """Section 6 of paper A done on samples, level after level, with one minimum duration for all."""
     minimum, frame = 0.2, 1 / RATE
-    score = Score(DURATION, found, settings=settled(min_onset=minimum, min_offset=minimum))
+    score = Score(DURATION, found, settings=with_settings(min_onset=minimum, min_offset=minimum))
     times = np.arange(0, 9.0, frame)
     result = dict(zip(NAMES, blend.at(score, times).T, strict=True))
     expected = _inhibited_on_samples(found, times, minimum)

@@ -36,7 +36,7 @@ def test_nothing_moves_what_no_channel_has() -> None:
 
 def test_no_times() -> None:
     (trace,) = blend.traces(PLAN, SMILE, np.zeros(0))
-    assert trace.asked.shape == trace.given.shape == (0,)
+    assert trace.requested.shape == trace.applied.shape == (0,)
 
 
 def test_a_smile_is_inhibited_by_rounding_and_limited_around_it() -> None:
@@ -44,7 +44,7 @@ def test_a_smile_is_inhibited_by_rounding_and_limited_around_it() -> None:
     assert trace.channel == "emotion"
     ((first, last),) = trace.inhibited
     assert TIMES[first] < 2.2 < TIMES[last]
-    assert (trace.given[first : last + 1] == 0.0).all()
+    assert (trace.applied[first : last + 1] == 0.0).all()
     before, after = trace.limited
     assert before[1] == first - 1
     assert after[0] == last + 1
@@ -52,13 +52,13 @@ def test_a_smile_is_inhibited_by_rounding_and_limited_around_it() -> None:
 
 @examples(10)
 @given(scores())
-def test_what_channels_are_given_makes_the_value(score: Score) -> None:
+def test_what_channels_apply_makes_the_value(score: Score) -> None:
     spoken = replace(score, lips=(), settings=replace(score.settings, conflict="inhibit"))
     plan = blend.Plan(spoken)
     times = np.linspace(0.0, DURATION, 9)
     shown = plan.at(times)
     for name in plan.moving:
-        parts = [trace.given for trace in blend.traces(plan, name, times)]
+        parts = [trace.applied for trace in blend.traces(plan, name, times)]
         p = PARAMETERS[INDEX[name]]
         whole = np.clip(p.neutral + sum(parts), p.low, p.high) if name in SIGNED else np.max(parts, axis=0)
         np.testing.assert_allclose(whole, shown[:, INDEX[name]], atol=1e-12)

@@ -11,10 +11,10 @@ from .intervals import Extent
 from .knots import STEEPEST
 from .plan import Plan
 
-Span = tuple[float, float]
+TimeSpan = tuple[float, float]
 
 
-def changed_span(before: Plan, after: Plan) -> Span | None:
+def changed_span(before: Plan, after: Plan) -> TimeSpan | None:
     """Return the times in seconds outside which both plans have the same curves, to the last bit.
 
     Nothing changed is (0, 0). None where that cannot be told: speech, settings or the clip's length are
@@ -24,7 +24,7 @@ def changed_span(before: Plan, after: Plan) -> Span | None:
     if after.lips is not before.lips or a.settings != b.settings or a.duration != b.duration:
         return None
     channels = [{c.name: c for c in plan.channels} for plan in (before, after)]
-    spans: list[Span] = []
+    spans: list[TimeSpan] = []
     for name in channels[0].keys() | channels[1].keys():
         one, two = (found.get(name) for found in channels)
         if one is not None and two is not None and not _ranked_alike(one, two):
@@ -42,7 +42,7 @@ def _ranked_alike(one: Channel, two: Channel) -> bool:
     )
 
 
-def _spans(one: Channel | None, two: Channel | None) -> Iterator[Span]:
+def _spans(one: Channel | None, two: Channel | None) -> Iterator[TimeSpan]:
     """Yield when the pieces of a channel's curves last that only one of the two has."""
     for name in {name for channel in (one, two) if channel is not None for name in channel.curves}:
         pieces = [_extents(channel, name) for channel in (one, two)]

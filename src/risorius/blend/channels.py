@@ -15,7 +15,7 @@ from .concatenate import LayerCurves, concatenate
 from .curve import Curve
 from .intervals import Spans, union
 from .levels import Levels, PriorityClaim, levels_of
-from .lips import LipCurve, Lips
+from .lips import CompiledLips, LipCurve
 from .manual import Replaced, key_curves, replaced_spans
 
 
@@ -58,7 +58,7 @@ def _highest(sampled: Iterable[tuple[IndexArray, Array]], count: int) -> Array:
     return dense
 
 
-def compile_channels(score: Score, lips: Lips | None) -> tuple[Channel, ...]:
+def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, ...]:
     """Return the channels that the score uses, highest default priority first."""
     movements: dict[str, dict[str, list[Movement]]] = defaultdict(lambda: defaultdict(list))
     for movement in score.movements:
@@ -103,7 +103,7 @@ def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
     }
 
 
-def _claims(name: str, layers: Sequence[LayerCurves], lips: Lips | None) -> list[PriorityClaim]:
+def _claims(name: str, layers: Sequence[LayerCurves], lips: CompiledLips | None) -> list[PriorityClaim]:
     """Return what decides the channel's priority; speech without a break counts as one movement."""
     claims = [step.claim() for layer in layers for step in layer.steps]
     if name == "lips" and lips is not None:

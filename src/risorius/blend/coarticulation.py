@@ -22,7 +22,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
-class Weights:
+class SegmentWeights:
     """Weights of segments at some times, as triples: segment, index of the time, weight; each shape (m,).
 
     They sum to 1 at each of the `count` times, or to 0 far from all segments.
@@ -33,13 +33,13 @@ class Weights:
     weight: Array
     count: int
 
-    def average(self, values: Array | Column) -> Array:
+    def average(self, values: Array | SegmentValues) -> Array:
         """Return the weighted average of one value per segment, shape (segments,), at the times: (count,)."""
         spread = np.bincount(self.time, self.weight * values[self.segment], self.count)
         return np.asarray(spread, dtype=np.float64)
 
 
-class Column:
+class SegmentValues:
     """A value of every segment, shape (segments,), kept small: most segments have one of a few."""
 
     def __init__(self, values: Array) -> None:
@@ -51,7 +51,7 @@ class Column:
         return np.asarray(self._distinct[self._number[segments]])
 
 
-class Shared:
+class SharedMappings:
     """Mappings of segments, many of which are the same object.
 
     `mappings`: each once; `number`: which of them each segment has, shape (segments,).
@@ -84,38 +84,38 @@ class Coarticulation(Protocol):
     def targets(self, parameter: str) -> Array:
         """Return each segment's target for the parameter, 0 where it has none, shape (segments,)."""
 
-    def weights(self, group: int, times: Array) -> Weights:
+    def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return the weights of one group's parameters at sorted times, shape (n,)."""
 
 
-Key = tuple[str, str]
+AverageKey = tuple[str, str]
 """What is averaged, and of which parameter."""
 TARGET = "target"
 AT_ONCE = 2048
 """Times for which weights are made at once: they are many times as large as the averages."""
 
 
-class Columns:
+class SegmentTable:
     """What is averaged by a model's weights: a value of every segment, by key. `model`: whose weights."""
 
-    def __init__(self, model: Coarticulation, values: Mapping[Key, Column]) -> None:
+    def __init__(self, model: Coarticulation, values: Mapping[AverageKey, SegmentValues]) -> None:
         self.model = model
         self.values = values
-        self._sharing: dict[int, list[Key]] = {}
+        self._sharing: dict[int, list[AverageKey]] = {}
         for key in values:
             self._sharing.setdefault(model.group(key[1]), []).append(key)
 
-    def sharing(self, group: int) -> Sequence[Key]:
+    def sharing(self, group: int) -> Sequence[AverageKey]:
         """Return the keys of all that is averaged by the weights of a group."""
         return self._sharing[group]
 
 
-class Averages:
+class SegmentAverages:
     """The averages of columns at sorted times, shape (n,): made with all of their group, given once."""
 
-    def __init__(self, columns: Columns, times: Array) -> None:
+    def __init__(self, columns: SegmentTable, times: Array) -> None:
         self._columns, self._times = columns, times
-        self._found: dict[Key, Array] = {}
+        self._found: dict[AverageKey, Array] = {}
 
     def __call__(self, name: str) -> Array:
         """Return the average of a target, shape (n,)."""
@@ -134,7 +134,7 @@ class Averages:
             self._found.update(made)
         return given
 
-    def _made(self, group: int) -> dict[Key, Array]:
+    def _made(self, group: int) -> dict[AverageKey, Array]:
         made = {key: np.empty(len(self._times)) for key in self._columns.sharing(group)}
         for first in range(0, len(self._times), AT_ONCE):
             part = slice(first, first + AT_ONCE)

@@ -17,10 +17,10 @@ from ..core.arrays import Array
 from ..core.parameters import RIVALS
 from ..registry import Registry
 from .channels import Channel
-from .limits import Limits
+from .limits import SpeechLimits
 from .tuning import Tuning
 
-Settle = Callable[[Channel, str, Array, Array], Array]
+Resolver = Callable[[Channel, str, Array, Array], Array]
 """(channel, parameter, times (n,), activity there (n,)) -> what is left of it (n,)."""
 
 
@@ -31,7 +31,7 @@ class Join(StrEnum):
     SUM = "sum"
 
 
-class Effect(StrEnum):
+class SuppressionEffect(StrEnum):
     """What a rival does to an activity; the rival completes the sentence."""
 
     INHIBITED = "inhibited by"
@@ -44,7 +44,7 @@ class Effect(StrEnum):
 class Suppressor:
     """The rival that makes an activity less than its movement requests, its channel, and when it acts."""
 
-    effect: Effect
+    effect: SuppressionEffect
     channel: str
     parameter: str
     time: float
@@ -55,7 +55,7 @@ class Policy(Protocol):
 
     join: Join
 
-    def at(self, times: Array) -> Settle:
+    def at(self, times: Array) -> Resolver:
         """Return the function that settles activities at some of the sorted times, shape (n,)."""
 
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
@@ -63,12 +63,12 @@ class Policy(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Field:
+class PolicyInputs:
     """What a policy is given: the channels, minimum durations and thresholds, and the limits of speech."""
 
     channels: Sequence[Channel]
     tuning: Tuning
-    limits: Limits | None
+    limits: SpeechLimits | None
 
     def rivals(self, channel: Channel, parameter: str, level: float) -> list[tuple[Channel, float, str]]:
         """Return every (other channel, its level, rival parameter) that outranks `level`."""
@@ -86,4 +86,4 @@ class Field:
         return duration * float(np.log2(1.0 + self.tuning.threshold[parameter]))
 
 
-POLICIES: Registry[Callable[[Field], Policy]] = Registry("conflict policy")
+POLICIES: Registry[Callable[[PolicyInputs], Policy]] = Registry("conflict policy")

@@ -17,7 +17,7 @@ import numpy as np
 from ..core.arrays import Array, IndexArray, UInt32Array
 from ..core.movement import Dominance, LipSegment
 from ..errors import InputError
-from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, Shared, Weights
+from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, SegmentWeights, SharedMappings
 from .intervals import ranges
 
 MARGIN = 0.08
@@ -53,9 +53,9 @@ class DominanceModel:
         self._groups: dict[bytes, int] = {}
         self._numbers: dict[Dominance, int] = {}
         # Segments of one class share their dominance, so it is looked up once for all of them.
-        self._held = Shared([s.dominance for s in segments])
+        self._held = SharedMappings([s.dominance for s in segments])
         self._first = self._held.first(segments)
-        self._aims = Shared([s.targets for s in segments])
+        self._aims = SharedMappings([s.targets for s in segments])
         self._group_of: dict[str, int] = {}
         # Of each group only the number of every segment's dominance is kept, so that long clips stay small.
         self._rows: list[UInt32Array] = []
@@ -87,7 +87,7 @@ class DominanceModel:
         """Return each segment's target, 0 where it has none, shape (segments,)."""
         return self._aims.column(parameter, 0.0)
 
-    def weights(self, group: int, times: Array) -> Weights:
+    def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return the dominance of each segment, divided by their sum, at sorted times."""
         near = self._near(times[0], times[-1])
         table = np.array([(d.magnitude, d.before, d.after, d.exponent, d.plateau) for d in self._numbers])
@@ -102,7 +102,7 @@ class DominanceModel:
         weight = _dominance(d, segment, times[time])
         total = np.bincount(time, weight, len(times))
         weight /= np.where(total > 0.0, total, 1.0)[time]
-        return Weights(near.start + segment, time, weight, len(times))
+        return SegmentWeights(near.start + segment, time, weight, len(times))
 
     def _near(self, first: float, last: float) -> slice:
         """Return the segments that may be felt at times from `first` to `last`."""

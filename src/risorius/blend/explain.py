@@ -22,7 +22,7 @@ from .contact import CONTACTS, SEAL, TUCK
 from .curve import Curve, Origin
 from .directions import shares_of
 from .limits import LIPS
-from .lips import Lips
+from .lips import CompiledLips
 from .manual import hidden
 from .mouth import JAW
 from .plan import Moment, Plan
@@ -34,19 +34,19 @@ _FIRST = np.zeros(1, dtype=np.intp)
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class Contribution:
     """What one movement, segment or drawn curve asks of a parameter at a time, and what it gets.
 
-    `label` names it, `cause` says why it exists. `asked` and `given` are deviations from the parameter's
-    neutral. `reason`: why it gets less than it asks, or does not show; "" if neither.
+    `label` names it, `cause` says why it exists. `requested` and `applied` are deviations from the
+    parameter's neutral. `reason`: why it gets less than it asks, or does not show; "" if neither.
     """
 
     channel: str
     layer: str
     label: str
     cause: Cause
-    asked: float
-    given: float
+    requested: float
+    applied: float
     reason: str = ""
 
     @property
@@ -62,8 +62,8 @@ class Explanation:
     time: float
     parameter: str
     value: float
-    winner: Part | None
-    losers: tuple[Part, ...]
+    winner: Contribution | None
+    losers: tuple[Contribution, ...]
     notes: tuple[str, ...]
 
 
@@ -79,68 +79,68 @@ def explain(source: Score | Plan, time: float, parameter: str) -> Explanation:
     if not 0.0 <= time <= plan.score.duration:
         raise InputError(f"time = {time} s is outside the score; expected 0 to {plan.score.duration:g} s")
     value = float(Moment(plan, np.array([time])).value(parameter)[0])
-    parts = _directed(plan, time, parameter) if parameter in SIGNED else _parts(plan, time, parameter)
+    contributions = _directed(plan, time, parameter) if parameter in SIGNED else _parts(plan, time, parameter)
     goal = _goal(plan, time, parameter)
-    parts = sorted([*goal, *parts], key=lambda p: -abs(p.given))
-    winner = parts[0] if parts and abs(parts[0].given) > _LEAST else None
-    losers = tuple(_lost(p, winner, plan.adds(parameter)) for p in parts if p is not winner)
-    notes = tuple(_notes(plan, time, parameter, value)) if parts else ()
+    contributions = sorted([*goal, *contributions], key=lambda p: -abs(p.applied))
+    winner = contributions[0] if contributions and abs(contributions[0].applied) > _LEAST else None
+    losers = tuple(_lost(p, winner, plan.adds(parameter)) for p in contributions if p is not winner)
+    notes = tuple(_notes(plan, time, parameter, value)) if contributions else ()
     return Explanation(time, parameter, value, winner, losers, notes)
 
 
-def _lost(part: Part, winner: Part | None, adds: bool) -> Part:
-    if part.reason or winner is None:
-        return part
-    return replace(part, reason="added" if adds else f"lower than {winner.what} ({winner.channel})")
+def _lost(contribution: Contribution, winner: Contribution | None, adds: bool) -> Contribution:
+    if contribution.reason or winner is None:
+        return contribution
+    return replace(contribution, reason="added" if adds else f"lower than {winner.what} ({winner.channel})")
 
 
-def _parts(plan: Plan, time: float, name: str) -> list[Part]:
+def _parts(plan: Plan, time: float, name: str) -> list[Contribution]:
     """All that moves a muscle, contact or the tongue at a time."""
     moment = Moment(plan, np.array([time]))
     own = moment.own(name)
-    found: list[Part] = []
+    found: list[Contribution] = []
     for channel in plan.channels:
         for curve in channel.curves.get(name, ()):
-            asked = _value(curve, time)
-            if abs(asked) <= _LEAST:
+            requested = _value(curve, time)
+            if abs(requested) <= _LEAST:
                 found.extend(_replaced(channel, curve, time))
                 continue
-            kept = moment.settle(channel, name, moment.times, np.array([asked]))
+            kept = moment.resolve(channel, name, moment.times, np.array([requested]))
             shared = limited = kept
             if channel.name != LIPS:
                 shared = moment.shared(channel, name, _FIRST, kept, own)
                 limited = moment.limited(channel, name, _FIRST, shared, own)
-            levels = (asked, float(kept[0]), float(shared[0]), float(limited[0]))
-            part = _part(channel.name, curve.origin(time))
+            levels = (requested, float(kept[0]), float(shared[0]), float(limited[0]))
+            contribution = _contribution(channel.name, curve.origin(time))
             reason = _reason(plan, channel, name, time, levels)
-            found.append(replace(part, asked=asked, given=levels[-1], reason=reason))
+            found.append(replace(contribution, requested=requested, applied=levels[-1], reason=reason))
     return found
 
 
-def _directed(plan: Plan, time: float, name: str) -> list[Part]:
+def _directed(plan: Plan, time: float, name: str) -> list[Contribution]:
     """All that turns the head or the eyes at a time."""
     terms = Moment(plan, np.array([time])).terms(name)
     shares = shares_of(name, [term for _, term in terms])
     found = []
     for ((channel, curve), term), share in zip(terms, shares, strict=True):
-        asked, given = float(term[0]), float(share[0])
-        if abs(asked) > _LEAST:
-            smaller = "added, made smaller by the others" if abs(given) < abs(asked) - _LEAST else ""
-            part = _part(channel.name, curve.origin(time))
-            found.append(replace(part, asked=asked, given=given, reason=smaller))
+        requested, applied = float(term[0]), float(share[0])
+        if abs(requested) > _LEAST:
+            smaller = "added, made smaller by the others" if abs(applied) < abs(requested) - _LEAST else ""
+            contribution = _contribution(channel.name, curve.origin(time))
+            found.append(replace(contribution, requested=requested, applied=applied, reason=smaller))
         found.extend(_replaced(channel, curve, time))
     return found
 
 
-def _replaced(channel: Channel, curve: Curve, time: float) -> Iterator[Part]:
+def _replaced(channel: Channel, curve: Curve, time: float) -> Iterator[Contribution]:
     """What asks for something where a curve drawn by hand stands in its place."""
-    asked = float(hidden(curve, np.array([time]))[0])
-    if abs(asked) > _LEAST:
-        part = _part(channel.name, curve.origin(time))
-        yield replace(part, asked=asked, reason="replaced by the curve drawn by hand")
+    requested = float(hidden(curve, np.array([time]))[0])
+    if abs(requested) > _LEAST:
+        contribution = _contribution(channel.name, curve.origin(time))
+        yield replace(contribution, requested=requested, reason="replaced by the curve drawn by hand")
 
 
-def _goal(plan: Plan, time: float, name: str) -> list[Part]:
+def _goal(plan: Plan, time: float, name: str) -> list[Contribution]:
     if name not in CONTACTS or plan.lips is None:
         return []
     rig = plan.lips.mouth.shapes.rig
@@ -149,12 +149,12 @@ def _goal(plan: Plan, time: float, name: str) -> list[Part]:
     found = []
     for goal in plan.lips.goals[name].goals:
         if goal.start - goal.ramp_in < time < goal.end + goal.ramp_out:
-            part = _part(LIPS, plan.lips.mouth.segments[goal.segment])
-            found.append(replace(part, asked=goal.value, given=float(goal.at(time))))
+            contribution = _contribution(LIPS, plan.lips.mouth.segments[goal.segment])
+            found.append(replace(contribution, requested=goal.value, applied=float(goal.at(time))))
     return found
 
 
-def _seal(plan: Plan, lips: Lips, rig: LipRig, time: float) -> list[Part]:
+def _seal(plan: Plan, lips: CompiledLips, rig: LipRig, time: float) -> list[Contribution]:
     """What the seal takes of the gap beyond what the segments ask for.
 
     That is the closure nearby, or else the segment that others would part further than it wants.
@@ -167,14 +167,14 @@ def _seal(plan: Plan, lips: Lips, rig: LipRig, time: float) -> list[Part]:
     number = min(near, key=lambda n: near[n], default=0)
     if near.get(number, np.inf) > _NEARBY:
         number = next((n for n, s in enumerate(segments) if s.start <= time < s.end), len(segments) - 1)
-    return [replace(_part(LIPS, segments[number]), asked=seal, given=seal)]
+    return [replace(_contribution(LIPS, segments[number]), requested=seal, applied=seal)]
 
 
 def _reason(plan: Plan, channel: Channel, name: str, time: float, levels: Sequence[float]) -> str:
     """Why less is left after the policy, the jaw's sharing and the lips' limits than was asked."""
-    asked, kept, shared, limited = levels
+    requested, kept, shared, limited = levels
     reasons = []
-    if kept < asked - _LEAST:
+    if kept < requested - _LEAST:
         suppressor = plan.policy.suppressor(channel, name, time)
         if suppressor is not None:
             reasons.append(_because(plan, suppressor))
@@ -183,18 +183,18 @@ def _reason(plan: Plan, channel: Channel, name: str, time: float, levels: Sequen
     if limited < shared - _LEAST and plan.lips is not None:
         mouth = plan.lips.mouth
         segment = mouth.segments[mouth.block_at(time).limiting(name, time)]
-        reasons.append(f"limited by {_part(LIPS, segment).what}")
+        reasons.append(f"limited by {_contribution(LIPS, segment).what}")
     return "; ".join(reasons)
 
 
 def _because(plan: Plan, suppressor: Suppressor) -> str:
     """Say what a rival does, and what caused the rival."""
     channel = next(c for c in plan.channels if c.name == suppressor.channel)
-    asked = {
-        _part(channel.name, curve.origin(suppressor.time)).what: _value(curve, suppressor.time)
+    requested = {
+        _contribution(channel.name, curve.origin(suppressor.time)).what: _value(curve, suppressor.time)
         for curve in channel.curves[suppressor.parameter]
     }
-    what = max(asked, key=lambda found: asked[found])
+    what = max(requested, key=lambda found: requested[found])
     return f"{suppressor.effect} {suppressor.parameter} of {what} ({suppressor.channel})"
 
 
@@ -203,14 +203,14 @@ def _value(curve: Curve, time: float) -> float:
     return float(values[0]) if len(values) else 0.0
 
 
-def _part(channel: str, origin: Origin) -> Part:
+def _contribution(channel: str, origin: Origin) -> Contribution:
     """A movement, segment or drawn curve as a part, yet without values."""
     if isinstance(origin, Movement):
-        return Part(channel, origin.layer, origin.label, origin.cause, 0.0, 0.0)
+        return Contribution(channel, origin.layer, origin.label, origin.cause, 0.0, 0.0)
     if isinstance(origin, LipSegment):
         label = f"/{origin.phone}/" if origin.phone else "silence"
-        return Part(channel, "", label, origin.cause, 0.0, 0.0)
-    return Part(channel, "", "drawn by hand", origin.cause, 0.0, 0.0)
+        return Contribution(channel, "", label, origin.cause, 0.0, 0.0)
+    return Contribution(channel, "", "drawn by hand", origin.cause, 0.0, 0.0)
 
 
 def _notes(plan: Plan, time: float, name: str, value: float) -> Iterator[str]:

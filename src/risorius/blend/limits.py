@@ -14,20 +14,20 @@ from .channels import Channel
 from .intervals import EMPTY, Spans
 from .knots import eased, lowest, paced, rounded
 from .levels import Levels, outranking, outranks
-from .mouth import JAW, Block, Mouth
+from .mouth import JAW, KnotBlock, SpeechMouth
 
 LIPS = "lips"
 ROUNDED = 0.04
 """Seconds over which what a channel keeps turns from falling to rising: no corner is seen in a jaw."""
 
 
-class Limits:
+class SpeechLimits:
     """The limits of speech on every other channel. `lips`: the priority of speech.
 
     A channel that outranks speech is bound by closures only.
     """
 
-    def __init__(self, mouth: Mouth, lips: Levels) -> None:
+    def __init__(self, mouth: SpeechMouth, lips: Levels) -> None:
         self.mouth, self._lips = mouth, lips
 
     def bind(self, channel: Channel, name: str) -> bool:
@@ -70,7 +70,7 @@ class Limits:
         free = len(outranking(channel.levels, self._lips)) > 0
         return self.mouth.forbidden(name, threshold, closures_only=free)
 
-    def _kept(self, block: Block, channel: Channel, name: str) -> Array:
+    def _kept(self, block: KnotBlock, channel: Channel, name: str) -> Array:
         """The share that a channel keeps, at a block's knots."""
         key = (channel.name, name)
         if key not in block.kept:

@@ -19,7 +19,7 @@ from .coarticulation import LIP_MODELS, without_gaps
 from .concatenate import SIGNED
 from .contact import CONTACTS, GoalCurve, contact_goals
 from .intervals import Extent, Spans, merged
-from .mouth import Mouth, limits_in_force
+from .mouth import SpeechMouth, limits_in_force
 from .shapes import Shapes, performed
 from .tuning import Tuning
 
@@ -30,7 +30,7 @@ _GRIDS = 3
 """Sets of times whose curves are kept: policies sample at theirs between the parameters of a caller's."""
 
 
-class Lips:
+class CompiledLips:
     """All that a score's lip segments do.
 
     `parameters`: those that some segment targets, contacts apart; `goals`: the curve of each contact;
@@ -46,7 +46,7 @@ class Lips:
         self.parameters = shapes.parameters
         goals = contact_goals(segments) if score.settings.contact else ()
         self.goals = {name: GoalCurve([g for g in goals if g.contact == name]) for name in CONTACTS}
-        self.mouth = Mouth(given, limits_in_force(segments, goals), self.model, shapes, goals, tuning)
+        self.mouth = SpeechMouth(given, limits_in_force(segments, goals), self.model, shapes, goals, tuning)
         spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
         self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
         self._sampled: tuple[tuple[Array, Mapping[str, Array]], ...] = ()
@@ -70,7 +70,7 @@ class Lips:
 class LipCurve:
     """One parameter of the lip segments."""
 
-    def __init__(self, lips: Lips, parameter: str) -> None:
+    def __init__(self, lips: CompiledLips, parameter: str) -> None:
         self._lips, self._parameter = lips, parameter
 
     def sample(self, times: Array) -> tuple[IndexArray, Array]:

@@ -31,7 +31,7 @@ from ..core.functions import minimum_jerk
 from ..core.movement import LipSegment
 from ..core.parameters import BASES, INDEX, PARAMETERS, Parameter
 from ..core.utterance import SILENCE
-from .coarticulation import LIP_MODELS, Shared, Weights
+from .coarticulation import LIP_MODELS, SegmentWeights, SharedMappings
 from .intervals import ranges
 
 OPPOSED = 0.3
@@ -51,8 +51,8 @@ class LookAheadModel:
     """Coarticulation by looking ahead (see `coarticulation.Coarticulation`)."""
 
     def __init__(self, segments: Sequence[LipSegment]) -> None:
-        self._aims = Shared([s.targets for s in segments])
-        self._yields = Shared([s.yields for s in segments])
+        self._aims = SharedMappings([s.targets for s in segments])
+        self._yields = SharedMappings([s.yields for s in segments])
         self._start = np.array([s.start for s in segments])
         self._end = np.array([s.end for s in segments])
         self._silent = np.array([s.phone == SILENCE for s in segments])
@@ -81,7 +81,7 @@ class LookAheadModel:
             self._targets[parameter] = _opposed(own[taken])
         return self._targets[parameter]
 
-    def weights(self, group: int, times: Array) -> Weights:
+    def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return the weight of each segment at sorted times."""
         if group not in self._steps:
             self._steps[group] = self._steps_of(self._names[group])
@@ -95,7 +95,7 @@ class LookAheadModel:
         owner, time = ranges(low, high)
         segment, t = chosen[owner], times[time]
         weight = _step(t, start[segment], end[segment]) - _step(t, leaves[segment], left[segment])
-        return Weights(segment, time, np.maximum(weight, 0.0), len(times))
+        return SegmentWeights(segment, time, np.maximum(weight, 0.0), len(times))
 
     def _steps_of(self, name: str) -> tuple[Array, Array]:
         """Return when the step to each segment begins and ends; that to the first one lies before all."""

@@ -17,7 +17,14 @@ from ..core.movement import LipSegment
 from ..core.parameters import RIVALS
 from ..core.utterance import SILENCE
 from .approach import Approach
-from .coarticulation import TARGET, Averages, Coarticulation, Column, Columns, Shared
+from .coarticulation import (
+    TARGET,
+    Coarticulation,
+    SegmentAverages,
+    SegmentTable,
+    SegmentValues,
+    SharedMappings,
+)
 from .contact import CONTACTS, SEAL, Goal
 from .intervals import EMPTY, Spans, above_line, spans_between, union
 from .knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope
@@ -29,7 +36,7 @@ STEP = 0.005
 """Seconds between knots at most."""
 HAIR = 1e-9
 """A limit or average that equals a threshold, but for rounding, is not above it."""
-Limits = Mapping[str, tuple[float, float]]
+SegmentLimits = Mapping[str, tuple[float, float]]
 """The lower and upper limit of each parameter that a segment limits."""
 JAW = "masseter"
 JAW_AT_SEAL = 0.2
@@ -38,7 +45,7 @@ SPEAKS, LOW, MISSING = "speaks", "low", "missing"
 """Averaged besides targets: 1 for all but silence; a lower limit; what an upper limit leaves to 1."""
 
 
-class Mouth:
+class SpeechMouth:
     """What the lip segments ask of the rest of the face.
 
     `segments`: sorted, without gaps, at least one; `limits`: those of each in force; `model`, `shapes` and
@@ -48,7 +55,7 @@ class Mouth:
     def __init__(
         self,
         segments: Sequence[LipSegment],
-        limits: Sequence[Limits],
+        limits: Sequence[SegmentLimits],
         model: Coarticulation,
         shapes: Shapes,
         goals: Sequence[Goal],
@@ -61,27 +68,29 @@ class Mouth:
         self.approach = Approach(goals)
         self.tuning = tuning
         self.limits = tuple(limits)
-        self._shared = Shared(self.limits)
+        self._shared = SharedMappings(self.limits)
         self.limited = frozenset(name for held in self._shared.mappings for name in held)
         self.raised = frozenset(n for m in self._shared.mappings for n, (low, _) in m.items() if low > 0.0)
-        targets = {(TARGET, name): Column(model.targets(name)) for name in shapes.averaged}
-        self._targets = Columns(model, targets)
+        targets = {(TARGET, name): SegmentValues(model.targets(name)) for name in shapes.averaged}
+        self._targets = SegmentTable(model, targets)
         self._found: dict[tuple[str, str, float], Spans] = {}
         self._margin = model.reach + tuning.longest
         times = {t for s in segments for t in (s.start, s.end)} | {t for g in goals for t in (g.start, g.end)}
         self._knots = Knots(np.array(sorted(times), dtype=np.float64), STEP, self._margin)
         self.edges = self._knots.edges
         # Times asked for lie in one block and perhaps a little on both sides.
-        self.block: Callable[[int], Block] = lru_cache(maxsize=3)(self._block)
+        self.block: Callable[[int], KnotBlock] = lru_cache(maxsize=3)(self._block)
 
     @cached_property
-    def columns(self) -> Columns:
+    def columns(self) -> SegmentTable:
         """What is averaged over the segments on the knots of blocks."""
-        speaks = Column(np.array([float(s.phone != SILENCE) for s in self.segments]))
+        speaks = SegmentValues(np.array([float(s.phone != SILENCE) for s in self.segments]))
         names = sorted(set(self.alike.values()))
-        lows = {(LOW, name): Column(self._everywhere(name)[0]) for name in names if name in self.raised}
-        missing = {(MISSING, name): Column(self.missing(name)) for name in names}
-        return Columns(self.model, {**self._targets.values, (SPEAKS, JAW): speaks, **lows, **missing})
+        lows = {
+            (LOW, name): SegmentValues(self._everywhere(name)[0]) for name in names if name in self.raised
+        }
+        missing = {(MISSING, name): SegmentValues(self.missing(name)) for name in names}
+        return SegmentTable(self.model, {**self._targets.values, (SPEAKS, JAW): speaks, **lows, **missing})
 
     @cached_property
     def alike(self) -> Mapping[str, str]:
@@ -109,7 +118,7 @@ class Mouth:
 
     def spoken_at(self, times: Array) -> Mapping[str, Array]:
         """Return the segments' own curves by parameter at sorted times, shape (n,) each."""
-        return self.shapes.values(self.approach.reached(Averages(self._targets, times), times))
+        return self.shapes.values(self.approach.reached(SegmentAverages(self._targets, times), times))
 
     def own_at(self, name: str, times: Array) -> Array:
         """Return the segments' own curve of a parameter at sorted times, shape (n,), by lines."""
@@ -117,7 +126,7 @@ class Mouth:
 
     def speaking_at(self, times: Array) -> Array:
         """Return how much the mouth speaks at sorted times, 0..1, shape (n,)."""
-        return self.interpolated(Block.speaking, times)
+        return self.interpolated(KnotBlock.speaking, times)
 
     def low_at(self, name: str, times: Array) -> Array:
         """Return the lower limit of a parameter at sorted times, shape (n,)."""
@@ -133,9 +142,9 @@ class Mouth:
 
     def jaw_at_seal(self, times: Array) -> Array:
         """Return how far the jaw may be open, given the seals, at sorted times, shape (n,)."""
-        return self.interpolated(Block.jaw_at_seal, times)
+        return self.interpolated(KnotBlock.jaw_at_seal, times)
 
-    def interpolated(self, curve: Callable[[Block], Array], times: Array) -> Array:
+    def interpolated(self, curve: Callable[[KnotBlock], Array], times: Array) -> Array:
         """Return a curve given on the knots of each block, at sorted times, shape (n,)."""
         numbers = np.floor(times / BLOCK)
         values = np.empty(len(times))
@@ -145,7 +154,7 @@ class Mouth:
             values[first:last] = np.interp(times[first:last], block.knots, curve(block))
         return values
 
-    def block_at(self, time: float) -> Block:
+    def block_at(self, time: float) -> KnotBlock:
         """Return the block in which a time lies."""
         return self.block(block_number(time))
 
@@ -162,7 +171,7 @@ class Mouth:
         return self._scan("high", name, threshold, lambda b, n, t: b.below(b.high(n), t))
 
     def _scan(
-        self, kind: str, name: str, threshold: float, find: Callable[[Block, str, float], Spans]
+        self, kind: str, name: str, threshold: float, find: Callable[[KnotBlock, str, float], Spans]
     ) -> Spans:
         """Look through all blocks, for every parameter that might be asked for, so that each is made once."""
         if (kind, name, threshold) not in self._found:
@@ -175,21 +184,21 @@ class Mouth:
             self._found.update({(kind, *key): union(spans) for key, spans in found.items()})
         return self._found[kind, name, threshold]
 
-    def _block(self, number: int) -> Block:
-        return Block(self, block_knots(self._knots, number, self._margin))
+    def _block(self, number: int) -> KnotBlock:
+        return KnotBlock(self, block_knots(self._knots, number, self._margin))
 
 
-class Block:
+class KnotBlock:
     """The knots of one block of time, shape (n,), and curves on them, made when first asked for.
 
     `kept`: what each channel keeps of each parameter (see `limits`).
     """
 
-    def __init__(self, mouth: Mouth, knots: Array) -> None:
+    def __init__(self, mouth: SpeechMouth, knots: Array) -> None:
         self.knots = knots
         self._mouth = mouth
         self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
-        self._averages = Averages(mouth.columns, knots)
+        self._averages = SegmentAverages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
         self.kept: dict[tuple[str, str], Array] = {}
 
@@ -301,10 +310,10 @@ class Block:
         return envelope(self.knots, limit, tuning.min_onset[name], tuning.min_offset[name])
 
 
-def limits_in_force(segments: Sequence[LipSegment], goals: Sequence[Goal]) -> tuple[Limits, ...]:
+def limits_in_force(segments: Sequence[LipSegment], goals: Sequence[Goal]) -> tuple[SegmentLimits, ...]:
     """Return the limits of each segment: none of silence, nor of one whose contact goals are switched off."""
     closing = {g.segment for g in goals}
-    none: Limits = {}
+    none: SegmentLimits = {}
     return tuple(
         s.limits if s.phone != SILENCE and (i in closing or not _touches(s)) else none
         for i, s in enumerate(segments)

@@ -24,15 +24,15 @@ from .approach import Parted
 from .channels import Channel, compile_channels
 from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
-from .conflict import POLICIES, Field, Join
+from .conflict import POLICIES, Join, PolicyInputs
 from .contact import CONTACTS, SEAL, TUCK, beside_tuck
 from .curve import Curve
 from .directions import combine_directions
 from .knots import BLOCK
 from .levels import steady
-from .limits import LIPS, Limits
-from .lips import Lips
-from .mouth import JAW, Mouth
+from .limits import LIPS, SpeechLimits
+from .lips import CompiledLips
+from .mouth import JAW, SpeechMouth
 from .tuning import tune
 
 CHUNK = 16_384
@@ -53,16 +53,16 @@ class Plan:
         LIP_MODELS.get(score.settings.lips)
         self.score, self.rig = score, rig
         self.tuning = tune(score.settings)
-        self.lips: Lips | None
+        self.lips: CompiledLips | None
         if like is not None and like.rig is rig and _speak_alike(like.score, score):
             self.lips = like.lips
         else:
-            self.lips = Lips(score, self.tuning, rig) if score.lips else None
+            self.lips = CompiledLips(score, self.tuning, rig) if score.lips else None
         self.channels = compile_channels(score, self.lips)
         levels = next((c.levels for c in self.channels if c.name == LIPS), steady(CHANNEL_PRIORITY[LIPS]))
-        self.limits = Limits(self.lips.mouth, levels) if self.lips else None
-        self.field = Field(self.channels, self.tuning, self.limits)
-        self.policy = policy(self.field)
+        self.limits = SpeechLimits(self.lips.mouth, levels) if self.lips else None
+        self.inputs = PolicyInputs(self.channels, self.tuning, self.limits)
+        self.policy = policy(self.inputs)
         limited = self.lips.mouth.limited if self.lips else frozenset()
         contacts = CONTACTS if self.lips else ()
         self.moving = sorted({*(n for c in self.channels for n in c.curves), *limited, *contacts})
@@ -116,7 +116,7 @@ class Moment:
 
     def __init__(self, plan: Plan, times: Array) -> None:
         self.plan, self.times = plan, times
-        self.settle = plan.policy.at(times)
+        self.resolve = plan.policy.at(times)
         self._limits = plan.limits
         self._mouth = plan.lips.mouth if plan.lips else None
         self._values: dict[str, Array] = {}
@@ -149,18 +149,18 @@ class Moment:
         dense = np.zeros(len(self.times))
         for channel in self.plan.channels:
             if channel.name == LIPS and name in channel.curves:
-                index, values = self.settled(channel, name)
+                index, values = self.resolved(channel, name)
                 dense[index] = values
         return dense
 
-    def settled(self, channel: Channel, name: str) -> tuple[IndexArray, Array]:
+    def resolved(self, channel: Channel, name: str) -> tuple[IndexArray, Array]:
         """Return where a channel moves a parameter and what the policy leaves of it, both shape (m,)."""
         index, values = channel.sample(name, self.times)
-        return index, self.settle(channel, name, self.times[index], values)
+        return index, self.resolve(channel, name, self.times[index], values)
 
-    def bounded(self, channel: Channel, name: str, index: IndexArray, settled: Array, own: Array) -> Array:
+    def bounded(self, channel: Channel, name: str, index: IndexArray, resolved: Array, own: Array) -> Array:
         """Return what is left of another channel's settled values, at the indices, under speech, (m,)."""
-        return self.limited(channel, name, index, self.shared(channel, name, index, settled, own), own)
+        return self.limited(channel, name, index, self.shared(channel, name, index, resolved, own), own)
 
     def shared(self, channel: Channel, name: str, index: IndexArray, values: Array, own: Array) -> Array:
         """Return another channel's values, the jaw's as what it adds to the jaw of speech, shape (m,)."""
@@ -181,7 +181,7 @@ class Moment:
         for channel in self.plan.channels:
             if channel.name == LIPS or name not in channel.curves:
                 continue
-            index, values = self.settled(channel, name)
+            index, values = self.resolved(channel, name)
             values = self.bounded(channel, name, index, values, own)
             others[index] = others[index] + values if adds else np.maximum(others[index], values)
         total = own + others if self.plan.adds(name) else np.maximum(own, others)
@@ -209,12 +209,12 @@ class Moment:
         kept = np.divide(1.0 - value, 1.0 - own, out=np.ones(len(own)), where=own < value)
         return (1.0 - (1.0 - seal) * kept) * beside_tuck(tuck)
 
-    def sealed(self, lips: Lips, rig: LipRig) -> tuple[Array, Array]:
+    def sealed(self, lips: CompiledLips, rig: LipRig) -> tuple[Array, Array]:
         """Return the seal that the segments ask for, and with what brings the gap to it, shape (n,) both."""
         own = lips.at(SEAL, self.times) if SEAL in lips.parameters else np.zeros(len(self.times))
         return own, lips.mouth.approach.sealed(own, self.times, self._parted(lips.mouth, rig))
 
-    def _parted(self, mouth: Mouth, rig: LipRig) -> Parted | None:
+    def _parted(self, mouth: SpeechMouth, rig: LipRig) -> Parted | None:
         """Return how lips and others part the mouth; None where the others do not."""
         if not self._others_open():
             return None

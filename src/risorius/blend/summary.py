@@ -46,7 +46,7 @@ def _count(moment: Moment, name: str, tallies: dict[str, Tally]) -> None:
         if name not in channel.curves:
             continue
         _, asked = channel.sample(name, moment.times)
-        index, given = moment.settled(channel, name)
+        index, given = moment.resolved(channel, name)
         if channel.name != LIPS:
             given = moment.bounded(channel, name, index, given, own)
         tally, active = tallies[channel.name], asked > _LEAST

@@ -26,7 +26,7 @@ def _at(moment: Moment) -> Array:
             if name in SIGNED:
                 continue
             index, asked = channel.sample(name, moment.times)
-            _, left = moment.settled(channel, name)
+            _, left = moment.resolved(channel, name)
             column = INDEX[name]
             result[index, column] = np.maximum(result[index, column], asked - left)
     return result

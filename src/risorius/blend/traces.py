@@ -25,28 +25,28 @@ Run = tuple[int, int]
 class Trace:
     """A channel's part in one parameter, as deviations from its neutral, at n times.
 
-    `asked`: what its movements want; `given`: what is left of it after the policy, the jaw's sharing and the
-    limits of speech; both shape (n,).
+    `requested`: what its movements want; `applied`: what is left of it after the policy, the jaw's sharing
+    and the limits of speech; both shape (n,).
     """
 
     channel: str
-    asked: Array
-    given: Array
+    requested: Array
+    applied: Array
 
     @property
     def inhibited(self) -> tuple[Run, ...]:
         """Runs [first, last] of indices at which something was asked and nothing is left."""
-        return tuple(_runs(self._active & (np.abs(self.given) <= _LEAST)))
+        return tuple(_runs(self._active & (np.abs(self.applied) <= _LEAST)))
 
     @property
     def limited(self) -> tuple[Run, ...]:
         """Runs [first, last] of indices at which less than was asked is left, but something."""
-        less = np.abs(self.given) < np.abs(self.asked) - _LEAST
-        return tuple(_runs(self._active & less & (np.abs(self.given) > _LEAST)))
+        less = np.abs(self.applied) < np.abs(self.requested) - _LEAST
+        return tuple(_runs(self._active & less & (np.abs(self.applied) > _LEAST)))
 
     @property
     def _active(self) -> BoolArray:
-        return np.asarray(np.abs(self.asked) > _LEAST)
+        return np.asarray(np.abs(self.requested) > _LEAST)
 
 
 def _runs(mask: BoolArray) -> Iterator[Run]:
@@ -68,9 +68,9 @@ def traces(plan: Plan, parameter: str, times: Array) -> tuple[Trace, ...]:
     start = 0
     for batch in plan.batches(wanted) if len(wanted) else ():
         moment, here = Moment(plan, batch), slice(start, start + len(batch))
-        for channel, asked, given in (_turned if parameter in SIGNED else _moved)(moment, parameter):
-            found[channel].asked[here] += asked
-            found[channel].given[here] += given
+        for channel, requested, applied in (_turned if parameter in SIGNED else _moved)(moment, parameter):
+            found[channel].requested[here] += requested
+            found[channel].applied[here] += applied
         start += len(batch)
     return tuple(found.values())
 
@@ -86,14 +86,14 @@ def _moved(moment: Moment, name: str) -> Iterator[tuple[str, Array, Array]]:
     own = moment.own(name)
     for channel in moment.plan.channels:
         if name in channel.curves:
-            yield channel.name, *_part(moment, channel, name, own)
+            yield channel.name, *_contribution(moment, channel, name, own)
 
 
-def _part(moment: Moment, channel: Channel, name: str, own: Array) -> tuple[Array, Array]:
-    asked, given = np.zeros((2, len(moment.times)))
+def _contribution(moment: Moment, channel: Channel, name: str, own: Array) -> tuple[Array, Array]:
+    requested, applied = np.zeros((2, len(moment.times)))
     index, values = channel.sample(name, moment.times)
-    asked[index] = values
-    left = moment.settle(channel, name, moment.times[index], values)
-    given[index] = left if channel.name == LIPS else moment.bounded(channel, name, index, left, own)
+    requested[index] = values
+    left = moment.resolve(channel, name, moment.times[index], values)
+    applied[index] = left if channel.name == LIPS else moment.bounded(channel, name, index, left, own)
     replaced = [hidden(curve, moment.times) for curve in channel.curves[name]]
-    return np.maximum(asked, np.max(replaced, axis=0)), given
+    return np.maximum(requested, np.max(replaced, axis=0)), applied

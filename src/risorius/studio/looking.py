@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable
 
-from ..blend import Explanation, Trace
-from ..blend import Part as Told
+from ..blend import Contribution, Explanation, Trace
 from ..core.action_units import resolve_targets
 from ..core.movement import Movement
 from ..core.parameters import INDEX, PARAMETERS
@@ -36,11 +35,11 @@ def _reason(e: Explanation, ids: set[str]) -> wire.Reason:
     return wire.Reason(e.parameter, e.value, PARAMETERS[INDEX[e.parameter]].unit, winner, losers, e.notes)
 
 
-def _part(part: Told, ids: set[str]) -> wire.Part:
+def _part(part: Contribution, ids: set[str]) -> wire.Part:
     cause = part.cause
     block = part.label if part.label in ids else ""
     return wire.Part(
-        part.channel, part.what, cause.rule, cause.place, part.asked, part.given, part.reason, block
+        part.channel, part.what, cause.rule, cause.place, part.requested, part.applied, part.reason, block
     )
 
 
@@ -59,7 +58,7 @@ def _channel(trace: Trace, take: Take) -> wire.ChannelCurve:
         """Return from when to when, each frame standing for the time up to the next."""
         return tuple((float(times[first]), float(times[last]) + step) for first, last in runs)
 
-    asked, given = packed(trace.asked), packed(trace.given)
+    asked, given = packed(trace.requested), packed(trace.applied)
     return wire.ChannelCurve(trace.channel, asked, given, spans(trace.inhibited), spans(trace.limited))
 
 

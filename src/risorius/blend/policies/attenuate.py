@@ -6,7 +6,7 @@ import numpy as np
 
 from ...core.arrays import Array
 from ..channels import Channel
-from ..conflict import POLICIES, Field, Join, Settle, Suppressor
+from ..conflict import POLICIES, Join, PolicyInputs, Resolver, Suppressor
 from .strength import Strengths
 
 SHARE = 0.8
@@ -19,26 +19,26 @@ class Attenuate:
 
     join = Join.MAX
 
-    def __init__(self, field: Field) -> None:
-        self._field = field
+    def __init__(self, inputs: PolicyInputs) -> None:
+        self._inputs = inputs
 
     def _strengths(self, times: Array) -> Strengths:
         return Strengths(
-            self._field,
+            self._inputs,
             times,
             lambda rival, activity: activity,
             lambda _channel, _parameter, x: 1.0 - SHARE * x,
         )
 
-    def at(self, times: Array) -> Settle:
+    def at(self, times: Array) -> Resolver:
         """Return the function that settles activities at some of the sorted times."""
         strengths = self._strengths(times)
 
-        def settle(channel: Channel, parameter: str, own: Array, values: Array) -> Array:
+        def resolve(channel: Channel, parameter: str, own: Array, values: Array) -> Array:
             gain = strengths.gain(channel, parameter)
             return values * (gain if len(own) == len(times) else gain[np.searchsorted(times, own)])
 
-        return settle
+        return resolve
 
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """Return the rival that takes most of an activity, or None."""

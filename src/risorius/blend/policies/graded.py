@@ -16,7 +16,7 @@ import numpy as np
 from ...core.arrays import Array
 from ...core.parameters import RIVALS
 from ..channels import Channel
-from ..conflict import POLICIES, Field, Join, Settle, Suppressor
+from ..conflict import POLICIES, Join, PolicyInputs, Resolver, Suppressor
 from ..knots import LEAST_ASKED, STEEPEST, Knots, eased, paced, smoothstep
 from .strength import Strengths
 
@@ -34,22 +34,22 @@ class Graded:
 
     join = Join.MAX
 
-    def __init__(self, field: Field) -> None:
-        self._field = field
+    def __init__(self, inputs: PolicyInputs) -> None:
+        self._inputs = inputs
         curves = [
-            k for c in field.channels for name, drawn in c.curves.items() if RIVALS[name] for k in drawn
+            k for c in inputs.channels for name, drawn in c.curves.items() if RIVALS[name] for k in drawn
         ]
-        changes = [c.levels.times[1:] for c in field.channels]
+        changes = [c.levels.times[1:] for c in inputs.channels]
         times = np.unique(np.concatenate([*(curve.breakpoints() for curve in curves), *changes, []]))
         self._knots = Knots(times[np.isfinite(times)] if len(times) else np.zeros(1), STEP)
         # Each level settled may carry a change one minimum duration further.
-        levels = {level for c in field.channels for level in c.levels.distinct}
-        self._margin = field.tuning.longest * (len(levels) + 1)
+        levels = {level for c in inputs.channels for level in c.levels.distinct}
+        self._margin = inputs.tuning.longest * (len(levels) + 1)
         self._cells = lru_cache(maxsize=3)(self._make_cells)
 
     def _make_cells(self, first: int, last: int) -> Strengths:
         knots = self._knots.between(first * CELL - self._margin, last * CELL + self._margin)
-        threshold, tuning = self._field.tuning.threshold, self._field.tuning
+        threshold, tuning = self._inputs.tuning.threshold, self._inputs.tuning
 
         def strength(rival: str, activity: Array) -> Array:
             return np.clip((activity - threshold[rival]) / WIDTH, 0.0, 1.0)
@@ -61,16 +61,16 @@ class Graded:
             clock = paced(knots, channel.lines(parameter, knots))
             return eased(clock, smoothstep(1.0 - strongest), onset, offset)
 
-        return Strengths(self._field, knots, strength, kept)
+        return Strengths(self._inputs, knots, strength, kept)
 
-    def at(self, times: Array) -> Settle:
+    def at(self, times: Array) -> Resolver:
         """Return the function that settles activities at some of the sorted times."""
         found = self._around(times[0], times[-1])
 
-        def settle(channel: Channel, parameter: str, times: Array, values: Array) -> Array:
+        def resolve(channel: Channel, parameter: str, times: Array, values: Array) -> Array:
             return values * np.interp(times, found.times, found.gain(channel, parameter))
 
-        return settle
+        return resolve
 
     def _around(self, first: float, last: float) -> Strengths:
         """Return what is settled in the cells of some times: few are quickly worked."""
@@ -79,7 +79,7 @@ class Graded:
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """Return the rival that takes most of an activity, or None."""
         found = self._around(time, time)
-        tuning = self._field.tuning
+        tuning = self._inputs.tuning
         # What changes by its whole in this time is felt no longer than that.
         pace = STEEPEST * max(float(channel.lines(parameter, np.array([time]))[0]), LEAST_ASKED)
         onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...core.arrays import Array
 from ..channels import Channel
-from ..conflict import POLICIES, Effect, Field, Join, Settle, Suppressor
+from ..conflict import POLICIES, Join, PolicyInputs, Resolver, SuppressionEffect, Suppressor
 from ..intervals import Spans, difference, dilated, intersection, neighbours, union
 
 
@@ -21,22 +21,22 @@ class Inhibit:
 
     join = Join.MAX
 
-    def __init__(self, field: Field) -> None:
-        self._field = field
+    def __init__(self, inputs: PolicyInputs) -> None:
+        self._inputs = inputs
         self._active: dict[tuple[str, float, str], Spans] = {}
         self._at_level: dict[tuple[str, float, str], Spans] = {}
         self._inhibited: dict[tuple[str, str], Spans] = {}
 
-    def at(self, times: Array) -> Settle:
+    def at(self, times: Array) -> Resolver:
         """Return the function that settles activities; the same at all times."""
-        return self._settle
+        return self._resolve
 
-    def _settle(self, channel: Channel, parameter: str, times: Array, values: Array) -> Array:
+    def _resolve(self, channel: Channel, parameter: str, times: Array, values: Array) -> Array:
         spans = self.inhibited(channel, parameter)
         if not len(spans):
             return values
         since, until = neighbours(spans, times)
-        tuning = self._field.tuning
+        tuning = self._inputs.tuning
         released = _risen(since, tuning.min_onset[parameter])
         before = _risen(until, tuning.min_offset[parameter])
         return np.minimum(values, np.minimum(released, before))
@@ -58,7 +58,7 @@ class Inhibit:
         """When it would have to be 0 if the channel had this level throughout."""
         key = (channel.name, level, parameter)
         if key not in self._at_level:
-            rivals = self._field.rivals(channel, parameter, level)
+            rivals = self._inputs.rivals(channel, parameter, level)
             self._at_level[key] = union([self.active(*rival) for rival in rivals])
         return self._at_level[key]
 
@@ -66,14 +66,14 @@ class Inhibit:
         """Return when a channel at a level has a parameter, settled, above its threshold, shape (n, 2)."""
         key = (channel.name, level, parameter)
         if key not in self._active:
-            field = self._field
-            threshold = field.tuning.threshold[parameter]
-            left = field.threshold_time(parameter, field.tuning.min_offset[parameter])
-            right = field.threshold_time(parameter, field.tuning.min_onset[parameter])
+            inputs = self._inputs
+            threshold = inputs.tuning.threshold[parameter]
+            left = inputs.threshold_time(parameter, inputs.tuning.min_offset[parameter])
+            right = inputs.threshold_time(parameter, inputs.tuning.min_onset[parameter])
             known = dilated(self._known(channel, level, parameter), left, right)
             free = difference(channel.above(parameter, threshold), known)
-            if field.limits is not None:
-                free = difference(free, field.limits.forbidden(channel, parameter, threshold))
+            if inputs.limits is not None:
+                free = difference(free, inputs.limits.forbidden(channel, parameter, threshold))
             self._active[key] = self._where(channel, free, level)
         return self._active[key]
 
@@ -88,8 +88,8 @@ class Inhibit:
             return held
         higher = [above for above in channel.levels.distinct if above > level]
         elsewhere = difference(held, union([channel.levels.spans(above) for above in higher]))
-        settled = [self._where(channel, self._inhibited_at(channel, a, parameter), a) for a in higher]
-        return union([elsewhere, *settled])
+        resolved = [self._where(channel, self._inhibited_at(channel, a, parameter), a) for a in higher]
+        return union([elsewhere, *resolved])
 
     def _where(self, channel: Channel, spans: Spans, level: float) -> Spans:
         """Only the times at which the channel has the level."""
@@ -103,21 +103,23 @@ class Inhibit:
         if not len(spans):
             return None
         since, until = (float(x[0]) for x in neighbours(spans, np.array([time])))
-        tuning = self._field.tuning
+        tuning = self._inputs.tuning
         if since <= 0.0:
-            return self._culprit(Effect.INHIBITED, channel, parameter, time)
+            return self._culprit(SuppressionEffect.INHIBITED, channel, parameter, time)
         after, before = tuning.min_onset[parameter], tuning.min_offset[parameter]
         if since < after and since * before <= until * after:
-            return self._culprit(Effect.ONSET, channel, parameter, time - since)
+            return self._culprit(SuppressionEffect.ONSET, channel, parameter, time - since)
         if until < before:
-            return self._culprit(Effect.OFFSET, channel, parameter, time + until)
+            return self._culprit(SuppressionEffect.OFFSET, channel, parameter, time + until)
         return None
 
-    def _culprit(self, effect: Effect, channel: Channel, parameter: str, time: float) -> Suppressor | None:
+    def _culprit(
+        self, effect: SuppressionEffect, channel: Channel, parameter: str, time: float
+    ) -> Suppressor | None:
         """The rival whose active time is nearest to `time`."""
         best: tuple[float, Suppressor] | None = None
         for level in channel.levels.distinct:
-            for other, above, rival in self._field.rivals(channel, parameter, level):
+            for other, above, rival in self._inputs.rivals(channel, parameter, level):
                 active = self.active(other, above, rival)
                 if not len(active):
                     continue

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...core.arrays import Array
 from ..channels import Channel
-from ..conflict import POLICIES, Field, Join, Settle, Suppressor
+from ..conflict import POLICIES, Join, PolicyInputs, Resolver, Suppressor
 
 
 @POLICIES.register("sum")
@@ -13,10 +13,10 @@ class Sum:
 
     join = Join.SUM
 
-    def __init__(self, field: Field) -> None:
+    def __init__(self, inputs: PolicyInputs) -> None:
         pass
 
-    def at(self, times: Array) -> Settle:
+    def at(self, times: Array) -> Resolver:
         """Return the function that leaves every activity as it is."""
         return _unchanged
 

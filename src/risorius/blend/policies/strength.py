@@ -8,7 +8,7 @@ import numpy as np
 
 from ...core.arrays import Array
 from ..channels import Channel
-from ..conflict import Effect, Field, Suppressor
+from ..conflict import PolicyInputs, SuppressionEffect, Suppressor
 
 Strength = Callable[[str, Array], Array]
 """(rival parameter, its settled activity (n,)) -> how strong it is, 0..1 (n,)."""
@@ -25,8 +25,8 @@ class Strengths:
     A change of priority takes effect over a short ramp (`levels.PRIORITY_RAMP`), so that it makes no jump.
     """
 
-    def __init__(self, field: Field, times: Array, strength: Strength, kept: Kept) -> None:
-        self._field, self.times = field, times
+    def __init__(self, inputs: PolicyInputs, times: Array, strength: Strength, kept: Kept) -> None:
+        self._inputs, self.times = inputs, times
         self._strength, self._kept = strength, kept
         self._gains: dict[tuple[str, float, str], Array] = {}
         self._strengths: dict[tuple[str, float, str], Array] = {}
@@ -45,7 +45,7 @@ class Strengths:
         key = (channel.name, level, parameter)
         if key not in self._gains:
             strongest = np.zeros(len(self.times))
-            for other, above, rival in self._field.rivals(channel, parameter, level):
+            for other, above, rival in self._inputs.rivals(channel, parameter, level):
                 np.maximum(strongest, self._strength_of(other, above, rival), out=strongest)
             self._gains[key] = self._kept(channel, parameter, strongest)
         return self._gains[key]
@@ -56,7 +56,7 @@ class Strengths:
         if key not in self._strengths:
             activity = channel.lines(parameter, self.times)
             activity *= self._gain_at(channel, level, parameter)
-            limits = self._field.limits
+            limits = self._inputs.limits
             if limits is not None and limits.bind(channel, parameter):
                 np.minimum(activity, limits.limit(channel, parameter, self.times), out=activity)
             strength = self._strength(parameter, activity)
@@ -80,10 +80,13 @@ class Strengths:
         best, found = 0.0, None
         for level in channel.levels.distinct:
             share = float(channel.levels.weight(level, np.array([time]))[0])
-            for other, above, rival in self._field.rivals(channel, parameter, level) if share > 0.0 else ():
+            for other, above, rival in self._inputs.rivals(channel, parameter, level) if share > 0.0 else ():
                 felt = share * (self._strength_of(other, above, rival) - faded)
                 k = int(np.argmax(felt))
                 if felt[k] > best:
                     when = float(self.times[k])
-                    best, found = float(felt[k]), Suppressor(Effect.WEAKENED, other.name, rival, when)
+                    best, found = (
+                        float(felt[k]),
+                        Suppressor(SuppressionEffect.WEAKENED, other.name, rival, when),
+                    )
         return found
