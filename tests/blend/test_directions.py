@@ -8,10 +8,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
-from risorius.blend.directions import combine_directions
+from risorius.blend.directions import combine_directions, shares_of
 from risorius.core.movement import Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import Score
+
+
+def combined(name: str, terms: list[np.ndarray]) -> np.ndarray:
+    return combine_directions(name, shares_of(name, terms))
 
 
 @pytest.mark.parametrize(
@@ -27,15 +31,15 @@ from risorius.core.score import Score
     ],
 )
 def test_the_formula(name: str, terms: list[float], expected: float) -> None:
-    assert combine_directions(name, [np.array([x]) for x in terms]) == pytest.approx([expected])
+    assert combined(name, [np.array([x]) for x in terms]) == pytest.approx([expected])
 
 
 @given(st.lists(st.floats(-40, 40), min_size=1, max_size=5))
 def test_order_does_not_matter_and_signs_mirror(terms: list[float]) -> None:
     arrays = [np.array([x]) for x in terms]
-    total = combine_directions("head_yaw", arrays)
-    assert combine_directions("head_yaw", arrays[::-1]) == pytest.approx(total)
-    assert combine_directions("head_yaw", [-x for x in arrays]) == pytest.approx(-total)
+    total = combined("head_yaw", arrays)
+    assert combined("head_yaw", arrays[::-1]) == pytest.approx(total)
+    assert combined("head_yaw", [-x for x in arrays]) == pytest.approx(-total)
 
 
 def test_channels_and_layers_all_count() -> None:

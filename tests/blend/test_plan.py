@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
-from risorius.blend.plan import CHUNK, Moment, Plan
+from risorius.blend.plan import CHUNK, Plan, PlanSample
 from risorius.core.movement import Dominance, LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS, RIVALS
 from risorius.core.score import BlendSettings, Score
@@ -210,17 +210,13 @@ def test_the_frame_rate_does_not_matter(score: Score) -> None:
 def test_inhibit_never_shows_two_rivals_of_different_priority(score: Score) -> None:
     plan = Plan(score)
     times = np.arange(0.001, DURATION, 0.0079)
-    moment = Moment(plan, times)
+    sample = PlanSample(plan, times)
     shown = {}
-    for channel in plan.channels:
-        for name in channel.curves:
-            if RIVALS[name]:
-                dense = np.zeros(len(times))
-                index, values = moment.with_settings(channel, name)
-                if channel.name != "lips":
-                    values = moment.bounded(channel, name, index, values, moment.own(name))
-                dense[index] = values
-                shown[channel.name, name] = dense > plan.tuning.threshold[name] + 2e-9
+    for name in (name for name in plan.moving if RIVALS[name]):
+        for entry in sample.ledger(name).entries():
+            dense = np.zeros(len(times))
+            dense[entry.index] = entry.applied
+            shown[entry.channel.name, name] = dense > plan.tuning.threshold[name] + 2e-9
     levels = {c.name: c.levels.at(times) for c in plan.channels}
     for (one, name), up in shown.items():
         for (two, other), also in shown.items():
@@ -233,7 +229,7 @@ def test_inhibit_never_shows_two_rivals_of_different_priority(score: Score) -> N
 def test_inhibit_changes_nothing_far_from_a_conflict(score: Score) -> None:
     plan = Plan(score)
     times = np.arange(0.001, DURATION, 0.0083)
-    moment = Moment(plan, times)
+    sample = PlanSample(plan, times)
     for channel in plan.channels:
         (level,) = channel.levels.distinct
         for name in channel.curves:
@@ -242,9 +238,9 @@ def test_inhibit_changes_nothing_far_from_a_conflict(score: Score) -> None:
             for other, _, rival in plan.inputs.rivals(channel, name, level):
                 for start, end in other.above(rival, plan.tuning.threshold[rival]):
                     near |= (times > start - reach) & (times < end + reach)
-            index, wanted = channel.sample(name, times)
-            _, left = moment.with_settings(channel, name)
-            assert (left[~near[index]] == wanted[~near[index]]).all()
+            entry = sample.ledger(name).entry(channel)
+            far = ~near[entry.index]
+            assert (entry.resolved[far] == entry.requested[far]).all()
 
 
 def test_a_change_of_priority_makes_no_jump() -> None:

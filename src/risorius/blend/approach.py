@@ -46,10 +46,10 @@ class Approach:
         """Return how wide closures let the lips be apart at sorted times, mm (perhaps infinite), (n,)."""
         return self._table.opening.fastest * self._seals.at(times)
 
-    def sealed(self, own: Array, times: Array, parted: Parted | None) -> Array:
+    def sealed(self, own: Array, times: Array, gaps: MouthGaps | None) -> Array:
         """Return the seal at sorted times (n,), given the lips' `own`, which brings them to what they ask."""
         most = self.most(times)
-        seal = own if parted is None else parted.sealed(own, most)
+        seal = own if gaps is None else gaps.sealed(own, most)
         left = 1.0 - np.maximum(seal, 1.0 - most / LEAST_GAP)
         return np.asarray(1.0 - left * (1.0 - self._partial.at(times)))
 
@@ -76,8 +76,8 @@ class Approach:
 
 
 @dataclass(frozen=True, slots=True)
-class Parted:
-    """The gap that would be without any seal, mm: by what lips do `alone`, and `with_others`; shape (n,).
+class MouthGaps:
+    """The lips' gap without any seal, mm: of speech `alone`, and `with_others`, shape (n,) both.
 
     `speaking` 0..1 (n,): how much the mouth speaks.
     """
@@ -86,13 +86,13 @@ class Parted:
     with_others: Array
     speaking: Array
 
-    def sealed(self, own: Array, most: Array) -> Array:
-        """Return the seal, shape (n,), that lets others add to a gap of at `most` so many mm.
+    def sealed(self, targeted: Array, most: Array) -> Array:
+        """Return the seal, shape (n,), that keeps the gap below `most` mm (n,), given the `targeted` seal.
 
-        Where lips by themselves leave a gap a, what others add, e, is brought to e·r/(e + r), r being what
-        is missing to `most`, and in speech at most `ADDED`·a: so wide phones stay wide, narrow ones narrow.
+        If speech leaves a gap a, the gap e that other channels add is reduced to e·r/(e + r); r is what a
+        lacks to `most`, in speech at most `ADDED`·a. So wide phones stay wide, narrow ones narrow.
         """
-        asked = self.alone * (1.0 - own)
+        asked = self.alone * (1.0 - targeted)
         extra = np.maximum(self.with_others - self.alone, 0.0)
         room = np.maximum(most - asked, 0.0)
         taken = _taken(extra, room)

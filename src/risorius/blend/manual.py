@@ -91,16 +91,16 @@ class Replaced:
         """Return when the curve's parts begin and end, and when it is replaced, shape (n,)."""
         return np.concatenate((self.curve.breakpoints(), self._spans.ravel()))
 
-    def hidden(self, times: Array) -> Array:
-        """Return what the curve would be where it is replaced, 0 elsewhere, at sorted times, shape (n,)."""
+    def replaced_values(self, times: Array) -> Array:
+        """Return what the curve would be while it is replaced, else 0, at sorted times, shape (n,)."""
         values = np.zeros(len(times))
-        index, asked = self.curve.sample(times)
-        values[index] = asked
+        index, hidden = self.curve.sample(times)
+        values[index] = hidden
         return np.where(covers(self._spans, times), values, 0.0)
 
 
 def replaced_spans(curves: Iterable[ManualCurve]) -> dict[str, Spans]:
-    """Return for each parameter when a drawn curve stands in place of all other channels' movements."""
+    """Return for each parameter when a drawn curve replaces the movements of all other channels."""
     found: dict[str, list[tuple[float, float]]] = {}
     for curve in curves:
         for name, keys in curve.keys.items() if curve.replaces else ():
@@ -108,6 +108,6 @@ def replaced_spans(curves: Iterable[ManualCurve]) -> dict[str, Spans]:
     return {name: merged(np.array(spans)) for name, spans in found.items()}
 
 
-def hidden(curve: Curve, times: Array) -> Array:
-    """Return what a drawn curve keeps from showing of another channel's, at sorted times, shape (n,)."""
-    return curve.hidden(times) if isinstance(curve, Replaced) else np.zeros(len(times))
+def replaced_values(curve: Curve, times: Array) -> Array:
+    """Return what a drawn curve hides of another channel's curve, at sorted times, shape (n,)."""
+    return curve.replaced_values(times) if isinstance(curve, Replaced) else np.zeros(len(times))

@@ -13,26 +13,27 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..core.arrays import Array, IndexArray
+from ..core.arrays import Array
 from ..core.lip_rig import OPENING, LipRig
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import dominance, lookahead, policies  # noqa: F401 - they register themselves
-from .approach import Parted
-from .channels import Channel, compile_channels
+from .approach import MouthGaps
+from .channels import compile_channels
 from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
 from .conflict import POLICIES, Join, PolicyInputs
-from .contact import CONTACTS, SEAL, TUCK, beside_tuck
-from .curve import Curve
+from .contact import CONTACTS
 from .directions import combine_directions
 from .knots import BLOCK
+from .ledger import Ledger, Turn, turns
 from .levels import steady
 from .limits import LIPS, SpeechLimits
 from .lips import CompiledLips
-from .mouth import JAW, SpeechMouth
+from .mouth import JAW
+from .sealing import with_goals
 from .tuning import tune
 
 CHUNK = 16_384
@@ -72,8 +73,8 @@ class Plan:
         wanted = np.asarray(times, dtype=np.float64)
         order = np.argsort(wanted, kind="stable")
         values = np.empty((len(wanted), len(NAMES)))
-        for piece in _chunks(wanted[order]):
-            values[order[piece]] = Moment(self, wanted[order[piece]]).values()
+        for chunk in _chunks(wanted[order]):
+            values[order[chunk]] = PlanSample(self, wanted[order[chunk]]).values()
         return values
 
     def performance(self, fps: Fraction) -> Performance:
@@ -88,9 +89,14 @@ class Plan:
             values[here] = self.at(times[here])
         return Performance(self.score, other.fps, values)
 
+    @property
+    def sums(self) -> bool:
+        """Whether the policy adds up all channels."""
+        return self.policy.join is Join.SUM
+
     def adds(self, name: str) -> bool:
         """Return whether channels add up in a parameter; else the highest wins."""
-        return self.policy.join is Join.SUM or name in SIGNED or (name == JAW and self.lips is not None)
+        return self.sums or name in SIGNED or (name == JAW and self.lips is not None)
 
     def batches(self, times: Array) -> Iterator[Array]:
         """Yield sorted times in batches that lie in one block and are not too long."""
@@ -111,14 +117,13 @@ def _chunks(times: Array) -> Iterator[slice]:
             yield slice(start, min(start + CHUNK, last))
 
 
-class Moment:
+class PlanSample:
     """A plan at some sorted times of one block, shape (n,), at least one."""
 
     def __init__(self, plan: Plan, times: Array) -> None:
         self.plan, self.times = plan, times
-        self.resolve = plan.policy.at(times)
-        self._limits = plan.limits
-        self._mouth = plan.lips.mouth if plan.lips else None
+        self._resolve = plan.policy.at(times)
+        self._ledgers: dict[str, Ledger] = {}
         self._values: dict[str, Array] = {}
 
     def values(self) -> Array:
@@ -131,111 +136,57 @@ class Moment:
     def value(self, name: str) -> Array:
         """Return one parameter, shape (n,)."""
         if name not in self._values:
-            self._values[name] = self._value(name)
+            self._values[name] = self._direction(name) if name in SIGNED else self._joined(name)
         return self._values[name]
 
-    def _value(self, name: str) -> Array:
-        if name in SIGNED:
-            terms = [term for _, term in self.terms(name)]
-            return combine_directions(name, terms or [np.zeros(len(self.times))])
-        own = self.own(name)
-        total = self._join_all(name, own)
-        if name == JAW and self._mouth is not None:
-            return np.minimum(total, self._mouth.jaw_at_seal(self.times))
-        return self.touched(name, total) if name in CONTACTS else total
+    def ledger(self, name: str) -> Ledger:
+        """Return what all channels do with a parameter that is not a direction."""
+        if name not in self._ledgers:
+            plan = self.plan
+            self._ledgers[name] = Ledger(name, self.times, plan.channels, self._resolve, plan.limits)
+        return self._ledgers[name]
 
-    def own(self, name: str) -> Array:
-        """Return what speech does with a parameter, settled, shape (n,)."""
-        dense = np.zeros(len(self.times))
-        for channel in self.plan.channels:
-            if channel.name == LIPS and name in channel.curves:
-                index, values = self.resolved(channel, name)
-                dense[index] = values
-        return dense
+    def turns(self, name: str) -> list[Turn]:
+        """Return what every curve does with a direction."""
+        return turns(name, self.times, self.plan.channels)
 
-    def resolved(self, channel: Channel, name: str) -> tuple[IndexArray, Array]:
-        """Return where a channel moves a parameter and what the policy leaves of it, both shape (m,)."""
-        index, values = channel.sample(name, self.times)
-        return index, self.resolve(channel, name, self.times[index], values)
+    def _direction(self, name: str) -> Array:
+        return combine_directions(
+            name, [turn.applied for turn in self.turns(name)] or [np.zeros(len(self.times))]
+        )
 
-    def bounded(self, channel: Channel, name: str, index: IndexArray, resolved: Array, own: Array) -> Array:
-        """Return what is left of another channel's settled values, at the indices, under speech, (m,)."""
-        return self.limited(channel, name, index, self.shared(channel, name, index, resolved, own), own)
-
-    def shared(self, channel: Channel, name: str, index: IndexArray, values: Array, own: Array) -> Array:
-        """Return another channel's values, the jaw's as what it adds to the jaw of speech, shape (m,)."""
-        if name != JAW or self._limits is None:
-            return values
-        return values * self._limits.jaw_share(channel, self.times[index], own[index])
-
-    def limited(self, channel: Channel, name: str, index: IndexArray, values: Array, own: Array) -> Array:
-        """Return another channel's values within the limits of speech, shape (m,)."""
-        if self._limits is None:
-            return values
-        return self._limits.applied(channel, name, self.times[index], values, own[index])
-
-    def _join_all(self, name: str, own: Array) -> Array:
-        """Speech and all other channels together, 0..1."""
-        adds = self.plan.policy.join is Join.SUM
-        others = np.zeros(len(self.times))
-        for channel in self.plan.channels:
-            if channel.name == LIPS or name not in channel.curves:
-                continue
-            index, values = self.resolved(channel, name)
-            values = self.bounded(channel, name, index, values, own)
-            others[index] = others[index] + values if adds else np.maximum(others[index], values)
-        total = own + others if self.plan.adds(name) else np.maximum(own, others)
-        if self._mouth is not None and name in self._mouth.raised:
-            total = np.maximum(total, self._mouth.low_at(name, self.times))
-        return np.minimum(total, 1.0)
-
-    def touched(self, name: str, value: Array) -> Array:
-        """Return a contact, shape (n,), with its goals; one that is a goal pushes the other aside.
-
-        A seal's goal closes what is left open beyond the way to the closure (`approach`), so that the gap
-        goes no faster where it sets in. A tuck leaves it `beside_tuck`.
-        """
-        lips = self.plan.lips
+    def _joined(self, name: str) -> Array:
+        """Return speech and all other channels together, 0..1, after the last steps."""
+        ledger, lips = self.ledger(name), self.plan.lips
+        others = self._others(ledger)
+        total = ledger.speech + others if self.plan.adds(name) else np.maximum(ledger.speech, others)
         if lips is None:
-            return value
-        tuck = lips.goals[TUCK].at(self.times)
-        if name == TUCK:
-            return np.minimum(np.maximum(value, tuck), 1.0 - lips.goals[SEAL].at(self.times))
-        rig = lips.mouth.shapes.rig
-        if rig is None:
-            return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - lips.goals[SEAL].at(self.times)))
-        own, seal = self.sealed(lips, rig)
-        # What other channels seal besides.
-        kept = np.divide(1.0 - value, 1.0 - own, out=np.ones(len(own)), where=own < value)
-        return (1.0 - (1.0 - seal) * kept) * beside_tuck(tuck)
+            return np.minimum(total, 1.0)
+        if name in lips.mouth.raised:
+            total = np.maximum(total, lips.mouth.low_at(name, self.times))
+        total = np.minimum(total, 1.0)
+        if name == JAW:
+            return np.minimum(total, lips.mouth.jaw_at_seal(self.times))
+        return with_goals(name, total, self.times, lips, self.mouth_gaps) if name in CONTACTS else total
 
-    def sealed(self, lips: CompiledLips, rig: LipRig) -> tuple[Array, Array]:
-        """Return the seal that the segments ask for, and with what brings the gap to it, shape (n,) both."""
-        own = lips.at(SEAL, self.times) if SEAL in lips.parameters else np.zeros(len(self.times))
-        return own, lips.mouth.approach.sealed(own, self.times, self._parted(lips.mouth, rig))
+    def _others(self, ledger: Ledger) -> Array:
+        """Return what all channels but speech apply together, shape (n,)."""
+        total = np.zeros(len(self.times))
+        for channel in ledger.channels:
+            if channel.name != LIPS:
+                entry = ledger.entry(channel)
+                index, values = entry.index, entry.applied
+                total[index] = total[index] + values if self.plan.sums else np.maximum(total[index], values)
+        return total
 
-    def _parted(self, mouth: SpeechMouth, rig: LipRig) -> Parted | None:
-        """Return how lips and others part the mouth; None where the others do not."""
-        if not self._others_open():
-            return None
-        alone = rig.gap({n: self.own(n) for n in OPENING})
-        return Parted(alone, rig.gap({n: self.value(n) for n in OPENING}), mouth.speaking_at(self.times))
-
-    def _others_open(self) -> bool:
-        """Return whether another channel than speech moves what parts the lips."""
+    def mouth_gaps(self, rig: LipRig) -> MouthGaps | None:
+        """Return the gap by speech and by all channels; None if only speech can part the lips."""
         channels = (channel for channel in self.plan.channels if channel.name != LIPS)
-        return any(not OPENING.isdisjoint(channel.curves) for channel in channels)
-
-    def terms(self, name: str) -> list[tuple[tuple[Channel, Curve], Array]]:
-        """Return the deviation that each layer of each channel asks of a direction, shape (n,) each."""
-        found = []
-        for channel in self.plan.channels:
-            for curve in channel.curves.get(name, ()):
-                dense = np.zeros(len(self.times))
-                index, values = curve.sample(self.times)
-                dense[index] = values
-                found.append(((channel, curve), dense))
-        return found
+        if self.plan.lips is None or all(OPENING.isdisjoint(channel.curves) for channel in channels):
+            return None
+        alone = rig.gap({n: self.ledger(n).speech for n in OPENING})
+        together = rig.gap({n: self.value(n) for n in OPENING})
+        return MouthGaps(alone, together, self.plan.lips.mouth.speaking_at(self.times))
 
 
 def at(score: Score, times: Array, rig: LipRig | None = None) -> Array:

@@ -1,4 +1,4 @@
-"""How every channel fared over a whole clip."""
+"""How often every channel showed, was inhibited or was limited over a whole clip."""
 
 from __future__ import annotations
 
@@ -8,18 +8,17 @@ from fractions import Fraction
 from ..core.performance import frame_times
 from ..core.score import Score
 from .concatenate import SIGNED
-from .limits import LIPS
-from .plan import Moment, Plan
+from .plan import Plan, PlanSample
 
 _LEAST = 1e-9
 
 
 @dataclass(slots=True)
 class Tally:
-    """How a channel fared in a clip, in frames × parameters.
+    """How often a channel did what in a clip, in frames × parameters.
 
-    `active`: it asked for something; `won`: it showed; `inhibited`: nothing was left of it; `limited`: less
-    than it asked for was left.
+    `active`: it requested something; `won`: it showed; `inhibited`: nothing of it was applied; `limited`:
+    less was applied than requested.
     """
 
     active: int = 0
@@ -33,24 +32,18 @@ def summarize(source: Score | Plan, fps: Fraction) -> dict[str, Tally]:
     plan = source if isinstance(source, Plan) else Plan(source)
     tallies = {channel.name: Tally() for channel in plan.channels}
     for times in plan.batches(frame_times(plan.score.duration, fps)):
-        moment = Moment(plan, times)
+        sample = PlanSample(plan, times)
         for name in plan.moving:
             if name not in SIGNED:
-                _count(moment, name, tallies)
+                _count(sample, name, tallies)
     return tallies
 
 
-def _count(moment: Moment, name: str, tallies: dict[str, Tally]) -> None:
-    own, shown = moment.own(name), moment.value(name)
-    for channel in moment.plan.channels:
-        if name not in channel.curves:
-            continue
-        _, asked = channel.sample(name, moment.times)
-        index, given = moment.resolved(channel, name)
-        if channel.name != LIPS:
-            given = moment.bounded(channel, name, index, given, own)
-        tally, active = tallies[channel.name], asked > _LEAST
+def _count(sample: PlanSample, name: str, tallies: dict[str, Tally]) -> None:
+    shown = sample.value(name)
+    for entry in sample.ledger(name).entries():
+        tally, active, applied = tallies[entry.channel.name], entry.requested > _LEAST, entry.applied
         tally.active += int(active.sum())
-        tally.won += int((active & (given > _LEAST) & (given >= shown[index] - _LEAST)).sum())
-        tally.inhibited += int((active & (given <= _LEAST)).sum())
-        tally.limited += int((active & (given > _LEAST) & (given < asked - _LEAST)).sum())
+        tally.won += int((active & (applied > _LEAST) & (applied >= shown[entry.index] - _LEAST)).sum())
+        tally.inhibited += int((active & (applied <= _LEAST)).sum())
+        tally.limited += int((active & (applied > _LEAST) & (applied < entry.requested - _LEAST)).sum())

@@ -7,7 +7,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.parameters import INDEX, NAMES
 from .concatenate import SIGNED
-from .plan import Moment, Plan
+from .plan import Plan, PlanSample
 
 
 def suppression(plan: Plan, times: Array) -> Array:
@@ -15,18 +15,14 @@ def suppression(plan: Plan, times: Array) -> Array:
 
     The lips' limits and contact goals take more afterwards; that is not a conflict and does not count.
     """
-    parts = [_at(Moment(plan, batch)) for batch in plan.batches(np.asarray(times, np.float64))]
-    return np.concatenate(parts) if parts else np.zeros((0, len(NAMES)))
+    batches = [_taken(PlanSample(plan, batch)) for batch in plan.batches(np.asarray(times, np.float64))]
+    return np.concatenate(batches) if batches else np.zeros((0, len(NAMES)))
 
 
-def _at(moment: Moment) -> Array:
-    result = np.zeros((len(moment.times), len(NAMES)))
-    for channel in moment.plan.channels:
-        for name in channel.curves:
-            if name in SIGNED:
-                continue
-            index, asked = channel.sample(name, moment.times)
-            _, left = moment.resolved(channel, name)
-            column = INDEX[name]
-            result[index, column] = np.maximum(result[index, column], asked - left)
-    return result
+def _taken(sample: PlanSample) -> Array:
+    taken = np.zeros((len(sample.times), len(NAMES)))
+    for name in {name for channel in sample.plan.channels for name in channel.curves} - SIGNED:
+        column = taken[:, INDEX[name]]
+        for entry in sample.ledger(name).entries():
+            column[entry.index] = np.maximum(column[entry.index], entry.requested - entry.resolved)
+    return taken

@@ -1,0 +1,125 @@
+"""The ledger of a parameter: what each channel requests of it, and what every stage leaves of that.
+
+A muscle, a contact or the tongue goes through four stages. A channel's movements *request* a value; the
+policy *resolves* it against rivals in other channels; of the jaw, the channel gets a *share* beside speech;
+and the value that is *applied* lies within the limits of speech. Head and gaze have no rivals: all channels
+turn them, each less because of the others. Curves, explanations, traces and summaries read the same ledger.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..core.arrays import Array, IndexArray
+from .channels import Channel
+from .conflict import Resolver
+from .curve import Curve
+from .directions import shares_of
+from .limits import LIPS, SpeechLimits
+from .mouth import JAW
+
+
+class Entry:
+    """What one channel requests of a parameter while it moves it, and what each stage leaves, shape (m,).
+
+    `index`: at which of the ledger's times, shape (m,).
+    """
+
+    def __init__(self, ledger: Ledger, channel: Channel, index: IndexArray, requested: Array) -> None:
+        self._ledger, self.channel, self.index, self.requested = ledger, channel, index, requested
+
+    @cached_property
+    def _times(self) -> Array:
+        return self._ledger.times[self.index]
+
+    @cached_property
+    def resolved(self) -> Array:
+        """What the policy leaves."""
+        return self._ledger.resolve(self.channel, self._ledger.name, self._times, self.requested)
+
+    @cached_property
+    def shared(self) -> Array:
+        """The same; of the jaw, what is added to the jaw of speech."""
+        limits = self._ledger.limits
+        if self._ledger.name != JAW or limits is None or self.channel.name == LIPS:
+            return self.resolved
+        return self.resolved * limits.jaw_share(self.channel, self._times, self._ledger.speech[self.index])
+
+    @cached_property
+    def applied(self) -> Array:
+        """What lies within the limits of speech."""
+        ledger, limits = self._ledger, self._ledger.limits
+        if limits is None or self.channel.name == LIPS:
+            return self.shared
+        return limits.applied(self.channel, ledger.name, self._times, self.shared, ledger.speech[self.index])
+
+
+class Ledger:
+    """What all channels do with one muscle, contact or part of the tongue at sorted times (n,), one or more.
+
+    `channels`: those of the plan; `resolve`: what the policy decides at these times; `limits`: those of
+    speech, None if nothing is said.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        times: Array,
+        channels: Sequence[Channel],
+        resolve: Resolver,
+        limits: SpeechLimits | None,
+    ) -> None:
+        self.name, self.times, self.resolve, self.limits = name, times, resolve, limits
+        self.channels = tuple(channel for channel in channels if name in channel.curves)
+
+    @cached_property
+    def speech(self) -> Array:
+        """What the lips' own movements leave, resolved, 0 if they do not move the parameter; shape (n,)."""
+        values = np.zeros(len(self.times))
+        for channel in self.channels:
+            if channel.name == LIPS:
+                entry = self.entry(channel)
+                values[entry.index] = entry.resolved
+        return values
+
+    def entries(self) -> Iterator[Entry]:
+        """Yield the entry of every channel that moves the parameter, highest priority first."""
+        return map(self.entry, self.channels)
+
+    def entry(self, channel: Channel) -> Entry:
+        """Return the entry of a channel: of all its layers the highest value."""
+        return Entry(self, channel, *channel.sample(self.name, self.times))
+
+    def curve_entry(self, channel: Channel, curve: Curve) -> Entry:
+        """Return the entry of one of a channel's curves, as though it had no other."""
+        return Entry(self, channel, *curve.sample(self.times))
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """What one curve requests of a direction, and what the others leave of it: deviations (n,)."""
+
+    channel: Channel
+    curve: Curve
+    requested: Array
+    applied: Array
+
+
+def turns(name: str, times: Array, channels: Sequence[Channel]) -> list[Turn]:
+    """Return what every curve does with a direction of head or gaze at sorted times (n,)."""
+    curves = [(channel, curve) for channel in channels for curve in channel.curves.get(name, ())]
+    requested = [_everywhere(curve, times) for _, curve in curves]
+    applied = shares_of(name, requested) if requested else []
+    return [Turn(*curve, *values) for curve, *values in zip(curves, requested, applied, strict=True)]
+
+
+def _everywhere(curve: Curve, times: Array) -> Array:
+    """Return a curve's values at all times, 0 at rest, shape (n,)."""
+    values = np.zeros(len(times))
+    index, moved = curve.sample(times)
+    values[index] = moved
+    return values
