@@ -12,11 +12,11 @@ from .approach import MouthGaps
 from .contact import SEAL, TUCK, beside_tuck
 from .lips import CompiledLips
 
-Gaps = Callable[[LipRig], MouthGaps | None]
+GapsByRig = Callable[[LipRig], MouthGaps | None]
 """The gaps of the mouth by a head's rig; None if only speech parts the lips."""
 
 
-def with_goals(name: str, value: Array, times: Array, lips: CompiledLips, gaps: Gaps) -> Array:
+def with_goals(name: str, value: Array, times: Array, lips: CompiledLips, gaps: GapsByRig) -> Array:
     """Return a contact (n,) at sorted times with its goals; each contact gives way to the other's goal.
 
     The goal of a seal closes only what remains open on the way to the closure (`approach`), so that the gap
@@ -34,7 +34,7 @@ def with_goals(name: str, value: Array, times: Array, lips: CompiledLips, gaps: 
     return (1.0 - (1.0 - seal) * left_open) * beside_tuck(tuck)
 
 
-def seal_of_speech(times: Array, lips: CompiledLips, rig: LipRig, gaps: Gaps) -> tuple[Array, Array]:
+def seal_of_speech(times: Array, lips: CompiledLips, rig: LipRig, gaps: GapsByRig) -> tuple[Array, Array]:
     """Return the seal that the segments target, and the seal that brings the gap to theirs, (n,) each."""
     targeted = lips.at(SEAL, times) if SEAL in lips.parameters else np.zeros(len(times))
     return targeted, lips.mouth.approach.sealed(targeted, times, gaps(rig))
