@@ -18,7 +18,7 @@ import numpy as np
 from timit import Label, matched, sentences
 
 from risorius.errors import RisoriusError
-from risorius.speech import phonesets
+from risorius.languages import phonesets
 from risorius.speech.alignment import align
 from risorius.speech.recordings.recording import read_recording
 

@@ -23,7 +23,7 @@ from risorius.core.audio import silence
 from risorius.core.movement import CHANNELS
 from risorius.core.utterance import Phone, Utterance
 from risorius.face.lip_fit import load_lip_rig
-from risorius.speech import phonesets
+from risorius.languages import phonesets
 from risorius.speech.alignment import align
 from risorius.speech.recordings.recording import read_recording
 

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from risorius.speech import phonesets
+from risorius.languages import phonesets
 
 RATE = 16_000
 CLOSURES = {"bcl": "B", "dcl": "D", "gcl": "G", "pcl": "P", "tcl": "T", "kcl": "K"}

@@ -43,7 +43,7 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "face": SKIN,
     "looks": SKIN | {"face"},
     "render": SKIN | {"face", "looks", "workers"},
-    "ports": {"core", "script", "face", "looks", "render", "workers"},
+    "ports": {"core", "languages", "script", "face", "looks", "render", "workers"},
     "settings": TAKE - {"settings"},
     "unread": {"settings"},
     "take": TAKE,

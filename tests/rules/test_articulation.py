@@ -3,9 +3,9 @@
 import pytest
 
 from risorius.errors import InputError, ParameterError
+from risorius.languages.phonesets import IPA, is_ipa_vowel
 from risorius.rules.articulation import Row, articulation, is_known, sounds
 from risorius.rules.lips import lip_table
-from risorius.speech.phonesets import IPA, is_ipa_vowel
 
 # How far the lips by features may be from the English table (0..1); schwa-like AH and OW differ most.
 NEAR = 0.16

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from risorius.core.utterance import PauseKind, Utterance
 from risorius.errors import InputError, ParameterError
-from risorius.speech import phonesets
+from risorius.languages import phonesets
 from risorius.speech.engines.espeak import EspeakEngine
 from risorius.speech.engines.process import Answer, WorkerProcess
 from risorius.speech.synthesis import synthesize

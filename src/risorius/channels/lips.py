@@ -14,9 +14,9 @@ from ..core.counted import Counted
 from ..core.frozen import FrozenDict
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
+from ..languages.phonesets import to_arpabet
 from ..rules.articulation import is_known, sounds
 from ..rules.lips import OPENING, LipTable, PhoneShape, lip_table
-from ..speech.phonesets import to_arpabet
 from .registry import CHANNEL_BUILDERS, Brief
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..core.utterance import Phone, Utterance
 from ..errors import OutputError
+from ..languages import language_of
 from ..script.textgrid import INTERVALS, POINTS, Label, Tier, textgrid_lines
 from .formats import register
 from .table import write_lines
@@ -42,8 +43,8 @@ def speech_tiers(utterance: Utterance) -> tuple[Tier, Tier]:
 
 def phone_label(phone: Phone, language: str) -> str:
     """Return a phone as aligners write it: ARPAbet with a stress digit on English vowels, else IPA."""
-    english = language.lower().split("-")[0].split("_")[0] == "en"
-    return phone.symbol + (_STRESS_DIGIT[phone.stress] if english and phone.stress >= 0 else "")
+    digits = language_of(language).arpabet and phone.stress >= 0
+    return phone.symbol + (_STRESS_DIGIT[phone.stress] if digits else "")
 
 
 register(".TextGrid", "words, phones and accents for Praat", {"speech"}, write_textgrid, order=8)

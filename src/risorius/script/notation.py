@@ -15,9 +15,12 @@ from ..core.directions import Directions, Span, Tone
 from ..core.manner import PLAIN, Manner
 from ..core.tobi import boundary_tone, pitch_accent
 from ..errors import InputError, ParameterError, Place
-from ..rules.intonation import intonation_table
+from ..languages import language_of
+from ..languages.intonation import Voicing
 from .quote import quoted
 
+# The notation is of English.
+_LANGUAGE = "en"
 EXAMPLE = "(JUlia prefers) (POPcorn)"
 _ITEM = re.compile(r"[^\s()]+")
 _BRACKETED = re.compile(r"[()]")
@@ -197,9 +200,13 @@ def _accented(placed: Sequence[tuple[int, int, Item]], tune: Tune) -> list[tuple
 
 
 def _sounding(label: str) -> Manner:
-    semitones = intonation_table().voice.accents.get(label, 0.0)
+    semitones = _voicing().accents.get(label, 0.0)
     return Manner(pitch=semitones) if semitones else PLAIN
 
 
 def _punctuation(boundary: str, last: str) -> str:
-    return "" if last[-1:] in ",.;:?!…" else intonation_table().voice.boundaries.get(boundary, "")
+    return "" if last[-1:] in ",.;:?!…" else _voicing().boundaries.get(boundary, "")
+
+
+def _voicing() -> Voicing:
+    return language_of(_LANGUAGE).intonation.voice

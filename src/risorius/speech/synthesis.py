@@ -11,6 +11,7 @@ from ..core.directions import UNDIRECTED, Directions
 from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance
 from ..errors import InputError, ParameterError, SpeechWarning, warn
+from ..languages import language_of
 from .assembly.assemble import Part, assemble, place, silence
 from .assembly.lengthen import scale_pauses
 from .assembly.retime import is_timed, retime
@@ -20,7 +21,7 @@ from .engines.voices import find_voice
 from .structure.accents import intone
 from .structure.pauses import find_pauses
 from .structure.syllables import syllabify
-from .text.normalise import is_english, normalise, placed
+from .text.normalise import normalise, placed
 from .text.sentences import divide
 from .text.tokens import is_speakable, tokenize
 
@@ -74,8 +75,8 @@ def synthesize(
     if is_timed(directions):
         _check_dictated(directions, chosen)
         audio, phones, words = retime(audio, phones, words, directions)
-    syllables = syllabify(phones, words)
-    pauses = find_pauses(text, phones, words)
+    syllables = syllabify(phones, words, language_of(chosen.language))
+    pauses = find_pauses(text, phones, words, language_of(chosen.language))
     said = Utterance(text, chosen.language, audio, phones, words, syllables, pauses)
     return intone(said, directions)
 
@@ -90,7 +91,7 @@ def _voice(name: str | None, language: str | None, engine: SpeechEngine | None) 
 
 def _check_dictated(directions: Directions, voice: Voice) -> None:
     timed = next(span for span in directions.spans if span.seconds)
-    if not is_english(voice.language):
+    if not language_of(voice.language).mnemonics.dictated:
         message = f"durations of phonemes in '{voice.language}'; expected an English voice for them"
         raise InputError(message, timed.place)
 
@@ -103,10 +104,11 @@ def _speak(
     progress: Callable[[float], None] | None,
 ) -> Iterator[Part]:
     """Speak the stretches of `text` in the manner of `request`; warn of sounds that had to be guessed."""
-    stretches = divide(text)
+    language = language_of(request.voice.language)
+    stretches = divide(text, language)
     guessed: dict[str, None] = {}
     for number, stretch in enumerate(stretches):
-        spoken = normalise(text, stretch.start, stretch.end, request.voice.language)
+        spoken = normalise(text, stretch.start, stretch.end, language)
         last = number + 1 == len(stretches)
         asked = replace(
             request,

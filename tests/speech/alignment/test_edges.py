@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.errors import InputError
-from risorius.speech import phonesets
+from risorius.languages import phonesets
 from risorius.speech.alignment.edges import (
     FEATURES,
     REACH,

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.languages import language_of
 from risorius.speech.assembly.words import assign, split
 from risorius.speech.text.normalise import normalise
 from risorius.speech.text.tokens import tokenize
@@ -54,7 +55,7 @@ def assigned(text: str, phones: list[tuple[str, int]], said: dict[str, str]) -> 
     owners = assign(
         [symbol for symbol, _ in phones],
         [position for _, position in phones],
-        normalise(text, 0, len(text), "en-us"),
+        normalise(text, 0, len(text), language_of("en")),
         tokens,
         lambda words: [said.get(word, "").split() for word in words],
     )
@@ -83,4 +84,4 @@ def test_positions_beside_a_token_or_beyond_the_text() -> None:
 
 def test_phones_without_any_token_are_refused() -> None:
     with pytest.raises(ValueError, match="without a token"):
-        assign(["AH"], [0], normalise("!", 0, 1, "en-us"), (), lambda _: [])
+        assign(["AH"], [0], normalise("!", 0, 1, language_of("en")), (), lambda _: [])

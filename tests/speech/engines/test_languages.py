@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from risorius.errors import SpeechWarning
+from risorius.languages import language_of
 from risorius.rules.articulation import is_known
 from risorius.speech.engines.espeak import EspeakEngine, _default_command
 from risorius.speech.engines.espeak_events import render
-from risorius.speech.engines.spellings import as_ipa
+from risorius.speech.engines.mnemonics import as_ipa
 from risorius.speech.engines.voices import find_voice
 from risorius.speech.synthesis import synthesize
 
@@ -43,7 +44,7 @@ SOUNDING = range(2, 9)
     [("y", "ru", "ɨ"), ("y", "de", "y"), ("ts.h", "cmn", "tʂʰ"), ("ə-", "fr", "ə"), ("i̪", "cmn", "ɨ")],
 )
 def test_spellings_become_ipa(name: str, language: str, ipa: str) -> None:
-    assert as_ipa(name, language) == ipa
+    assert as_ipa(name, language_of(language)) == ipa
 
 
 @pytest.mark.parametrize("language", TEXTS)
@@ -64,7 +65,7 @@ def test_every_phoneme_of_the_language_has_lips(language: str, engine: EspeakEng
     text = " ".join(f"[[{name}]]" for name in names)
     request = {"op": "speak", "text": text, "voice": find_voice(None, language, engine).key, "ipa": True}
     answer, sound = engine._request(request | {"dictated": True}, len(text))
-    rendition = render(answer, np.frombuffer(sound, "<i2"), language)
+    rendition = render(answer, np.frombuffer(sound, "<i2"), language_of(language))
     assert len({phone.symbol for phone in rendition.phones}) > 30
     assert rendition.guessed == ()
 

@@ -8,6 +8,7 @@ import pytest
 from risorius.core.audio import AudioWriter
 from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
 from risorius.core.utterance import Phone, Syllable, Utterance, Word
+from risorius.languages import language_of
 from risorius.speech.prosody import measured, speech_rate
 from risorius.speech.structure.pauses import find_pauses
 from risorius.speech.structure.syllables import syllabify
@@ -43,9 +44,16 @@ def sung(
         start = len(" ".join(words[:n])) + (n > 0)
         said.append(Word(word, edges[n], edges[n + 1], 2 * n + 1, 2 * n + 3, start, start + len(word)))
     phones.append(Phone("", edges[-1], audio.duration))
-    syllables = syllabify(phones, said)
+    english = language_of("en")
+    syllables = syllabify(phones, said, english)
     return Utterance(
-        text, "en-us", audio, tuple(phones), tuple(said), syllables, find_pauses(text, phones, said)
+        text,
+        "en-us",
+        audio,
+        tuple(phones),
+        tuple(said),
+        syllables,
+        find_pauses(text, phones, said, english),
     )
 
 

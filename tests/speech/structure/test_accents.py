@@ -10,9 +10,7 @@ from risorius.core.directions import UNDIRECTED, Directions, Emphasis, Span, Ton
 from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
 from risorius.errors import Place
 from risorius.rules.voice_emotion import voice_manner
-from risorius.speech.structure.accents import is_content_word
 from risorius.speech.synthesis import synthesize
-from risorius.speech.text.english import function_words
 
 HERE = Place("text", 1, 1)
 
@@ -24,20 +22,6 @@ def accented(text: str, engine) -> list[str]:
         said.words[a.word].text.upper() if a.nuclear else said.words[a.word].text.lower()
         for a in said.accents
     ]
-
-
-@pytest.mark.parametrize("word", ["the", "The", "OF", "it’s", "it's", "and"])
-def test_function_words(word) -> None:
-    assert not is_content_word(word)
-
-
-@pytest.mark.parametrize("word", ["map", "very", "oh", "schön"])
-def test_content_words(word) -> None:
-    assert is_content_word(word)
-
-
-def test_the_list_is_lower_case_without_comments() -> None:
-    assert all(word == word.lower() and word.replace("'", "").isalpha() for word in function_words())
 
 
 @pytest.mark.parametrize(

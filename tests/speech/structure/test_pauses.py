@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from risorius.core.utterance import PauseKind, Phone, Word
+from risorius.languages import language_of
 from risorius.speech.structure.pauses import find_pauses, punctuation_kind
 
 K = PauseKind
@@ -52,7 +53,7 @@ def pauses(text: str, silence: float = 0.3, lead: float = 0.5, tail: float = 0.7
     spoken = [
         Word(w, 0.0, 1.0, 1, 2, plain.index(w), plain.index(w) + len(w)) for w in (a, b) if first and last
     ]
-    found = find_pauses(plain, phones, spoken)
+    found = find_pauses(plain, phones, spoken, language_of("en"))
     assert all(p.start < p.end for p in found)
     return [(p.kind, round(p.end - p.start, 6)) for p in found]
 
@@ -83,4 +84,4 @@ def test_fillers_hesitate() -> None:
 
 def test_silence_inside_a_word_is_no_pause() -> None:
     phones = [Phone("AA", 0.0, 0.1, 0, 0), Phone("", 0.1, 0.4), Phone("AA", 0.4, 0.5, 0, 0)]
-    assert find_pauses("one", phones, [Word("one", 0.0, 0.5, 0, 3, 0, 3)]) == ()
+    assert find_pauses("one", phones, [Word("one", 0.0, 0.5, 0, 3, 0, 3)], language_of("en")) == ()

@@ -107,3 +107,16 @@ def test_a_sentence_without_a_pause_after_it_still_ends(utterance_of: Maker) -> 
     )
     run_on = with_phrases(replace(said, text="aa? Iy", words=words, phrases=()))
     assert [s.question for s in run_on.sentences] == [Question.UNMARKED, NONE]
+
+
+def test_a_spanish_question_begins_with_its_sign(sentence_of: Maker) -> None:
+    said = replace(sentence_of("Hola, quién viene?"), language="es", phrases=())
+    marked = replace(
+        said,
+        text="Hola, ¿quién viene?",
+        words=tuple(
+            replace(w, source_start=w.source_start + (i > 0), source_end=w.source_end + (i > 0))
+            for i, w in enumerate(said.words)
+        ),
+    )
+    assert [p.question for p in with_phrases(marked).phrases] == [WH, WH]

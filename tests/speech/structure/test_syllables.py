@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from risorius.core.utterance import Phone, Word
-from risorius.speech import phonesets
+from risorius.languages import language_of, phonesets
 from risorius.speech.structure.syllables import syllabify
 
 
@@ -20,7 +20,7 @@ def syllables(*words: str) -> list[str]:
             stress = 2 if phonesets.is_vowel(sound) else -1
             phones.append(Phone(sound, at, at + 0.1, stress, number))
         spans.append(Word(word, 0.1 * first, 0.1 * len(phones), first, len(phones), 0, 1))
-    found = syllabify(phones, spans)
+    found = syllabify(phones, spans, language_of("en"))
     assert all(
         s.start == phones[s.first_phone].start and s.end == phones[s.last_phone - 1].end for s in found
     )

@@ -6,11 +6,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.speech.text.normalise import is_english, normalise
+from risorius.languages import language_of
+from risorius.speech.text.normalise import normalise
 
 
 def spoken(text: str, language: str = "en-us") -> str:
-    return " ".join(normalise(text, 0, len(text), language).text.split())
+    return " ".join(normalise(text, 0, len(text), language_of(language)).text.split())
 
 
 @pytest.mark.parametrize(
@@ -60,16 +61,33 @@ def test_english_is_written_out(text, expected) -> None:
     assert spoken(text) == expected
 
 
-def test_other_languages_are_not() -> None:
-    assert spoken("Dr. Weiß zahlt $5.50", "de") == "Dr. Weiß zahlt $5.50"
-    assert is_english("en-gb")
-    assert not is_english("enm")
+@pytest.mark.parametrize(
+    ("language", "text", "expected"),
+    [
+        ("en-gb", "Dr. Weiß pays $5.50", "doctor Weiß pays 5 dollars 50 cents"),
+        ("enm", "Dr. Weiß pays $5.50", "Dr. Weiß pays $5.50"),
+        ("pl", "Dr. Weiß płaci $5.50", "Dr. Weiß płaci $5.50"),
+        ("de", "Dr. Weiß zahlt z. B. $5.50", "Doktor Weiß zahlt zum Beispiel $5.50"),
+        (
+            "de",
+            "am 3. Oktober, 10–20 km/h usw.",
+            "am 3. Oktober, 10 bis 20 Kilometer pro Stunde und so weiter.",
+        ),
+        ("fr", "M. Dupont, p. ex., à 5 km", "monsieur Dupont, par exemple, à 5 kilomètres"),
+        ("es", "El Sr. Pérez, pág. 5", "El señor Pérez, página 5"),
+        ("it", "Il sig. Rossi, pag. 5 ecc.", "Il signor Rossi, pagina 5 eccetera."),
+        ("nl", "Mevr. Jansen, d.w.z. nr. 5", "mevrouw Jansen, dat wil zeggen nummer 5"),
+        ("pt-br", "O Sr. Silva, pág. 5", "O senhor Silva, página 5"),
+    ],
+)
+def test_each_language_is_written_out_in_its_way(language: str, text: str, expected: str) -> None:
+    assert spoken(text, language) == expected
 
 
 @given(st.text(max_size=40), st.text(max_size=40))
 def test_every_character_comes_from_its_place(before, text) -> None:
     whole = before + text + " after"
-    result = normalise(whole, len(before), len(before) + len(text), "en-us")
+    result = normalise(whole, len(before), len(before) + len(text), language_of("en-us"))
     assert len(result.origin) == len(result.text)
     assert list(result.origin) == sorted(result.origin)
     assert all(len(before) <= place < len(before) + len(text) for place in result.origin)
@@ -80,6 +98,6 @@ def test_every_character_comes_from_its_place(before, text) -> None:
 
 def test_an_expansion_belongs_to_what_it_stands_for() -> None:
     text = "pay $3.5 million to Dr. Fu"
-    result = normalise(text, 0, len(text), "en-us")
+    result = normalise(text, 0, len(text), language_of("en-us"))
     for word, source in (("million", "million"), ("dollars", "million"), ("3.5", "$3.5"), ("doctor", "Dr.")):
         assert result.origin[result.text.index(word)] == text.index(source)

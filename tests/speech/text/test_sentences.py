@@ -6,21 +6,23 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.languages import language_of
 from risorius.speech.text.sentences import LIMIT, divide
 from risorius.speech.text.tokens import is_speakable
 
 PIECES = """Mr. Dr. e.g. etc. the cat 3.14 $5.50 U.S. J. said. really? no! wait... “yes” (or) — well, and;
 it’s 😀 你好。 long-winded"""
-ENGLISH = st.lists(st.sampled_from([*PIECES.split(), "\n", "\n\n", ""]), max_size=60).map(" ".join)
+ENGLISH = language_of("en")
+TEXTS = st.lists(st.sampled_from([*PIECES.split(), "\n", "\n\n", ""]), max_size=60).map(" ".join)
 
 
 def sentences(text: str, limit: int = LIMIT) -> list[str]:
-    return [text[s.start : s.end].strip() for s in divide(text, limit)]
+    return [text[s.start : s.end].strip() for s in divide(text, ENGLISH, limit)]
 
 
 @pytest.mark.parametrize("text", ["", "   ", "\n\n", "...", "— ! 😀"])
 def test_nothing_to_speak(text) -> None:
-    assert divide(text) == ()
+    assert divide(text, ENGLISH) == ()
 
 
 @pytest.mark.parametrize(
@@ -53,12 +55,12 @@ def test_a_long_sentence_is_divided_at_a_clause_then_at_a_blank_then_anywhere() 
 
 
 def test_only_the_end_of_a_sentence_ends_it() -> None:
-    assert [s.ends_sentence for s in divide("word " * 50, 100)] == [False, False, True]
+    assert [s.ends_sentence for s in divide("word " * 50, ENGLISH, 100)] == [False, False, True]
 
 
-@given(ENGLISH, st.integers(20, 80))
+@given(TEXTS, st.integers(20, 80))
 def test_stretches_are_bounded_ordered_and_hold_all_that_is_spoken(text, limit) -> None:
-    stretches = divide(text, limit)
+    stretches = divide(text, ENGLISH, limit)
     end = 0
     for stretch in stretches:
         assert end <= stretch.start < stretch.end <= len(text)

@@ -11,12 +11,12 @@ import numpy as np
 from ...core.audio import Audio
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
-from .. import phonesets
+from ...languages import language_of, phonesets
 from ..recordings.resampled import Resampled
 from ..structure.accents import intone
 from ..structure.pauses import find_pauses
 from ..structure.syllables import syllabify
-from .decoder import AlignmentError, Decoders, Found, Readings
+from .decoder import MODEL_LANGUAGE, AlignmentError, Decoders, Found, Readings
 from .doubt import check_words
 from .edges import place_edges
 from .lexicon import ScriptWord, read_transcript, stresses_of
@@ -26,14 +26,12 @@ from .windows import windows
 
 # A stop after silence is heard, and labelled by hand, from its burst on; the articulators close before.
 UNHEARD_CLOSURE = 0.015
-# The language of the model.
-LANGUAGE = "en-us"
 # Seconds that an edge keeps from the ends of what is around it.
 _LEAST = 0.005
 
 
 def align(audio: Audio, transcript: str) -> Utterance:
-    """Return what is said when in a recording of an English `transcript`.
+    """Return what is said when in a recording of a `transcript`, in the language of the model (English).
 
     Raises InputError for a transcript without words, and for one that does not fit the recording; warns
     (SpeechWarning) of single words that may not fit.
@@ -52,9 +50,10 @@ def align(audio: Audio, transcript: str) -> Utterance:
 def assembled(audio: Audio, text: str, found: Sequence[Found], words: Sequence[ScriptWord]) -> Utterance:
     """Return the utterance of all that was found, contiguous over the sound; every word has a phone."""
     phones, timed = _timed(found, words, audio.duration)
-    syllables = syllabify(phones, timed)
-    pauses = find_pauses(text, phones, timed)
-    return intone(Utterance(text, LANGUAGE, audio, phones, timed, syllables, pauses))
+    language = language_of(MODEL_LANGUAGE)
+    syllables = syllabify(phones, timed, language)
+    pauses = find_pauses(text, phones, timed, language)
+    return intone(Utterance(text, MODEL_LANGUAGE, audio, phones, timed, syllables, pauses))
 
 
 def decoded(resampled: Resampled, words: Sequence[Readings]) -> Iterator[list[Found]]:

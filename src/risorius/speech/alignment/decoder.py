@@ -20,6 +20,8 @@ from ..recordings.resampled import RATE
 if TYPE_CHECKING:
     from pocketsphinx import Decoder
 
+# The language of the model, and of its dictionary.
+MODEL_LANGUAGE = "en-us"
 # Seconds of the model's frames. A frame's features are those of the sound around its middle.
 FRAME = 0.01
 MIDDLE = FRAME / 2

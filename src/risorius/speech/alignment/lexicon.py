@@ -15,10 +15,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...core.utterance import Utterance, Word
-from .. import phonesets
+from ...languages import language_of, phonesets
 from ..synthesis import synthesize
-from .decoder import Reading, Readings, dictionary_path
-from .numbers import number_readings
+from .decoder import MODEL_LANGUAGE, Reading, Readings, dictionary_path
 
 MOST_READINGS = 8
 _CURLY = str.maketrans("\u2019\u02bc\u2010\u2011", "''--")
@@ -64,7 +63,7 @@ def _script_word(spoken: Utterance, word: Word) -> ScriptWord:
 def written_readings(text: str) -> Readings:
     """Return the readings of a written word by dictionary and rules; none where these do not know it."""
     plain = text.translate(_CURLY)
-    if numbers := number_readings(plain):
+    if numbers := language_of(MODEL_LANGUAGE).number_readings(plain):
         return _first(reading for words in numbers for reading in _read_all(words.split()))
     found = [*_dictionary().get(plain.lower(), ())]
     if len(plain) > 1 and plain.isupper() and plain.isalpha():

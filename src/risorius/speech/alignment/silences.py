@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...core.utterance import SILENCE
-from .. import phonesets
+from ...languages import phonesets
 from .decoder import Found
 
 # Seconds. Shorter silence belongs to a sound beside it: a stop's closure, or the end of the sound before.

@@ -11,8 +11,8 @@ import numpy as np
 from ...core.audio import Audio, AudioWriter, Samples
 from ...core.directions import Directions, Span
 from ...core.utterance import SILENCE, Phone, Word
-from .. import phonesets
-from ..engines.dictation import to_arpabet
+from ...languages import phonesets
+from ..engines.mnemonics import to_arpabet
 from .stretch import stretch
 
 _STRESS = {"0": 0, "1": 2, "2": 1}

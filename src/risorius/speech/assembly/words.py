@@ -11,7 +11,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 from itertools import accumulate, groupby
 
-from .. import phonesets
+from ...languages import phonesets
 from ..text.normalise import Spoken
 from ..text.tokens import Token
 

@@ -16,7 +16,8 @@ import numpy as np
 
 from ...core.directions import Span
 from ...errors import SpeechError
-from .espeak_events import AMERICAN, needs_ipa, read_word, render
+from ...languages import language_of
+from .espeak_events import needs_ipa, read_word, render
 from .espeak_text import Encoded, encode, parameters, voice_attribute
 from .process import Answer, WorkerError, WorkerProcess
 from .protocol import Rendition, SpeechRequest, Voice
@@ -51,11 +52,11 @@ class EspeakEngine:
 
     def speak(self, request: SpeechRequest) -> Rendition:
         """Speak a text. Equal requests give equal bytes."""
-        language = request.voice.language
-        ipa = language != AMERICAN
+        language = language_of(request.voice.language)
+        ipa = not _speaks_mnemonics(request.voice)
         encoded = encode(request, language, self._voice_of)
         answer, sound = self._speak(request, encoded, ipa)
-        if not ipa and needs_ipa(answer["phones"]):
+        if not ipa and needs_ipa(answer["phones"], language):
             answer, sound = self._speak(request, encoded, ipa=True)
         answer["phones"] = [(start, name, encoded.source(at)) for start, name, at in answer["phones"]]
         samples = np.frombuffer(sound, dtype="<i2").astype(np.int16, copy=False)
@@ -109,11 +110,11 @@ class EspeakEngine:
         return voice_attribute(found.key)
 
     def _transcribe(self, words: Sequence[str], voice: Voice) -> None:
-        ipa = voice.language != AMERICAN
+        ipa = not _speaks_mnemonics(voice)
         message = {"op": "transcribe", "texts": list(words), "voice": voice.key, "ipa": ipa}
         answer, _ = self._request(message, sum(map(len, words)))
         for word, names in zip(words, answer["names"], strict=True):
-            self._words[voice.key, word] = read_word(names, ipa, voice.language)
+            self._words[voice.key, word] = read_word(names, ipa, language_of(voice.language))
 
     def _request(self, message: dict[str, Any], characters: int) -> Answer:
         timeout = self._seconds + self._seconds_per_character * characters
@@ -142,6 +143,12 @@ class EspeakEngine:
             atexit.unregister(self.close)
             atexit.register(self.close)
         return self._worker
+
+
+def _speaks_mnemonics(voice: Voice) -> bool:
+    """Tell whether the mnemonics of a voice's sounds are known, so that their IPA is not needed."""
+    table = language_of(voice.language).mnemonics
+    return bool(table.voice) and table.voice == voice.language
 
 
 def _default_command() -> list[str]:

@@ -2,7 +2,7 @@
 
 Times are exact: a phone starts at the sample where espeak-ng says so, but for stops and for vowels after
 nasals, which it stamps late and whose beginning is measured in the sound (`acoustics`). Phonemes that stand
-for two sounds are divided (`phonesets`). English comes out as ARPAbet, other languages as IPA.
+for two sounds are divided (`mnemonics`). English comes out as ARPAbet, other languages as IPA.
 """
 
 from __future__ import annotations
@@ -14,15 +14,12 @@ from typing import Any, NamedTuple
 
 from ...core.audio import Samples
 from ...core.utterance import SILENCE
+from ...languages import Language, phonesets
+from ...languages.phonesets import ArpabetReading, PhonePart
 from ...rules.articulation import is_known
-from .. import phonesets
-from ..phonesets import Part, Reading
-from ..text.normalise import is_english
 from . import acoustics
+from .mnemonics import as_ipa, from_mnemonic, is_pause
 from .protocol import Rendition, SpokenPhone
-from .spellings import as_ipa
-
-AMERICAN = "en-us"
 
 
 class _Event(NamedTuple):
@@ -35,18 +32,17 @@ class _Event(NamedTuple):
     position: int
 
 
-def needs_ipa(phones: Sequence[tuple[int, str, int]]) -> bool:
-    """Tell whether a sound is none of American English, as in a word that switches the language."""
+def needs_ipa(phones: Sequence[tuple[int, str, int]], language: Language) -> bool:
+    """Tell whether the mnemonic of a sound is unknown, as in a word that switches the language."""
     bare = (phonesets.strip_stress(name)[0] for _, name, _ in phones)
     return any(
-        _is_switch(name) or not (phonesets.is_pause(name) or phonesets.from_mnemonic(name).known)
-        for name in bare
+        _is_switch(name) or not (is_pause(name) or from_mnemonic(name, "", language).known) for name in bare
     )
 
 
-def read_word(names: Sequence[str], ipa: bool, language: str) -> tuple[str, ...]:
+def read_word(names: Sequence[str], ipa: bool, language: Language) -> tuple[str, ...]:
     """Return the phones of a word transcribed as mnemonics, or as IPA."""
-    bare = [phonesets.strip_stress(name)[0] for name in names if not phonesets.is_pause(name)]
+    bare = [phonesets.strip_stress(name)[0] for name in names if not is_pause(name)]
     readings = (
         _read(name, name if ipa else None, following, language)
         for name, following in zip_longest(bare, bare[1:], fillvalue="")
@@ -54,7 +50,9 @@ def read_word(names: Sequence[str], ipa: bool, language: str) -> tuple[str, ...]
     return tuple(part.phone for reading in readings for part in reading.parts)
 
 
-def render(answer: dict[str, Any], samples: Samples, language: str, rate: int | None = None) -> Rendition:
+def render(
+    answer: dict[str, Any], samples: Samples, language: Language, rate: int | None = None
+) -> Rendition:
     """Return the phones of a worker's answer.
 
     It holds `sample_rate`, `phones` (sample, mnemonic, position of the word) and, where asked for, `ipa`: the
@@ -67,7 +65,7 @@ def render(answer: dict[str, Any], samples: Samples, language: str, rate: int | 
     guessed: dict[str, None] = {}
     for index, event in enumerate(events):
         end, following = events[index + 1][:2] if index + 1 < len(events) else (len(samples), "")
-        if phonesets.is_pause(event.name):
+        if is_pause(event.name):
             phones.append(SpokenPhone(SILENCE, event.start, -1, 0, event.position))
             continue
         reading = _read(event.name, event.ipa, following, language)
@@ -97,20 +95,22 @@ def _events(answer: dict[str, Any]) -> list[_Event]:
     return events
 
 
-def _read(name: str, ipa: str | None, following: str, language: str) -> Reading:
+def _read(name: str, ipa: str | None, following: str, language: Language) -> ArpabetReading:
     if ipa is None:
-        return phonesets.from_mnemonic(name, following)
+        return from_mnemonic(name, following, language)
     bare = as_ipa(phonesets.strip_stress(ipa)[0], language)
-    if is_english(language):
+    if language.arpabet:
         return phonesets.from_ipa(bare)
-    return Reading((Part(bare, 1.0),) if _sounds(bare) else (), is_known(bare) or not _sounds(bare))
+    return ArpabetReading(
+        (PhonePart(bare, 1.0),) if _sounds(bare) else (), is_known(bare) or not _sounds(bare)
+    )
 
 
 def _sounds(bare: str) -> bool:
     return any(char.isalpha() and unicodedata.category(char) != "Lm" for char in bare)
 
 
-def _divide(event: _Event, parts: tuple[Part, ...], end: int, closure: int) -> list[SpokenPhone]:
+def _divide(event: _Event, parts: tuple[PhonePart, ...], end: int, closure: int) -> list[SpokenPhone]:
     phones = []
     at = float(event.start)
     stress = event.stress

@@ -16,7 +16,8 @@ from xml.sax.saxutils import escape, quoteattr
 from ...core.directions import Break, Emphasis, Span
 from ...core.manner import PLAIN, Manner
 from ...errors import SpeechWarning, warn
-from .dictation import mnemonics
+from ...languages import Language
+from .mnemonics import dictated
 from .protocol import SpeechRequest
 
 # espeak-ng's own values of its parameters, and what a semitone is of them (measured: 102, 115 and 131 Hz at a
@@ -68,7 +69,7 @@ def parameters(request: SpeechRequest) -> dict[str, int | None]:
     }
 
 
-def encode(request: SpeechRequest, language: str, find: FindVoice) -> Encoded:
+def encode(request: SpeechRequest, language: Language, find: FindVoice) -> Encoded:
     """Return a request's text as espeak-ng reads it; `language` is the voice's."""
     if not request.directions:
         return Encoded(request.text, (), False)
@@ -85,13 +86,13 @@ def encode(request: SpeechRequest, language: str, find: FindVoice) -> Encoded:
             put(_silence(pause), start)
         opening, closing = _tags(style, find)
         put(opening, start)
-        dictated = _dictation(style.dictated, language)
-        if dictated is None:
+        spelling = _dictation(style.dictated, language)
+        if spelling is None:
             for index in range(start, end):
                 put(escape(request.text[index]), index)
         elif style.dictated is not None and style.dictated.start == start:
             # Without a blank, what follows would be read aloud.
-            put(f"[[{dictated}]] ", start)
+            put(f"[[{spelling}]] ", start)
         put(closing, max(start, end - 1))
     for pause in (b for b in breaks if b.at >= len(request.text)):
         put(_silence(pause), len(request.text))
@@ -128,15 +129,15 @@ def _silence(pause: Break) -> str:
     return f'<break time="{round(1000 * pause.seconds)}ms"/>'
 
 
-def _dictation(span: Span | None, language: str) -> str | None:
+def _dictation(span: Span | None, language: Language) -> str | None:
     """Return the mnemonics of a span's phones; None where there are none, or the voice takes none."""
     if span is None:
         return None
-    dictated = mnemonics(span.phones, language)
-    if dictated is None:
+    spelling = dictated(span.phones, language)
+    if spelling is None:
         message = f"{span.place}: only English voices take phonemes; the words are spoken as written"
         warn(message, SpeechWarning)
-    return dictated
+    return spelling
 
 
 def _tags(style: _Style, find: FindVoice) -> tuple[str, str]:

@@ -21,10 +21,9 @@ import numpy as np
 from ...core.audio import Samples
 from ...core.utterance import SILENCE
 from ...errors import SpeechError, SpeechWarning, warn
+from ...languages import language_of, phonesets
 from ...rules.articulation import is_known
-from .. import phonesets
-from ..text.normalise import is_english
-from .dictation import to_arpabet
+from .mnemonics import to_arpabet
 from .protocol import Rendition, SpeechEngine, SpeechRequest, SpokenPhone, Voice
 from .reference import warped
 from .registry import VOICE_FILES, load_engine
@@ -147,7 +146,7 @@ class ProgramEngine:
             bare = bare[:-1]
         if not is_known(bare):
             raise self._fault(f"{where}: unknown phone '{written}'; expected ARPAbet or IPA")
-        if is_english(self._language) and bare not in phonesets.ARPABET:
+        if language_of(self._language).arpabet and bare not in phonesets.ARPABET:
             bare = to_arpabet(bare)[0].rstrip("012")
         return bare, stress if phonesets.is_vowel(bare) else -1
 

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 from ...core.tobi import UNKNOWN_ACCENT
 from ...core.utterance import Accent, Phone, Utterance
-from ..structure.accents import PRIMARY, is_content_word
+from ...languages import Language, language_of
+from ..structure.accents import PRIMARY
 from ..structure.nuclei import with_nuclei
 from .contour import Contour
 from .cues import Cues, vowel_of
@@ -62,6 +63,7 @@ def find_accents(
     """
     found: list[Accent] = []
     kind = prosody_rules().type_
+    language = language_of(utterance.language)
     previous: tuple[int, float] | None = None
     for index, syllable in enumerate(utterance.syllables):
         if previous is not None and any(previous[0] <= word < syllable.word for word in last_words):
@@ -69,7 +71,7 @@ def find_accents(
         vowel = vowel_of(utterance.phones, syllable)
         voiced = contour is not None and contour.is_voiced(vowel.start, vowel.end)
         shape = shape_of(vowel, contour, kind) if contour is not None and voiced else None
-        sure = _sureness(utterance, index, cues, shape)
+        sure = _sureness(utterance, language, index, cues, shape)
         if sure < prosody_rules().accent.threshold:
             continue
         label, certain, time = UNKNOWN_ACCENT, 1.0, 0.5 * (vowel.start + vowel.end)
@@ -101,7 +103,7 @@ def shape_of(vowel: Phone, contour: Contour, kind: TypeRule) -> Shape:
     )
 
 
-def _sureness(utterance: Utterance, index: int, cues: Cues, shape: Shape | None) -> float:
+def _sureness(utterance: Utterance, language: Language, index: int, cues: Cues, shape: Shape | None) -> float:
     """Return how likely a syllable is to be accented, 0..1."""
     rule = prosody_rules().accent
     syllable = utterance.syllables[index]
@@ -115,7 +117,8 @@ def _sureness(utterance: Utterance, index: int, cues: Cues, shape: Shape | None)
         return 0.0
     excursion = shape.excursion if shape else 0.0
     counted = min(excursion, rule.largest_excursion) if excursion >= rule.least_excursion else 0.0
-    stressed = syllable.stress >= PRIMARY and is_content_word(word.text)
+    content = not language.is_function_word(word.text)
+    stressed = syllable.stress >= PRIMARY and content
     # Its low pitch does not speak against a valley.
     hollow = shape is not None and shape.depth >= prosody_rules().type_.valley
     standing = max(cues.prominence[index], 0.0) if hollow else cues.prominence[index]

@@ -14,6 +14,7 @@ from itertools import pairwise
 from ...core.audio import Audio, silence
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError, Place, SpeechWarning, warn
+from ...languages import language_of
 from ...script.quote import quoted
 from ...script.textgrid import INTERVALS, Label, TextGrid, Tier
 from ..alignment.lexicon import stresses_of
@@ -30,7 +31,8 @@ PHONE_TIERS = ("phones", "phone", "phonemes", "phoneme", "segments", "mau", "phn
 # Seconds: labels so near to each other touch, and so much may the last reach beyond the recording.
 TOUCHING, BEYOND = 0.002, 0.1
 SHORTEST = 1e-4
-ENGLISH, UNDETERMINED = "en-us", "und"
+# The language of labels in ARPAbet, and of others.
+_ARPABET_LANGUAGE, _UNDETERMINED = "en-us", "und"
 NO_WORD = -1
 
 
@@ -53,11 +55,12 @@ def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance
     phones, timed = _joined(labels, sounds, words, grid.source)
     text = " ".join(word.text for word in timed)
     phones = _stressed(phones, timed, sounds, text if arpabet and words else "")
-    syllables = syllabify(phones, timed)
-    pauses = find_pauses(text, phones, timed)
+    code = _ARPABET_LANGUAGE if arpabet else _UNDETERMINED
+    language = language_of(code)
+    syllables = syllabify(phones, timed, language)
+    pauses = find_pauses(text, phones, timed, language)
     tones = read_tones(grid, syllables, timed)
-    language = ENGLISH if arpabet else UNDETERMINED
-    said = intone(Utterance(text, language, audio, phones, timed, syllables, pauses))
+    said = intone(Utterance(text, code, audio, phones, timed, syllables, pauses))
     return with_phrases(
         replace(
             said,

@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 from ...core.utterance import SILENCE
 from ...errors import InputError, Place, unknown
+from ...languages import phonesets
 from ...rules.articulation import is_known
 from ...script.textgrid import Label
-from .. import phonesets
 
 # How aligners and people write silence; "spn" is MFA's label for a word that it does not know.
 SILENCES = frozenset(

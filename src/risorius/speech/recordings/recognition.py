@@ -19,7 +19,7 @@ from ...core.arrays import Array, BoolArray
 from ...core.audio import Audio
 from ...core.utterance import SILENCE, Utterance, Word
 from ...errors import InputError
-from .. import phonesets
+from ...languages import phonesets
 from ..alignment.aligner import assembled, moved, refined
 from ..alignment.decoder import (
     FRAME,

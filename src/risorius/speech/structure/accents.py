@@ -1,4 +1,4 @@
-"""Pitch accents and boundary tones from the text (`rules/data/intonation.toml`), and those written by hand.
+"""Pitch accents and boundary tones: from the text, by its language's rules, and those written by hand.
 
 Content words are accented on the syllable that the engine stresses; the last accent of a phrase is its
 nucleus. Measured against the pitch of a voice, either rule alone finds accents with an F1 near 0.73.
@@ -12,18 +12,11 @@ from dataclasses import replace
 
 from ...core.directions import UNDIRECTED, Directions, Tone
 from ...core.utterance import Accent, Boundary, Phrase, Utterance, Word
-from ...rules.intonation import Candidate, intonation_table
-from .. import phonesets
-from ..text.english import function_words
+from ...languages import Language, language_of, phonesets
+from ...languages.intonation import Candidate
 from .phrases import find_phrases
-from .questions import plain
 
 PRIMARY = 2
-
-
-def is_content_word(text: str) -> bool:
-    """Tell whether a word is likely to be accented; words of other languages always are."""
-    return plain(text) not in function_words()
 
 
 def intone(utterance: Utterance, directions: Directions = UNDIRECTED) -> Utterance:
@@ -36,10 +29,11 @@ def intone(utterance: Utterance, directions: Directions = UNDIRECTED) -> Utteran
     ends = _by_word(utterance.words, directions.boundaries)
     accents: list[Accent] = []
     boundaries: list[Boundary] = []
+    language = language_of(utterance.language)
     phrases = find_phrases(utterance, ends, clauses=True)
     for phrase in phrases:
-        accents += _written(utterance, phrase, tones) or _ruled(utterance, phrase, directions)
-        boundaries += _boundary(utterance, phrase, ends)
+        accents += _written(utterance, phrase, tones) or _ruled(utterance, language, phrase, directions)
+        boundaries += _boundary(utterance, language, phrase, ends)
     return replace(utterance, accents=tuple(accents), boundaries=tuple(boundaries), phrases=phrases)
 
 
@@ -60,10 +54,10 @@ def _written(utterance: Utterance, phrase: Phrase, tones: Mapping[int, str]) -> 
     ]
 
 
-def _ruled(utterance: Utterance, phrase: Phrase, directions: Directions) -> list[Accent]:
+def _ruled(utterance: Utterance, language: Language, phrase: Phrase, directions: Directions) -> list[Accent]:
     """Return the accents that the rules find in a phrase."""
-    candidates = _candidates(utterance, phrase, directions)
-    found = [(syllable, intonation_table().accent_of(candidate)) for syllable, candidate in candidates]
+    candidates = _candidates(utterance, language, phrase, directions)
+    found = [(syllable, language.intonation.accent_of(candidate)) for syllable, candidate in candidates]
     ruled = [(syllable, rule) for syllable, rule in found if rule is not None]
     return [
         _accent(utterance, syllable, str(rule.label), rule.confidence, nuclear=number == len(ruled))
@@ -71,41 +65,45 @@ def _ruled(utterance: Utterance, phrase: Phrase, directions: Directions) -> list
     ]
 
 
-def _candidates(utterance: Utterance, phrase: Phrase, directions: Directions) -> list[tuple[int, Candidate]]:
+def _candidates(
+    utterance: Utterance, language: Language, phrase: Phrase, directions: Directions
+) -> list[tuple[int, Candidate]]:
     """Return the syllables of a phrase that might be accented, by their index."""
     words = range(phrase.first_word, phrase.last_word)
     focused = {w for w in words if directions.focused(*_source(utterance.words[w]))}
-    stressed = _stressed(utterance, words, focused)
+    stressed = _stressed(utterance, language, words, focused)
     only = not stressed
     if only and (strongest := _strongest(utterance, words)) is not None:
         stressed = [strongest]
     word_of = {index: utterance.syllables[index].word for index in stressed}
     nucleus = max((i for i in stressed if word_of[i] in focused), default=max(stressed, default=-1))
-    lexical = utterance.language.split("-")[0] in intonation_table().lexical.languages
     return [
         (
             index,
             Candidate(
-                content=is_content_word(_text(utterance, index)),
+                content=not language.is_function_word(_text(utterance, index)),
                 only=only,
                 nuclear=index == nucleus,
                 focus=word_of[index] in focused,
                 after_focus=word_of[index] > min(focused, default=phrase.last_word),
                 ends=phrase.ending,
-                lexical_tone=lexical,
+                lexical_tone=language.tones,
             ),
         )
         for index in stressed
     ]
 
 
-def _stressed(utterance: Utterance, words: range, focused: Set[int]) -> list[int]:
+def _stressed(utterance: Utterance, language: Language, words: range, focused: Set[int]) -> list[int]:
     """Return the stressed syllables of content words and of focused ones, each of which has at least one."""
     found = [
         index
         for index in _syllables(utterance, words)
         if utterance.syllables[index].stress == PRIMARY
-        and (is_content_word(_text(utterance, index)) or utterance.syllables[index].word in focused)
+        and (
+            utterance.syllables[index].word in focused
+            or not language.is_function_word(_text(utterance, index))
+        )
     ]
     without = focused - {utterance.syllables[index].word for index in found}
     strongest = (_strongest(utterance, range(word, word + 1)) for word in without)
@@ -139,10 +137,12 @@ def _accent(utterance: Utterance, index: int, label: str, confidence: float, *, 
     return Accent(0.5 * (vowel.start + vowel.end), syllable.word, index, label, nuclear, confidence)
 
 
-def _boundary(utterance: Utterance, phrase: Phrase, written: Mapping[int, str]) -> Iterator[Boundary]:
+def _boundary(
+    utterance: Utterance, language: Language, phrase: Phrase, written: Mapping[int, str]
+) -> Iterator[Boundary]:
     last = phrase.last_word - 1
     end = utterance.words[last].end
     if last in written:
         yield Boundary(end, last, written[last])
-    elif (rule := intonation_table().boundary_of(phrase.ending)) is not None:
+    elif (rule := language.intonation.boundary_of(phrase.ending)) is not None:
         yield Boundary(end, last, rule.label, rule.confidence)

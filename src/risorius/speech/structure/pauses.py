@@ -6,13 +6,13 @@ import re
 from collections.abc import Iterator, Sequence
 
 from ...core.utterance import SILENCE, Pause, PauseKind, Phone, Word
+from ...languages import Language, plain_word
 
 # The punctuation that ends a text has a pause of at most so many seconds; the rest is the final pause.
 PUNCTUATION_AT_END = 0.3
 # Shorter silence that no punctuation asks for is no pause (seconds).
 SHORTEST_UNASKED = 0.15
 
-_FILLERS = frozenset({"uh", "um", "er", "erm", "hmm", "hm", "mm", "uhm", "eh"})
 _KINDS = (
     (re.compile(r"[?\uff1f\u061f]"), PauseKind.QUESTION),
     (re.compile(r"[!\uff01]"), PauseKind.EXCLAMATION),
@@ -22,7 +22,9 @@ _KINDS = (
 _CLAUSE = re.compile(r"[,;:()\u2013\u2014\u060c\u3001\uff0c\uff1b\uff1a]|--|\s-\s|\n")
 
 
-def find_pauses(text: str, phones: Sequence[Phone], words: Sequence[Word]) -> tuple[Pause, ...]:
+def find_pauses(
+    text: str, phones: Sequence[Phone], words: Sequence[Word], language: Language
+) -> tuple[Pause, ...]:
     """Return the pauses among `phones`, in order.
 
     Silence before the first word is INITIAL. After the last word comes the pause of its punctuation, for
@@ -30,7 +32,9 @@ def find_pauses(text: str, phones: Sequence[Phone], words: Sequence[Word]) -> tu
     words decides; without any, silence of at least 0.15 s is a COMMA. A comma after "um" and its like is a
     HESITATION. Silence inside a word is no pause.
     """
-    return tuple(pause for index in range(len(phones)) for pause in _pause(text, phones, words, index))
+    return tuple(
+        pause for index in range(len(phones)) for pause in _pause(text, phones, words, index, language)
+    )
 
 
 def punctuation_kind(between: str) -> PauseKind | None:
@@ -41,7 +45,9 @@ def punctuation_kind(between: str) -> PauseKind | None:
     return PauseKind.COMMA if _CLAUSE.search(between) else None
 
 
-def _pause(text: str, phones: Sequence[Phone], words: Sequence[Word], index: int) -> Iterator[Pause]:
+def _pause(
+    text: str, phones: Sequence[Phone], words: Sequence[Word], index: int, language: Language
+) -> Iterator[Pause]:
     phone = phones[index]
     if phone.symbol != SILENCE:
         return
@@ -55,7 +61,7 @@ def _pause(text: str, phones: Sequence[Phone], words: Sequence[Word], index: int
         kind = punctuation_kind(text[words[before].source_end : words[after].source_start])
         if kind is None and phone.duration >= SHORTEST_UNASKED:
             kind = PauseKind.COMMA
-        if kind is PauseKind.COMMA and words[before].text.lower() in _FILLERS:
+        if kind is PauseKind.COMMA and plain_word(words[before].text) in language.fillers:
             kind = PauseKind.HESITATION
         if kind is not None:
             yield Pause(phone.start, phone.end, kind)

@@ -8,8 +8,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from ...core.utterance import Ending, PauseKind, Phrase, Question, Utterance
-from ...rules.intonation import intonation_table
-from ..text.normalise import is_english
+from ...languages import Language, language_of, plain_word
 from ..text.sentences import divide
 from .pauses import punctuation_kind
 from .questions import question_of
@@ -21,6 +20,8 @@ _ENDINGS = {
     PauseKind.EXCLAMATION: Ending.EXCLAMATION,
     PauseKind.HESITATION: Ending.HESITATION,
 }
+# The sign before a question in Spanish.
+_OPENING = "\u00bf"
 _QUESTION_ENDINGS = {
     Question.WH: Ending.WH_QUESTION,
     Question.ALTERNATIVE: Ending.ALTERNATIVE_QUESTION,
@@ -41,7 +42,8 @@ def find_phrases(
     with which a clause begins, though nothing is heard there.
     """
     words = utterance.words
-    sentences = _sentence_starts(utterance)
+    language = language_of(utterance.language)
+    sentences = _sentence_starts(utterance, language)
     sentence_ends = {*sentences, len(words)}
     ends = [
         index
@@ -53,7 +55,11 @@ def find_phrases(
         number = bisect_right(sentences, last) - 1
         stop = sentences[number + 1] if number + 1 < len(sentences) else len(words)
         question = _question(utterance, sentences[number], stop - 1)
-        edges = [before + 1, *(_clause_starts(utterance, before + 1, last + 1) if clauses else ()), last + 1]
+        edges = [
+            before + 1,
+            *(_clause_starts(utterance, language, before + 1, last + 1) if clauses else ()),
+            last + 1,
+        ]
         for first, end in pairwise(edges):
             ending = Ending.CLAUSE if end <= last else _ending(utterance, sentences[number], last)
             times = (words[first].start, words[end - 1].end)
@@ -61,9 +67,9 @@ def find_phrases(
     return tuple(found)
 
 
-def _sentence_starts(utterance: Utterance) -> list[int]:
+def _sentence_starts(utterance: Utterance, language: Language) -> list[int]:
     """Return the first word of each sentence."""
-    cuts = [stretch.end for stretch in divide(utterance.text) if stretch.ends_sentence]
+    cuts = [stretch.end for stretch in divide(utterance.text, language) if stretch.ends_sentence]
     numbers = [bisect_right(cuts, word.source_start) for word in utterance.words]
     return [
         index
@@ -81,7 +87,14 @@ def _question(utterance: Utterance, first: int, last: int) -> Question:
     """Return how the words from `first` to `last` ask, with which a sentence may end."""
     if punctuation_kind(_after(utterance, last)) is not PauseKind.QUESTION:
         return Question.NONE
-    return question_of([word.text for word in utterance.words[first : last + 1]], utterance.language)
+    words = utterance.words[_opening(utterance, first, last) : last + 1]
+    return question_of([word.text for word in words], language_of(utterance.language))
+
+
+def _opening(utterance: Utterance, first: int, last: int) -> int:
+    """Return the first word of the question among [first, last], which Spanish marks: "Hola, ¿qué tal?"."""
+    marked = (i for i in range(last, first, -1) if _OPENING in _after(utterance, i - 1))
+    return next(marked, first)
 
 
 def _ending(utterance: Utterance, sentence: int, last: int) -> Ending:
@@ -106,12 +119,10 @@ def _after(utterance: Utterance, index: int) -> str:
     return utterance.text[utterance.words[index].source_end : stop]
 
 
-def _clause_starts(utterance: Utterance, start: int, stop: int) -> Iterator[int]:
-    """Yield the words among [start, stop) with which English clauses begin."""
-    rule = intonation_table().clauses
-    if not is_english(utterance.language):
-        return
+def _clause_starts(utterance: Utterance, language: Language, start: int, stop: int) -> Iterator[int]:
+    """Yield the words among [start, stop) with which clauses begin."""
+    rule = language.clauses
     for index in range(start + rule.least, stop - rule.least + 1):
-        if utterance.words[index].text.lower() in rule.before and index - start >= rule.least:
+        if plain_word(utterance.words[index].text) in rule.before and index - start >= rule.least:
             yield index
             start = index

@@ -3,32 +3,51 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import dropwhile
 
 from ...core.utterance import Question
-from ...rules.intonation import intonation_table
-from ..text.normalise import is_english
-from ..text.tokens import APOSTROPHES
+from ...languages import Language, Questions, plain_word
 
 # A sentence says how it asks with one of so many words.
 _FIRST_WORDS = 2
-_PLAIN_APOSTROPHE = str.maketrans(dict.fromkeys(APOSTROPHES, "'"))
 
 
-def plain(text: str) -> str:
-    """Return a word as lists of words have it: in lower case, with straight apostrophes."""
-    return text.lower().translate(_PLAIN_APOSTROPHE)
-
-
-def question_of(words: Sequence[str], language: str) -> Question:
-    """Return the kind of the question that the words of a sentence ask; only English ones are told apart."""
-    if not is_english(language):
-        return Question.YES_NO
-    texts = [plain(word) for word in words]
-    table = intonation_table().questions
-    # "Well, what about Julia?", but not "Is it, when you can?"
-    if any(text in table.wh for text in texts[:_FIRST_WORDS]):
+def question_of(words: Sequence[str], language: Language) -> Question:
+    """Return the kind of the question that the words of a sentence ask."""
+    table = language.questions
+    texts = list(dropwhile(table.openers.__contains__, map(plain_word, words)))
+    kind = _by_first_words(texts, table)
+    if kind is None and _is_inverted(texts, language):
+        kind = Question.YES_NO
+    if kind is Question.WH or (kind is None and texts and texts[-1] in table.last):
         return Question.WH
     if any(text in table.alternative for text in texts[1:-1]):
         return Question.ALTERNATIVE
-    inverted = any(text in table.auxiliaries for text in texts[:_FIRST_WORDS])
-    return Question.YES_NO if inverted else Question.UNMARKED
+    return kind or table.otherwise
+
+
+def _by_first_words(texts: Sequence[str], table: Questions) -> Question | None:
+    """Return what the first words ask, of which the first that tells decides; None if none does.
+
+    "Now, what about Julia?", but not "Is it, when you can?"; "Are you there?", but not "You are there?"
+    """
+    for number, text in enumerate(texts[:_FIRST_WORDS]):
+        if any(part in table.wh for part in (text, *text.split("'"))):
+            return Question.WH
+        states = number > 0 and texts[0] in table.subjects
+        if (text in table.yes_no and not states) or _holds_subject(text, table):
+            return Question.YES_NO
+    return None
+
+
+def _is_inverted(texts: Sequence[str], language: Language) -> bool:
+    """Tell whether a verb stands before its subject: "Kommst du?", "Jean vient-il ?"."""
+    table = language.questions
+    subject_follows = table.verb_first and len(texts) > 1 and texts[1] in table.subjects
+    verb_first = subject_follows and not language.is_function_word(texts[0])
+    return verb_first or any(_holds_subject(text, table) for text in texts)
+
+
+def _holds_subject(text: str, table: Questions) -> bool:
+    """Tell whether a word is a verb that a hyphen joins to its subject: "viens-tu"."""
+    return "-" in text and text.rsplit("-", 1)[1] in table.hyphenated

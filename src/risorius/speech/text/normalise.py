@@ -1,7 +1,7 @@
 """A text as it is given to the speech engine, with the place in the source of every character.
 
-English abbreviations, amounts of money and units are written out (`data/english.toml`); in every language,
-signs that nobody reads aloud (quotes, emoji, markup characters, invisible characters) are left out.
+Abbreviations, amounts of money and units are written out as the language reads them; signs that nobody reads
+aloud (quotes, emoji, markup characters, invisible characters) are left out.
 """
 
 from __future__ import annotations
@@ -13,8 +13,10 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from ...core.directions import Break, Directions, Span
-from .english import written_out
-from .tokens import APOSTROPHES, BREAKS
+from ...languages import Language
+from ...languages.abbreviations import written_out
+from ...languages.language import APOSTROPHES
+from .tokens import BREAKS
 
 _QUOTES = '"\u201c\u201d\u201e\u201f\u00ab\u00bb\u2039\u203a\u2018'
 _MARKUP = "[]{}<>*_~^`|\\\u2022\u2023\u25e6\u25aa\u00b7"
@@ -32,7 +34,7 @@ class Spoken(NamedTuple):
     origin: tuple[int, ...]
 
 
-def normalise(text: str, start: int, end: int, language: str) -> Spoken:
+def normalise(text: str, start: int, end: int, language: Language) -> Spoken:
     """Return what is to be spoken for characters [start, end) of `text`; it holds no line break."""
     chars: list[str] = []
     origin: list[int] = []
@@ -42,7 +44,7 @@ def normalise(text: str, start: int, end: int, language: str) -> Spoken:
         origin.extend([source] * len(piece))
 
     at = start
-    for piece in written_out(text, start, end) if is_english(language) else ():
+    for piece in written_out(text, start, end, language.abbreviations, language.function_words):
         _clean(text, at, piece.start, put)
         for read, source in piece.read:
             put(read, source)
@@ -93,8 +95,3 @@ def _cleaned(text: str, at: int, char: str) -> str:
     if char.isalpha() and unicodedata.decomposition(char).startswith(_COMPATIBLE):
         return unicodedata.normalize("NFKC", char)
     return char
-
-
-def is_english(language: str) -> bool:
-    """Tell whether a language code is that of a kind of English."""
-    return language == "en" or language.startswith("en-")

@@ -11,7 +11,8 @@ import unicodedata
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from .english import is_abbreviation
+from ...languages import Language
+from ...languages.abbreviations import is_abbreviation
 from .tokens import is_speakable
 
 LIMIT = 400
@@ -33,28 +34,30 @@ class Stretch(NamedTuple):
     ends_sentence: bool
 
 
-def divide(text: str, limit: int = LIMIT) -> tuple[Stretch, ...]:
+def divide(text: str, language: Language, limit: int = LIMIT) -> tuple[Stretch, ...]:
     """Return the stretches of `text`, none longer than `limit` characters, each with something to speak."""
     stretches: list[Stretch] = []
     start = 0
-    for end in [*_sentence_ends(text), len(text)]:
+    for end in [*_sentence_ends(text, language), len(text)]:
         stretches += _bounded(text, start, end, limit)
         start = end
     return tuple(s for s in stretches if is_speakable(text[s.start : s.end]))
 
 
-def _sentence_ends(text: str) -> Iterator[int]:
+def _sentence_ends(text: str, language: Language) -> Iterator[int]:
     for match in _END.finditer(text):
-        if match["mark"] is None or _ends_here(text, match):
+        if match["mark"] is None or _ends_here(text, match, language):
             yield match.end()
 
 
-def _ends_here(text: str, match: re.Match[str]) -> bool:
+def _ends_here(text: str, match: re.Match[str], language: Language) -> bool:
     following = next((char for char in text[match.end() : match.end() + 40] if char.isalnum()), "")
     if following.islower():
         # "e.g. this", "wait... what", "'Really?' she said"
         return False
-    return match["mark"] != "." or not is_abbreviation(text, match.start())
+    if match["mark"] != ".":
+        return True
+    return not is_abbreviation(text, match.start(), language.abbreviations, language.function_words)
 
 
 def _bounded(text: str, start: int, end: int, limit: int) -> Iterator[Stretch]:

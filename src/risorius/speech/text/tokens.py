@@ -11,7 +11,8 @@ import re
 import unicodedata
 from typing import NamedTuple
 
-APOSTROPHES = "'\u2019\u02bc"
+from ...languages.language import APOSTROPHES
+
 HYPHENS = "-\u2010\u2011"
 # Characters without width that separate words: zero width space, byte order mark.
 BREAKS = "\u200b\ufeff"

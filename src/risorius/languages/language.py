@@ -1,0 +1,111 @@
+"""A language as the other stages know it, and the tables that its folder holds."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Annotated
+
+from ..core.schema import Range
+from ..core.utterance import Question
+from .abbreviations import Abbreviations
+from .intonation import IntonationTable
+from .mnemonics import Mnemonics
+
+APOSTROPHES = "'\u2019\u02bc"
+_STRAIGHT = str.maketrans(dict.fromkeys(APOSTROPHES, "'"))
+
+# How a whole number, written in digits, may be read, in words; none for what is not a number.
+NumberReadings = Callable[[str], tuple[str, ...]]
+
+
+def plain_word(text: str) -> str:
+    """Return a word as tables have it: in lower case, composed, with straight apostrophes."""
+    return unicodedata.normalize("NFC", text).lower().translate(_STRAIGHT)
+
+
+@dataclass(frozen=True, slots=True)
+class Questions:
+    """Words that tell the kinds of questions apart.
+
+    Of the first two words of a question, `openers` not counted, one of `wh` asks for information, one of
+    `yes_no` for yes or no, whichever comes first; after one of `subjects` the latter is a statement's verb.
+    If `verb_first`, any word before one of `subjects` that is not a function word is a verb and asks for yes
+    or no; so does a word that a hyphen joins to one of `hyphenated`. One of `last` asks for information as
+    the last word, one of `alternative` offers a choice. Else a question asks `otherwise`.
+    """
+
+    openers: tuple[str, ...] = ()
+    wh: tuple[str, ...] = ()
+    yes_no: tuple[str, ...] = ()
+    subjects: tuple[str, ...] = ()
+    verb_first: bool = False
+    hyphenated: tuple[str, ...] = ()
+    last: tuple[str, ...] = ()
+    alternative: tuple[str, ...] = ()
+    otherwise: Question = Question.YES_NO
+
+
+@dataclass(frozen=True, slots=True)
+class Clauses:
+    """Words before which a phrase may begin without a pause, if both parts have at least so many words."""
+
+    before: tuple[str, ...] = ()
+    least: Annotated[int, Range(1, 50)] = 3
+
+
+@dataclass(frozen=True, slots=True)
+class LanguageTable:
+    """The file `language.toml`.
+
+    `tones`: pitch tells words apart. `function_words`: words that normally carry no accent, by kind.
+    `fillers`: sounds of hesitation.
+    """
+
+    name: str
+    tones: bool = False
+    function_words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    fillers: tuple[str, ...] = ()
+    questions: Questions = Questions()
+    clauses: Clauses = Clauses()
+
+
+@dataclass(frozen=True, slots=True)
+class PhoneTable:
+    """The file `phones.toml`.
+
+    `arpabet`: phones are ARPAbet, else IPA. `onsets`: clusters of ARPAbet that begin words. `spellings`: the
+    IPA of what espeak-ng spells otherwise.
+    """
+
+    arpabet: bool = False
+    onsets: tuple[str, ...] = ()
+    spellings: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Language:
+    """What is known about a language. `code`: that of its folder, "und" for a language without one."""
+
+    code: str
+    name: str
+    tones: bool
+    arpabet: bool
+    function_words: frozenset[str]
+    fillers: frozenset[str]
+    questions: Questions
+    clauses: Clauses
+    onsets: frozenset[tuple[str, ...]]
+    spellings: Mapping[str, str]
+    abbreviations: Abbreviations
+    mnemonics: Mnemonics
+    intonation: IntonationTable
+    number_readings: NumberReadings
+
+    def is_function_word(self, text: str) -> bool:
+        """Tell whether a word normally carries no accent; what apostrophes join does not if no part does."""
+        word = plain_word(text)
+        return word in self.function_words or (
+            "'" in word and all(part in self.function_words for part in word.split("'"))
+        )

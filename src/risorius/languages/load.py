@@ -1,0 +1,95 @@
+"""The package's languages, from their folders."""
+
+from __future__ import annotations
+
+import importlib
+import unicodedata
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+from ..core.schema import Source, build
+from ..core.toml import read_tables, read_text
+from .abbreviations import Abbreviations
+from .intonation import IntonationTable
+from .language import Language, LanguageTable, NumberReadings, PhoneTable
+from .mnemonics import Mnemonics
+
+T = TypeVar("T")
+UNDETERMINED = "und"
+_FOLDER = Path(__file__).parent
+
+
+@cache
+def languages() -> tuple[str, ...]:
+    """Return the codes of all languages that have a folder, in order."""
+    return tuple(sorted(path.parent.name for path in _FOLDER.glob("*/language.toml")))
+
+
+def language_of(code: str) -> Language:
+    """Return the language of a code (BCP 47): "pt-br" is "pt" unless it has a folder of its own.
+
+    A language without a folder is as the undetermined one.
+    """
+    parts = code.lower().replace("_", "-").split("-")
+    names = ("-".join(parts[:count]) for count in range(len(parts), 0, -1))
+    return _language(next((name for name in names if name in languages()), UNDETERMINED))
+
+
+@cache
+def _language(code: str) -> Language:
+    table = _read(LanguageTable, code, "language.toml")
+    phones = _read(PhoneTable, code, "phones.toml")
+    return Language(
+        code=code,
+        name=table.name,
+        tones=table.tones,
+        arpabet=phones.arpabet,
+        function_words=frozenset(word for words in table.function_words.values() for word in words),
+        fillers=frozenset(table.fillers),
+        questions=table.questions,
+        clauses=table.clauses,
+        onsets=frozenset(tuple(cluster.split()) for cluster in phones.onsets),
+        spellings=phones.spellings,
+        abbreviations=_read(Abbreviations, code, "abbreviations.toml"),
+        mnemonics=_read(Mnemonics, code, "mnemonics.toml"),
+        intonation=_read(IntonationTable, code, "intonation.toml"),
+        number_readings=_number_readings(code),
+    )
+
+
+def _read(cls: type[T], code: str, name: str) -> T:
+    """Return a file of a language, laid over that of the undetermined one; either may be missing."""
+    text, tables = _tables(code, name)
+    if code != UNDETERMINED:
+        # Each language has a name of its own.
+        base = {key: value for key, value in _tables(UNDETERMINED, name)[1].items() if key != "name"}
+        tables = _laid_over(base, tables)
+    return build(cls, tables, Source(f"{code}/{name}", text))
+
+
+def _tables(code: str, name: str) -> tuple[str, dict[str, Any]]:
+    path = _FOLDER / code / name
+    if not path.is_file():
+        return "", {}
+    text = unicodedata.normalize("NFC", read_text(path))
+    return text, read_tables(text, f"{code}/{name}")
+
+
+def _laid_over(base: Mapping[str, Any], tables: Mapping[str, Any]) -> dict[str, Any]:
+    """Return both; what both have is from `tables`, or again both if it is a table."""
+    return {
+        **base,
+        **{
+            key: _laid_over(base[key], value) if key in base and isinstance(value, dict) else value
+            for key, value in tables.items()
+        },
+    }
+
+
+def _number_readings(code: str) -> NumberReadings:
+    if not (_FOLDER / code / "numbers.py").is_file():
+        return lambda text: ()
+    module = importlib.import_module(f"{__package__}.{code}.numbers")
+    return cast(NumberReadings, module.number_readings)
