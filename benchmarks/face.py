@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
+from risorius.api import speak
 from risorius.face.motion import Motion, animate
 from risorius.face.solve import FaceSolver
-from risorius.pipeline import speak
 from risorius.take import Take
 
 SENTENCE = "Oh, really? I like it very much. My baby brother put the map by the beam. "

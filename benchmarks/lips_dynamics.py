@@ -15,7 +15,7 @@ from lips_measures import machine
 
 from risorius import blend
 from risorius.face.lip_fit import load_lip_rig
-from risorius.pipeline import plan
+from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import BlendChoices, Settings
 from risorius.speech import say
@@ -31,7 +31,7 @@ def gaps(sentence: str, rate: int, model: str) -> np.ndarray:
     script = read_script(sentence, text=True)
     utterance = say(script, rate=rate)
     settings = Settings(lively=False, blend=BlendChoices(lips=model))
-    score = plan(script, utterance, (), settings)
+    score = compose(script, utterance, (), settings)
     values = blend.at(score, np.arange(0.0, score.duration, STEP), load_lip_rig())
     return machine().mouth(values)[:, 0]
 

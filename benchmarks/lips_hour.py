@@ -14,7 +14,7 @@ from fractions import Fraction
 from risorius import blend
 from risorius.core.score import Score
 from risorius.face.lip_fit import load_lip_rig
-from risorius.pipeline import plan
+from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import BlendChoices, Settings
 from risorius.speech import say
@@ -26,7 +26,7 @@ def spoken(seconds: float, model: str) -> Score:
     """Return the lips of the text, over and over."""
     script = read_script(TEXT, text=True)
     utterance = say(script)
-    once = plan(script, utterance, (), Settings(lively=False, blend=BlendChoices("graded", lips=model)))
+    once = compose(script, utterance, (), Settings(lively=False, blend=BlendChoices("graded", lips=model)))
     times = [k * once.duration for k in range(int(seconds / once.duration))]
     lips = tuple(replace(s, start=s.start + t, end=s.end + t) for t in times for s in once.lips)
     return replace(once, duration=len(times) * once.duration, lips=lips, movements=())

@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from risorius import blend
+from risorius import blend, pipeline
 from risorius.channels import Brief, Display, compose
 from risorius.core.arrays import Array, BoolArray
 from risorius.core.movement import LipSegment, Movement
@@ -20,7 +20,6 @@ from risorius.face.lip_fit import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.face.mouth import Mouth
 from risorius.face.solve import FaceSolver
-from risorius.pipeline import plan
 from risorius.script import read_script
 from risorius.settings import Settings
 from risorius.speech import say
@@ -85,7 +84,7 @@ class Spoken:
         """Say a sentence and measure it."""
         script = read_script(sentence, text=True)
         utterance = say(script, language=settings.language, rate=settings.rate)
-        score = plan(script, utterance, (), settings)
+        score = pipeline.compose(script, utterance, (), settings)
         times = np.arange(0.0, score.duration, 1.0 / FPS)
         values = blend.at(score, times, load_lip_rig())
         spoken = [(p.start, p.end) for p in utterance.phones if p.symbol]

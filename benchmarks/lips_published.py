@@ -25,7 +25,7 @@ from risorius.core.movement import LipSegment
 from risorius.core.score import Score
 from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.face.lip_fit import load_lip_rig
-from risorius.pipeline import plan
+from risorius.pipeline import compose
 from risorius.rules.lips import lip_table
 from risorius.script import read_script
 from risorius.settings import Settings
@@ -92,7 +92,7 @@ def _has(utterance: Utterance, syllable: Syllable, symbol: str) -> bool:
 
 def jaw_asked(utterance: Utterance) -> float:
     """Return the jaw drop that the vowel of "map" asks for, mm."""
-    score = plan(read_script(SAID, text=True), utterance, (), Settings(lively=False))
+    score = compose(read_script(SAID, text=True), utterance, (), Settings(lively=False))
     return next(s.targets["jaw_drop"] for s in score.lips if s.phone == "AE")
 
 

@@ -15,7 +15,8 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from risorius.pipeline import perform, plan, speak
+from risorius.api import speak
+from risorius.pipeline import combine, compose
 from risorius.script import read_script
 from risorius.settings import Settings
 from risorius.speech import say
@@ -40,7 +41,7 @@ def planning() -> None:
     settings = Settings()
     script = read_script(MINUTE, text=True)
     utterance = say(script)
-    seconds = best(lambda: perform(plan(script, utterance, (), settings), settings, utterance))
+    seconds = best(lambda: combine(compose(script, utterance, (), settings), settings, utterance))
     print(f"planning: {utterance.duration / seconds:.0f}x real time ({utterance.duration:.0f} s of speech)")
 
 
@@ -69,7 +70,7 @@ def whole() -> None:
 MEASURE = """
 import sys
 from pathlib import Path
-from risorius.pipeline import speak
+from risorius.api import speak
 take = speak(sys.argv[1], text=True)
 take.write(Path(sys.argv[2]) / "x.muscles.csv")
 for face in take.faces(range(0, len(take.performance.values), 60)):

@@ -22,7 +22,7 @@ from risorius.face.head import load_head
 from risorius.face.lip_fit import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.face.solve import FaceSolver
-from risorius.pipeline import plan
+from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import Settings
 from risorius.speech import say
@@ -122,7 +122,7 @@ def cases(sentences: Iterable[str], emotion: str) -> list[Case]:
     for sentence in sentences:
         script = read_script(sentence, text=True)
         utterance = say(script)
-        found.append(Case(utterance, plan(script, utterance, (Display(emotion, 1.0),), settings)))
+        found.append(Case(utterance, compose(script, utterance, (Display(emotion, 1.0),), settings)))
     return found
 
 

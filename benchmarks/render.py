@@ -17,8 +17,8 @@ from functools import partial
 from os import times
 from pathlib import Path
 
+from risorius.api import speak
 from risorius.core.look import Look
-from risorius.pipeline import speak
 from risorius.settings import Settings
 from risorius.take import Take
 

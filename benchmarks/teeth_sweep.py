@@ -17,11 +17,11 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
 from face.teeth import TeethTester  # noqa: E402
+from risorius.api import speak  # noqa: E402
 from risorius.channels import Display  # noqa: E402
 from risorius.core.parameters import NAMES  # noqa: E402
 from risorius.face.head import load_head, shipped_heads  # noqa: E402
 from risorius.face.solve import FaceSolver  # noqa: E402
-from risorius.pipeline import speak  # noqa: E402
 from risorius.rules.emotions import emotions  # noqa: E402
 
 GREETING = "Oh, really? I like it very much."

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 from PIL import Image, ImageDraw
 
-from risorius.pipeline import speak
+from risorius.api import speak
 from risorius.rules.emotions import Display
 from risorius.settings import Settings
 from risorius.take import Take

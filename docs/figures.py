@@ -19,12 +19,13 @@ import numpy as np
 import numpy.typing as npt
 
 from risorius import blend
+from risorius.api import speak
 from risorius.core.functions import ONSET_FUNCTIONS, exponential
 from risorius.core.movement import Movement
 from risorius.core.parameters import INDEX, parameters_named
 from risorius.core.performance import Performance
 from risorius.core.score import BlendSettings, Score
-from risorius.pipeline import perform, speak
+from risorius.pipeline import combine
 from risorius.settings import BlendChoices, Settings
 from risorius.take import Take
 
@@ -125,7 +126,7 @@ def pressed_and_raised(presser: float, raiser: float, conflict: str) -> Take:
         Movement("signals", 0.0, 1.0, 0.0, 0.0, {PRESSER: presser}),
         Movement("emotion", 0.0, 1.0, 0.0, 0.0, lifted),
     )
-    return perform(
+    return combine(
         Score(1.0, movements, settings=BlendSettings(conflict=conflict)), Settings(fps=Fraction(2))
     )
 
@@ -155,12 +156,12 @@ def demonstration() -> Take:
 
 def finely(take: Take) -> Performance:
     """Return the curves of a take at 200 frames per second."""
-    return perform(take.score, replace(take.settings, fps=FINE)).performance
+    return combine(take.score, replace(take.settings, fps=FINE)).performance
 
 
 def silent(take: Take) -> Performance:
     """Return the curves that a take would have if nothing were said, at 200 frames per second."""
-    return perform(replace(take.score, lips=()), replace(take.settings, fps=FINE)).performance
+    return combine(replace(take.score, lips=()), replace(take.settings, fps=FINE)).performance
 
 
 def main(names: Sequence[str]) -> None:

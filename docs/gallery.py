@@ -16,8 +16,8 @@ import numpy as np
 import numpy.typing as npt
 from PIL import Image
 
+from risorius.api import pose, speak
 from risorius.core.look import FRAMINGS, HAIR_STYLES, LIGHTS, STYLES, Look
-from risorius.pipeline import pose, speak
 from risorius.settings import Settings
 
 Picture = npt.NDArray[np.uint8]

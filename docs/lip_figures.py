@@ -27,7 +27,7 @@ from risorius.face.head import load_head
 from risorius.face.lip_fit import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.face.solve import FaceSolver
-from risorius.pipeline import plan
+from risorius.pipeline import compose
 from risorius.render import Renderer
 from risorius.render.camera import Camera
 from risorius.rules.lips import lip_table
@@ -153,7 +153,7 @@ def spoken() -> tuple[Utterance, Score]:
     """Return the sentence, slowly, and its score without anything random."""
     script = read_script(SENTENCE, text=True)
     utterance = say(script, rate=RATE)
-    return utterance, plan(script, utterance, (), Settings(lively=False))
+    return utterance, compose(script, utterance, (), Settings(lively=False))
 
 
 def by(model: str, score: Score, times: Array) -> Array:

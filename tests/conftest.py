@@ -10,6 +10,7 @@ from fractions import Fraction
 import pytest
 from hypothesis import settings
 
+from risorius.api import speak
 from risorius.core.audio import silence
 from risorius.core.utterance import (
     Accent,
@@ -21,7 +22,6 @@ from risorius.core.utterance import (
     Utterance,
     Word,
 )
-from risorius.pipeline import speak
 from risorius.settings import Settings
 from risorius.speech.structure.phrases import with_phrases
 from risorius.take import Take

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from risorius.pipeline import speak
+from risorius.api import speak
 from risorius.settings import Settings
 
 FOLDER = Path(__file__).parent.parent / "examples"

@@ -21,7 +21,7 @@ GROUND = {"errors", "registry"}
 WORDS = {"core", "languages", "rules", "script", "speech"}
 SKIN = {"core", "kept"}
 TAKE = WORDS | SKIN | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
-PIPELINE = TAKE | {"unread", "take", "playback", "rig"}
+PIPELINE = TAKE | {"unread", "take"}
 LIBRARY = PIPELINE | {"pipeline", "api", "live", "batch", "narration"}
 
 # From the ground up: each package, or module of the top level, and what it may import beside itself and the
@@ -45,18 +45,16 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "render": SKIN | {"face", "looks", "workers"},
     "ports": {"core", "languages", "script", "face", "looks", "render", "workers"},
     "settings": TAKE - {"settings"},
-    "unread": {"settings"},
+    "unread": {"script", "speech", "settings"},
     "take": TAKE,
-    "playback": TAKE | {"take"},
-    "rig": TAKE | {"take"},
-    "stream": {"core", "face", "ports"},
-    "pipeline": PIPELINE | {"stream"},
+    "pipeline": PIPELINE,
     "api": PIPELINE | {"pipeline"},
     "live": PIPELINE | {"pipeline", "api"},
     "batch": PIPELINE | {"pipeline", "api"},
     "console": set(),
-    "narration": {"core", "blend", "ports", "rig", "console"},
-    "__init__": {"settings", "take", "pipeline", "api", "live", "batch"},
+    "narration": {"core", "blend", "ports", "console"},
+    "__init__": {"core", "rules", "settings", "take", "pipeline", "api", "live", "batch"},
+    "stream": LIBRARY,
     "serve": LIBRARY | {"__init__", "stream", "web"},
     "studio": LIBRARY | {"__init__", "stream", "web"},
     "listing": LIBRARY,

@@ -201,7 +201,7 @@ def test_faces_at_one_time_agree_at_all_frame_rates(demo: risorius.Take) -> None
     times = (0.4, 1.2, 2.0)
     found = []
     for fps in (25, 30, 60, 120):
-        take = risorius.pipeline.perform(demo.score, Settings(fps=Fraction(fps)))
+        take = risorius.pipeline.combine(demo.score, Settings(fps=Fraction(fps)))
         found.append(np.stack([face.skin for face in take.faces([round(t * fps) for t in times])]))
     for other in found[1:]:
         assert np.abs(other - found[0]).max() <= 0.1

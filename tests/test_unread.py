@@ -152,7 +152,7 @@ def test_a_capture_a_pose_and_a_character_refuse_what_they_do_not_read() -> None
     with pytest.raises(UnreadError, match="fps, at have no effect: a pose"):
         risorius.pose({}, settings=Settings(at=1.0, fps=Fraction(25)))
     with pytest.raises(UnreadError, match=r"^x\.glb: style has no effect: a character"):
-        risorius.pipeline.rig("x.glb", settings=Settings(look=Look(style="clay")))
+        risorius.rig("x.glb", settings=Settings(look=Look(style="clay")))
 
 
 @pytest.mark.parametrize(

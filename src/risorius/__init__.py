@@ -10,36 +10,59 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .api import align as align
+    from .api import load as load
+    from .api import mix as mix
+    from .api import play as play
+    from .api import pose as pose
+    from .api import rig as rig
+    from .api import speak as speak
+    from .core.look import Look as Look
     from .errors import RisoriusError as RisoriusError
-    from .pipeline import align as align
-    from .pipeline import load as load
-    from .pipeline import mix as mix
-    from .pipeline import play as play
-    from .pipeline import pose as pose
-    from .pipeline import speak as speak
+    from .errors import RisoriusWarning as RisoriusWarning
+    from .errors import warnings_to as warnings_to
+    from .rules.emotions import Display as Display
+    from .settings import BlendChoices as BlendChoices
     from .settings import Settings as Settings
     from .take import Take as Take
 
 __version__ = "0.1.0"
-__all__ = ["RisoriusError", "Settings", "Take", "align", "load", "mix", "play", "pose", "speak"]
+__all__ = [
+    "BlendChoices",
+    "Display",
+    "Look",
+    "RisoriusError",
+    "RisoriusWarning",
+    "Settings",
+    "Take",
+    "align",
+    "load",
+    "mix",
+    "play",
+    "pose",
+    "rig",
+    "speak",
+    "stream",
+    "warnings_to",
+]
 
-_HOMES = {
-    "RisoriusError": "errors",
-    "Settings": "settings",
-    "Take": "take",
-    "align": "pipeline",
-    "load": "pipeline",
-    "mix": "pipeline",
-    "play": "pipeline",
-    "pose": "pipeline",
-    "speak": "pipeline",
+_MODULES = {
+    "api": ("align", "load", "mix", "play", "pose", "rig", "speak"),
+    "core.look": ("Look",),
+    "errors": ("RisoriusError", "RisoriusWarning", "warnings_to"),
+    "rules.emotions": ("Display",),
+    "settings": ("BlendChoices", "Settings"),
+    "take": ("Take",),
 }
+_HOMES = {name: module for module, names in _MODULES.items() for name in names}
 
 
 def __getattr__(name: str) -> Any:
     # Loaded when first used: the command line's help must not wait for numpy.
-    if name not in _HOMES:
-        raise AttributeError(f"module 'risorius' has no attribute '{name}'")
     from importlib import import_module
 
+    if name == "stream":
+        return import_module(".stream", __name__)
+    if name not in _HOMES:
+        raise AttributeError(f"module 'risorius' has no attribute '{name}'")
     return getattr(import_module(f".{_HOMES[name]}", __name__), name)

@@ -310,8 +310,8 @@ def speak(
         if not outputs:
             console.say(f"Writing {DEFAULT_OUTPUT} (choose with -o)")
         source, name = (source, "text") if source != "-" else (_standard_input(), "stdin")
-        from .pipeline import check_outputs
-        from .pipeline import speak as perform
+        from .api import speak as perform
+        from .ports.targets import check_targets as check_outputs
 
         check_outputs(targets, alpha=settings.look.transparent)
         take = perform(
@@ -353,8 +353,8 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None
     from .console import Console
 
     with Console() as console:
-        from .pipeline import align as find
-        from .pipeline import check_outputs
+        from .api import align as find
+        from .ports.targets import check_targets as check_outputs
         from .speech.prosody import speech_rate
 
         if not outputs:
@@ -382,8 +382,8 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
 
     Without -o the curves go to standard output as CSV.
     """
-    from .pipeline import check_outputs
-    from .pipeline import mix as combine
+    from .api import mix as combine
+    from .ports.targets import check_targets as check_outputs
 
     settings = _settings(**chosen)
     check_outputs(outputs, alpha=settings.look.transparent)
@@ -409,8 +409,8 @@ def pose(
 
     A name without .left or .right means both sides: risorius pose zygomatic_major=0.7 AU1=0.5 -o face.png
     """
-    from .pipeline import check_outputs
-    from .pipeline import pose as hold
+    from .api import pose as hold
+    from .ports.targets import check_targets as check_outputs
 
     if not outputs:
         raise OutputError("no output named; expected -o face.png")
@@ -434,9 +434,9 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
 
     Any other .csv is read as a take of the Live Link Face app.
     """
+    from .api import play as perform
     from .console import Console
-    from .pipeline import check_outputs
-    from .pipeline import play as perform
+    from .ports.targets import check_targets as check_outputs
 
     if not outputs:
         raise OutputError("no output named; expected -o y.mp4")
@@ -480,11 +480,9 @@ def stream(
     **chosen: Any,
 ) -> None:
     """Perform INPUT for another program, live: the sound is the clock, late frames are dropped."""
+    from .api import speak as perform
     from .console import Console
-    from .pipeline import PATIENCE
-    from .pipeline import speak as perform
-    from .pipeline import stream as send
-    from .stream import PROTOCOLS, Options, check_options, parse_address
+    from .stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_take
 
     given = {"subject": subject, "names": names}
     options = Options(**{name: value for name, value in given.items() if value is not None})
@@ -499,7 +497,7 @@ def stream(
         take = perform(
             source, emotion=_displays(emotions), settings=_settings(**chosen), progress=console.progress
         )
-        sent = send(
+        sent = send_take(
             take,
             protocol,
             to,
@@ -530,10 +528,10 @@ def rig(
 
     Without --map the targets are guessed by name and shown as a table to correct: save it and give it back.
     """
+    from .api import rig as report
+    from .api import speak as speak_
     from .console import Console
     from .narration import tell_rig
-    from .pipeline import rig as report
-    from .pipeline import speak as speak_
     from .settings import Settings
 
     if (perform is None) != (output is None):
@@ -577,9 +575,9 @@ def explain(performance: Path, at: float | None, parameter: str | None) -> None:
 
     Each value goes back to the movement that won and its cause in the script, and each loser has its reason.
     """
+    from .api import load
     from .core.parameters import parameters_named
     from .narration import narrate, tell
-    from .pipeline import load
 
     if at is None and parameter is not None:
         raise InputError("--parameter needs a time; expected --at SECONDS as well")

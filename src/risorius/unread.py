@@ -8,7 +8,9 @@ from enum import StrEnum
 from typing import Any
 
 from .errors import Place, UnreadError
+from .script import Script
 from .settings import Settings
+from .speech import LabelledRecording, Recording
 
 
 class Stage(StrEnum):
@@ -56,6 +58,11 @@ def chosen(settings: Settings) -> Iterator[str]:
     yield from (name for name, _ in _chosen(settings, Settings()))
 
 
+def values_read(settings: Settings, stage: Stage) -> tuple[object, ...]:
+    """Return the values of the settings that a stage reads: as long as they are equal, so is its result."""
+    return tuple(getattr(settings, name) for name, reader in READERS.items() if reader is stage)
+
+
 def refuse_all_but(
     settings: Settings, stages: Collection[Stage], reason: str, place: Place | None = None
 ) -> None:
@@ -84,6 +91,19 @@ def refuse(settings: Settings, names: Collection[str], reason: str, place: Place
     given = [name for name in chosen(settings) if name in names]
     if given:
         raise UnreadError(given, reason, place)
+
+
+def refuse_unread(source: Script | Recording | LabelledRecording, settings: Settings) -> None:
+    """Raise UnreadError for settings of a synthesized voice that a source has no use for."""
+    if isinstance(source, Recording):
+        refuse_stages(settings, [Stage.VOICE], RECORDED, Place(str(source.audio)))
+    elif isinstance(source, LabelledRecording):
+        reason = TIMED if source.audio is None else RECORDED
+        refuse_stages(settings, [Stage.VOICE], reason, Place(str(source.audio or source.labels)))
+    elif not source.lines:
+        refuse_stages(settings, [Stage.VOICE], SILENT)
+    elif source.timed:
+        refuse(settings, ("lead", "tail"), SCHEDULED)
 
 
 def _chosen(settings: Any, default: Any) -> Iterator[tuple[str, str]]:

@@ -3,8 +3,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from risorius.api import pose
 from risorius.errors import InputError
-from risorius.pipeline import pose
 from risorius.ports.au_csv import CAMERA, COLUMNS, _turn, pose_angles, read_au_csv
 from risorius.take import Take
 

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from risorius.api import pose
 from risorius.core.arkit import SHAPES
 from risorius.face.arkit_fit import ArkitFit
-from risorius.pipeline import pose
 from risorius.ports.gltf import quaternion
 from risorius.take import Take
 

@@ -3,9 +3,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from risorius.api import play, pose
 from risorius.core.parameters import INDEX
 from risorius.errors import InputError, RisoriusWarning
-from risorius.pipeline import play, pose
 from risorius.settings import Settings
 from risorius.speech.recordings.recording import read_recording
 from risorius.take import Take

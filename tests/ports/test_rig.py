@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from risorius.api import pose, rig
 from risorius.cli import run
 from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError, RisoriusError
-from risorius.pipeline import pose, rig
 from risorius.ports.glb_file import read_glb
 from risorius.ports.gltf import Gltf
 from risorius.ports.rig import guess_map, read_rig

@@ -2,9 +2,9 @@
 
 import pytest
 
+from risorius.api import speak
 from risorius.core.movement import Movement
 from risorius.errors import RisoriusError
-from risorius.pipeline import speak
 from risorius.script.bml import parse_bml
 from risorius.script.bml_behaviours import BEHAVIOURS
 from risorius.script.bml_shapes import SHAPES

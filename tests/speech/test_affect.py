@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from risorius.api import speak
 from risorius.core.manner import PLAIN
 from risorius.core.utterance import Utterance
 from risorius.errors import ParameterError
-from risorius.pipeline import speak
 from risorius.rules.emotions import Display
 from risorius.rules.voice_emotion import voice_manner
 from risorius.script import read_script

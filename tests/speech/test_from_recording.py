@@ -17,7 +17,7 @@ from risorius.errors import Place
 from risorius.ports.textgrid import utterance_lines
 from risorius.script import read_script
 from risorius.settings import Settings
-from risorius.speech.from_recording import hear, with_written_tones
+from risorius.speech.from_recording import hear_words, with_written_tones
 
 TEXT = "Oh, really? My baby brother put the big map by the beam."
 HERE = Place("x.xml")
@@ -104,7 +104,7 @@ def test_tones_written_in_the_script_stand(voice: Path) -> None:
         accents=(Tone(TEXT.index("map"), "L+H*", HERE),), boundaries=(Tone(TEXT.index("beam"), "H-H%", HERE),)
     )
     line = replace(script.lines[0], directions=tones)
-    found = with_written_tones(hear("line.wav", TEXT, lambda *_: None), replace(script, lines=(line,)))
+    found = with_written_tones(hear_words("line.wav", TEXT), replace(script, lines=(line,)))
     assert [a.label for a in found.accents if found.words[a.word].text == "map"] == ["L+H*"]
     assert found.boundaries[-1].label == "H-H%"
 

@@ -11,8 +11,7 @@ import pytest
 
 from risorius.core.arkit import INDEX
 from risorius.errors import InputError, OutputError
-from risorius.pipeline import stream
-from risorius.stream import PROTOCOLS, Address, clock, wait_for_greeting
+from risorius.stream import PROTOCOLS, Address, clock, send_take, wait_for_greeting
 from risorius.stream.ifacialmocap import GREETINGS
 from risorius.stream.protocols import Asked
 from risorius.stream.send import Sent
@@ -73,7 +72,7 @@ def test_a_port_that_is_taken_and_an_address_of_another_machine() -> None:
 
 def test_a_protocol_without_a_greeting(clip: Take) -> None:
     with pytest.raises(InputError, match=r"no greeting asks for livelink first; .* one of ifacialmocap$"):
-        stream(clip, "livelink", listen="127.0.0.2")
+        send_take(clip, "livelink", listen="127.0.0.2")
 
 
 @pytest.mark.parametrize(
@@ -103,7 +102,7 @@ def test_a_receiver_greets_and_is_sent_the_performance(
     sent: list[Sent] = []
     with udp(PC, port) as receiver:
         greet(port, said, seconds=0.5)
-        thread = threading.Thread(target=lambda: sent.append(stream(clip, "ifacialmocap", listen=PHONE)))
+        thread = threading.Thread(target=lambda: sent.append(send_take(clip, "ifacialmocap", listen=PHONE)))
         thread.start()
         thread.join(60.0)
         got = [receiver.recv(4096) for _ in range(sent[0].frames)]
@@ -124,7 +123,7 @@ def test_a_receiver_greets_and_is_sent_a_stream(clip: Take, sleeping: SleepingCl
     with socket.create_server((PC, PROTOCOLS.get("ifacialmocap-tcp").port)) as receiver:
         assert receiver.getsockname()[1] == 49986
         receiver.settimeout(20.0)
-        thread = threading.Thread(target=lambda: sent.append(stream(clip, "ifacialmocap", listen=PHONE)))
+        thread = threading.Thread(target=lambda: sent.append(send_take(clip, "ifacialmocap", listen=PHONE)))
         thread.start()
         greet(49983, OVER_TCP + b"|sendDataVersion=v2", seconds=0.5)
         line, _ = receiver.accept()

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from risorius.api import pose
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL
 from risorius.errors import ParameterError
 from risorius.face.head import load_head
 from risorius.face.solve import FaceSolver
-from risorius.pipeline import pose
 from risorius.studio.dials import Dial, dialled
 
 

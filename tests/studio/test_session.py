@@ -37,13 +37,13 @@ def session(tmp_path):
 @pytest.fixture
 def spoken(monkeypatch):
     """Return how often a voice was synthesized, in a list that grows."""
-    made, say = [], performer.spoken
+    made, say = [], performer.speak
 
     def counted(*given):
         made.append(given)
         return say(*given)
 
-    monkeypatch.setattr(performer, "spoken", counted)
+    monkeypatch.setattr(performer, "speak", counted)
     return made
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .changes import changed_span
+from .changes import changed_span, performance_after
 from .explain import Contribution, Explanation, explain
 from .plan import Plan, at, combine
 from .summary import Tally, summarize
@@ -11,5 +11,5 @@ from .traces import Trace, traces
 
 __all__ = [
     "Contribution", "Explanation", "Plan", "Tally", "Trace",
-    "at", "changed_span", "combine", "explain", "summarize", "suppression", "traces",
+    "at", "changed_span", "combine", "explain", "performance_after", "summarize", "suppression", "traces",
 ]  # fmt: skip

@@ -3,15 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 import numpy as np
 
+from ..core.performance import Performance
 from .channels import Channel
 from .intervals import Extent
 from .knots import STEEPEST
 from .plan import Plan
 
 TimeSpan = tuple[float, float]
+
+
+def performance_after(
+    plan: Plan, fps: Fraction, before: Plan | None = None, earlier: Performance | None = None
+) -> Performance:
+    """Return the performance of a plan; beside an `earlier` one, of the plan `before`, only what differs is
+    computed anew.
+    """
+    if before is not None and earlier is not None and earlier.fps == fps:
+        span = changed_span(before, plan)
+        if span is not None:
+            return plan.performance_like(earlier, span)
+    return plan.performance(fps)
 
 
 def changed_span(before: Plan, after: Plan) -> TimeSpan | None:

@@ -2,6 +2,7 @@
 
 from ..rules.emotions import Display
 from .compose import HORIZON, compose
+from .inputs import inputs_of
 from .registry import CHANNEL_BUILDERS, Brief
 
-__all__ = ["CHANNEL_BUILDERS", "HORIZON", "Brief", "Display", "compose"]
+__all__ = ["CHANNEL_BUILDERS", "HORIZON", "Brief", "Display", "compose", "inputs_of"]

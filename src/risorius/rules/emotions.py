@@ -98,6 +98,9 @@ class Display:
     end: float | None = None
 
 
+Displays = tuple[Display, ...]
+
+
 @cache
 def emotions() -> Mapping[str, Emotion]:
     """Return all emotions by name, in alphabetical order."""

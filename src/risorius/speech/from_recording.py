@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from os import PathLike
 
 from ..core.directions import Directions
-from ..core.progress import Progress
+from ..core.progress import Progress, quiet
 from ..core.utterance import Utterance
 from ..errors import InputError, Place, SpeechWarning, warn
-from ..script import Script, SpokenLine, read_script
-from ..script.files import names_something, read_text
+from ..script import Script, SpokenLine
 from ..script.model import script_of
-from ..script.textgrid import TextGrid, read_textgrid
+from ..script.textgrid import read_textgrid
 from .alignment import align
 from .prosody import measured
 from .recordings.labelled import PHONE_TIERS, WORD_TIERS, found_tier, utterance_of_labels
@@ -21,84 +21,72 @@ from .recordings.recording import read_recording
 from .recordings.tone_labels import tells_accents, tells_boundaries
 from .structure.accents import intone
 
-LABELS_SUFFIX = ".textgrid"
-TRANSCRIPT_SUFFIXES = (".txt", ".lab")
 WEAKER = (
     "no transcript was given: words are guessed from the sound, which is weaker; check them in a TextGrid"
 )
 
-Recording = str | PathLike[str]
 
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """A recorded voice: the file `audio`, and what is known of what it says.
 
-def holds_labels(given: str | None, text: bool = False) -> bool:
-    """Tell whether an input names a TextGrid."""
-    return given is not None and not text and given.lower().endswith(LABELS_SUFFIX)
-
-
-def listen(
-    given: str | None,
-    audio: Recording | None,
-    transcript: str | None,
-    progress: Progress,
-    *,
-    text: bool = False,
-    source: str = "text",
-) -> tuple[Script, Utterance]:
-    """Return what is to be performed, and what is said when, and how, in the recording `audio`.
-
-    `given` may be a TextGrid, which alone needs no recording, or a script whose words are said; a
-    `transcript`, a text or the name of its file, goes before those. Without either the words are recognized,
-    with a warning (SpeechWarning). Raises InputError for what is missing or does not fit.
+    `transcript`: the words; `script`: what is marked, and the words where there is no transcript. Without
+    either, the words are recognized.
     """
-    if audio is None and transcript is not None:
-        raise InputError("a transcript needs its recording; expected --audio as well")
-    if given is not None and holds_labels(given, text):
-        if transcript is not None:
-            raise InputError("a TextGrid has words of its own; expected no transcript", Place(given))
-        utterance = _labelled(read_textgrid(given), audio, progress)
-        return _script_of(utterance, given), utterance
-    if audio is None:
-        raise InputError("nothing to perform; expected a text, a file or --audio")
-    script = None if given is None else read_script(given, text=text, source=source)
-    if transcript is not None:
-        utterance = hear(audio, read_transcript_text(transcript), progress)
-    elif script is not None:
-        utterance = with_written_tones(hear(audio, script.text, progress), script)
+
+    audio: str | PathLike[str]
+    transcript: str | None = None
+    script: Script | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class LabelledRecording:
+    """A recorded voice, the file `audio` (None for silence), and the TextGrid of what it says when."""
+
+    labels: str
+    audio: str | PathLike[str] | None = None
+
+
+def hear(recording: Recording | LabelledRecording, progress: Progress = quiet) -> tuple[Script, Utterance]:
+    """Return what is to be performed, and what is said when, and how, in a recording.
+
+    Recognized words come with a warning (SpeechWarning). Raises InputError for what does not fit.
+    """
+    if isinstance(recording, LabelledRecording):
+        utterance = _labelled(recording, progress)
+        return _script_of(utterance, recording.labels), utterance
+    audio, script = recording.audio, recording.script
+    if recording.transcript is not None or script is None:
+        utterance = hear_words(audio, recording.transcript, progress)
     else:
-        utterance = hear(audio, None, progress)
+        utterance = with_written_tones(hear_words(audio, script.text, progress), script)
     return script or _script_of(utterance, str(audio)), utterance
 
 
-def hear(audio: Recording, transcript: str | None, progress: Progress) -> Utterance:
-    """Return what is said when, and how, in a recording; its words are recognized where None are given."""
-    recording = read_recording(audio)
+def hear_words(audio: str | PathLike[str], transcript: str | None, progress: Progress = quiet) -> Utterance:
+    """Return what is said when, and how, in a recording; its words are recognized if None are given."""
+    sound = read_recording(audio)
     try:
         if transcript is None:
             progress("Recognizing …")
             warn(f"{audio}: {WEAKER}", SpeechWarning)
-            return measured(recognize(recording))
+            return measured(recognize(sound))
         progress("Aligning …")
-        return measured(align(recording, transcript))
+        return measured(align(sound, transcript))
     except InputError as error:
         raise error.at(Place(str(audio))) from None
 
 
-def read_transcript_text(transcript: str) -> str:
-    """Return a transcript, read from its file where it names one."""
-    if transcript.lower().endswith(TRANSCRIPT_SUFFIXES) or (transcript and names_something(transcript)):
-        return read_text(transcript)
-    return transcript
-
-
-def _labelled(grid: TextGrid, audio: Recording | None, progress: Progress) -> Utterance:
-    words = found_tier(grid, WORD_TIERS)
-    if audio is not None and words is not None and found_tier(grid, PHONE_TIERS) is None:
-        return hear(audio, " ".join(w.text for w in words.labels if not is_silence(w.text)), progress)
+def _labelled(recording: LabelledRecording, progress: Progress) -> Utterance:
+    labels, audio = read_textgrid(recording.labels), recording.audio
+    words = found_tier(labels, WORD_TIERS)
     if audio is None:
-        return utterance_of_labels(grid)
-    utterance = utterance_of_labels(grid, read_recording(audio))
+        return utterance_of_labels(labels)
+    if words is not None and found_tier(labels, PHONE_TIERS) is None:
+        return hear_words(audio, " ".join(w.text for w in words.labels if not is_silence(w.text)), progress)
+    utterance = utterance_of_labels(labels, read_recording(audio))
     progress("Listening …")
-    return measured(utterance, accents=not tells_accents(grid), boundaries=not tells_boundaries(grid))
+    return measured(utterance, accents=not tells_accents(labels), boundaries=not tells_boundaries(labels))
 
 
 def with_written_tones(utterance: Utterance, script: Script) -> Utterance:

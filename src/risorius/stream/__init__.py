@@ -5,7 +5,8 @@ from .ifacialmocap import GREETINGS, ifacialmocap_packets, ifacialmocap_pieces
 from .line import Address, parse_address
 from .livelink import livelink_packets
 from .protocols import PROTOCOLS, Options, Packets, Protocol, check_options, register
-from .send import send
+from .send import Sent, send
+from .take import PATIENCE, send_take
 from .vmc import vmc_packets
 
 register(
@@ -20,13 +21,16 @@ register(
 register("ifacialmocap-tcp", 49986, "iFacialMocap, as one stream", ifacialmocap_pieces, tcp=True)
 
 __all__ = [
+    "PATIENCE",
     "PROTOCOLS",
     "Address",
     "Options",
     "Packets",
     "Protocol",
+    "Sent",
     "check_options",
     "parse_address",
     "send",
+    "send_take",
     "wait_for_greeting",
 ]

@@ -22,9 +22,9 @@ from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
+from ..api import speak
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
-from ..pipeline import speak
 from . import limits
 from .catalogue import catalogue_json
 from .connection import Connection

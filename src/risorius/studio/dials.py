@@ -12,7 +12,7 @@ from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from ..face.frame import FaceFrame
 from ..face.solve import FaceSolver
 from ..face.springs import RATE, Springs
-from ..pipeline import pose_values
+from ..rules.poses import pose_values
 
 # Seconds after which the skin lies still, and the most that it moves on between two faces.
 SETTLED, LONGEST = 0.6, 0.1

@@ -1,57 +1,57 @@
-"""From what a page asks to a score: the voice is synthesized again only where it has to be another."""
+"""From a page's request to a score, by the stages of the pipeline; a voice that is the same is kept."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
-from ..channels import Display
 from ..core.edits import identified
 from ..core.progress import Progress
 from ..core.utterance import Utterance
 from ..errors import InputError, warnings_to
-from ..pipeline import looking_like, plan, spoken
+from ..pipeline import compose, speak, with_profile
 from ..ports.readable import ScoreFile
-from ..rules.profiles import profile_of
-from ..script import Script, parse_script
+from ..rules.emotions import Display, Displays
+from ..script import Script, parse_script, read_script
 from ..settings import Settings
-from ..speech.from_recording import listen
+from ..speech import LabelledRecording, Recording, hear
 from ..speech.recordings.recording import read_recording
+from ..unread import Stage, values_read
 from . import limits
 from .choices import blend_of, settings_of
 from .scores import adopted, parsed, score_file
 from .session_files import SessionFiles
+from .stage_cache import StageCache
 from .version import Version
 from .wire import EmotionSpan, Made, Source
 
-_MOST_KEPT = 8
-Heard = tuple[Script, Utterance | None]
+_MOST_VOICES = 8
 
 
 class Performer:
-    """Plans performances for one session; keeps the voices that it has heard. For one thread at a time."""
+    """Plans performances for one session; keeps what its voices said. For one thread at a time."""
 
     def __init__(self, files: SessionFiles) -> None:
         self._files = files
-        self._voices: dict[object, Heard] = {}
-        self._scores: dict[Source, ScoreFile] = {}
+        self._spoken: StageCache[Utterance | None] = StageCache(_MOST_VOICES)
+        self._heard: StageCache[tuple[Script, Utterance]] = StageCache(_MOST_VOICES)
+        self._scores: StageCache[ScoreFile] = StageCache(1)
 
     def perform(self, made: Made, progress: Progress) -> Version:
         """Plan what a page asks. Raises RisoriusError with one line on what is wrong."""
         if len(made.source.script) > limits.SCRIPT and made.source.format != "score":
             raise InputError(f"the script is longer than {limits.SCRIPT} characters")
         spans = tuple(replace(span, emotion=self._files.emotion(span.emotion)) for span in made.emotions)
-        settings = settings_of(made.choices, self._files.folder)
-        settings = looking_like(profile_of(settings.profile), settings)
+        settings = with_profile(settings_of(made.choices, self._files.folder))
         if made.source.format == "score":
             return self._scored(made, settings)
         begun = time.perf_counter()
         odd: list[str] = []
         with warnings_to(odd.append):
-            script, utterance, displays = self._heard(made.source, spans, settings, progress)
+            script, utterance, displays = self._said(made.source, spans, settings, progress)
             said = time.perf_counter()
-            score = identified(plan(script, utterance, displays, settings))
+            score = identified(compose(script, utterance, displays, settings))
         spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (time.perf_counter() - said)}
         return Version(made, score, score, settings, utterance, warnings=tuple(odd), milliseconds=spent)
 
@@ -59,17 +59,15 @@ class Performer:
         """Return a request to perform a score with the score's own settings in its choices."""
         if made.source.format != "score":
             return made
-        return replace(made, choices=adopted(made.choices, self._held(made.source).score.settings))
+        return replace(made, choices=adopted(made.choices, self._score_file(made.source).score.settings))
 
     def _scored(self, made: Made, settings: Settings) -> Version:
-        held = self._held(made.source)
+        held = self._score_file(made.source)
         score = identified(replace(held.score, settings=blend_of(made.choices)))
         return Version(made, score, score, settings, held.utterance)
 
-    def _held(self, source: Source) -> ScoreFile:
-        if source not in self._scores:
-            self._scores = {source: self._read(source)}
-        return self._scores[source]
+    def _score_file(self, source: Source) -> ScoreFile:
+        return self._scores.get(source, lambda: self._read(source))
 
     def _read(self, source: Source) -> ScoreFile:
         name = source.recording
@@ -82,58 +80,39 @@ class Performer:
         # The file is there as long as this Audio of it.
         return replace(held, utterance=replace(held.utterance, audio=sound))
 
-    def _heard(
+    def _said(
         self, source: Source, spans: tuple[EmotionSpan, ...], settings: Settings, progress: Progress
-    ) -> tuple[Script, Utterance | None, tuple[Display, ...]]:
+    ) -> tuple[Script, Utterance | None, Displays]:
+        """Return a source's script and what is said of it, and where the spans lie in that."""
         if source.recording is not None or source.format == "TextGrid":
-            script, utterance = self._kept(source, lambda: self._recorded(source, progress))
-            return script, utterance, _placed(spans, utterance)
+            script, heard = self._heard.get(source, lambda: hear(self._recording(source), progress))
+            return script, heard, _placed(spans, heard)
         script = parse_script(source.script, _SUFFIX[source.format], "script")
+
+        def spoken(displays: Displays) -> Utterance | None:
+            colours = displays if settings.voice_emotion else ()
+            key = (source, colours, values_read(settings, Stage.VOICE))
+            return self._spoken.get(key, lambda: speak(script, displays, settings, progress))
+
         displays = _placed([span for span in spans if span.first is None], None)
         if len(displays) < len(spans):
-            _, plain = self._voice(source, script, (), settings, progress)
-            displays = _placed(spans, plain)
-        _, utterance = self._voice(source, script, displays, settings, progress)
+            displays = _placed(spans, spoken(()))
+        utterance = spoken(displays)
         return script, utterance, _placed(spans, utterance)
 
-    def _voice(
-        self,
-        source: Source,
-        script: Script,
-        displays: tuple[Display, ...],
-        settings: Settings,
-        progress: Progress,
-    ) -> Heard:
-        felt = displays if settings.voice_emotion else ()
-        voice = (settings.voice, settings.language, settings.rate, settings.lead, settings.tail)
-
-        def say() -> Heard:
-            progress("Speaking …")
-            return script, spoken(script, felt, settings) if script.lines else None
-
-        return self._kept((source, felt, settings.voice_emotion, *voice), say)
-
-    def _kept(self, key: object, make: Callable[[], Heard]) -> Heard:
-        if key not in self._voices:
-            made = make()
-            while len(self._voices) >= _MOST_KEPT:
-                del self._voices[next(iter(self._voices))]
-            self._voices[key] = made
-        return self._voices[key]
-
-    def _recorded(self, source: Source, progress: Progress) -> Heard:
+    def _recording(self, source: Source) -> Recording | LabelledRecording:
         audio = None if source.recording is None else self._files.recording(source.recording)
-        if source.format == "TextGrid":
-            labels = self._files.folder / "labels.TextGrid"
-            labels.write_text(source.script, encoding="utf-8")
-            return listen(str(labels), audio, None, progress)
-        return listen(source.script or None, audio, None, progress, text=True)
+        if audio is not None and source.format != "TextGrid":
+            return Recording(audio, script=read_script(source.script, text=True) if source.script else None)
+        labels = self._files.folder / "labels.TextGrid"
+        labels.write_text(source.script, encoding="utf-8")
+        return LabelledRecording(str(labels), audio)
 
 
 _SUFFIX = {name: f".{name}" for name in ("xml", "utt", "ssml", "bml")} | {"text": ".txt"}
 
 
-def _placed(spans: Sequence[EmotionSpan], utterance: Utterance | None) -> tuple[Display, ...]:
+def _placed(spans: Sequence[EmotionSpan], utterance: Utterance | None) -> Displays:
     """Return the displays of spans; those over characters last from word to word."""
     return tuple(_display(span, utterance) for span in spans)
 

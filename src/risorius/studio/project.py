@@ -22,11 +22,10 @@ from ..core.audio import Audio, AudioWriter
 from ..core.schema import Source, build
 from ..core.utterance import Utterance
 from ..errors import InputError
-from ..pipeline import looking_like
+from ..pipeline import with_profile
 from ..ports.node import Node
 from ..ports.readable import ScoreFile
 from ..ports.score_json import score_to_json
-from ..rules.profiles import profile_of
 from . import wire
 from .choices import settings_of
 from .messages import encoded, without_nulls
@@ -135,7 +134,7 @@ def _edit(node: Node) -> wire.Edit:
 def version_of(made: wire.Made, held: ScoreFile, entries: Mapping[str, Node], files: SessionFiles) -> Version:
     """Return the version that a project describes."""
     settings = settings_of(made.choices, files.folder)
-    settings = looking_like(profile_of(settings.profile), settings)
+    settings = with_profile(settings)
     edits = edits_from(entries["edits"])
     return Version(made, held.score, held.score, settings, held.utterance, edits)
 

@@ -13,7 +13,7 @@ import numpy as np
 from ..core.performance import frame_count
 from ..core.progress import Progress, quiet
 from ..errors import InputError, RisoriusError
-from ..pipeline import perform
+from ..pipeline import combine
 from ..take import Take
 from . import describe, limits, wire
 from .history import History
@@ -99,7 +99,7 @@ class Session:
         """Return the take that an edit would make, and which curves it would change; nothing is changed."""
         version, live = self.version().changed(edit), self.current
         assert live is not None
-        take = perform(version.score, version.settings, version.utterance, like=live.take)
+        take = combine(version.score, version.settings, version.utterance, live.take)
         changed = describe.changed_curves(live.curves, describe.curves(take.performance.values))
         return take, wire.Previewed(live.number, changed)
 
@@ -202,7 +202,7 @@ class Session:
             raise InputError(f"the take would have {frames} frames; expected up to {limits.FRAMES}")
         begun = perf_counter()
         like = None if self.current is None else self.current.take
-        take = perform(version.score, version.settings, version.utterance, like=like)
+        take = combine(version.score, version.settings, version.utterance, like)
         version.milliseconds["blend"] = 1e3 * (perf_counter() - begun)
         return take
 

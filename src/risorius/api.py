@@ -1,0 +1,196 @@
+"""What users call: speak, align, mix, load, play, pose, rig. The forms of arguments become stages here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from functools import partial
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .core.movement import Cause, ManualCurve
+from .core.progress import Progress, quiet
+from .core.score import BlendSettings, Score
+from .errors import InputError, Place
+from .pipeline import combine, perform
+from .ports.performance_json import read_performance_file
+from .ports.score_json import read_score_file
+from .ports.targets import check_targets
+from .rules.emotions import Display, Displays
+from .rules.poses import posed
+from .settings import BlendChoices, Settings
+from .speech import Input, Recording, hear, read_transcript
+from .speech.recordings.recording import read_recording
+from .take import Take
+from .unread import (
+    CAPTURED,
+    HELD,
+    MEASURED,
+    PERFORMED,
+    PLANNING,
+    SCORE,
+    Stage,
+    refuse,
+    refuse_all_but,
+    refuse_stages,
+)
+
+if TYPE_CHECKING:
+    from .ports.rig import Rig, Shown
+
+FileName = str | PathLike[str]
+Emotions = Mapping[str, float] | Iterable[Display]
+
+
+def speak(
+    script: str | None = None,
+    *,
+    audio: FileName | None = None,
+    transcript: str | None = None,
+    text: bool = False,
+    source: str = "text",
+    emotion: Emotions = (),
+    settings: Settings | None = None,
+    progress: Progress = quiet,
+) -> Take:
+    """Perform a text or a file (`.txt`, `.xml`, `.TextGrid`, `.score.json` …); `text` forces text, `source`
+    names it in messages.
+
+    With the recording `audio` its voice is heard instead of a synthesized one: it says the text, or the words
+    of `transcript` (a text, or the name of a file with it), or is labelled by the TextGrid; given none of
+    these, it is recognized, which is weaker. `emotion`: intensities 0..1 by name, or displays with their
+    spans. Raises RisoriusError with one line on what is wrong and where.
+    """
+    settings, displays = settings or Settings(), displays_of(emotion)
+    if script is not None and script.lower().endswith(".json") and not text:
+        arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
+        refuse_stages(settings, PLANNING, SCORE, Place(script), **arguments)
+        return mix(script, settings=settings)
+    return perform(Input(script, audio, transcript, text, source), displays, settings, progress)
+
+
+def align(audio: FileName, transcript: str | None = None, *, progress: Progress = quiet) -> Take:
+    """Return what is said when, and how, in a recording of `transcript` (a text, or the name of its file).
+
+    The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
+    where.
+    """
+    _, utterance = hear(Recording(audio, read_transcript(transcript)), progress)
+    return combine(Score(utterance.duration, text=utterance.text), Settings(), utterance)
+
+
+def mix(
+    score: FileName,
+    *,
+    settings: Settings | None = None,
+    conflict: str | None = None,
+    onset_function: str | None = None,
+) -> Take:
+    """Combine the movements of a score file; `conflict`, `onset_function` and what `settings.blend` chooses
+    override the score's own.
+
+    Raises RisoriusError; UnreadError for settings of a voice or a plan, which a score has behind it.
+    """
+    settings = settings or Settings()
+    refuse_stages(settings, PLANNING, SCORE, Place(str(score)))
+    file = read_score_file(Path(score))
+    blend = settings.blend.over(file.score.settings)
+    blend = BlendChoices(conflict=conflict, onset_function=onset_function).over(blend)
+    return combine(replace(file.score, settings=blend), settings, file.utterance)
+
+
+def load(performance: FileName, *, settings: Settings | None = None) -> Take:
+    """Read a `.performance.json` back, with its curves as they were written.
+
+    Raises RisoriusError; UnreadError for settings that would change the curves.
+    """
+    settings, place = settings or Settings(), Place(str(performance))
+    refuse_stages(settings, [*PLANNING, Stage.COMBINE], PERFORMED, place)
+    file = read_performance_file(Path(performance))
+    if settings.fps != file.performance.fps:
+        refuse(settings, ("fps",), PERFORMED, place)
+    settings = replace(settings, fps=file.performance.fps)
+    return Take(file.performance, settings, file.utterance)
+
+
+def play(
+    capture: FileName,
+    *,
+    audio: FileName | None = None,
+    settings: Settings | None = None,
+    progress: Progress = quiet,
+) -> Take:
+    """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
+
+    `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used, and for
+    settings that nothing reads (UnreadError).
+    """
+    from .face.head import head_of
+    from .ports.formats import format_read
+    from .ports.readable import ReadOptions
+
+    settings, path = settings or Settings(), Path(capture)
+    kind = format_read(path)
+    if kind.suffix == ".performance.json":
+        take = load(path, settings=settings)
+    elif kind.suffix == ".score.json":
+        take = mix(path, settings=settings)
+    else:
+        refuse_stages(settings, [*PLANNING, Stage.COMBINE], CAPTURED, Place(str(capture)))
+        file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
+        take = combine(file.score, settings, file.utterance)
+    return take if audio is None else replace(take, sound=read_recording(audio))
+
+
+def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
+    """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top."""
+    shown = {display.emotion: display.intensity for display in displays_of(emotion)}
+    keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
+    held = ManualCurve(keys, Cause("pose", "command"))
+    score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))
+    settings = settings or Settings()
+    refuse_all_but(settings, [Stage.HEAD, Stage.SKIN, Stage.LOOK], HELD)
+    return combine(score, settings)
+
+
+def rig(
+    character: FileName,
+    *,
+    map_file: FileName | None = None,
+    take: Take | Callable[[], Take] | None = None,
+    output: FileName | None = None,
+    settings: Settings | None = None,
+) -> tuple[Rig, list[Shown]]:
+    """Return what a character (`.glb` with blend shapes) has and how well it shows each of our muscles.
+
+    With `take` (or what makes it, once the files are known to be right) and `output`, a `.glb`, the character
+    is written with the take's animation. Of `settings`, the head is read, which performs and measures. Raises
+    RisoriusError.
+    """
+    from .face.arkit_fit import ArkitFit
+    from .face.head import head_of
+    from .ports.atomic import replacing
+    from .ports.glb_file import save_glb
+    from .ports.rig import animated, check_performable, read_rig, report
+
+    settings = settings or Settings()
+    refuse_all_but(settings, [Stage.HEAD], MEASURED, Place(str(character)))
+    found = read_rig(Path(character), None if map_file is None else Path(map_file))
+    if take is not None and output is not None:
+        (target,) = check_targets((output,))
+        if target.format.suffix not in (".glb", ".rig.glb"):
+            raise InputError("is no .glb; expected one for the character", Place(str(output)))
+        check_performable(found)
+        take = take if isinstance(take, Take) else take()
+        track = ArkitFit(take.head, found.shapes).track(take.faces())
+        with replacing(Path(output)) as path:
+            save_glb(animated(found, track, take.times), path)
+    return found, report(found, head_of(settings))
+
+
+def displays_of(emotion: Emotions) -> Displays:
+    """Return the displays that a user asks for, by name with their intensities or one by one."""
+    if isinstance(emotion, Mapping):
+        return tuple(Display(name, intensity) for name, intensity in emotion.items())
+    return tuple(emotion)

@@ -1,0 +1,64 @@
+"""From what a user names, texts and files, to a script or a recording."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from os import PathLike
+
+from ..errors import InputError, Place
+from ..script import Script, read_script
+from ..script.files import names_something, read_text
+from .from_recording import LabelledRecording, Recording
+
+LABELS_SUFFIX = ".textgrid"
+TRANSCRIPT_SUFFIXES = (".txt", ".lab")
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """What is to be performed, as a user names it.
+
+    `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
+    like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
+    name of a file with them.
+    """
+
+    script: str | None = None
+    audio: str | PathLike[str] | None = None
+    transcript: str | None = None
+    text: bool = False
+    name: str = "text"
+
+    @property
+    def labels(self) -> str | None:
+        """The file of labels, if the script is one."""
+        named = self.script is not None and not self.text and self.script.lower().endswith(LABELS_SUFFIX)
+        return self.script if named else None
+
+
+def read(given: Input) -> Script | Recording | LabelledRecording:
+    """Return a script that is to be spoken, or a recording with what is known of its words.
+
+    Raises InputError, with its place, for what is missing, does not fit together or cannot be read; whether
+    recording and labels can be used is seen when they are heard.
+    """
+    if given.audio is None and given.transcript is not None:
+        raise InputError("a transcript needs its recording; expected --audio as well")
+    if given.labels is not None:
+        if given.transcript is not None:
+            raise InputError("a TextGrid has words of its own; expected no transcript", Place(given.labels))
+        return LabelledRecording(given.labels, given.audio)
+    script = None if given.script is None else read_script(given.script, text=given.text, source=given.name)
+    if given.audio is not None:
+        return Recording(given.audio, read_transcript(given.transcript), script)
+    if script is None:
+        raise InputError("nothing to perform; expected a text, a file or --audio")
+    return script
+
+
+def read_transcript(transcript: str | None) -> str | None:
+    """Return a transcript, if there is one, read from its file if it names one."""
+    if not transcript:
+        return transcript
+    named = transcript.lower().endswith(TRANSCRIPT_SUFFIXES) or names_something(transcript)
+    return read_text(transcript) if named else transcript
