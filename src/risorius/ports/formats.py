@@ -98,7 +98,8 @@ def register(
     _FUNCTIONS[suffix] = (write, read)
     if suffix not in FORMATS:
         options = {"also_read": also_read, "opaque": opaque, "order": order}
-        _add(_format(write.__module__, (suffix, description, needs), options, readable=read is not None))
+        columns = (suffix, description, needs)
+        FORMATS.register(suffix)(_format(write.__module__, columns, options, readable=read is not None))
 
 
 def _format(module: str, columns: tuple[Any, ...], options: dict[str, Any], *, readable: bool) -> FileFormat:
@@ -108,10 +109,6 @@ def _format(module: str, columns: tuple[Any, ...], options: dict[str, Any], *, r
     return FileFormat(
         suffix, description, frozenset(map(Need, needs)), module, read_suffixes=suffixes, **options
     )
-
-
-def _add(entry: FileFormat) -> None:
-    FORMATS.register(entry.suffix)(entry)
 
 
 def _declared(package: Path) -> Iterator[FileFormat]:
@@ -136,7 +133,7 @@ def _of_call(module: str, statement: ast.stmt) -> FileFormat:
 
 
 for _row in sorted(_declared(Path(__file__).parent), key=lambda row: (row.order, row.suffix.lower())):
-    _add(_row)
+    FORMATS.register(_row.suffix)(_row)
 
 
 def format_for(path: Path) -> FileFormat:
