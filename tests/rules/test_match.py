@@ -18,6 +18,7 @@ from risorius.rules.situation import Situation
 from risorius.rules.synchrony import Span, nearest, snapped, synchrony
 from risorius.rules.unit import Unit
 from risorius.rules.units import Units
+from risorius.speech.synthesis import synthesize
 
 Maker = Callable[..., Utterance]
 NUMBERS = Counted(7)
@@ -246,3 +247,25 @@ def test_units_know_where_they_stand(sentence_of: Maker) -> None:
     assert [str(u.position) for u in words] == ["first", "inner", "last", "only"]
     assert words[1].accented == words[1].start
     assert [u.pause is None for u in words] == [True, True, False, False]
+
+
+@pytest.mark.parametrize(
+    ("language", "text", "question", "tones"),
+    [
+        ("en-us", "What are you doing?", "wh", "L-L%"),
+        ("de", "Was machst du?", "wh", "L-L%"),
+        ("de", "Kommst du?", "yes_no", "H-H%"),
+        ("es", "¿Cómo estás?", "wh", "L-L%"),
+        ("es", "¿Has visto a Juan?", "yes_no", "H-H%"),
+        ("fr", "Où vas-tu ?", "wh", "L-L%"),
+        ("it", "Hai visto Juan?", "yes_no", "H-H%"),
+        ("nl", "Wat doe je?", "wh", "L-L%"),
+        ("pt", "Viste o João?", "yes_no", "H-H%"),
+    ],
+)
+def test_voice_and_face_ask_alike(language: str, text: str, question: str, tones: str) -> None:
+    said = synthesize(text, language=language, tail=0.5)
+    assert [b.label for b in said.boundaries] == [tones]
+    for level in (Level.UTTERANCE, Level.PAUSE, Level.WORD):
+        rule = rule_of(f'level = "{level}"\nwhen = {{ question = ["{question}"] }}')
+        assert events([rule], said), level

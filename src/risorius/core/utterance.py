@@ -25,6 +25,10 @@ class PauseKind(StrEnum):
     FINAL = "final"
 
 
+SENTENCE_ENDS = (PauseKind.FULL_STOP, PauseKind.QUESTION, PauseKind.EXCLAMATION, PauseKind.FINAL)
+"""Pauses that end a sentence."""
+
+
 class Question(StrEnum):
     """How a sentence asks. UNMARKED: only the question mark tells (paper B, section 5.2)."""
 

@@ -8,11 +8,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Protocol
 
 from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
+from .discourse import groups_of, rate_of_phrase, turns_of
 from .rule import Level, Position
 from .situation import Situation
-from .structure import Stretch, Structure
 from .synchrony import synchrony
 from .unit import Unit
+
+# Words of a stretch that messages show.
+_SHOWN = 8
 
 
 class Timed(Protocol):
@@ -27,12 +30,31 @@ class Timed(Protocol):
         """When it ends."""
 
 
+class Stretch(Timed, Protocol):
+    """Words [first_word, last_word): a phrase, a sentence or a turn."""
+
+    @property
+    def first_word(self) -> int:
+        """The first of its words."""
+
+    @property
+    def last_word(self) -> int:
+        """The word after its last one."""
+
+
 class Spoken:
     """Makes the units of a situation in which something is said."""
 
     def __init__(self, said: Utterance, situation: Situation) -> None:
         self.said, self.situation = said, situation
-        self.structure = Structure(said, situation.listening)
+        self._stretches: dict[Level, Sequence[Stretch]] = {
+            Level.PHRASE: said.phrases,
+            Level.UTTERANCE: said.sentences,
+            Level.TURN: turns_of(said, situation.listening),
+        }
+        self._boundary_of = {boundary.word: boundary.label for boundary in said.boundaries}
+        self._groups = list(groups_of(said))
+        self._rates = [rate_of_phrase(said, phrase) for phrase in said.phrases]
         self._syllables_of = Counter(s.word for s in said.syllables)
 
     def _unit(
@@ -45,12 +67,13 @@ class Spoken:
         start, end = spoken.start, spoken.end
         # When a turn will end is not known at its start.
         felt = start if level is Level.TURN else 0.5 * (start + end)
-        phrase = self.structure.index(Level.PHRASE, word)
+        phrase = self._index(Level.PHRASE, word)
+        sentence = self.said.phrases[phrase].sentence
         number, counts[phrase] = counts[phrase], counts[phrase] + 1
         known: dict[str, Any] = {
-            "question": self.structure.question(word),
-            "group": self.structure.group(word),
-            "rate": self.structure.rate(word),
+            "question": self.said.phrases[phrase].question,
+            "group": self._groups[sentence],
+            "rate": self._rates[phrase],
             "emotions": self.situation.emotions_at(felt),
             "turn": self.situation.turn_at(start),
         }
@@ -71,7 +94,7 @@ class Spoken:
         """Return the boundary and the pause after a word, for the unit that ends it."""
         if not last:
             return {}
-        return {"boundary": self.structure.boundary_of.get(word), "pause": _kind(self.structure.after(word))}
+        return {"boundary": self._boundary_of.get(word), "pause": _kind(self.said.pause_after(word))}
 
     def phonemes(self) -> Iterator[Unit]:
         """Yield the spoken phones."""
@@ -115,13 +138,13 @@ class Spoken:
         for s in self.said.syllables:
             stresses[s.word] = max(stresses.get(s.word, 0), s.stress)
         for index, word in enumerate(self.said.words):
-            phrase = self.structure.stretches[Level.PHRASE][self.structure.index(Level.PHRASE, index)]
+            phrase = self.said.phrases[self._index(Level.PHRASE, index)]
             yield self._unit(
                 level, counts, word, f'"{word.text}"', index,
                 **self._accented(self._accents(index, index + 1)),
                 stress=stresses.get(index, 0),
                 words=self._texts(index),
-                position=_position(index - phrase.first, phrase.last - phrase.first),
+                position=_position(index - phrase.first_word, phrase.last_word - phrase.first_word),
                 **self._ending(index, True),
             )  # fmt: skip
 
@@ -139,16 +162,16 @@ class Spoken:
 
     def stretches(self, level: Level) -> Iterator[Unit]:
         """Yield phrases, by their place in the utterance, utterances, by that in the turn, or turns."""
-        stretches = self.structure.stretches[level]
-        positions = _positions(self._owner(level, s.first) for s in stretches)
+        stretches = self._stretches[level]
+        positions = _positions(self._owner(level, s.first_word) for s in stretches)
         counts = Counter[int]()
         for s, position in zip(stretches, positions, strict=True):
-            text = f'"{self.structure.text(self._naming(level, s))}"'
+            text = f'"{self._text(self._naming(level, s))}"'
             yield self._unit(
-                level, counts, s, text, s.first,
-                **self._accented(self._accents(s.first, s.last)),
-                **self._ending(s.last - 1, True),
-                question=self.structure.question(s.last - 1),
+                level, counts, s, text, s.first_word,
+                **self._accented(self._accents(s.first_word, s.last_word)),
+                **self._ending(s.last_word - 1, True),
+                question=self.said.phrases[self._index(Level.PHRASE, s.last_word - 1)].question,
                 position=position,
             )  # fmt: skip
 
@@ -156,13 +179,22 @@ class Spoken:
         """Return by whose words messages name a stretch: of a turn, which may go on, its first sentence's."""
         if level is not Level.TURN:
             return stretch
-        return self.structure.stretches[Level.UTTERANCE][self.structure.index(Level.UTTERANCE, stretch.first)]
+        return self._stretches[Level.UTTERANCE][self._index(Level.UTTERANCE, stretch.first_word)]
+
+    def _text(self, stretch: Stretch) -> str:
+        """Return the first words of a stretch, to name it by."""
+        words = [word.text for word in self.said.words[stretch.first_word : stretch.last_word]]
+        return " ".join(words[:_SHOWN]) + (" …" if len(words) > _SHOWN else "")
 
     def _owner(self, level: Level, word: int) -> int:
         """Return which of the next larger stretches a word belongs to; turns belong to the whole."""
         if level is Level.TURN:
             return 0
-        return self.structure.index(Level.UTTERANCE if level is Level.PHRASE else Level.TURN, word)
+        return self._index(Level.UTTERANCE if level is Level.PHRASE else Level.TURN, word)
+
+    def _index(self, level: Level, word: int) -> int:
+        """Return which phrase, utterance or turn holds a word."""
+        return bisect_right(self._stretches[level], word, key=lambda s: s.first_word) - 1
 
     def pauses(self) -> Iterator[Unit]:
         """Yield the pauses."""

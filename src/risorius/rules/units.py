@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import cached_property
 
+from ..core.utterance import SENTENCE_ENDS
 from .rule import Level
 from .situation import Situation
 from .spoken import Spoken
-from .structure import SENTENCE_ENDS
 from .unit import Unit
 
 # Seconds.

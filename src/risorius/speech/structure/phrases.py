@@ -7,13 +7,12 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from ...core.utterance import Ending, PauseKind, Phrase, Question, Utterance
+from ...core.utterance import SENTENCE_ENDS, Ending, PauseKind, Phrase, Question, Utterance
 from ...languages import Language, language_of, plain_word
 from ..text.sentences import divide
 from .pauses import punctuation_kind
 from .questions import question_of
 
-SENTENCE_ENDS = (PauseKind.FULL_STOP, PauseKind.QUESTION, PauseKind.EXCLAMATION, PauseKind.FINAL)
 _ENDINGS = {
     PauseKind.COMMA: Ending.CONTINUATION,
     PauseKind.FULL_STOP: Ending.STATEMENT,

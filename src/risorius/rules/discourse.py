@@ -1,0 +1,58 @@
+"""What rules ask about speech beyond its sentences: turns, groups of related sentences, rates of phrases."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from ..core.utterance import Phrase, Utterance
+from .synchrony import synchrony
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """Words [first_word, last_word) that the speaker says without listening between. Seconds."""
+
+    first_word: int
+    last_word: int
+    start: float
+    end: float
+
+
+def turns_of(utterance: Utterance, listening: Sequence[tuple[float, float]]) -> tuple[Turn, ...]:
+    """Return the turns, in order; `listening`: spans of seconds in which they end."""
+    words = utterance.words
+    gaps = enumerate(pairwise(words), 1)
+    cuts = [
+        first
+        for first, (before, after) in gaps
+        if any(start < after.start and before.end < end for start, end in listening)
+    ]
+    return tuple(
+        Turn(first, last, words[first].start, words[last - 1].end)
+        for first, last in pairwise([0, *cuts, len(words)])
+    )
+
+
+def groups_of(utterance: Utterance) -> Iterator[int]:
+    """Yield the group of each sentence: a long silence or a new line begins another subject."""
+    group = 0
+    yield group
+    words = utterance.words
+    for before, after in pairwise(utterance.sentences):
+        between = utterance.text[
+            words[before.last_word - 1].source_end : words[after.first_word].source_start
+        ]
+        group += "\n" in between or after.start - before.end > synchrony().group_pause
+        yield group
+
+
+def rate_of_phrase(utterance: Utterance, phrase: Phrase) -> float:
+    """Return the syllables a second of a phrase, the usual rate for one without syllables."""
+    first, last = (
+        bisect_left(utterance.syllables, word, key=lambda s: s.word)
+        for word in (phrase.first_word, phrase.last_word)
+    )
+    return (last - first) / (phrase.end - phrase.start) if last > first else synchrony().usual_rate
