@@ -46,13 +46,13 @@ def test_a_change_takes_little_longer_than_the_minimum() -> None:
     assert found[500 + round(200 * STEEPEST) + 1] == pytest.approx(1.0, abs=1e-6)
 
 
-@given(share=SHARES, asked=SHARES, steps=STEPS)
+@given(share=SHARES, requested=SHARES, steps=STEPS)
 def test_what_is_asked_comes_and_goes_within_its_pace(
-    share: np.ndarray, asked: np.ndarray, steps: np.ndarray
+    share: np.ndarray, requested: np.ndarray, steps: np.ndarray
 ) -> None:
     times = np.cumsum(steps)
-    change = np.diff(eased(paced(times, asked), share, 0.2, 0.1)) / np.diff(times)
-    most = np.maximum(asked[1:], asked[:-1])
+    change = np.diff(eased(paced(times, requested), share, 0.2, 0.1)) / np.diff(times)
+    most = np.maximum(requested[1:], requested[:-1])
     assert (most * change <= 1.0 / 0.2 + 1e-6).all()
     assert (most * change >= -1.0 / 0.1 - 1e-6).all()
 

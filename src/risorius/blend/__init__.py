@@ -1,4 +1,4 @@
-"""Score to performance: paper A's two stages of combination, and the lips' rule over the mouth."""
+"""Score to performance: paper A's two stages of combination, and the rule that speech owns the mouth."""
 
 from __future__ import annotations
 

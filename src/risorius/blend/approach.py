@@ -1,8 +1,8 @@
-"""How the lips come to closures and leave them: no faster than lips can, and in time.
+"""How the lips approach closures and leave them: in time, and no faster than lips can.
 
-A closure is not switched on when its time has come: the opening before it falls early enough, the opening
-after it rises no faster, and a vowel between two closures is opened only as far as time allows. With d the
-seconds to the closure before or after, s(d) = d²/(d + gentle) and V the fastest speed, the gap is at most
+The opening before a closure falls early enough, the opening after it rises no faster, and a vowel between two
+closures opens only as far as the time allows. With d the seconds to the closure before or after,
+s(d) = d²/(d + gentle) and V the highest speed, the gap is at most
 
     B = V·s₁·s₂/(s₁ + s₂)
 
@@ -23,14 +23,14 @@ from .intervals import merged
 from .tradeoffs import tradeoffs
 
 LEAST_GAP = 0.5
-"""mm; a gap that is closed counts as at least so wide, so that a seal comes gently there too."""
+"""mm; a closed gap counts as at least this wide, so that a seal begins gently there too."""
 
 ADDED = 0.5
-"""The most that a display adds to the opening of speech, as a share of it; ours."""
+"""The most that other channels add to the opening of speech, as a share of it; our own choice."""
 
 
 class Approach:
-    """What the contact goals of a score leave to the lips' opening and shape."""
+    """How far the contact goals of a score let the lips open and take their shape."""
 
     def __init__(self, goals: Sequence[Goal]) -> None:
         self._table = tradeoffs()
@@ -43,26 +43,26 @@ class Approach:
         self._tuck = GoalCurve(tucks if self._table.before("rounding", "tuck") else ())
 
     def most(self, times: Array) -> Array:
-        """Return how wide closures let the lips be apart at sorted times, mm (perhaps infinite), (n,)."""
+        """Return the widest gap that closures allow at sorted times, mm (perhaps infinite), shape (n,)."""
         return self._table.opening.fastest * self._seals.at(times)
 
-    def sealed(self, own: Array, times: Array, gaps: MouthGaps | None) -> Array:
-        """Return the seal at sorted times (n,), given the lips' `own`, which brings them to what they ask."""
+    def sealed(self, targeted: Array, times: Array, gaps: MouthGaps | None) -> Array:
+        """Return the seal at sorted times (n,) that keeps the lips near the opening of the `targeted` one."""
         most = self.most(times)
-        seal = own if gaps is None else gaps.sealed(own, most)
-        left = 1.0 - np.maximum(seal, 1.0 - most / LEAST_GAP)
-        return np.asarray(1.0 - left * (1.0 - self._partial.at(times)))
+        seal = targeted if gaps is None else gaps.sealed(targeted, most)
+        left_open = 1.0 - np.maximum(seal, 1.0 - most / LEAST_GAP)
+        return np.asarray(1.0 - left_open * (1.0 - self._partial.at(times)))
 
     def reached(self, average: Callable[[str], Array], times: Array) -> Callable[[str], Array]:
-        """Return the averages of targets as far as the goals let the lips go, by name."""
-        found: dict[str, Array] = {}
+        """Return a function like `average`, with the averages of targets as far as the goals allow."""
+        averages: dict[str, Array] = {}
 
-        def get(name: str) -> Array:
-            if name not in found:
-                found[name] = self._reached(name, average(name), times)
-            return found[name]
+        def average_of(name: str) -> Array:
+            if name not in averages:
+                averages[name] = self._reached(name, average(name), times)
+            return averages[name]
 
-        return get
+        return average_of
 
     def _reached(self, name: str, value: Array, times: Array) -> Array:
         if name == APERTURE:
@@ -92,22 +92,22 @@ class MouthGaps:
         If speech leaves a gap a, the gap e that other channels add is reduced to e·r/(e + r); r is what a
         lacks to `most`, in speech at most `ADDED`·a. So wide phones stay wide, narrow ones narrow.
         """
-        asked = self.alone * (1.0 - targeted)
+        speech_gap = self.alone * (1.0 - targeted)
         extra = np.maximum(self.with_others - self.alone, 0.0)
-        room = np.maximum(most - asked, 0.0)
+        room = np.maximum(most - speech_gap, 0.0)
         taken = _taken(extra, room)
-        taken += self.speaking * (_taken(extra, np.minimum(room, ADDED * asked)) - taken)
-        closed = self.alone - asked + taken
+        taken += self.speaking * (_taken(extra, np.minimum(room, ADDED * speech_gap)) - taken)
+        closed = self.alone - speech_gap + taken
         return np.asarray(np.clip(closed / np.maximum(self.with_others, LEAST_GAP), 0.0, 1.0))
 
 
 def _taken(extra: Array, room: Array) -> Array:
-    """Return e − e·r/(e + r)."""
+    """Return e − e·r/(e + r), what must be closed of the gap e if there is room for r."""
     return np.divide(extra * extra, extra + room, out=np.zeros(len(extra)), where=extra > 0.0)
 
 
 class _Distance:
-    """Seconds to the goals on both sides, eased, as s₁·s₂/(s₁ + s₂)."""
+    """The eased distance in time to the goals on both sides: s₁·s₂/(s₁ + s₂), seconds."""
 
     def __init__(self, goals: Sequence[Goal], gentle: float) -> None:
         spans = merged(np.array([(g.start, g.end) for g in goals], dtype=np.float64).reshape(-1, 2))
@@ -115,7 +115,7 @@ class _Distance:
         self._gentle = gentle
 
     def at(self, times: Array) -> Array:
-        """Return it at sorted times, shape (n,): 0 during goals, infinite where there are none."""
+        """Return the distance at sorted times, shape (n,): 0 during goals, infinite if there are none."""
         number = np.searchsorted(self._start, times, side="right")
         before, ahead = times - self._end[number], self._start[number] - times
         with np.errstate(divide="ignore"):
@@ -128,6 +128,6 @@ class _Distance:
 
 
 def smooth_minimum(a: Array, b: Array, width: float) -> Array:
-    """Return the lesser of two curves, rounded off by at most width/4 where they are nearer than `width`."""
+    """Return the lesser of two curves, rounded off by at most width/4 near their crossings."""
     near = np.maximum(width - np.abs(a - b), 0.0)
     return np.asarray(np.minimum(a, b) - near * near * (0.25 / width))

@@ -1,4 +1,4 @@
-"""Where the curves of two plans can differ: what was changed, how far it is felt, and nothing beyond."""
+"""When the curves of two plans can differ: what was changed, and how far that has an effect."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def performance_after(
 def changed_span(before: Plan, after: Plan) -> TimeSpan | None:
     """Return the times in seconds outside which both plans have the same curves, to the last bit.
 
-    Nothing changed is (0, 0). None where that cannot be told: speech, settings or the clip's length are
-    other, or a channel's priority.
+    (0, 0) if nothing changed. None if the span is unknown: speech, settings, the clip's length or a channel's
+    priority differ.
     """
     a, b = before.score, after.score
     if after.lips is not before.lips or a.settings != b.settings or a.duration != b.duration:
@@ -41,7 +41,7 @@ def changed_span(before: Plan, after: Plan) -> TimeSpan | None:
     channels = [{c.name: c for c in plan.channels} for plan in (before, after)]
     spans: list[TimeSpan] = []
     for name in channels[0].keys() | channels[1].keys():
-        one, two = (found.get(name) for found in channels)
+        one, two = (by_name.get(name) for by_name in channels)
         if one is not None and two is not None and not _ranked_alike(one, two):
             return None
         spans += _spans(one, two)
@@ -58,19 +58,19 @@ def _ranked_alike(one: Channel, two: Channel) -> bool:
 
 
 def _spans(one: Channel | None, two: Channel | None) -> Iterator[TimeSpan]:
-    """Yield when the pieces of a channel's curves last that only one of the two has."""
+    """Yield the start and end of every part of a curve that only one of the two channels has."""
     for name in {name for channel in (one, two) if channel is not None for name in channel.curves}:
-        pieces = [_extents(channel, name) for channel in (one, two)]
-        for piece in pieces[0] ^ pieces[1]:
-            yield piece[0], piece[1]
+        before, after = (_extents(channel, name) for channel in (one, two))
+        for start, end, _ in before ^ after:
+            yield start, end
 
 
 def _extents(channel: Channel | None, name: str) -> frozenset[Extent]:
     curves = () if channel is None else channel.curves.get(name, ())
-    return frozenset(piece for curve in curves for piece in curve.extents())
+    return frozenset(extent for curve in curves for extent in curve.extents())
 
 
 def _reach(before: Plan, after: Plan) -> float:
-    """How many seconds a change of one channel is felt in others, from level to level."""
+    """Return how many seconds a change of one channel has an effect on others, from level to level."""
     levels = {level for plan in (before, after) for c in plan.channels for level in c.levels.distinct}
     return STEEPEST * after.tuning.longest * (len(levels) + 2)

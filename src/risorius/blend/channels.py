@@ -29,7 +29,7 @@ class Channel:
     _above: dict[tuple[str, float], Spans] = field(default_factory=dict)
 
     def sample(self, parameter: str, times: Array) -> tuple[IndexArray, Array]:
-        """Return where a parameter is not at rest and its highest value of all layers there."""
+        """Return the times at which a parameter is not at rest, and the highest value of all layers."""
         curves = self.curves[parameter]
         if len(curves) == 1:
             return curves[0].sample(times)
@@ -38,11 +38,11 @@ class Channel:
         return index, dense[index]
 
     def lines(self, parameter: str, times: Array) -> Array:
-        """Return a parameter's highest value of all layers, by lines between knots, shape (n,)."""
+        """Return a parameter's highest value of all layers, by straight lines between knots, shape (n,)."""
         return _highest((curve.lines(times) for curve in self.curves[parameter]), len(times))
 
     def above(self, parameter: str, threshold: float) -> Spans:
-        """Return when the channel would hold a parameter above `threshold`, shape (n, 2)."""
+        """Return when the channel requests more than `threshold` of a parameter, shape (n, 2)."""
         if parameter not in self.curves:
             return union(())
         key = (parameter, threshold)
@@ -68,7 +68,7 @@ def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, 
     replaced = replaced_spans(score.manual)
     channels = []
     for name in CHANNELS:
-        layers = [concatenate(found, function) for _, found in sorted(movements[name].items())]
+        layers = [concatenate(in_layer, function) for _, in_layer in sorted(movements[name].items())]
         curves = _layered(layers)
         if name == "lips" and lips is not None:
             curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
@@ -96,10 +96,10 @@ def _joined(first: Mapping[str, Sequence[Curve]], then: Curves) -> Curves:
 
 
 def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
-    """Return the curves at rest while others, drawn by hand, stand in their place."""
+    """Return the curves, at rest while curves drawn by hand replace them."""
     return {
-        name: [Replaced(curve, replaced[name]) for curve in held] if name in replaced else held
-        for name, held in curves.items()
+        name: [Replaced(curve, replaced[name]) for curve in own] if name in replaced else own
+        for name, own in curves.items()
     }
 
 

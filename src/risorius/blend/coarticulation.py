@@ -1,6 +1,6 @@
-"""How neighbouring lip segments blend: the interface of all models, and what they share.
+"""How neighbouring lip segments blend: the interface of all lip models, and what they share.
 
-A model says how much each segment weighs at a time, per parameter. Everything else (targets, limits on
+A model returns the weight of each segment at a time, per parameter. Everything else (targets, limits on
 other channels, whether the mouth speaks) is an average by these weights. A new model is a file that
 registers itself here.
 """
@@ -25,7 +25,7 @@ T = TypeVar("T")
 class SegmentWeights:
     """Weights of segments at some times, as triples: segment, index of the time, weight; each shape (m,).
 
-    They sum to 1 at each of the `count` times, or to 0 far from all segments.
+    The weights sum to 1 at each of the `count` times, or to 0 far from all segments.
     """
 
     segment: IndexArray
@@ -34,13 +34,13 @@ class SegmentWeights:
     count: int
 
     def average(self, values: Array | SegmentValues) -> Array:
-        """Return the weighted average of one value per segment, shape (segments,), at the times: (count,)."""
+        """Return the weighted average of `values` (segments,) at each time, shape (count,)."""
         spread = np.bincount(self.time, self.weight * values[self.segment], self.count)
         return np.asarray(spread, dtype=np.float64)
 
 
 class SegmentValues:
-    """A value of every segment, shape (segments,), kept small: most segments have one of a few."""
+    """One value per segment, shape (segments,), in little memory: there are few different values."""
 
     def __init__(self, values: Array) -> None:
         self._distinct, number = np.unique(values, return_inverse=True)
@@ -52,9 +52,9 @@ class SegmentValues:
 
 
 class SharedMappings:
-    """Mappings of segments, many of which are the same object.
+    """One mapping per segment; many segments share the same object.
 
-    `mappings`: each once; `number`: which of them each segment has, shape (segments,).
+    `mappings`: each object once; `number`: the number of each segment's mapping, shape (segments,).
     """
 
     def __init__(self, mappings: Sequence[Mapping[str, Any]]) -> None:
@@ -64,7 +64,7 @@ class SharedMappings:
         self.mappings = self.first(mappings)
 
     def first(self, items: Sequence[T]) -> tuple[T, ...]:
-        """Return one item per segment for the first segment that has each mapping."""
+        """Return, for each mapping, the item of the first segment that has it."""
         return tuple(items[i] for i in self._first.tolist())
 
     def column(self, name: str, missing: float) -> Array:
@@ -74,29 +74,32 @@ class SharedMappings:
 
 
 class Coarticulation(Protocol):
-    """A model made for some segments: sorted, without gaps; `reach`: how far a segment is felt, seconds."""
+    """A lip model for segments that are sorted and without gaps.
+
+    `reach`: how far a segment has weight beyond its ends, seconds.
+    """
 
     reach: float
 
     def group(self, parameter: str) -> int:
-        """Return a number; parameters with the same number have the same weights at all times."""
+        """Return the number of a parameter's group: parameters of one group have the same weights."""
 
     def targets(self, parameter: str) -> Array:
-        """Return each segment's target for the parameter, 0 where it has none, shape (segments,)."""
+        """Return each segment's target for the parameter, 0 if it has none, shape (segments,)."""
 
     def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return the weights of one group's parameters at sorted times, shape (n,)."""
 
 
 AverageKey = tuple[str, str]
-"""What is averaged, and of which parameter."""
+"""A kind of value that is averaged, and the parameter that it is of."""
 TARGET = "target"
 AT_ONCE = 2048
-"""Times for which weights are made at once: they are many times as large as the averages."""
+"""Weights are computed for so many times at once: they need far more memory than the averages."""
 
 
 class SegmentTable:
-    """What is averaged by a model's weights: a value of every segment, by key. `model`: whose weights."""
+    """The values that are averaged by the weights of `model`: one per segment, by key."""
 
     def __init__(self, model: Coarticulation, values: Mapping[AverageKey, SegmentValues]) -> None:
         self.model = model
@@ -106,42 +109,45 @@ class SegmentTable:
             self._sharing.setdefault(model.group(key[1]), []).append(key)
 
     def sharing(self, group: int) -> Sequence[AverageKey]:
-        """Return the keys of all that is averaged by the weights of a group."""
+        """Return the keys of all values that are averaged by the weights of a group."""
         return self._sharing[group]
 
 
 class SegmentAverages:
-    """The averages of columns at sorted times, shape (n,): made with all of their group, given once."""
+    """The averages of a table at sorted times, shape (n,).
+
+    All averages of a group are computed together, and each is returned once.
+    """
 
     def __init__(self, columns: SegmentTable, times: Array) -> None:
         self._columns, self._times = columns, times
-        self._found: dict[AverageKey, Array] = {}
+        self._computed: dict[AverageKey, Array] = {}
 
     def __call__(self, name: str) -> Array:
         """Return the average of a target, shape (n,)."""
         return self.of(TARGET, name)
 
     def of(self, kind: str, name: str) -> Array:
-        """Return the average of a column, shape (n,), and let go of it; 0 where there is none."""
+        """Return the average of a kind of value, shape (n,), 0 if the table has none, and forget it."""
         key = (kind, name)
         if key not in self._columns.values:
             return np.zeros(len(self._times))
-        # Another thread may ask meanwhile: then it is made twice.
-        given = self._found.pop(key, None)
-        if given is None:
-            made = self._made(self._columns.model.group(name))
-            given = made.pop(key)
-            self._found.update(made)
-        return given
+        # If another thread needs it at the same time, both compute it.
+        average_values = self._computed.pop(key, None)
+        if average_values is None:
+            averages = self._group_averages(self._columns.model.group(name))
+            average_values = averages.pop(key)
+            self._computed.update(averages)
+        return average_values
 
-    def _made(self, group: int) -> dict[AverageKey, Array]:
-        made = {key: np.empty(len(self._times)) for key in self._columns.sharing(group)}
+    def _group_averages(self, group: int) -> dict[AverageKey, Array]:
+        averages = {key: np.empty(len(self._times)) for key in self._columns.sharing(group)}
         for first in range(0, len(self._times), AT_ONCE):
             part = slice(first, first + AT_ONCE)
             weights = self._columns.model.weights(group, self._times[part])
-            for key, average in made.items():
+            for key, average in averages.items():
                 average[part] = weights.average(self._columns.values[key])
-        return made
+        return averages
 
 
 LIP_MODELS: Registry[Callable[[Sequence[LipSegment]], Coarticulation]] = Registry("lip model")
@@ -149,7 +155,7 @@ LIP_MODELS: Registry[Callable[[Sequence[LipSegment]], Coarticulation]] = Registr
 SHORTEST_SILENCE = 0.15
 """Seconds: a shorter gap between segments (the release of a stop, a breath) belongs to its neighbours."""
 _LEAD = 2.0
-"""Seconds of rest put before the first and after the last segment."""
+"""Seconds of rest before the first and after the last segment."""
 
 
 def without_gaps(segments: Sequence[LipSegment]) -> tuple[LipSegment, ...]:

@@ -1,7 +1,7 @@
-"""Conflicts between channels: what every policy is given and what it must answer.
+"""Conflicts between channels: the interface of a policy, and its inputs.
 
-A policy is a file in `policies/` that registers itself here. It decides what is left of each channel's
-activity; the lips' limits and contact goals hold under every policy and come after it.
+A policy is a file in `policies/` that registers itself here. It decides how much of each channel's activity
+remains. The lips' limits and contact goals come after it and hold under every policy.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from .limits import SpeechLimits
 from .tuning import Tuning
 
 Resolver = Callable[[Channel, str, Array, Array], Array]
-"""(channel, parameter, times (n,), activity there (n,)) -> what is left of it (n,)."""
+"""(channel, parameter, times (n,), requested values (n,)) -> what the policy leaves of them (n,)."""
 
 
 class Join(StrEnum):
-    """How the channels' settled activities become one value."""
+    """How the values of all channels become one."""
 
     MAX = "max"
     SUM = "sum"
@@ -56,7 +56,7 @@ class Policy(Protocol):
     join: Join
 
     def at(self, times: Array) -> Resolver:
-        """Return the function that settles activities at some of the sorted times, shape (n,)."""
+        """Return the function that resolves conflicts at some of the sorted times, shape (n,)."""
 
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """Return the rival that suppresses an activity at a time, or None if there is none."""
@@ -64,7 +64,7 @@ class Policy(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class PolicyInputs:
-    """What a policy is given: the channels, minimum durations and thresholds, and the limits of speech."""
+    """The inputs of a policy: the channels, minimum durations and thresholds, and the limits of speech."""
 
     channels: Sequence[Channel]
     tuning: Tuning
@@ -82,7 +82,7 @@ class PolicyInputs:
         ]
 
     def threshold_time(self, parameter: str, duration: float) -> float:
-        """Return how long an activity needs to pass its threshold, given the time that it needs to pass 1."""
+        """Return the time in which an activity rises to its threshold if it needs `duration` to rise to 1."""
         return duration * float(np.log2(1.0 + self.tuning.threshold[parameter]))
 
 

@@ -1,7 +1,7 @@
 """Contact goals: lips that must close, and the lower lip that must reach the upper teeth.
 
-Goals are the last step: each segment with a target for `lip_seal` or `lip_tuck` reaches it for the whole
-of its closure, whatever else happens (DESIGN, section 3; facts: lips, point 10).
+Goals are the last step: each segment with a target for `lip_seal` or `lip_tuck` reaches it for its whole
+closure, whatever other channels do (DESIGN, section 3; facts: lips, point 10).
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from .tradeoffs import tradeoffs
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
 SOFTENED = 0.02
-"""The root of a tuck from which on `beside_tuck` is nearly a root."""
+"""The root of a tuck above which `beside_tuck` is nearly 1 − √tuck."""
 
 
 @dataclass(frozen=True, slots=True)
 class Goal:
     """A closure: `value` of `contact` during [start, end], with ramps on both sides, seconds.
 
-    `segment`: the index of the segment that asks for it.
+    `segment`: the index of the segment that has this goal.
     """
 
     contact: str
@@ -46,7 +46,7 @@ class Goal:
 
 
 def contact_goals(segments: Sequence[LipSegment]) -> tuple[Goal, ...]:
-    """Return the goals of the segments, sorted by start; a tuck makes room for the seals beside it."""
+    """Return the goals of the segments, sorted by start; a tuck gives way to the seals beside it."""
     seals = _closures(segments, SEAL)
     tucks = []
     for tuck in _closures(segments, TUCK):
@@ -57,15 +57,15 @@ def contact_goals(segments: Sequence[LipSegment]) -> tuple[Goal, ...]:
 
 
 def _closures(segments: Sequence[LipSegment], contact: str) -> list[Goal]:
-    table, found = tradeoffs(), []
+    table, goals = tradeoffs(), []
     ramp = table.seal.ramp if contact == SEAL else table.tuck.ramp
     for number, segment in enumerate(segments):
         value = segment.targets.get(contact, 0.0)
         if value > 0.0:
             missing = max(0.0, table.seal.shortest - (segment.end - segment.start)) / 2.0
             start, end = segment.start - missing, segment.end + missing
-            found.append(Goal(contact, number, start, end, value, ramp, ramp))
-    return sorted(found, key=_middle)
+            goals.append(Goal(contact, number, start, end, value, ramp, ramp))
+    return sorted(goals, key=_middle)
 
 
 def _middle(goal: Goal) -> float:
@@ -73,7 +73,7 @@ def _middle(goal: Goal) -> float:
 
 
 def _late(tuck: Goal, segments: Sequence[LipSegment]) -> tuple[float, float]:
-    """Return from when to when a tuck holds so that rounded segments beside it are round at their middles."""
+    """Return start and end of a tuck that leaves rounded segments beside it round at their middles."""
     table = tradeoffs().tuck
     spared = table.waits * (tuck.end - tuck.start)
     start, end = tuck.start, tuck.end
@@ -90,8 +90,8 @@ def _is_rounded(segment: LipSegment) -> bool:
     return segment.targets.get(PROTRUSION, 0.0) > 0.0
 
 
-def _fit(tuck: Goal, held: tuple[float, float], seals: list[Goal]) -> Goal | None:
-    """Place a tuck that is to be `held` between the seals around it, shortening their ramps in place."""
+def _fit(tuck: Goal, wanted: tuple[float, float], seals: list[Goal]) -> Goal | None:
+    """Place a tuck between the seals around it, at `wanted` if possible; their ramps shorten in place."""
     table = tradeoffs().tuck
     right = bisect_right(seals, _middle(tuck), key=_middle)
     left = right - 1
@@ -101,8 +101,8 @@ def _fit(tuck: Goal, held: tuple[float, float], seals: list[Goal]) -> Goal | Non
     if room < 2.0 * table.least_room:
         return None
     middle = min(max(_middle(tuck), free_from + table.least_room), free_to - table.least_room)
-    start = min(max(held[0], free_from + table.ramp), middle)
-    end = max(min(held[1], free_to - table.ramp), middle)
+    start = min(max(wanted[0], free_from + table.ramp), middle)
+    end = max(min(wanted[1], free_to - table.ramp), middle)
     if left >= 0:
         seals[left] = replace(seals[left], ramp_out=min(seals[left].ramp_out, start - free_from))
     if right < len(seals):
@@ -119,8 +119,8 @@ def _fit(tuck: Goal, held: tuple[float, float], seals: list[Goal]) -> Goal | Non
 class GoalCurve:
     """The goals of one contact, evaluated at any times.
 
-    What one goal g leaves open the next may close: 1 − Π(1 − g). So two closures that are nearer than their
-    ramps leave a smooth, partial opening between them, and nearer still none: the vowel between is given up.
+    Together goals g close 1 − Π(1 − g). So two closures nearer than their ramps leave a smooth, partial
+    opening between them; two that are nearer still leave none, and the vowel between them is lost.
     """
 
     def __init__(self, goals: Sequence[Goal]) -> None:
@@ -144,10 +144,10 @@ class GoalCurve:
 
 
 def beside_tuck(tuck: Array) -> Array:
-    """Return what a tuck, 0..1, leaves of the lips' seal, shape (n,): 1 − √tuck, but with a slope at 0.
+    """Return how much of a seal a tuck, 0..1, leaves, shape (n,): 1 − √tuck, but with a finite slope at 0.
 
-    A lower lip that leaves the teeth leaves the gap as wide at first. So that the gap falls evenly, the seal
-    must come sooner than the tuck goes.
+    When the lower lip leaves the teeth, the gap at first stays as wide. The seal must come before the tuck
+    has gone, or the gap would not fall evenly.
     """
     least, most = SOFTENED, float(np.sqrt(1.0 + SOFTENED**2))
     return np.asarray(1.0 - (np.sqrt(tuck + SOFTENED**2) - least) / (most - least))

@@ -1,4 +1,4 @@
-"""What every curve of a channel can do, whether movements, lips or a hand make it."""
+"""The interface of a channel's curves, whether movements, lips or a hand shape them."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ class Curve(Protocol):
     """One parameter of one layer, as a deviation from its neutral."""
 
     def sample(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return where the curve is not at rest among the sorted times, and its values there."""
+        """Return at which of the sorted times the curve is not at rest, and its values at them."""
 
     def lines(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return the same as `sample`, but by lines between knots where that is much quicker."""
+        """Return what `sample` returns, by straight lines between knots if that is much faster."""
 
     def above(self, threshold: float) -> Spans:
         """Return when the curve is higher than `threshold`, shape (n, 2)."""
 
     def origin(self, time: float) -> Origin:
-        """Return what stands behind the curve at a time."""
+        """Return the movement, segment or drawn curve that moves the curve at a time."""
 
     def extents(self) -> Iterator[Extent]:
-        """Yield what the curve is made of: from when to when it is in force, then all that tells it apart."""
+        """Yield the extent of each part of the curve."""
 
     def breakpoints(self) -> Array:
         """Return when the curve's parts begin and end, unsorted, shape (n,)."""

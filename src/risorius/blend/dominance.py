@@ -1,10 +1,10 @@
 """Lip segments blended by dominance (Cohen and Massaro 1993; paper A, section 5.1).
 
-Each segment has over each parameter a dominance that is full around its centre and falls off on both
-sides as magnitude·exp(-(x/tau)^c); the average of the targets, weighted by it, is the curve (facts:
-science/01, section 1.1). Three things are added, for curves without kinks and without far effects: the
-fall starts gently, it ends at a finite reach, and it starts at most `MARGIN` inside the segment's edge,
-so that a long silence or vowel gives way where its neighbour is, not at its own middle.
+Each segment has a dominance over each parameter that is full around its centre and falls on both sides as
+magnitude·exp(-(x/tau)^c); the curve is the average of the targets with these weights (facts: science/01,
+section 1.1). Three additions avoid kinks and effects over long distances: the fall starts gently, it ends at
+a finite reach, and it starts at most `MARGIN` inside the segment's edge, so that a long silence or vowel
+gives way near its neighbour, not from its own middle on.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, SegmentWeights, Shared
 from .intervals import ranges
 
 MARGIN = 0.08
-"""Seconds inside a segment's edge at which dominance begins to fall at the latest."""
+"""Seconds inside a segment's edge; there, at the latest, dominance begins to fall."""
 REACH = 6.0
 """Time constants after which dominance has ended."""
 SOFTNESS = 0.5
-"""Time constants over which the fall begins; 0 would be a kink."""
+"""Time constants over which the fall begins; 0 would make a kink."""
 SHORTEST = 0.005
-"""The shortest time constant, seconds: below it a segment would be a step."""
+"""The shortest time constant, seconds: with a shorter one a segment would be a step."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,27 +52,31 @@ class DominanceModel:
     def __init__(self, segments: Sequence[LipSegment]) -> None:
         self._groups: dict[bytes, int] = {}
         self._numbers: dict[Dominance, int] = {}
-        # Segments of one class share their dominance, so it is looked up once for all of them.
-        self._held = SharedMappings([s.dominance for s in segments])
-        self._first = self._held.first(segments)
+        # Segments of one class share their dominance: it is looked up once for all of them.
+        self._dominances = SharedMappings([s.dominance for s in segments])
+        self._first = self._dominances.first(segments)
         self._aims = SharedMappings([s.targets for s in segments])
         self._group_of: dict[str, int] = {}
-        # Of each group only the number of every segment's dominance is kept, so that long clips stay small.
+        # Per group and segment only the number of the dominance is stored: long clips take little memory.
         self._rows: list[UInt32Array] = []
         self._spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
         self._ended = np.maximum.accumulate(self._spans[:, 1])
         for segment in self._first:
             for dominance in segment.dominance.values():
                 _check(segment, dominance)
-        longest = [max(d.before, d.after) for held in self._held.mappings for d in held.values()]
+        longest = [
+            max(d.before, d.after)
+            for by_parameter in self._dominances.mappings
+            for d in by_parameter.values()
+        ]
         slowest = max([*longest, Dominance().before, Dominance().after])
         self.reach = max(REACH * slowest, 2.0 * MARGIN + SHORTEST_SILENCE)
 
     def group(self, parameter: str) -> int:
-        """Return the number of the parameters that every segment dominates alike."""
+        """Return the number of the group of parameters over which each segment has one dominance."""
         if parameter not in self._group_of:
-            found = (self._number(s.dominance_of(parameter)) for s in self._first)
-            rows = np.array(list(found), dtype=np.uint32)[self._held.number]
+            numbers = (self._number(s.dominance_of(parameter)) for s in self._first)
+            rows = np.array(list(numbers), dtype=np.uint32)[self._dominances.number]
             key = rows.tobytes()
             if key not in self._groups:
                 self._groups[key] = len(self._rows)
@@ -84,7 +88,7 @@ class DominanceModel:
         return self._numbers.setdefault(dominance, len(self._numbers))
 
     def targets(self, parameter: str) -> Array:
-        """Return each segment's target, 0 where it has none, shape (segments,)."""
+        """Return each segment's target, 0 if it has none, shape (segments,)."""
         return self._aims.column(parameter, 0.0)
 
     def weights(self, group: int, times: Array) -> SegmentWeights:
@@ -105,7 +109,7 @@ class DominanceModel:
         return SegmentWeights(near.start + segment, time, weight, len(times))
 
     def _near(self, first: float, last: float) -> slice:
-        """Return the segments that may be felt at times from `first` to `last`."""
+        """Return the segments that may have weight at times from `first` to `last`."""
         begin = np.searchsorted(self._ended, first - self.reach, side="left")
         return slice(int(begin), int(np.searchsorted(self._spans[:, 0], last + self.reach, side="right")))
 
@@ -116,7 +120,7 @@ def _columns(spans: Array, dominances: Array) -> _Columns:
     magnitude, before, after, exponent, plateau = dominances.T
     before, after = np.maximum(before, SHORTEST), np.maximum(after, SHORTEST)
     flat = np.maximum(half * plateau, half - MARGIN)
-    # Wide enough to cover the segment itself and a gap, so that some segment has weight at every time.
+    # Wide enough to cover the segment and a gap, so that at every time some segment has weight.
     least = 2.0 * (half - flat) + SHORTEST_SILENCE
     reach_before = np.maximum(REACH * before, least)
     reach_after = np.maximum(REACH * after, least)
@@ -125,7 +129,7 @@ def _columns(spans: Array, dominances: Array) -> _Columns:
 
 
 def _dominance(d: _Columns, segment: IndexArray, times: Array) -> Array:
-    """Dominance of each segment at its time, shape (n,)."""
+    """Return the dominance of each segment at its time, shape (n,)."""
     offset = times - d.centre[segment]
     early = offset < 0.0
     tau = np.where(early, d.before[segment], d.after[segment])

@@ -1,8 +1,8 @@
 """Sets of times as sorted, disjoint intervals: arrays of shape (n, 2), start and end in seconds.
 
-The combination of channels works on such sets instead of frames, so that it does not depend on the frame
-rate. Ends may be infinite. An interval shorter than an instant is dropped: it would be an accident of
-rounding, and what it inhibits would be felt far around it.
+The combination of channels computes with such sets instead of frames, so that it does not depend on the
+frame rate. Ends may be infinite. An interval shorter than an instant is dropped: it would come from rounding,
+and an inhibition in it would have effects long before and after.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ def merged(intervals: Spans) -> Spans:
 
 def union(sets: Sequence[Spans]) -> Spans:
     """Return the times that lie in any of the sets, shape (n, 2)."""
-    held = [s for s in sets if len(s)]
-    if not held:
+    filled = [s for s in sets if len(s)]
+    if not filled:
         return EMPTY
-    return held[0] if len(held) == 1 else _covered(held, 1)
+    return filled[0] if len(filled) == 1 else _covered(filled, 1)
 
 
 def intersection(a: Spans, b: Spans) -> Spans:
@@ -61,11 +61,11 @@ def dilated(a: Spans, left: float, right: float) -> Spans:
 
 
 def _covered(sets: Sequence[Spans], needed: int) -> Spans:
-    """Times that at least `needed` sets cover; of equal times starts come first, so touching ones join."""
+    """Return the times that at least `needed` sets cover; intervals that touch join."""
     starts = np.concatenate([s[:, 0] for s in sets])
     ends = np.concatenate([s[:, 1] for s in sets])
     times = np.concatenate((starts, ends))
-    order = np.argsort(times, kind="stable")
+    order = np.argsort(times, kind="stable")  # of equal times, starts come first
     inside = np.cumsum(np.where(order < len(starts), 1, -1)) >= needed
     entered = inside & ~np.concatenate(([False], inside[:-1]))
     left = ~inside & np.concatenate(([False], inside[:-1]))
@@ -78,9 +78,9 @@ def _lasting(starts: Array, ends: Array) -> Spans:
 
 
 def neighbours(a: Spans, times: Array) -> tuple[Array, Array]:
-    """Return for each time how long ago the set was left and how soon it is entered, both shape (n,).
+    """Return for each time how long ago the last interval ended and how soon the next begins, (n,) both.
 
-    Seconds, infinite where there is no such interval. Inside the set the first is 0 or negative.
+    Seconds, infinite if there is no such interval. Inside the set the first is 0 or negative.
     """
     k = np.searchsorted(a[:, 0], times, side="right")
     ends = np.concatenate(([-np.inf], a[:, 1]))
@@ -105,7 +105,7 @@ def ranges(low: IndexArray, high: IndexArray) -> tuple[IndexArray, IndexArray]:
 
 
 def share(a: Spans, times: Array, width: float) -> Array:
-    """Return the share of [t - width, t] that the set covers, 0..1, shape (n,): a step made a ramp."""
+    """Return the share of [t - width, t] that the set covers, 0..1, shape (n,): a ramp for every step."""
     if not len(a) or not len(times):
         return np.zeros(len(times))
     clipped = np.clip(a, times.min() - width, times.max())
@@ -129,7 +129,10 @@ def above_line(times: Array, values: Array, threshold: float) -> Spans:
 
 
 def spans_between(times: Array, high: BoolArray, crossings: Array) -> Spans:
-    """Return the intervals where `high` holds, given when it changes between the times, shape (m, 2)."""
+    """Return the intervals during which `high` (n,) is true, shape (m, 2).
+
+    `crossings`: when it changes, one time for each change between two `times`.
+    """
     if not len(times):
         return EMPTY
     edges = [crossings]
@@ -137,5 +140,5 @@ def spans_between(times: Array, high: BoolArray, crossings: Array) -> Spans:
         edges.insert(0, times[:1])
     if high[-1]:
         edges.append(times[-1:])
-    found = np.concatenate(edges)
-    return _lasting(found[0::2], found[1::2])
+    bounds = np.concatenate(edges)
+    return _lasting(bounds[0::2], bounds[1::2])

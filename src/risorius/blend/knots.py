@@ -1,7 +1,7 @@
-"""Knots: times on which curves are worked that have no formula of their own.
+"""Knots: the times at which curves without a formula are computed.
 
-They divide evenly what lies between given edges (where something starts, ends or changes), so that results
-do not depend on the frame rate and move with their causes. Between knots lie straight lines.
+Knots divide the time between edges (when something starts, ends or changes) evenly, so that results do not
+depend on the frame rate and move with their causes. Between knots the curves are straight lines.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ import numpy as np
 from ..core.arrays import Array
 
 BLOCK = 30.0
-"""Seconds of one block of time: knots are made, and frames worked, block by block, so that memory does not
-grow with the score. Results depend on it by rounding alone."""
+"""Seconds of one block of time: knots and frames are computed block by block, so that memory does not grow
+with the score. Results depend on it by rounding alone."""
 
 
 def block_number(time: float) -> int:
@@ -23,14 +23,14 @@ def block_number(time: float) -> int:
 
 
 def block_knots(knots: Knots, number: int, margin: float) -> Array:
-    """Return a block's knots and those of `margin` seconds on both sides, shape (n,)."""
+    """Return the knots of a block and of `margin` seconds on both sides, shape (n,)."""
     return knots.between(number * BLOCK - margin, (number + 1) * BLOCK + margin)
 
 
 class Knots:
     """Edges, shape (n,), sorted and distinct, with knots at most `step` seconds apart between them.
 
-    With `reach`, the middle of a stretch of which the ends are felt no farther than that is left undivided.
+    `reach`: edges have an effect over so many seconds; the middle of a longer stretch is not divided.
     """
 
     def __init__(self, edges: Array, step: float, reach: float = np.inf) -> None:
@@ -51,58 +51,59 @@ class Knots:
 
 
 def smoothstep(x: Array) -> Array:
-    """Return 3x² - 2x³ for x in [0, 1]: 0 and 1 at the ends, without slope there."""
+    """Return 3x² - 2x³ for x in [0, 1]: 0 and 1 at the ends, with slope 0 there."""
     return x * x * (3.0 - 2.0 * x)
 
 
 _INSTANT = 1e-9
 SOFT = 0.07
-"""The share of a ramp's time in which it comes up to its speed; as much again brings it to rest."""
+"""The share of a ramp's time in which it reaches its speed; it needs as much again to stop."""
 STEEPEST = 1.0 / (1.0 - SOFT)
-"""The greatest slope of a ramp: it is held for most of it, so that it lasts little longer than it must."""
+"""The greatest slope of a ramp, which it has most of the time: so it is hardly longer than necessary."""
 
 
 def ramp(x: Array) -> Array:
-    """Return for x in [0, 1] what rises from 0 to 1 at an even pace, but without slope at both ends."""
+    """Return a ramp for x in [0, 1]: it rises from 0 to 1 at an even pace, but with slope 0 at both ends."""
     near = np.minimum(x, 1.0 - x)
     risen = STEEPEST * np.where(near < SOFT, near * near * (0.5 / SOFT), near - 0.5 * SOFT)
     return np.where(x < 0.5, risen, 1.0 - risen)
 
 
 def inverse_ramp(y: Array) -> Array:
-    """Return x in [0, 1] for which the ramp is y in [0, 1]; exactly 1 for 1."""
+    """Return the x in [0, 1] at which the ramp is y in [0, 1]; exactly 1 for 1."""
     risen = np.minimum(y, 1.0 - y) / STEEPEST
     near = np.where(risen < 0.5 * SOFT, np.sqrt(2.0 * SOFT * np.maximum(risen, 0.0)), risen + 0.5 * SOFT)
     return np.where(y < 0.5, near, 1.0 - near)
 
 
 def eased(times: Array, share: Array, rise: float, fall: float) -> Array:
-    """Return a curve not above `share`, 0..1, that changes no faster than given, shape (n,).
+    """Return the curve below `share`, 0..1, that changes at a limited speed, shape (n,).
 
-    It rises by at most 1 in `rise` seconds, falls by at most 1 in `fall` seconds, and has no kinks where it
-    leaves 0 and reaches 1.
+    It rises by at most 1 in `rise` seconds, falls by at most 1 in `fall` seconds, and has no kinks at 0 and
+    1.
     """
     return ramp(envelope(times, inverse_ramp(share), STEEPEST * rise, STEEPEST * fall))
 
 
-LEAST_ASKED = 0.25
-"""What is asked counts as at least so much: a small share of little comes and goes in no less than this part
-of the minimum durations, and not at once."""
+LEAST_REQUESTED = 0.25
+"""A smaller request counts as this much: its share changes over at least this part of the minimum durations,
+and never at once."""
 
 
-def paced(times: Array, asked: Array) -> Array:
-    """Return a clock by which a share of what is `asked`, 0..1, may go as by `times` of 1, shape (n,).
+def paced(times: Array, requested: Array) -> Array:
+    """Return a clock that runs faster the smaller the request, 0..1, at the `times` is; shape (n,) all.
 
-    Minimum durations are those of a muscle from rest to full: half of it comes and goes in half the time.
+    On this clock the share of a request has the minimum durations of a muscle from rest to full: half a
+    contraction needs half the time.
     """
-    most = np.maximum(np.maximum(asked[1:], asked[:-1]), LEAST_ASKED)
+    most = np.maximum(np.maximum(requested[1:], requested[:-1]), LEAST_REQUESTED)
     return np.append(0.0, np.cumsum(_grains(np.diff(times) / most)))
 
 
 def rounded(times: Array, share: Array, width: float) -> Array:
     """Return the average of a curve over `width` seconds around each time, shape (n,): it has no corners.
 
-    Exactly the curve where it is even.
+    A constant stretch of the curve stays exactly as it is.
     """
     area = np.append(0.0, np.cumsum(0.5 * (share[1:] + share[:-1]) * np.diff(times)))
     first, last = _around(times, width)
@@ -113,29 +114,29 @@ def rounded(times: Array, share: Array, width: float) -> Array:
 
 
 def lowest(times: Array, share: Array, width: float) -> Array:
-    """Return the least of a curve within `width` seconds around each time, shape (n,)."""
+    """Return the least value of a curve within `width` seconds around each time, shape (n,)."""
     first, last = _around(times, width)
-    # A time at the very end of a stretch is in it, however the numbers are rounded.
+    # Count a time at the very end of a stretch as inside, whatever the rounding.
     low = np.searchsorted(times, first - _INSTANT, side="left")
     count = np.searchsorted(times, last + _INSTANT, side="right") - low
-    # The least of a range is that of two ranges as long as powers of two that cover it.
+    # Two ranges whose lengths are powers of two cover each range: their least value is its own.
     powers = np.frexp(count.astype(np.float64))[1] - 1
-    found, least = np.empty(len(times)), share
+    lowest_values, least = np.empty(len(times)), share
     for power in range(int(powers.max()) + 1):
         here = np.flatnonzero(powers == power)
-        found[here] = np.minimum(least[low[here]], least[low[here] + count[here] - 2**power])
+        lowest_values[here] = np.minimum(least[low[here]], least[low[here] + count[here] - 2**power])
         least = np.minimum(least[: -(2**power)], least[2**power :])
-    return found
+    return lowest_values
 
 
 def _around(times: Array, width: float) -> tuple[Array, Array]:
-    """Return the ends of the stretches of `width` seconds around the times that lie between the times."""
+    """Return start and end of `width` seconds around each time, cut at the first and the last time."""
     half = 0.5 * width
     return np.maximum(times - half, times[0]), np.minimum(times + half, times[-1])
 
 
 def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:
-    """Return the highest curve below `limit` that changes no faster than given, shape (n,).
+    """Return the highest curve below `limit` that changes at a limited speed, shape (n,).
 
     It rises by at most 1 in `rise` seconds and falls by at most 1 in `fall` seconds (0: at once).
     """
@@ -159,5 +160,5 @@ _FAR = 2.0
 
 
 def _grains(values: Array) -> Array:
-    """Return values as whole multiples of a grain: their sums do not depend on the order, to the last bit."""
+    """Return values as whole multiples of a grain: sums of them are exact in any order."""
     return np.floor(values / _GRAIN) * _GRAIN

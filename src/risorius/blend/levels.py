@@ -11,7 +11,7 @@ from ..core.arrays import Array
 from .intervals import Spans, intersection, share, union
 
 PRIORITY_RAMP = 0.12
-"""Seconds over which a change of priority takes effect where nothing else smooths it: a lip's minimum."""
+"""Seconds over which a change of priority takes effect if nothing else smooths it: a lip's minimum."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,11 +53,11 @@ class Levels:
     def spans(self, level: float) -> Spans:
         """Return when the priority is `level`, shape (m, 2)."""
         ends = np.concatenate((self.times[1:], [np.inf]))
-        held = self.values == level
-        return np.column_stack((self.times[held], ends[held]))
+        at_level = self.values == level
+        return np.column_stack((self.times[at_level], ends[at_level]))
 
     def weight(self, level: float, times: Array) -> Array:
-        """Return 1 where the priority is `level`, 0 elsewhere, with ramps after each change; shape (n,)."""
+        """Return 1 while the priority is `level`, else 0, with ramps after each change; shape (n,)."""
         if self.constant is not None:
             return np.full(len(times), float(level == self.constant))
         return share(self.spans(level), times, PRIORITY_RAMP)
@@ -80,13 +80,13 @@ def levels_of(claims: Iterable[PriorityClaim], default: float) -> Levels:
         return steady(ordered[0].priority)
     times = sorted({t for c in ordered for t in (c.start, c.release, c.end)})
     values = _sweep(ordered, times)
-    kept = [0] + [i for i in range(1, len(times)) if values[i] != values[i - 1]]
-    starts = [-np.inf, *(times[i] for i in kept[1:])]
-    return Levels(np.array(starts), np.array([values[i] for i in kept], dtype=np.float64))
+    changes = [0] + [i for i in range(1, len(times)) if values[i] != values[i - 1]]
+    starts = [-np.inf, *(times[i] for i in changes[1:])]
+    return Levels(np.array(starts), np.array([values[i] for i in changes], dtype=np.float64))
 
 
 def _sweep(ordered: list[PriorityClaim], times: list[float]) -> list[float]:
-    """The priority from each time to the next; of movements under way the latest-started decides."""
+    """Return the priority from each time to the next: that of the latest-started movement under way."""
     values: list[float] = []
     current = ordered[0].priority
     under_way: list[PriorityClaim] = []
@@ -113,7 +113,7 @@ def outranking(a: Levels, b: Levels) -> Spans:
 
 
 def outranks(a: Levels, b: Levels, times: Array) -> Array:
-    """Return 1 where priority `a` is higher than `b`, else 0, with ramps after each change; shape (n,)."""
+    """Return 1 while priority `a` is higher than `b`, else 0, with ramps after each change; shape (n,)."""
     if a.constant is not None and b.constant is not None:
         return np.full(len(times), float(a.constant > b.constant))
     return share(outranking(a, b), times, PRIORITY_RAMP)

@@ -1,8 +1,8 @@
-"""How other channels keep within the limits of speech.
+"""The limits of speech on other channels.
 
-"While lips speak they own the mouth's opening" (DESIGN, section 3). A channel that asks for more than a limit
-keeps only a share of what it asks; that share falls before the limit binds and rises after it as fast as the
-minimum durations let a muscle go from full to rest: half a contribution goes in half the time.
+"While lips speak they own the mouth's opening" (DESIGN, section 3). If a channel requests more than a limit,
+it gets only a share of its request. The share falls before the limit begins and rises after it has ended, as
+fast as the minimum durations let a muscle go from full to rest; half a request goes in half the time.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from .mouth import JAW, KnotBlock, SpeechMouth
 
 LIPS = "lips"
 ROUNDED = 0.04
-"""Seconds over which what a channel keeps turns from falling to rising: no corner is seen in a jaw."""
+"""Seconds over which a channel's share turns from falling to rising, so that the jaw shows no corner."""
 
 
 class SpeechLimits:
     """The limits of speech on every other channel. `lips`: the priority of speech.
 
-    A channel that outranks speech is bound by closures only.
+    Only closures limit a channel that outranks speech.
     """
 
     def __init__(self, mouth: SpeechMouth, lips: Levels) -> None:
@@ -34,29 +34,30 @@ class SpeechLimits:
         """Return whether a channel's parameter is limited at some time."""
         return channel.name != LIPS and name in self.mouth.limited
 
-    def jaw_share(self, channel: Channel, times: Array, own: Array) -> Array:
-        """Return the share of a channel's jaw that is added to the lips' `own` at sorted times, shape (n,).
+    def jaw_share(self, channel: Channel, times: Array, speech: Array) -> Array:
+        """Return the share of a channel's jaw that is added to the jaw of `speech` at sorted times, shape
+        (n,).
 
-        It opens the jaw by its part of the way that speech leaves, so that it lowers a high jaw nearly as far
-        as in silence and a low one less.
+        The channel opens the jaw by its part of the way that speech leaves: it lowers a high jaw nearly as
+        far as in silence, and a low jaw less.
         """
         free = outranks(channel.levels, self._lips, times)
-        return 1.0 - own * self.mouth.speaking_at(times) * (1.0 - free)
+        return 1.0 - speech * self.mouth.speaking_at(times) * (1.0 - free)
 
-    def applied(self, channel: Channel, name: str, times: Array, values: Array, own: Array) -> Array:
-        """Return what is left of a channel's values at sorted times, all shape (n,).
+    def applied(self, channel: Channel, name: str, times: Array, values: Array, speech: Array) -> Array:
+        """Return a channel's values within the limits at sorted times, all shape (n,).
 
-        `own`: what speech itself does; of the jaw, the limit is on the two together.
+        `speech`: the values of speech; the limit on the jaw is on the sum of both.
         """
         if not self.bind(channel, name):
             return values
         limit = self.limit(channel, name, times)
-        room = np.maximum(limit - own, 0.0) if name == JAW else limit
-        kept = self.mouth.interpolated(lambda block: self._kept(block, channel, name), times)
-        return np.minimum(values * kept, room)
+        room = np.maximum(limit - speech, 0.0) if name == JAW else limit
+        share = self.mouth.interpolated(lambda block: self._share_of(block, channel, name), times)
+        return np.minimum(values * share, room)
 
     def limit(self, channel: Channel, name: str, times: Array) -> Array:
-        """Return the most that a channel may give to a parameter it is bound in, at sorted times, (n,)."""
+        """Return the most that a channel may add to a limited parameter at sorted times, shape (n,)."""
         return self._freed(channel, times, self.mouth.high_at(name, times), self.mouth.closed_at(name, times))
 
     def _freed(self, channel: Channel, times: Array, high: Array, closed: Array) -> Array:
@@ -70,24 +71,24 @@ class SpeechLimits:
         free = len(outranking(channel.levels, self._lips)) > 0
         return self.mouth.forbidden(name, threshold, closures_only=free)
 
-    def _kept(self, block: KnotBlock, channel: Channel, name: str) -> Array:
-        """The share that a channel keeps, at a block's knots."""
+    def _share_of(self, block: KnotBlock, channel: Channel, name: str) -> Array:
+        """Return the share of its request that a channel gets, at a block's knots."""
         key = (channel.name, name)
-        if key not in block.kept:
+        if key not in block.shares:
             knots, tuning = block.knots, self.mouth.tuning
-            asked = np.zeros(len(knots))
+            requested = np.zeros(len(knots))
             index, values = channel.sample(name, knots)
-            asked[index] = values
+            requested[index] = values
             limit = self._freed(channel, knots, block.limit(name), block.closures(name))
             if name == JAW:
-                own = block.own(name)
-                asked *= self.jaw_share(channel, knots, own)
-                limit = np.maximum(limit - own, 0.0)
-            share = np.divide(limit, asked, out=np.ones(len(knots)), where=asked > limit)
+                speech = block.own(name)
+                requested *= self.jaw_share(channel, knots, speech)
+                limit = np.maximum(limit - speech, 0.0)
+            share = np.divide(limit, requested, out=np.ones(len(knots)), where=requested > limit)
             if (share < 1.0).any():
                 share = lowest(knots, share, ROUNDED)
-                clock = paced(knots, asked)
+                clock = paced(knots, requested)
                 share = eased(clock, share, tuning.min_onset[name], tuning.min_offset[name])
                 share = rounded(knots, share, ROUNDED)
-            block.kept[key] = share
-        return block.kept[key]
+            block.shares[key] = share
+        return block.shares[key]

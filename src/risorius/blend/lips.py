@@ -1,4 +1,4 @@
-"""The lip segments of a score, compiled: their curves, their goals, and what they ask of other channels."""
+"""The lip segments of a score, compiled: their curves, contact goals and limits on other channels."""
 
 from __future__ import annotations
 
@@ -27,27 +27,29 @@ _MOUTH = frozenset(p.name for p in PARAMETERS if p.kind in (Kind.MUSCLE, Kind.TO
 
 
 _GRIDS = 3
-"""Sets of times whose curves are kept: policies sample at theirs between the parameters of a caller's."""
+"""Sets of times whose curves stay cached: policies sample at times of their own between those of a caller."""
 
 
 class CompiledLips:
     """All that a score's lip segments do.
 
-    `parameters`: those that some segment targets, contacts apart; `goals`: the curve of each contact;
-    `speech`: when there are segments that are not silent, shape (n, 2).
+    `parameters`: all that some segment targets, except contacts that are goals; `goals`: the curve of each
+    contact; `speech`: the times of segments that are not silent, shape (n, 2).
     """
 
     def __init__(self, score: Score, tuning: Tuning, rig: LipRig | None) -> None:
         _check(score)
-        given = without_gaps(score.lips)
-        segments = performed(given, rig)
-        self.model = LIP_MODELS.get(score.settings.lips)(segments)
-        shapes = Shapes(segments, rig, score.settings.contact)
+        segments = without_gaps(score.lips)
+        performing = performed(segments, rig)
+        self.model = LIP_MODELS.get(score.settings.lips)(performing)
+        shapes = Shapes(performing, rig, score.settings.contact)
         self.parameters = shapes.parameters
-        goals = contact_goals(segments) if score.settings.contact else ()
+        goals = contact_goals(performing) if score.settings.contact else ()
         self.goals = {name: GoalCurve([g for g in goals if g.contact == name]) for name in CONTACTS}
-        self.mouth = SpeechMouth(given, limits_in_force(segments, goals), self.model, shapes, goals, tuning)
-        spoken = [(s.start, s.end) for s in segments if s.phone != SILENCE]
+        self.mouth = SpeechMouth(
+            segments, limits_in_force(performing, goals), self.model, shapes, goals, tuning
+        )
+        spoken = [(s.start, s.end) for s in performing if s.phone != SILENCE]
         self.speech = merged(np.array(spoken, dtype=np.float64).reshape(-1, 2))
         self._sampled: tuple[tuple[Array, Mapping[str, Array]], ...] = ()
 
@@ -57,13 +59,13 @@ class CompiledLips:
             if known is times:
                 return values[parameter]
         values = self.mouth.spoken_at(times)
-        # A new tuple: another thread may look at the old one meanwhile.
+        # A new tuple, because another thread may read the old one meanwhile.
         self._sampled = (*self._sampled[1 - _GRIDS :], (times, values))
         return values[parameter]
 
     @cached_property
     def alone(self) -> Mapping[str, Array]:
-        """What each segment would do by itself, by parameter, shape (segments,)."""
+        """The value that each segment has without neighbours, by parameter, shape (segments,)."""
         return self.mouth.shapes.values(self.model.targets)
 
 
@@ -74,13 +76,13 @@ class LipCurve:
         self._lips, self._parameter = lips, parameter
 
     def sample(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return where the curve is not at rest and its values there (see StrokeCurve.sample)."""
+        """Return the times at which the curve is not at rest, and its values (see MovementCurve.sample)."""
         values = self._lips.at(self._parameter, times)
         index = np.flatnonzero(values)
         return index, values[index]
 
     def lines(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return what `sample` returns, to what lines over 5 ms leave out."""
+        """Return what `sample` returns, approximated by straight lines over 5 ms."""
         values = self._lips.mouth.own_at(self._parameter, times)
         index = np.flatnonzero(values)
         return index, values[index]
@@ -90,14 +92,14 @@ class LipCurve:
         return self._lips.mouth.above(self._parameter, threshold)
 
     def origin(self, time: float) -> LipSegment:
-        """Return the segment that counts most at a time."""
+        """Return the segment with the largest share of the value at a time."""
         model = self._lips.model
         weights = model.weights(model.group(self._parameter), np.array([time]))
         worth = weights.weight * (1e-9 + self._lips.alone[self._parameter][weights.segment])
         return self._lips.mouth.segments[int(weights.segment[np.argmax(worth)])]
 
     def extents(self) -> Iterator[Extent]:
-        """Yield nothing: the segments are compared as a whole."""
+        """Yield nothing: two plans compare their segments as a whole."""
         return iter(())
 
     def breakpoints(self) -> Array:

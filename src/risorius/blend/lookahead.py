@@ -3,20 +3,20 @@
 Three rules give every segment its posture T[s] of each articulator, and when it holds:
 
 1. Look-ahead. A segment may yield an articulator (`LipSegment.yields`) from some rate of speech on: then it
-   takes the posture of the next segment before a silence that does not yield it, else of the last one before
-   it. So lips round for a vowel as soon as nothing before it asks for another shape. What yields follows the
-   clusters of Jeffers and Barley (1971), fewer of which stay distinct in fast speech.
-2. Geometric constraint. Where an articulator goes from one side of rest to the other (a pucker after a
-   spread), each posture is scaled by 1 − OPPOSED·o/(|T[s]| + o), o being the larger opposite neighbour.
+   takes the posture of the next segment that does not yield it, if no silence comes first, else of the last
+   such segment before it. So lips round for a vowel as soon as no segment before it needs another shape. The
+   segments that yield follow the clusters of Jeffers and Barley (1971): in fast speech fewer stay distinct.
+2. Geometric constraint. If an articulator goes from one side of rest to the other (a pucker after a spread),
+   each posture is scaled by 1 − OPPOSED·o/(|T[s]| + o), with o the larger opposite neighbour.
 3. Temporal constraint. From one posture to the next an articulator needs as long as its muscle needs to
-   contract (where |T| grows) or to relax: D, the minimum onset or offset of the parameter table, and for a
-   long way longer, so that it is never faster than `FASTEST`. The step S[s](t) rises by minimum jerk over D
-   around the boundary before s. The weight of s is S[s] − S[s + 1]: a
-   phone shorter than D is not reached, and the posture before it remains over it.
+   contract (if |T| grows) or to relax: D, the minimum onset or offset of the parameter table, and longer for
+   a long way, so that it is never faster than `FASTEST`. The step S[s](t) rises by minimum jerk over D around
+   the boundary before s. The weight of s is S[s] − S[s + 1]: the lips do not reach a phone shorter than D,
+   and the posture before it remains.
 
-A step to or from a closure (an aperture below zero) is no longer than the vowel beside it, so that this is
-seen; that the lips are shut for all of the closure's interval is seen to elsewhere (`approach`). Steps begin
-and end in the order of their boundaries, so that no weight is negative.
+A step to or from a closure (an aperture below zero) is no longer than the vowel beside it, so that the vowel
+is seen; `approach` keeps the lips shut for the whole closure. Steps begin and end in the order of their
+boundaries, so that no weight is negative.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ from .coarticulation import LIP_MODELS, SegmentWeights, SharedMappings
 from .intervals import ranges
 
 OPPOSED = 0.3
-"""How much of a posture an equal and opposite neighbour takes away, twice."""
+"""Twice the share of a posture that an equal and opposite neighbour takes away."""
 FASTEST = 160.0
-"""mm a second, at the peak of a step; two that follow each other closely add up. People reach 150 to 310."""
+"""mm/s at the peak of a step; the speeds of two close steps add up. People reach 150 to 310."""
 _PEAK = 1.875
-"""The peak speed of minimum jerk over its mean."""
+"""The peak speed of minimum jerk divided by its mean speed."""
 SHORTEST_STEP = 0.085
-"""Seconds: a vowel much shorter than that between two closures is given up."""
+"""Seconds: a vowel between two closures that is much shorter is lost."""
 NEIGHBOURS = 2
 """Segments on either side over which the rate of speech is measured."""
 
@@ -65,7 +65,7 @@ class LookAheadModel:
         self.reach = max(slowest, _PEAK / FASTEST * widest)
 
     def group(self, parameter: str) -> int:
-        """Return the number of an articulator, or of a parameter that follows none; each has its own."""
+        """Return the number of the articulator that a parameter follows, or of the parameter itself."""
         name = leader(parameter)
         if name not in self._names:
             self._names.append(name)
@@ -75,10 +75,10 @@ class LookAheadModel:
         """Return each segment's posture after rules 1 and 2, shape (segments,)."""
         if parameter not in self._targets:
             own = self._aims.column(parameter, 0.0)
-            asked = self._yields.column(parameter, np.nan)
-            asked = np.where(np.isnan(asked), self._yields.column("*", np.inf), asked)
-            taken = _taken(~self._silent & (self._rate >= asked), self._silent)
-            self._targets[parameter] = _opposed(own[taken])
+            yields_from = self._yields.column(parameter, np.nan)
+            yields_from = np.where(np.isnan(yields_from), self._yields.column("*", np.inf), yields_from)
+            source = _sources(~self._silent & (self._rate >= yields_from), self._silent)
+            self._targets[parameter] = _opposed(own[source])
         return self._targets[parameter]
 
     def weights(self, group: int, times: Array) -> SegmentWeights:
@@ -98,7 +98,7 @@ class LookAheadModel:
         return SegmentWeights(segment, time, np.maximum(weight, 0.0), len(times))
 
     def _steps_of(self, name: str) -> tuple[Array, Array]:
-        """Return when the step to each segment begins and ends; that to the first one lies before all."""
+        """Return when the step to each segment begins and ends; the first one is before all times."""
         posture = self.targets(name)
         size, muscle = np.abs(posture), _muscle(name)
         needed = np.where(size[1:] > size[:-1], muscle.min_onset, muscle.min_offset)
@@ -112,7 +112,7 @@ class LookAheadModel:
         return np.append(-np.inf, start), np.append(-np.inf, end)
 
     def _between_closures(self, closed: BoolArray, needed: Array) -> Array:
-        """Return the lengths of the steps, those to and from closures no longer than the phone beside."""
+        """Return the lengths of the steps; one to or from a closure is no longer than the phone beside it."""
         duration = self._end - self._start
         closing, opening = closed[1:] & ~closed[:-1], closed[:-1] & ~closed[1:]
         room = np.where(closing, duration[:-1], np.where(opening, duration[1:], np.inf))
@@ -120,21 +120,21 @@ class LookAheadModel:
 
 
 def _muscle(name: str) -> Parameter:
-    """Return the muscle whose times an articulator takes, or the parameter itself."""
+    """Return the muscle whose minimum durations an articulator has, or the parameter itself."""
     articulator = ARTICULATORS.get(name)
     return BASES[articulator.follow[0]][0] if articulator is not None else PARAMETERS[INDEX[name]]
 
 
 def _rates(durations: Array, silent: BoolArray) -> Array:
-    """Return the phones per second around each segment, silences apart, shape (segments,)."""
+    """Return the phones per second around each segment, without silences, shape (segments,)."""
     window = np.ones(2 * NEIGHBOURS + 1)
     spoken = np.convolve(~silent, window, mode="full")[NEIGHBOURS:-NEIGHBOURS]
     seconds = np.convolve(np.where(silent, 0.0, durations), window, mode="full")[NEIGHBOURS:-NEIGHBOURS]
     return np.asarray(np.divide(spoken, seconds, out=np.zeros(len(durations)), where=seconds > 0.0))
 
 
-def _taken(yields: BoolArray, silent: BoolArray) -> IndexArray:
-    """Return whose posture each segment takes: its own, the next that does not yield, or the last."""
+def _sources(yields: BoolArray, silent: BoolArray) -> IndexArray:
+    """Return the segment whose posture each takes: itself, the next that does not yield, or the last."""
     count = np.arange(len(yields))
     last = np.maximum.accumulate(np.where(yields, 0, count))
     following = np.where(yields, len(yields) - 1, count)

@@ -22,7 +22,7 @@ class KeyCurve:
         self._drawn = drawn
 
     def sample(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return where the curve is in force and its values there (see StrokeCurve.sample)."""
+        """Return the times at which the curve is in force, and its values (see MovementCurve.sample)."""
         low = np.searchsorted(times, self.times[0], side="left")
         high = np.searchsorted(times, self.times[-1], side="right")
         index = np.arange(low, high)
@@ -35,11 +35,11 @@ class KeyCurve:
         return above_line(self.times, self.values, threshold)
 
     def origin(self, time: float) -> ManualCurve:
-        """Return the curve as it was drawn."""
+        """Return the drawn curve."""
         return self._drawn
 
     def extents(self) -> Iterator[Extent]:
-        """Yield the whole as one piece (see StrokeCurve.pieces)."""
+        """Yield the whole curve as one extent."""
         yield float(self.times[0]), float(self.times[-1]), (self.times.tobytes(), self.values.tobytes())
 
     def breakpoints(self) -> Array:
@@ -48,26 +48,26 @@ class KeyCurve:
 
 
 def key_curves(curves: Iterable[ManualCurve]) -> dict[str, list[KeyCurve]]:
-    """Return for each parameter all curves drawn for it."""
-    found: dict[str, list[KeyCurve]] = {}
+    """Return all drawn curves by parameter."""
+    by_parameter: dict[str, list[KeyCurve]] = {}
     for curve in curves:
         for name in curve.keys:
-            found.setdefault(name, []).append(KeyCurve(name, curve))
-    return found
+            by_parameter.setdefault(name, []).append(KeyCurve(name, curve))
+    return by_parameter
 
 
 class Replaced:
-    """Another channel's curve, at rest while one drawn by hand stands in its place."""
+    """Another channel's curve, at rest while a curve drawn by hand replaces it."""
 
     def __init__(self, curve: Curve, spans: Spans) -> None:
         self.curve, self._spans = curve, spans
 
     def sample(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return where the curve is neither at rest nor replaced and its values there."""
+        """Return the times at which the curve is neither at rest nor replaced, and its values."""
         return self._freed(times, *self.curve.sample(times))
 
     def lines(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return the same by lines between knots where that is much quicker."""
+        """Return what `sample` returns, by straight lines between knots if that is much faster."""
         return self._freed(times, *self.curve.lines(times))
 
     def _freed(self, times: Array, index: IndexArray, values: Array) -> tuple[IndexArray, Array]:
@@ -79,11 +79,11 @@ class Replaced:
         return difference(self.curve.above(threshold), self._spans)
 
     def origin(self, time: float) -> Origin:
-        """Return what stands behind the curve at a time."""
+        """Return the movement or segment that moves the curve at a time."""
         return self.curve.origin(time)
 
     def extents(self) -> Iterator[Extent]:
-        """Yield the curve's pieces, and when it is replaced."""
+        """Yield the curve's extents, and the times at which it is replaced."""
         yield from self.curve.extents()
         yield from ((start, end, ("replaced",)) for start, end in self._spans.tolist())
 
@@ -101,11 +101,11 @@ class Replaced:
 
 def replaced_spans(curves: Iterable[ManualCurve]) -> dict[str, Spans]:
     """Return for each parameter when a drawn curve replaces the movements of all other channels."""
-    found: dict[str, list[tuple[float, float]]] = {}
+    by_parameter: dict[str, list[tuple[float, float]]] = {}
     for curve in curves:
         for name, keys in curve.keys.items() if curve.replaces else ():
-            found.setdefault(name, []).append((keys[0][0], keys[-1][0]))
-    return {name: merged(np.array(spans)) for name, spans in found.items()}
+            by_parameter.setdefault(name, []).append((keys[0][0], keys[-1][0]))
+    return {name: merged(np.array(spans)) for name, spans in by_parameter.items()}
 
 
 def replaced_values(curve: Curve, times: Array) -> Array:

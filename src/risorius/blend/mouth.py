@@ -1,8 +1,8 @@
-"""While lips speak they own the mouth's opening: their limits on other channels, and their share of the jaw.
+"""The mouth as speech needs it: the segments' own curves, and their limits on other channels.
 
-All is worked on knots: times that divide every segment evenly, at most `STEP` apart, so that results do not
-depend on the frame rate and move with the segments. Between knots lie straight lines. Knots are made in
-blocks of time, so that memory does not grow with the score.
+All curves are computed on knots: times that divide every segment evenly, at most `STEP` apart, so that the
+results do not depend on the frame rate and move with the segments. Between knots the curves are straight
+lines. Knots are computed in blocks of time, so that memory does not grow with the score.
 """
 
 from __future__ import annotations
@@ -35,21 +35,21 @@ from .tuning import Tuning
 STEP = 0.005
 """Seconds between knots at most."""
 HAIR = 1e-9
-"""A limit or average that equals a threshold, but for rounding, is not above it."""
+"""A limit or average that equals a threshold up to rounding is not above it."""
 SegmentLimits = Mapping[str, tuple[float, float]]
 """The lower and upper limit of each parameter that a segment limits."""
 JAW = "masseter"
 JAW_AT_SEAL = 0.2
 """The most that the jaw may be open while the lips are sealed."""
 SPEAKS, LOW, MISSING = "speaks", "low", "missing"
-"""Averaged besides targets: 1 for all but silence; a lower limit; what an upper limit leaves to 1."""
+"""Averaged besides targets: 1 except for silence; a lower limit; 1 minus an upper limit."""
 
 
 class SpeechMouth:
-    """What the lip segments ask of the rest of the face.
+    """The mouth as the lip segments of a score need it.
 
-    `segments`: sorted, without gaps, at least one; `limits`: those of each in force; `model`, `shapes` and
-    `goals` (the contact goals in force): what is made of the segments as a head performs them.
+    `segments`: sorted, without gaps, at least one; `limits`: the limits in force of each. `model`, `shapes`
+    and `goals` (the contact goals in force) are those of the segments as a head performs them.
     """
 
     def __init__(
@@ -69,21 +69,21 @@ class SpeechMouth:
         self.tuning = tuning
         self.limits = tuple(limits)
         self._shared = SharedMappings(self.limits)
-        self.limited = frozenset(name for held in self._shared.mappings for name in held)
+        self.limited = frozenset(name for limits in self._shared.mappings for name in limits)
         self.raised = frozenset(n for m in self._shared.mappings for n, (low, _) in m.items() if low > 0.0)
         targets = {(TARGET, name): SegmentValues(model.targets(name)) for name in shapes.averaged}
         self._targets = SegmentTable(model, targets)
-        self._found: dict[tuple[str, str, float], Spans] = {}
+        self._scanned: dict[tuple[str, str, float], Spans] = {}
         self._margin = model.reach + tuning.longest
         times = {t for s in segments for t in (s.start, s.end)} | {t for g in goals for t in (g.start, g.end)}
         self._knots = Knots(np.array(sorted(times), dtype=np.float64), STEP, self._margin)
         self.edges = self._knots.edges
-        # Times asked for lie in one block and perhaps a little on both sides.
+        # Callers ask for times of one block, and sometimes a little more on both sides.
         self.block: Callable[[int], KnotBlock] = lru_cache(maxsize=3)(self._block)
 
     @cached_property
     def columns(self) -> SegmentTable:
-        """What is averaged over the segments on the knots of blocks."""
+        """All values of segments that are averaged on the knots."""
         speaks = SegmentValues(np.array([float(s.phone != SILENCE) for s in self.segments]))
         names = sorted(set(self.alike.values()))
         lows = {
@@ -94,26 +94,27 @@ class SpeechMouth:
 
     @cached_property
     def alike(self) -> Mapping[str, str]:
-        """The first of those that are limited as it is, by limited parameter: both sides are, mostly."""
+        """For each limited parameter, the first parameter with the same limits, most often its left side."""
         first: dict[tuple[object, ...], str] = {}
         pace = (self.tuning.min_onset, self.tuning.min_offset)
         return {
             name: first.setdefault(
-                (self.model.group(name), self._held(name).tobytes(), *(least[name] for least in pace)), name
+                (self.model.group(name), self._limits_of(name).tobytes(), *(least[name] for least in pace)),
+                name,
             )
             for name in sorted(self.limited)
         }
 
     def missing(self, name: str) -> Array:
-        """Return what each segment's upper limit on a parameter leaves to 1, shape (segments,)."""
+        """Return 1 minus each segment's upper limit on a parameter, shape (segments,)."""
         return np.asarray(1.0 - self._everywhere(name)[1])
 
     def _everywhere(self, name: str) -> Array:
         """Return each segment's lower and upper limit on a parameter, else 0 and 1, shape (2, segments)."""
-        return self._held(name)[:, self._shared.number]
+        return self._limits_of(name)[:, self._shared.number]
 
-    def _held(self, name: str) -> Array:
-        """Return the same of each mapping that segments share, shape (2, mappings)."""
+    def _limits_of(self, name: str) -> Array:
+        """Return the same for each mapping of limits that segments share, shape (2, mappings)."""
         return np.array([m.get(name, (0.0, 1.0)) for m in self._shared.mappings], dtype=np.float64).T
 
     def spoken_at(self, times: Array) -> Mapping[str, Array]:
@@ -121,7 +122,7 @@ class SpeechMouth:
         return self.shapes.values(self.approach.reached(SegmentAverages(self._targets, times), times))
 
     def own_at(self, name: str, times: Array) -> Array:
-        """Return the segments' own curve of a parameter at sorted times, shape (n,), by lines."""
+        """Return the segments' own curve of a parameter at sorted times, shape (n,), by straight lines."""
         return self.interpolated(lambda block: block.own(name), times)
 
     def speaking_at(self, times: Array) -> Array:
@@ -133,19 +134,19 @@ class SpeechMouth:
         return self.interpolated(lambda block: block.low(name), times)
 
     def high_at(self, name: str, times: Array) -> Array:
-        """Return the upper limit for channels that the lips outrank at sorted times, shape (n,)."""
+        """Return the upper limit for channels of lower priority than speech, at sorted times, shape (n,)."""
         return self.interpolated(lambda block: block.high(name), times)
 
     def closed_at(self, name: str, times: Array) -> Array:
-        """Return the upper limit that closures set for every channel at sorted times, shape (n,)."""
+        """Return the upper limit that closures set for every channel, at sorted times, shape (n,)."""
         return self.interpolated(lambda block: block.closed(name), times)
 
     def jaw_at_seal(self, times: Array) -> Array:
-        """Return how far the jaw may be open, given the seals, at sorted times, shape (n,)."""
+        """Return how far the jaw may be open under the seals, at sorted times, shape (n,)."""
         return self.interpolated(KnotBlock.jaw_at_seal, times)
 
     def interpolated(self, curve: Callable[[KnotBlock], Array], times: Array) -> Array:
-        """Return a curve given on the knots of each block, at sorted times, shape (n,)."""
+        """Return at sorted times, shape (n,), a curve that is known on the knots of each block."""
         numbers = np.floor(times / BLOCK)
         values = np.empty(len(times))
         for number in np.unique(numbers):
@@ -163,7 +164,7 @@ class SpeechMouth:
         return self._scan("above", name, threshold, lambda b, n, t: b.above(n, t))
 
     def forbidden(self, name: str, threshold: float, closures_only: bool) -> Spans:
-        """Return when limits let others' contributions to a parameter not pass `threshold`, shape (n, 2)."""
+        """Return when limits keep other channels below `threshold` in a parameter, shape (n, 2)."""
         if name not in self.limited:
             return EMPTY
         if closures_only:
@@ -173,25 +174,25 @@ class SpeechMouth:
     def _scan(
         self, kind: str, name: str, threshold: float, find: Callable[[KnotBlock, str, float], Spans]
     ) -> Spans:
-        """Look through all blocks, for every parameter that might be asked for, so that each is made once."""
-        if (kind, name, threshold) not in self._found:
+        """Search all blocks for all parameters that may be needed, so that each block is computed once."""
+        if (kind, name, threshold) not in self._scanned:
             others = self.shapes.parameters if kind == "above" else self.limited
             wanted = {(n, self.tuning.threshold[n]) for n in others if RIVALS[n]} | {(name, threshold)}
-            found: dict[tuple[str, float], list[Spans]] = {key: [] for key in wanted}
+            spans: dict[tuple[str, float], list[Spans]] = {key: [] for key in wanted}
             for number in range(block_number(self.edges[0]), block_number(self.edges[-1]) + 1):
                 for key in sorted(wanted):
-                    found[key].append(find(self.block(number), *key))
-            self._found.update({(kind, *key): union(spans) for key, spans in found.items()})
-        return self._found[kind, name, threshold]
+                    spans[key].append(find(self.block(number), *key))
+            self._scanned.update({(kind, *key): union(sets) for key, sets in spans.items()})
+        return self._scanned[kind, name, threshold]
 
     def _block(self, number: int) -> KnotBlock:
         return KnotBlock(self, block_knots(self._knots, number, self._margin))
 
 
 class KnotBlock:
-    """The knots of one block of time, shape (n,), and curves on them, made when first asked for.
+    """The knots of one block of time, shape (n,), and curves on them, computed when first needed.
 
-    `kept`: what each channel keeps of each parameter (see `limits`).
+    `shares`: the share of its request that each channel gets of each parameter (`limits`).
     """
 
     def __init__(self, mouth: SpeechMouth, knots: Array) -> None:
@@ -200,10 +201,10 @@ class KnotBlock:
         self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
         self._averages = SegmentAverages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
-        self.kept: dict[tuple[str, str], Array] = {}
+        self.shares: dict[tuple[str, str], Array] = {}
 
     def above(self, name: str, threshold: float) -> Spans:
-        """Return when the segments' curve is higher than `threshold`: seen on knots, then refined."""
+        """Return when the segments' curve is higher than `threshold`: searched on knots, then refined."""
         threshold += HAIR
         high = self.own(name) > threshold
         edges = np.flatnonzero(high[1:] != high[:-1])
@@ -225,19 +226,19 @@ class KnotBlock:
         return self._curve("speaking", JAW, lambda n: self._averages.of(SPEAKS, n))
 
     def low(self, name: str) -> Array:
-        """Return the lower limit at the knots, 0 where there is none."""
+        """Return the lower limit at the knots, else 0."""
         return self._curve("low", self._alike(name), lambda n: self._averages.of(LOW, n))
 
     def high(self, name: str) -> Array:
-        """Return the upper limit at the knots for channels that the lips outrank, 1 where there is none."""
+        """Return the upper limit at the knots for channels of lower priority than speech, else 1."""
         return self._curve("high", self._alike(name), lambda n: self._envelope(n, self.limit(n)))
 
     def closed(self, name: str) -> Array:
-        """Return the upper limit at the knots that closures set for every channel, 1 where there is none."""
+        """Return the upper limit at the knots that closures set for every channel, else 1."""
         return self._curve("closed", self._alike(name), lambda n: self._envelope(n, self.closures(n)))
 
     def limit(self, name: str) -> Array:
-        """Return the upper limit at the knots, as it is: not slowed around the phones that set it."""
+        """Return the upper limit at the knots before it is slowed around the phones that set it."""
 
         def make(name: str) -> Array:
             return np.minimum(1.0 - self._averages.of(MISSING, name), self.closures(name))
@@ -248,9 +249,9 @@ class KnotBlock:
         return self._mouth.alike.get(name, name)
 
     def own(self, name: str) -> Array:
-        """Return the segments' own curve of a parameter at the knots: 0 where none of them moves it."""
-        found = self._spoken.get(name)
-        return np.zeros(len(self.knots)) if found is None else found
+        """Return the segments' own curve of a parameter at the knots, 0 if no segment moves it."""
+        curve = self._spoken.get(name)
+        return np.zeros(len(self.knots)) if curve is None else curve
 
     @cached_property
     def _spoken(self) -> Mapping[str, Array]:
@@ -258,7 +259,7 @@ class KnotBlock:
         return self._mouth.shapes.values(reached)
 
     def limiting(self, name: str, time: float) -> int:
-        """Return the number of the segment whose upper limit counts most at a time."""
+        """Return the number of the segment whose upper limit is decisive at a time."""
         mouth, tuning = self._mouth, self._mouth.tuning
         missing = mouth.missing(name)
         limit = self.limit(name)
@@ -273,7 +274,7 @@ class KnotBlock:
         return int(weights.segment[np.argmax(weights.weight * missing[weights.segment])])
 
     def jaw_at_seal(self) -> Array:
-        """Return how far the jaw may be open at the knots, given the seals."""
+        """Return how far the jaw may be open at the knots under the seals."""
 
         def make(name: str) -> Array:
             limit = np.ones(len(self.knots))
@@ -285,18 +286,18 @@ class KnotBlock:
         return self._curve("seal", JAW, make)
 
     def _curve(self, kind: str, name: str, make: Callable[[str], Array]) -> Array:
-        found = self._curves.get((kind, name))
-        if found is None:
-            found = self._curves[kind, name] = make(name)
-        return found
+        curve = self._curves.get((kind, name))
+        if curve is None:
+            curve = self._curves[kind, name] = make(name)
+        return curve
 
     def closures(self, name: str) -> Array:
-        """Return the limits of closures alone: for the whole closure, and not diluted by neighbours."""
+        """Return the limits of closures alone: each holds during its whole closure."""
         limit = np.ones(len(self.knots))
         for goal in self._goals:
-            held = self._mouth.limits[goal.segment].get(name)
-            if held is not None:
-                self._lower(limit, goal, held[1])
+            limits = self._mouth.limits[goal.segment].get(name)
+            if limits is not None:
+                self._lower(limit, goal, limits[1])
         return limit
 
     def _lower(self, limit: Array, goal: Goal, value: float) -> None:
@@ -305,13 +306,13 @@ class KnotBlock:
         np.minimum(limit[first:last], value, out=limit[first:last])
 
     def _envelope(self, name: str, limit: Array) -> Array:
-        """The highest curve below `limit` that keeps the parameter's minimum durations."""
+        """Return the highest curve below `limit` that respects the parameter's minimum durations."""
         tuning = self._mouth.tuning
         return envelope(self.knots, limit, tuning.min_onset[name], tuning.min_offset[name])
 
 
 def limits_in_force(segments: Sequence[LipSegment], goals: Sequence[Goal]) -> tuple[SegmentLimits, ...]:
-    """Return the limits of each segment: none of silence, nor of one whose contact goals are switched off."""
+    """Return the limits of each segment; silence has none, nor a closure whose goal is switched off."""
     closing = {g.segment for g in goals}
     none: SegmentLimits = {}
     return tuple(

@@ -1,7 +1,8 @@
 """From a score to curves: the page on which all parts of the combination meet.
 
-Movements of a layer are concatenated, lip segments blended, channels settled against each other by the
-policy, brought within the lips' limits and joined; the jaw shares, directions add, contact goals come last.
+The movements of a layer are concatenated and the lip segments blended; a ledger per parameter resolves the
+conflicts between channels and applies the limits of speech; then the channels are joined, and the contact
+goals come last.
 """
 
 from __future__ import annotations
@@ -37,15 +38,15 @@ from .sealing import with_goals
 from .tuning import tune
 
 CHUNK = 16_384
-"""Times worked at once: memory beyond the result does not grow with its length."""
+"""Times computed at once: memory beyond the result does not grow with its length."""
 
 
 class Plan:
-    """A score made ready: its curves at any times, on the head whose `rig` performs its articulators.
+    """A compiled score: its curves at any times, on the head whose `rig` performs the lips' articulators.
 
-    `like` is the plan of a score with other movements: the work on its lips is taken over where they and the
-    settings are the same. Raises as `check_score` and `tune` do, and InputError where lips need a rig and
-    there is none.
+    `like` is the plan of a score with other movements: if lips and settings are equal, its compiled lips are
+    used again. Raises as `check_score` and `tune` do, and InputError if the lips need a rig and there is
+    none.
     """
 
     def __init__(self, score: Score, rig: LipRig | None = None, like: Plan | None = None) -> None:
@@ -82,7 +83,7 @@ class Plan:
         return Performance(self.score, fps, self.at(frame_times(self.score.duration, fps)))
 
     def performance_like(self, other: Performance, span: tuple[float, float]) -> Performance:
-        """Return the performance at the frames of another that is the same outside `span`, seconds."""
+        """Return the performance at the frames of another that is equal outside `span`, seconds."""
         times, values = other.times, other.values.copy()
         here = slice(*np.searchsorted(times, span).tolist())
         if here.start < here.stop:
@@ -105,7 +106,7 @@ class Plan:
 
 
 def _speak_alike(a: Score, b: Score) -> bool:
-    """Whether the lips of two scores are the same, and so is all that they are compiled by."""
+    """Return whether the lips of two scores are equal, and so are the settings that shape them."""
     chosen = (replace(s.settings, conflict="", onset_function=None) for s in (a, b))
     return len(set(chosen)) == 1 and (a.lips is b.lips or a.lips == b.lips)
 

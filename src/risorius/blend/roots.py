@@ -13,10 +13,10 @@ _ITERATIONS = 80
 
 
 def find_roots(function: Callable[[Array], Array], low: Array, high: Array) -> Array:
-    """Return x in [low, high] where the function changes sign, shape (n,), to 1e-13.
+    """Return the x in [low, high] at which the function changes sign, shape (n,), to 1e-13.
 
-    `function` maps shape (n,) to shape (n,), each element on its own, and has opposite signs (or a zero) at
-    the two ends. Inverse quadratic steps where they are safe, else halving (Chandrupatla 1997).
+    `function` maps shape (n,) to shape (n,), element by element, and has opposite signs (or a zero) at the
+    two ends. The search takes inverse quadratic steps if they are safe, else it halves (Chandrupatla 1997).
     """
     a, b = high.copy(), low.copy()
     fa, fb = function(a), function(b)
@@ -42,7 +42,7 @@ def find_roots(function: Callable[[Array], Array], low: Array, high: Array) -> A
 
 
 def _quadratic_share(a: Array, b: Array, c: Array, fa: Array, fb: Array, fc: Array) -> Array:
-    """Return where between a and b to try next, as a share."""
+    """Return the next place to try, as a share of the way from a to b."""
     with np.errstate(divide="ignore", invalid="ignore"):
         position, value = (a - b) / (c - b), (fa - fb) / (fc - fb)
         safe = (value**2 < position) & ((1.0 - value) ** 2 < 1.0 - position)

@@ -1,4 +1,4 @@
-"""From the segments' blended targets to parameters: articulators by the head's rig, others as they are."""
+"""From the segments' blended targets to parameters: articulators by the head's rig, others unchanged."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from .contact import CONTACTS
 
 
 class Shapes:
-    """What the targets of some segments move.
+    """The parameters that the targets of some segments move.
 
-    `parameters`: the muscles and others that move, contact goals apart; `averaged`: the targets by which they
-    do; `rig`: what performs articulators, None where there are none. Raises InputError where targets are
-    articulators and there is no rig.
+    `parameters`: their names, without contact goals; `averaged`: the targets that move them; `rig`: turns
+    articulators into muscles, None if no target is an articulator. Raises InputError if a target is an
+    articulator and there is no rig.
     """
 
     def __init__(self, segments: Sequence[LipSegment], rig: LipRig | None, contact: bool) -> None:
@@ -37,27 +37,27 @@ class Shapes:
         self.parameters = tuple(sorted(self._driven | set(self._direct)))
 
     def values(self, average: Averages) -> Mapping[str, Array]:
-        """Return all `parameters` for the averages of targets that `average` gives by name."""
-        found: dict[str, Array] = {}
+        """Return all `parameters` by name, (n,) each; `average` returns the average of a target (n,)."""
+        values: dict[str, Array] = {}
         if self.rig is not None:
-            made = self.rig.parameters(average, self._articulators)
-            found = {name: made[name] for name in self._driven}
+            by_rig = self.rig.parameters(average, self._articulators)
+            values = {name: by_rig[name] for name in self._driven}
         for name in self._direct:
             own = average(name)
-            found[name] = np.minimum(found[name] + own, 1.0) if name in found else own
-        return found
+            values[name] = np.minimum(values[name] + own, 1.0) if name in values else own
+        return values
 
 
 def performed(segments: Sequence[LipSegment], rig: LipRig | None) -> tuple[LipSegment, ...]:
-    """Return the segments with their articulators as they are blended (`LipRig.actives`)."""
+    """Return the segments with the articulators that the rig blends (`LipRig.actives`)."""
     if rig is None:
         return tuple(segments)
-    made: dict[int, Mapping[str, float]] = {}
+    targets: dict[int, Mapping[str, float]] = {}
     for segment in segments:
-        if id(segment.targets) not in made:
+        if id(segment.targets) not in targets:
             others = {n: v for n, v in segment.targets.items() if n not in ARTICULATORS}
-            made[id(segment.targets)] = others | rig.actives(segment.targets)
+            targets[id(segment.targets)] = others | rig.actives(segment.targets)
     return tuple(
-        LipSegment(s.phone, s.start, s.end, made[id(s.targets)], s.limits, s.dominance, s.cause, s.yields)
+        LipSegment(s.phone, s.start, s.end, targets[id(s.targets)], s.limits, s.dominance, s.cause, s.yields)
         for s in segments
     )

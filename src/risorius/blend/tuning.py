@@ -1,4 +1,4 @@
-"""Thresholds and minimum durations of every parameter, as the table or a score's settings give them."""
+"""Thresholds and minimum durations of every parameter, from the table or a score's settings."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ class Tuning:
 
     @property
     def longest(self) -> float:
-        """The longest minimum duration, seconds: how far a conflict can be felt."""
+        """The longest minimum duration, seconds: a conflict has an effect over no longer time."""
         return max(*self.min_onset.values(), *self.min_offset.values())
 
 
 def tune(settings: BlendSettings) -> Tuning:
-    """Return the table's values, overridden for all muscles where the settings say so.
+    """Return the table's values; the settings may override them for all muscles.
 
     Raises InputError for values out of range and ParameterError for an unknown onset function.
     """

@@ -1,4 +1,4 @@
-"""Policy `attenuate`: the lower priority is made smaller, never removed (paper B, section 4.4)."""
+"""Policy `attenuate`: the lower priority becomes smaller, but never disappears (paper B, section 4.4)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..conflict import POLICIES, Join, PolicyInputs, Resolver, Suppressor
 from .strength import Strengths
 
 SHARE = 0.8
-"""The share that a rival at full strength takes."""
+"""The share of an activity that a rival at full strength takes."""
 
 
 @POLICIES.register("attenuate")
@@ -31,7 +31,7 @@ class Attenuate:
         )
 
     def at(self, times: Array) -> Resolver:
-        """Return the function that settles activities at some of the sorted times."""
+        """Return the function that resolves conflicts at some of the sorted times."""
         strengths = self._strengths(times)
 
         def resolve(channel: Channel, parameter: str, own: Array, values: Array) -> Array:

@@ -1,9 +1,9 @@
 """Policy `graded`: the lower priority gives way by degrees (DESIGN, section 3).
 
-The share that a rival takes grows smoothly from nothing at its threshold to all at `WIDTH` above it, and
-what is left changes no faster than the minimum durations allow: a rival counts as strong as it needs to be
-for that, before it acts and after. It is worked on knots: the times at which some movement starts or ends,
-and times between them at most `STEP` apart, so that it does not depend on the frame rate.
+The share that a rival takes grows smoothly from 0 at its threshold to 1 at `WIDTH` above it. The rest changes
+no faster than the minimum durations allow; for that, a rival takes its share some time before and after it
+acts, too. Shares are computed on knots: the times at which some movement starts or ends, and times between
+them at most `STEP` apart, so that they do not depend on the frame rate.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from ...core.arrays import Array
 from ...core.parameters import RIVALS
 from ..channels import Channel
 from ..conflict import POLICIES, Join, PolicyInputs, Resolver, Suppressor
-from ..knots import LEAST_ASKED, STEEPEST, Knots, eased, paced, smoothstep
+from ..knots import LEAST_REQUESTED, STEEPEST, Knots, eased, paced, smoothstep
 from .strength import Strengths
 
 WIDTH = 0.4
-"""From a rival's threshold to the activity at which it takes all."""
+"""From a rival's threshold to the activity at which it takes everything."""
 STEP = 0.005
 """Seconds between knots at most."""
 CELL = 10.0
-"""Seconds of what is worked at least. Results do not depend on it."""
+"""Shares are computed for so many seconds at least. Results do not depend on it."""
 
 
 @POLICIES.register("graded")
@@ -42,7 +42,7 @@ class Graded:
         changes = [c.levels.times[1:] for c in inputs.channels]
         times = np.unique(np.concatenate([*(curve.breakpoints() for curve in curves), *changes, []]))
         self._knots = Knots(times[np.isfinite(times)] if len(times) else np.zeros(1), STEP)
-        # Each level settled may carry a change one minimum duration further.
+        # Each level may carry a change one minimum duration further.
         levels = {level for c in inputs.channels for level in c.levels.distinct}
         self._margin = inputs.tuning.longest * (len(levels) + 1)
         self._cells = lru_cache(maxsize=3)(self._make_cells)
@@ -54,33 +54,33 @@ class Graded:
         def strength(rival: str, activity: Array) -> Array:
             return np.clip((activity - threshold[rival]) / WIDTH, 0.0, 1.0)
 
-        def kept(channel: Channel, parameter: str, strongest: Array) -> Array:
+        def gain(channel: Channel, parameter: str, strongest: Array) -> Array:
             onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
             if not strongest.any():
                 return np.ones(len(knots))
             clock = paced(knots, channel.lines(parameter, knots))
             return eased(clock, smoothstep(1.0 - strongest), onset, offset)
 
-        return Strengths(self._inputs, knots, strength, kept)
+        return Strengths(self._inputs, knots, strength, gain)
 
     def at(self, times: Array) -> Resolver:
-        """Return the function that settles activities at some of the sorted times."""
-        found = self._around(times[0], times[-1])
+        """Return the function that resolves conflicts at some of the sorted times."""
+        strengths = self._around(times[0], times[-1])
 
         def resolve(channel: Channel, parameter: str, times: Array, values: Array) -> Array:
-            return values * np.interp(times, found.times, found.gain(channel, parameter))
+            return values * np.interp(times, strengths.times, strengths.gain(channel, parameter))
 
         return resolve
 
     def _around(self, first: float, last: float) -> Strengths:
-        """Return what is settled in the cells of some times: few are quickly worked."""
+        """Return the strengths in the cells around some times: few cells take little time."""
         return self._cells(math.floor(first / CELL), math.floor(last / CELL) + 1)
 
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
         """Return the rival that takes most of an activity, or None."""
-        found = self._around(time, time)
+        strengths = self._around(time, time)
         tuning = self._inputs.tuning
-        # What changes by its whole in this time is felt no longer than that.
-        pace = STEEPEST * max(float(channel.lines(parameter, np.array([time]))[0]), LEAST_ASKED)
+        # A share goes from all to nothing within this time, so no rival has an effect for longer.
+        pace = STEEPEST * max(float(channel.lines(parameter, np.array([time]))[0]), LEAST_REQUESTED)
         onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
-        return found.strongest(channel, parameter, time, pace * onset, pace * offset)
+        return strengths.strongest(channel, parameter, time, pace * onset, pace * offset)

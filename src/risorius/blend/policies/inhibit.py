@@ -1,8 +1,8 @@
 """Policy `inhibit`: the muscle of the lower priority gives way (paper A, section 6; DESIGN, section 3).
 
-Everything is worked on sets of times. An activity min(F, psi) exceeds its threshold where F does, less the
-times so near to inhibited ones that psi does not; so levels are settled from the highest down without
-sampling a single frame.
+The policy computes with sets of times. An activity min(F, psi) exceeds its threshold while F does, except so
+near to inhibited times that psi does not. So levels are resolved from the highest down without sampling any
+frame.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Inhibit:
         self._inhibited: dict[tuple[str, str], Spans] = {}
 
     def at(self, times: Array) -> Resolver:
-        """Return the function that settles activities; the same at all times."""
+        """Return the function that resolves conflicts; it is the same at all times."""
         return self._resolve
 
     def _resolve(self, channel: Channel, parameter: str, times: Array, values: Array) -> Array:
@@ -55,7 +55,7 @@ class Inhibit:
         return self._inhibited[key]
 
     def _inhibited_at(self, channel: Channel, level: float, parameter: str) -> Spans:
-        """When it would have to be 0 if the channel had this level throughout."""
+        """Return when it would have to be 0 if the channel always had this level."""
         key = (channel.name, level, parameter)
         if key not in self._at_level:
             rivals = self._inputs.rivals(channel, parameter, level)
@@ -63,7 +63,7 @@ class Inhibit:
         return self._at_level[key]
 
     def active(self, channel: Channel, level: float, parameter: str) -> Spans:
-        """Return when a channel at a level has a parameter, settled, above its threshold, shape (n, 2)."""
+        """Return when a channel at a level has a resolved parameter above its threshold, shape (n, 2)."""
         key = (channel.name, level, parameter)
         if key not in self._active:
             inputs = self._inputs
@@ -78,27 +78,27 @@ class Inhibit:
         return self._active[key]
 
     def _known(self, channel: Channel, level: float, parameter: str) -> Spans:
-        """Inhibited times as far as they are settled when this level's turn has come.
+        """Return the inhibited times that are known when this level is resolved.
 
-        Where the channel stands higher, what holds there; elsewhere what holds at this level: never more
-        than the final set, so that no activity that will be seen is overlooked.
+        While the channel has a higher level, they are those of that level, else those of this level. The
+        final set is never smaller, so that no activity that will be seen is overlooked.
         """
-        held = self._inhibited_at(channel, level, parameter)
+        inhibited = self._inhibited_at(channel, level, parameter)
         if channel.levels.constant is not None:
-            return held
+            return inhibited
         higher = [above for above in channel.levels.distinct if above > level]
-        elsewhere = difference(held, union([channel.levels.spans(above) for above in higher]))
+        elsewhere = difference(inhibited, union([channel.levels.spans(above) for above in higher]))
         resolved = [self._where(channel, self._inhibited_at(channel, a, parameter), a) for a in higher]
         return union([elsewhere, *resolved])
 
     def _where(self, channel: Channel, spans: Spans, level: float) -> Spans:
-        """Only the times at which the channel has the level."""
+        """Return those of the spans during which the channel has the level."""
         if channel.levels.constant is not None:
             return spans
         return intersection(spans, channel.levels.spans(level))
 
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
-        """Return the rival that inhibits an activity, or whose nearness limits it, or None."""
+        """Return the rival that inhibits an activity, or limits it because it acts soon or acted just now."""
         spans = self.inhibited(channel, parameter)
         if not len(spans):
             return None
@@ -116,7 +116,7 @@ class Inhibit:
     def _culprit(
         self, effect: SuppressionEffect, channel: Channel, parameter: str, time: float
     ) -> Suppressor | None:
-        """The rival whose active time is nearest to `time`."""
+        """Return the rival whose active time is nearest to `time`."""
         best: tuple[float, Suppressor] | None = None
         for level in channel.levels.distinct:
             for other, above, rival in self._inputs.rivals(channel, parameter, level):
@@ -131,6 +131,6 @@ class Inhibit:
 
 
 def _risen(elapsed: Array, duration: float) -> Array:
-    """phi_+ of the time elapsed, 0 before and 1 after the duration, shape (n,)."""
+    """Return phi_+ of the time elapsed: 0 before it, 1 after the duration, shape (n,)."""
     x = np.clip(elapsed / duration, 0.0, 1.0) if duration > 0.0 else np.asarray(elapsed > 0.0, np.float64)
     return np.exp2(x) - 1.0

@@ -1,4 +1,4 @@
-"""Policy `sum`: activities are added and clipped, as other systems do; for comparison."""
+"""Policy `sum`: activities are added and clipped, as in other systems; for comparison."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..conflict import POLICIES, Join, PolicyInputs, Resolver, Suppressor
 
 @POLICIES.register("sum")
 class Sum:
-    """No conflict is resolved."""
+    """Adds all activities and resolves no conflict."""
 
     join = Join.SUM
 
@@ -21,7 +21,7 @@ class Sum:
         return _unchanged
 
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
-        """Return None: nothing is held back."""
+        """Return None: no rival suppresses anything."""
         return None
 
 

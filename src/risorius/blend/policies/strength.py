@@ -1,4 +1,4 @@
-"""What the policies share that weaken an activity by the strength of its rivals."""
+"""The common part of the policies that weaken an activity by the strength of its rivals."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from ..channels import Channel
 from ..conflict import PolicyInputs, SuppressionEffect, Suppressor
 
 Strength = Callable[[str, Array], Array]
-"""(rival parameter, its settled activity (n,)) -> how strong it is, 0..1 (n,)."""
-Kept = Callable[[Channel, str, Array], Array]
-"""(channel, parameter, strength of its strongest rival (n,)) -> the share of its activity kept, 0..1 (n,)."""
+"""(rival parameter, its resolved activity (n,)) -> how strong it is, 0..1 (n,)."""
+GainOf = Callable[[Channel, str, Array], Array]
+"""(channel, parameter, strength of its strongest rival (n,)) -> the share that remains, 0..1 (n,)."""
 
 
 _INSTANT = 1e-9
 
 
 class Strengths:
-    """Gains of all activities at some sorted times, settled from the highest level down.
+    """Gains of all activities at some sorted times, resolved from the highest level down.
 
     A change of priority takes effect over a short ramp (`levels.PRIORITY_RAMP`), so that it makes no jump.
     """
 
-    def __init__(self, inputs: PolicyInputs, times: Array, strength: Strength, kept: Kept) -> None:
+    def __init__(self, inputs: PolicyInputs, times: Array, strength: Strength, gain_of: GainOf) -> None:
         self._inputs, self.times = inputs, times
-        self._strength, self._kept = strength, kept
+        self._strength, self._gain_of = strength, gain_of
         self._gains: dict[tuple[str, float, str], Array] = {}
         self._strengths: dict[tuple[str, float, str], Array] = {}
 
     def gain(self, channel: Channel, parameter: str) -> Array:
-        """Return the share of its activity that a channel's parameter keeps, 0..1, shape (n,)."""
+        """Return the share that remains of a channel's activity in a parameter, 0..1, shape (n,)."""
         levels = channel.levels
         if levels.constant is not None:
             return self._gain_at(channel, levels.constant, parameter)
@@ -47,11 +47,11 @@ class Strengths:
             strongest = np.zeros(len(self.times))
             for other, above, rival in self._inputs.rivals(channel, parameter, level):
                 np.maximum(strongest, self._strength_of(other, above, rival), out=strongest)
-            self._gains[key] = self._kept(channel, parameter, strongest)
+            self._gains[key] = self._gain_of(channel, parameter, strongest)
         return self._gains[key]
 
     def _strength_of(self, channel: Channel, level: float, parameter: str) -> Array:
-        """How strong a channel at a level is against the rivals of its parameter."""
+        """Return how strong a channel at a level is against the rivals of its parameter, shape (n,)."""
         key = (channel.name, level, parameter)
         if key not in self._strengths:
             activity = channel.lines(parameter, self.times)
@@ -68,16 +68,16 @@ class Strengths:
     ) -> Suppressor | None:
         """Return the rival that takes most at a time, or None if none takes anything.
 
-        A rival is felt before it acts and after, the less the longer: not at all `offset` seconds before
-        and `onset` after.
+        A rival takes less the longer ago it acted or the later it will act: nothing `offset` seconds before
+        and `onset` seconds after.
         """
         ahead = self.times - time
         pace = np.maximum(np.where(ahead > 0.0, offset, onset), _INSTANT)
         faded = np.abs(ahead) / pace
-        # What lies between two of the times is made of both.
+        # A value between two of the times is interpolated from both.
         nearest = int(np.searchsorted(self.times, time))
         faded[max(nearest - 1, 0) : nearest + 1] = 0.0
-        best, found = 0.0, None
+        best, suppressor = 0.0, None
         for level in channel.levels.distinct:
             share = float(channel.levels.weight(level, np.array([time]))[0])
             for other, above, rival in self._inputs.rivals(channel, parameter, level) if share > 0.0 else ():
@@ -85,8 +85,8 @@ class Strengths:
                 k = int(np.argmax(felt))
                 if felt[k] > best:
                     when = float(self.times[k])
-                    best, found = (
+                    best, suppressor = (
                         float(felt[k]),
                         Suppressor(SuppressionEffect.WEAKENED, other.name, rival, when),
                     )
-        return found
+        return suppressor
