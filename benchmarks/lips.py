@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from lips_measures import DISPLAYS, Result, Spoken, measure
 
-from risorius.settings import PLANNED, BlendChoices, Settings
+from risorius.settings import BlendChoices, Settings
 
 SENTENCES = Path(__file__).with_name("lips_sentences.txt").read_text().splitlines()
 
@@ -53,7 +53,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sentences", type=int, default=len(SENTENCES))
     parser.add_argument("--lips", default="dominance")
-    parser.add_argument("--conflict", default=PLANNED.conflict)
+    parser.add_argument("--conflict", default=BlendChoices().planned().conflict)
     parser.add_argument("--displays", nargs="+", choices=DISPLAYS, default=DISPLAYS)
     options = parser.parse_args()
     blend = BlendChoices(conflict=options.conflict, lips=options.lips)

@@ -18,8 +18,7 @@ from os import times
 from pathlib import Path
 
 from risorius.api import speak
-from risorius.core.look import Look
-from risorius.settings import Settings
+from risorius.settings import Look, Settings
 from risorius.take import Take
 
 SENTENCE = "Oh, really? I like it very much. "

@@ -17,8 +17,8 @@ import numpy.typing as npt
 from PIL import Image
 
 from risorius.api import pose, speak
-from risorius.core.look import FRAMINGS, HAIR_STYLES, LIGHTS, STYLES, Look
-from risorius.settings import Settings
+from risorius.core.look import FRAMINGS, HAIR_STYLES, LIGHTS, STYLES
+from risorius.settings import Look, Settings
 
 Picture = npt.NDArray[np.uint8]
 

@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from .api import pose as pose
     from .api import rig as rig
     from .api import speak as speak
-    from .core.look import Look as Look
     from .errors import RisoriusError as RisoriusError
     from .errors import RisoriusWarning as RisoriusWarning
     from .errors import warnings_to as warnings_to
     from .rules.emotions import Display as Display
     from .settings import BlendChoices as BlendChoices
+    from .settings import Look as Look
     from .settings import Settings as Settings
     from .take import Take as Take
 
@@ -48,10 +48,9 @@ __all__ = [
 
 _MODULES = {
     "api": ("align", "load", "mix", "play", "pose", "rig", "speak"),
-    "core.look": ("Look",),
     "errors": ("RisoriusError", "RisoriusWarning", "warnings_to"),
     "rules.emotions": ("Display",),
-    "settings": ("BlendChoices", "Settings"),
+    "settings": ("BlendChoices", "Look", "Settings"),
     "take": ("Take",),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}

@@ -23,18 +23,7 @@ from .settings import BlendChoices, Settings
 from .speech import Input, Recording, hear, read_transcript
 from .speech.recordings.recording import read_recording
 from .take import Take
-from .unread import (
-    CAPTURED,
-    HELD,
-    MEASURED,
-    PERFORMED,
-    PLANNING,
-    SCORE,
-    Stage,
-    refuse,
-    refuse_all_but,
-    refuse_stages,
-)
+from .unread import CAPTURE, CHARACTER, PERFORMANCE, POSE, SCORE, refuse
 
 if TYPE_CHECKING:
     from .ports.rig import Rig, Shown
@@ -65,7 +54,7 @@ def speak(
     settings, displays = settings or Settings(), displays_of(emotion)
     if script is not None and script.lower().endswith(".json") and not text:
         arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
-        refuse_stages(settings, PLANNING, SCORE, Place(script), **arguments)
+        refuse(settings, SCORE, Place(script), **arguments)
         return mix(script, settings=settings)
     return perform(Input(script, audio, transcript, text, source), displays, settings, progress)
 
@@ -93,7 +82,7 @@ def mix(
     Raises RisoriusError; UnreadError for settings of a voice or a plan, which a score has behind it.
     """
     settings = settings or Settings()
-    refuse_stages(settings, PLANNING, SCORE, Place(str(score)))
+    refuse(settings, SCORE, Place(str(score)))
     file = read_score_file(Path(score))
     blend = settings.blend.over(file.score.settings)
     blend = BlendChoices(conflict=conflict, onset_function=onset_function).over(blend)
@@ -105,13 +94,12 @@ def load(performance: FileName, *, settings: Settings | None = None) -> Take:
 
     Raises RisoriusError; UnreadError for settings that would change the curves.
     """
-    settings, place = settings or Settings(), Place(str(performance))
-    refuse_stages(settings, [*PLANNING, Stage.COMBINE], PERFORMED, place)
+    settings = settings or Settings()
     file = read_performance_file(Path(performance))
-    if settings.fps != file.performance.fps:
-        refuse(settings, ("fps",), PERFORMED, place)
-    settings = replace(settings, fps=file.performance.fps)
-    return Take(file.performance, settings, file.utterance)
+    # Its own frame rate is no change.
+    asked = replace(settings, fps=Settings().fps) if settings.fps == file.performance.fps else settings
+    refuse(asked, PERFORMANCE, Place(str(performance)))
+    return Take(file.performance, replace(settings, fps=file.performance.fps), file.utterance)
 
 
 def play(
@@ -137,7 +125,7 @@ def play(
     elif kind.suffix == ".score.json":
         take = mix(path, settings=settings)
     else:
-        refuse_stages(settings, [*PLANNING, Stage.COMBINE], CAPTURED, Place(str(capture)))
+        refuse(settings, CAPTURE, Place(str(capture)))
         file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
         take = combine(file.score, settings, file.utterance)
     return take if audio is None else replace(take, sound=read_recording(audio))
@@ -150,7 +138,7 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     held = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))
     settings = settings or Settings()
-    refuse_all_but(settings, [Stage.HEAD, Stage.SKIN, Stage.LOOK], HELD)
+    refuse(settings, POSE)
     return combine(score, settings)
 
 
@@ -175,7 +163,7 @@ def rig(
     from .ports.rig import animated, check_performable, read_rig, report
 
     settings = settings or Settings()
-    refuse_all_but(settings, [Stage.HEAD], MEASURED, Place(str(character)))
+    refuse(settings, CHARACTER, Place(str(character)))
     found = read_rig(Path(character), None if map_file is None else Path(map_file))
     if take is not None and output is not None:
         (target,) = check_targets((output,))

@@ -16,7 +16,7 @@ from .rules.book import book_of
 from .rules.emotions import Displays
 from .rules.profiles import attitude, profile_of
 from .script import Script
-from .settings import PLANNED, Settings
+from .settings import Settings
 from .speech import Input, feelings, hear, read, say
 from .take import Take, lip_rig
 from .unread import refuse_unread
@@ -65,7 +65,7 @@ def compose(script: Script, utterance: Utterance | None, emotions: Displays, set
         attitudes=tuple(attitude(name) for name in settings.attitudes),
         book=book_of(settings.rules),
     )
-    blend = settings.blend.over(PLANNED)
+    blend = settings.blend.planned()
     return channels.compose(inputs, seed=settings.seed, without=settings.without, settings=blend)
 
 

@@ -1,106 +1,42 @@
-"""What a user may choose, with its defaults."""
+"""The table of settings: all that a user may choose, each with its type, default, range, help and reader.
+
+The options of the command line, the studio's controls and messages, and docs/settings.md are derived from the
+fields below: a new setting is a field here, and the line that reads it. `core/setting.py` says what can be
+declared of one.
+"""
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from .core.look import Look
-from .core.performance import parse_fps
-from .core.score import BlendSettings
+from .core import look as looks
+from .core.frame_rate import parse_fps
+from .core.setting import Group, Row, Stage, ValueKind, check, rows, setting
 from .errors import InputError, unknown
 
+if TYPE_CHECKING:
+    from .core.score import BlendSettings
+
 LARGEST_SIDE = 4096
-# The policy that keeps most of a display without on/off flutter or spoilt rounding: docs/combination.md.
-PLANNED = BlendSettings(conflict="graded")
-"""How the movements of a planned score are combined."""
 DYNAMICS = ("springs", "biphasic", "static")
+DAY = 86_400.0
 
-
-@dataclass(frozen=True, slots=True)
-class BlendChoices:
-    """How movements are combined, as far as a user chooses: None leaves it to the score that is performed,
-    or to `PLANNED` for one that is planned. The fields are those of `BlendSettings`.
-    """
-
-    conflict: str | None = None
-    activation_threshold: float | None = None
-    min_onset: float | None = None
-    min_offset: float | None = None
-    onset_function: str | None = None
-    contact: bool | None = None
-    lips: str | None = None
-
-    def over(self, settings: BlendSettings) -> BlendSettings:
-        """Return `settings` with the choices in place of theirs."""
-        chosen: dict[str, Any] = {f.name: getattr(self, f.name) for f in fields(self)}
-        return replace(settings, **{name: value for name, value in chosen.items() if value is not None})
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """All settings of a performance; frozen, checked on creation (InputError names the one at fault).
-
-    `language` (BCP 47) chooses its first voice where `voice` is None. `voice_emotion`: whether emotions
-    change a synthesized voice. `lead`, `tail`: seconds of silence around plain text. `articulation`: factor
-    on how far the lips move, 0 to 2 (hypo- below, hyper-articulation above 1); `manner` of speech: "plain",
-    "whisper", "murmur" or "shout". `at`: second of the frame that a `.png` shows (the middle where None);
-    `every`: a `.png` is a sheet of every n-th frame instead. `lively`: rules, random blinks, head and eye
-    movements. `profile`: who speaks, a name or a `.toml` file; `attitudes` lie over it. `rules`: a file of
-    rules that adds to ours, replaces or deletes them. `dynamics` of the skin: "springs" (with inertia),
-    "biphasic" (springs that stiffen under strain), "static" (no inertia). `age`: years, 0 to 100, the head's
-    own where None; `shape`: the head's sliders, -1 to 1 by name; `wrinkles`: factors 0 to 2 by region of the
-    face, for a speaker who shows some more or less than others of that age. `look`: how all this is drawn;
-    `blend`: how movements are combined.
-    """
-
-    fps: Fraction = Fraction(30)
-    size: tuple[int, int] = (720, 720)
-    seed: int = 0
-    head: str = "standard"
-    age: float | None = None
-    shape: Mapping[str, float] = field(default_factory=dict)
-    wrinkles: Mapping[str, float] = field(default_factory=dict)
-    voice: str | None = None
-    language: str | None = None
-    rate: int | None = None
-    voice_emotion: bool = True
-    lead: float = 0.5
-    tail: float = 0.7
-    articulation: float = 1.0
-    manner: str = "plain"
-    lively: bool = True
-    dynamics: str = "springs"
-    without: tuple[str, ...] = ()
-    profile: str = "neutral"
-    attitudes: tuple[str, ...] = ()
-    rules: Path | None = None
-    at: float | None = None
-    every: int | None = None
-    look: Look = field(default_factory=Look)
-    blend: BlendChoices = field(default_factory=BlendChoices)
-
-    def __post_init__(self) -> None:
-        parse_fps(self.fps)
-        if self.dynamics not in DYNAMICS:
-            raise InputError(unknown("dynamics", str(self.dynamics), DYNAMICS))
-        for what, value, low, high in (
-            ("lead", self.lead, 0.0, 60.0),
-            ("tail", self.tail, 0.0, 60.0),
-            ("articulation", self.articulation, 0.0, 2.0),
-            ("age", self.age if self.age is not None else 0.0, 0.0, 100.0),
-            ("at", self.at if self.at is not None else 0.0, 0.0, math.inf),
-            ("every", self.every if self.every is not None else 1, 1, 1_000_000),
-            ("seed", self.seed, 0, 2**63 - 1),
-            *((f"size {side}", side, 16, LARGEST_SIDE) for side in self.size),
-        ):
-            if not low <= value <= high:
-                raise InputError(f"{what} = {value} is out of range; expected {low:g} to {high:g}")
+_voice = partial(setting, Stage.VOICE, Group.VOICE)
+_silence = partial(setting, Stage.VOICE, Group.TIME)
+_manner = partial(setting, Stage.PLAN, Group.MANNER)
+_model = partial(setting, Stage.COMBINE, Group.MODELS)
+_head = partial(setting, Stage.HEAD, Group.HEAD)
+_shape = partial(setting, Stage.SHAPE, Group.HEAD)
+_skin = partial(setting, Stage.SKIN, Group.HEAD)
+_appearance = partial(setting, Stage.APPEARANCE, Group.HEAD)
+_picture = partial(setting, Stage.PICTURE, Group.PICTURE)
+_output = partial(setting, Stage.OUTPUT, Group.PICTURE)
 
 
 def parse_size(text: str) -> tuple[int, int]:
@@ -109,3 +45,195 @@ def parse_size(text: str) -> tuple[int, int]:
     if match is None:
         raise InputError(f"size '{text}' is not a size; expected e.g. 720x720")
     return int(match[1]), int(match[2])
+
+
+# fmt: off
+@dataclass(frozen=True, slots=True)
+class Look:
+    """How a head is drawn; frozen, checked on creation (InputError names the choice at fault)."""
+
+    style: str = _picture(
+        "Style", "realistic", "What the head looks like: realistic, clay, muscles or wireframe.",
+        names=looks.STYLES)
+    camera: str = _picture(
+        "Camera", "portrait",
+        "portrait, close-up, eyes, mouth, three-quarter or profile; after a colon its lens in mm.",
+        metavar="NAME[:MM]", names=looks.FRAMINGS, read=looks.parse_camera, fills=("camera", "lens"))
+    lens: float = _picture(
+        "Lens, mm", looks.USUAL_LENS, "Focal length in mm on 24 × 36 mm film.",
+        flag=None, metavar="MM", low=20.0, high=400.0, step=1.0)
+    light: str = _picture("Light", "studio", "studio, daylight or dark.", names=looks.LIGHTS)
+    background: str | None = _picture(
+        "Background", None, "A colour as CSS writes it, a picture, or 'transparent' (.png, .webm, .mov).",
+        metavar="WHAT", unset="the light's own")
+    quality: str = _picture("Quality", "normal", "draft, normal or high.", names=looks.QUALITIES)
+    hair: str | None = _appearance(
+        "Hair", None, "short, medium, shaved or bald.",
+        names=looks.HAIR_STYLES, what="hair style", unset="the head's own")
+    complexion: float | None = _appearance(
+        "Complexion", None, "fair, light, tan, brown, dark, or 0 (the fairest) to 1 (the darkest).",
+        low=0.0, high=1.0, names="core.look:COMPLEXIONS", read=looks.parse_complexion, unset="the head's own")
+    overlay: tuple[str, ...] = _picture(
+        "Overlay", (), "What explains the picture: caption, phones, bars, lanes; several with commas.",
+        metavar="NAME,…", names=looks.OVERLAYS, read=looks.parse_overlay)
+
+    def __post_init__(self) -> None:
+        check(self, "g")
+
+    @property
+    def transparent(self) -> bool:
+        """Whether pictures have an alpha channel."""
+        return self.background == looks.TRANSPARENT
+
+
+@dataclass(frozen=True, slots=True)
+class BlendChoices:
+    """How movements are combined, as far as a user chooses: None leaves it to the score that is performed, or
+    for a script to what `planned` returns. The fields are those of `BlendSettings`.
+    """
+
+    conflict: str | None = _model(
+        "Conflicts", None, "What rival muscles do to each other.",
+        metavar="POLICY", usual="graded", names="blend.conflict:POLICIES")
+    activation_threshold: float | None = _model(
+        "Threshold", None, "Activity of a rival above which a muscle gives way.",
+        flag=None, low=0.0, high=1.0, step=0.01, unset="by muscle")
+    min_onset: float | None = _model(
+        "Least onset, s", None, "Least seconds in which a muscle comes back after a rival.",
+        flag=None, low=0.0, high=10.0, step=0.01, unset="by muscle")
+    min_offset: float | None = _model(
+        "Least offset, s", None, "Least seconds in which a muscle gives way to a rival.",
+        flag=None, low=0.0, high=10.0, step=0.01, unset="by muscle")
+    onset_function: str | None = _model(
+        "Onsets", None, "How all movements rise and fall.",
+        names="core.functions:ONSET_FUNCTIONS", unset="by channel")
+    contact: bool | None = _model(
+        "Lips always close", None, "Drop the lips' contact goals, to see what they do.",
+        flag="--without-contact", usual=True)
+    lips: str | None = _model(
+        "Lips", None, "Model of coarticulation.",
+        metavar="MODEL", usual="dominance", names="blend.coarticulation:LIP_MODELS")
+
+    def __post_init__(self) -> None:
+        check(self)
+
+    def over(self, settings: BlendSettings) -> BlendSettings:
+        """Return `settings` with the choices in place of theirs."""
+        chosen = {name: getattr(self, name) for name in rows(BlendChoices)}
+        return replace(settings, **{name: value for name, value in chosen.items() if value is not None})
+
+    def planned(self) -> BlendSettings:
+        """Return how the movements of a planned score are combined."""
+        from .core.score import BlendSettings
+
+        usual: dict[str, Any] = {name: row.usual for name, row in rows(BlendChoices).items()}
+        return self.over(BlendSettings(**usual))
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """All settings of a performance; frozen, checked on creation (InputError names the one at fault)."""
+
+    language: str | None = _voice(
+        "Language", None, "Speak a language with its first voice: de, fr, cmn …",
+        metavar="CODE", names="speech.engines.voices:languages", unset="of the voice")
+    voice: str | None = _voice(
+        "Voice", None, "The voice ('risorius list voices'), or its file.",
+        names="speech.engines.voices:speaking", unset="the language's first; en-us")
+    rate: int | None = _voice(
+        "Words per minute", None, "Words per minute, 80 to 440.",
+        metavar="WPM", low=80, high=440, step=5, unset="the voice's own")
+    voice_emotion: bool = _voice(
+        "Emotion is heard", True, "Whether emotions change the voice.", metavar="on|off")
+    lead: float = _silence(
+        "Silence before, s", 0.5, "Silence before plain text.", metavar="S", low=0.0, high=60.0, step=0.1)
+    tail: float = _silence(
+        "Silence after, s", 0.7, "Silence after plain text.", metavar="S", low=0.0, high=60.0, step=0.1)
+    profile: str = _manner(
+        "Profile", "neutral", "Who speaks: a profile, or a .toml file.", names="rules.profiles:profiles")
+    attitudes: tuple[str, ...] = _manner(
+        "Attitudes", (), "What the speaker wants to convey, over the profile. May be given several times.",
+        flag="--attitude", names="rules.profiles:attitudes")
+    lively: bool = _manner(
+        "Rules, blinks, gaze", True, "Only what is said and marked: no rules, nothing random.",
+        flag="--still")
+    manner: str = _manner(
+        "Speaks", "plain", "Manner of speech: plain, whisper, murmur or shout.", names="rules.lips:manners")
+    articulation: float = _manner(
+        "Articulation", 1.0, "How far the lips move, 0 to 2.", metavar="X", low=0.0, high=2.0, step=0.05)
+    without: tuple[str, ...] = _manner(
+        "Leave out", (), "Leave a channel out ('risorius list channels').",
+        metavar="CHANNEL", names="core.movement:CHANNEL_PRIORITY")
+    rules: Path | None = _manner(
+        "Rules", None, "A file of rules that adds to ours, replaces or deletes them.",
+        metavar="FILE", on_page=False)
+    head: str = _head(
+        "Head", "standard", "The head that performs: its name, or its folder.", names="face.head:head_titles")
+    age: float | None = _shape(
+        "Age", None, "How old the head is, 0 to 100.",
+        metavar="YEARS", low=0.0, high=100.0, step=1.0, unset="its own")
+    shape: Mapping[str, float] = _shape(
+        "Shape", {}, "A slider of the head's shape, -1 to 1, e.g. nose_width:0.5; may be repeated. "
+        "`list sliders` names them.",
+        metavar="NAME:VALUE", low=-1.0, high=1.0, names="face.sliders:slider_names",
+        read="face.sliders:parse_slider", on_page=False)
+    wrinkles: Mapping[str, float] = _skin(
+        "Wrinkles", {}, "Factors 0 to 2 by region: less or more wrinkled than other faces of that age.",
+        flag=None, low=0.0, high=2.0, on_page=False)
+    dynamics: str = _skin(
+        "Skin", "springs",
+        "How the skin moves: springs (with inertia), biphasic (stiffer under strain) or static.",
+        flag="--skin", names=DYNAMICS)
+    seed: int = setting(
+        Stage.PLAN, Group.TIME, "Seed", 0, "Seed of everything random.",
+        metavar="N", low=0, high=2**63 - 1, step=1)
+    fps: Fraction = setting(
+        Stage.FRAMES, Group.TIME, "Frames per second", Fraction(30),
+        "Frames per second; fractions such as 24000/1001 work.",
+        metavar="RATE", names=("24", "25", "24000/1001", "30", "30000/1001", "50", "60"), read=parse_fps)
+    size: tuple[int, int] = _picture(
+        "Size", (720, 720), "Size of the picture in pixels.",
+        metavar="WxH", low=16, high=LARGEST_SIDE, read=parse_size)
+    at: float | None = _output(
+        "At, s", None, "Second that a .png shows.", metavar="S", low=0.0, high=DAY, unset="the middle")
+    every: int | None = _output(
+        "Every", None, "A .png is a sheet of every N-th frame.", metavar="N", low=1, high=1_000_000)
+    look: Look = field(default_factory=Look)
+    blend: BlendChoices = field(default_factory=BlendChoices)
+
+    def __post_init__(self) -> None:
+        parse_fps(self.fps)
+        check(self)
+# fmt: on
+
+
+def settings_of(values: Mapping[str, object], base: Settings | None = None) -> Settings:
+    """Return `base`, by default the default settings, with values by name, those of `look` and `blend` among
+    them; None leaves a setting as it is.
+
+    A text for what is no text is read as on the command line: fps "24000/1001", camera "close-up:135", and
+    several with semicolons. Raises InputError for an unknown name, or a value that the setting cannot have.
+    """
+    base, table = base or Settings(), rows(Settings)
+    chosen: dict[str, dict[str, Any]] = {"look": {}, "blend": {}, "": {}}
+    for name, value in values.items():
+        if name not in table:
+            raise InputError(unknown("setting", name, table))
+        if value is not None:
+            for row, part in _parts(table, table[name], value):
+                chosen.get(row.owner, chosen[""])[row.name] = part
+    look, blend = replace(base.look, **chosen["look"]), replace(base.blend, **chosen["blend"])
+    return replace(base, look=look, blend=blend, **chosen[""])
+
+
+def _parts(table: Mapping[str, Row], row: Row, value: Any) -> list[tuple[Row, Any]]:
+    """Return the settings that a value fills, each with its own value."""
+    if not isinstance(value, str):
+        return [(row, value)]
+    if row.several:
+        values = [row.read(text.strip()) for text in value.split(";") if text.strip()]
+        return [(row, dict(values) if row.kind is ValueKind.AMOUNTS else tuple(values))]
+    names = row.entry.fills
+    if not names:
+        return [(row, row.read(value))]
+    return [(table[name], part) for name, part in zip(names, row.read(value), strict=True)]

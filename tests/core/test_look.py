@@ -1,7 +1,8 @@
 import pytest
 
-from risorius.core.look import COMPLEXIONS, Look, parse_camera, parse_complexion, parse_overlay
+from risorius.core.look import COMPLEXIONS, parse_camera, parse_complexion, parse_overlay
 from risorius.errors import InputError
+from risorius.settings import Look
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from risorius.core.performance import frame_count, frame_times, parse_fps
+from risorius.core.frame_rate import parse_fps
+from risorius.core.performance import frame_count, frame_times
 from risorius.errors import InputError
 
 

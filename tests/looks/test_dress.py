@@ -3,9 +3,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from risorius.core.look import COMPLEXIONS, Look
+from risorius.core.look import COMPLEXIONS
 from risorius.face.identity import Looks
 from risorius.looks.dress import dressed
+from risorius.settings import Look
 
 
 def test_nothing_chosen_changes_nothing():

@@ -1,9 +1,10 @@
 import numpy as np
 import pytest
 
-from risorius.core.look import FRAMINGS, LIGHTS, STYLES, Look
+from risorius.core.look import FRAMINGS, LIGHTS, STYLES
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.render import picture_renderer
+from risorius.settings import Look
 
 SIZE = (120, 120)
 

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import fields
 
+from risorius.cli.listing import LISTINGS
 from risorius.core.movement import CHANNELS
 from risorius.core.parameters import PARAMETERS
-from risorius.listing import LISTINGS
 from risorius.ports.formats import FORMATS
 from risorius.rules.book import shipped
 from risorius.settings import Settings
 from risorius.studio.catalogue import catalogue, catalogue_json
 from risorius.studio.choices import settings_of
-from risorius.studio.wire import Choices
+from risorius.studio.wire import Choices, Export
 
 
 def test_it_is_json_with_every_table_whole():
@@ -23,13 +24,28 @@ def test_it_is_json_with_every_table_whole():
     assert {row["id"] for row in held["rules"]} == set(shipped().entries)
     for table in ("emotions", "profiles", "attitudes", "voices", "heads"):
         assert [row["name"] for row in held[table]] == [row[0] for row in LISTINGS[table]()[1]]
-    for table in ("policies", "lip_models", "onset_functions"):
-        assert all(row["name"] and row["description"] for row in held[table]), table
+    assert all(row["name"] and row["description"] for row in held["onset_functions"])
 
 
 def test_its_defaults_are_the_library_s(tmp_path):
     assert settings_of(Choices(**json.loads(catalogue_json())["choices"] | _tuples()), tmp_path) == Settings()
-    assert catalogue().size == "720x720"
+    exported = {row.key: row.default for row in catalogue().settings if row.exported}
+    assert exported["size"] == "720x720"
+    assert Export(take=1, suffixes=(), **exported) == Export(take=1, suffixes=())
+
+
+def test_every_setting_of_a_message_is_a_control_of_the_page():
+    keys = [row.key for row in catalogue().settings]
+    sent = [*(f.name for f in fields(Choices)), *(f.name for f in fields(Export))]
+    assert sorted(keys) == sorted(set(sent) - {"profile_text", "rules_off", "take", "suffixes", "name"})
+
+
+def test_models_and_speakers_are_described():
+    described = {row.key: row.choices for row in catalogue().settings}
+    for key in ("conflict", "lips", "onset_function", "profile", "attitudes", "head"):
+        assert described[key]
+        assert all(choice.description for choice in described[key]), key
+    assert [choice.value for choice in described["complexion"]] == [0.0, 0.25, 0.5, 0.75, 1.0]
 
 
 def _tuples():

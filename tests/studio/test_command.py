@@ -48,7 +48,7 @@ def test_it_serves_until_it_is_interrupted(tmp_path):
 COMPILING = r"""
 import atexit, sys, threading
 import llvmlite.binding as llvm
-from risorius.cli import leave
+from risorius.cli.studio import leave
 
 llvm.initialize_native_target()
 llvm.initialize_native_asmprinter()

@@ -7,23 +7,9 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..errors import InputError
 from .arrays import Array
 from .parameters import INDEX, NAMES, parameters_named
 from .score import Score
-
-MAX_FPS = 1000
-
-
-def parse_fps(text: str | float | Fraction) -> Fraction:
-    """Return a frame rate such as 30, "29.97" or "24000/1001"; raise InputError unless in (0, 1000]."""
-    try:
-        fps = Fraction(text) if not isinstance(text, float) else Fraction(text).limit_denominator(100_000)
-    except (ValueError, ZeroDivisionError, OverflowError):
-        raise InputError(f"fps '{text}' is not a number; expected e.g. 30, 25 or 24000/1001") from None
-    if not 0 < fps <= MAX_FPS:
-        raise InputError(f"fps = {text} is out of range; expected more than 0 and at most {MAX_FPS}")
-    return fps
 
 
 def frame_count(duration: float, fps: Fraction) -> int:

@@ -249,6 +249,11 @@ def shipped_heads() -> tuple[str, ...]:
     return tuple(entry.name for entry in _shipped())
 
 
+def head_titles() -> dict[str, str]:
+    """Return the heads that come with Risorius by name, each with who it is in a few words."""
+    return {entry.name: read_identity(entry / identity_file.FILE).title for entry in _shipped()}
+
+
 def _locate(name_or_path: str | Path) -> Path:
     given = Path(name_or_path)
     if given.is_dir():
@@ -371,6 +376,7 @@ __all__ = [
     "Mesh",
     "Tongue",
     "head_of",
+    "head_titles",
     "load_head",
     "required_fields",
     "shipped_heads",

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..core.look import Look
 from ..face.identity import Colour, Looks
+from ..settings import Look
 
 # Skin, lips and mouth's lining of five complexions, evenly spaced from 0 to 1 on the scale.
 _TONES: tuple[tuple[Colour, Colour, Colour], ...] = (

@@ -16,8 +16,8 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array, BoolArray
+from ..core.frame_rate import MAX_FPS
 from ..core.parameters import INDEX, NEUTRAL
-from ..core.performance import MAX_FPS
 from ..core.progress import Progress
 from ..errors import InputError, Place, warn
 from ..face.feature_points import ANGLE, COUNT, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints

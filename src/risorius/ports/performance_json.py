@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array
+from ..core.frame_rate import parse_fps
 from ..core.parameters import NAMES, PARAMETERS, Parameter
-from ..core.performance import Performance, frame_count, parse_fps
+from ..core.performance import Performance, frame_count
 from ..errors import unknown
 from .formats import register
 from .layout import write_json

@@ -17,11 +17,11 @@ import numpy as np
 
 from .. import workers
 from ..core.kernels import compile_cache
-from ..core.look import Look
 from ..core.parameters import NEUTRAL
 from ..face.frame import FaceFrame
 from ..face.head import Head, load_head
 from ..face.regions import region_names
+from ..settings import Look
 from .crew import processors
 from .pictures import picture_renderer
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ..core.look import Look
 from ..face.head import Head
 from ..looks.anatomy import find_anatomy
 from ..looks.dress import dressed
+from ..settings import Look
 from .backdrop import backdrop
 from .framing import frame_head
 from .lights import RIGS

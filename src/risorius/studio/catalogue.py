@@ -5,34 +5,31 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 from functools import cache
-from typing import Any, get_args
+from typing import get_args
 
 import numpy as np
 
 from .. import __version__
-from ..blend.coarticulation import LIP_MODELS
-from ..blend.conflict import POLICIES
 from ..core.action_units import ACTION_UNITS, ActionUnit, resolve_targets
 from ..core.functions import ONSET_FUNCTIONS
-from ..core.look import COMPLEXIONS, FRAMINGS, HAIR_STYLES, LIGHTS, OVERLAYS, QUALITIES, STYLES
 from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import ALIASES, PARAMETERS, RIVALS, Parameter
+from ..core.setting import Row, ValueKind
 from ..face.head import load_head, shipped_heads
 from ..ports.formats import FORMATS, FileFormat
-from ..registry import Registry
 from ..rules.book import shipped
 from ..rules.emotions import Emotion, emotions
-from ..rules.lips import lip_table
 from ..rules.profiles import Profile, attitudes, profile_texts, profiles
 from ..rules.rule import Rule
 from ..rules.tuned import numbers_of
-from ..settings import DYNAMICS, Settings
 from ..speech.engines.voices import voices
 from . import limits, tables
 from .messages import encoded
 from .wire import Choices, Format
+from .wire_settings import EXPORTED, LARGEST_WHOLE, chosen_rows, exported_rows, on_wire
 
 ONSET_STEPS = 25
+MOST_STEPS = 100
 
 
 def catalogue() -> tables.Catalogue:
@@ -46,20 +43,14 @@ def catalogue() -> tables.Catalogue:
         profiles=tuple(_profile(p) for p in profiles().values()),
         attitudes=tuple(tables.AttitudeRow(a.name, a.description, a.source) for a in attitudes().values()),
         voices=tuple(tables.VoiceRow(v.name, v.language, v.description) for v in voices()),
-        languages=tuple(sorted({v.language for v in voices() if not v.name.startswith("+")})),
         heads=tuple(map(_head, shipped_heads())),
         channels=tuple(tables.ChannelRow(name, rank) for name, rank in CHANNEL_PRIORITY.items()),
-        policies=_documented(POLICIES),
-        lip_models=_documented(LIP_MODELS),
-        onset_functions=tuple(map(_sampled, _documented(ONSET_FUNCTIONS))),
-        manners=tuple(lip_table().manners),
-        dynamics=DYNAMICS,
+        onset_functions=tuple(map(_sampled, ONSET_FUNCTIONS)),
+        settings=tuple(map(_setting, (*chosen_rows(), *exported_rows()))),
         formats=get_args(Format),
         rules=tuple(map(_rule, shipped())),
         outputs=tuple(_output(FORMATS.get(suffix)) for suffix in FORMATS),
-        looks=_looks(),
         choices=Choices(),
-        size="{}x{}".format(*Settings().size),
         limits=limits.described(),
     )
 
@@ -105,25 +96,47 @@ def _output(output: FileFormat) -> tables.OutputRow:
     return tables.OutputRow(output.suffix, output.description, tuple(sorted(map(str, output.needs))))
 
 
-def _looks() -> tables.LooksTable:
-    return tables.LooksTable(
-        styles=STYLES,
-        cameras=FRAMINGS,
-        lights=LIGHTS,
-        qualities=tuple(QUALITIES),
-        hair=HAIR_STYLES,
-        complexions=dict(COMPLEXIONS),
-        overlays=OVERLAYS,
+def _setting(row: Row) -> tables.SettingRow:
+    entry = row.entry
+    choices = () if entry.names is None else entry.names.choices()
+    return tables.SettingRow(
+        key=row.name,
+        label=entry.label,
+        group=str(entry.group),
+        control=_control(row),
+        exported=entry.stage in EXPORTED,
+        help=entry.help,
+        low=entry.low,
+        high=None if entry.high is None else min(entry.high, LARGEST_WHOLE),
+        step=entry.step,
+        optional=row.optional and row.usual is None,
+        unset=entry.unset,
+        default=on_wire(row, row.usual),
+        choices=tuple(
+            tables.ChoiceRow(c.name, c.description, c.name if row.kind is not ValueKind.NUMBER else c.number)
+            for c in choices
+        ),
     )
 
 
-def _documented(registry: Registry[Any]) -> tuple[tables.OptionRow, ...]:
-    """Return the names of a registry with the first line on what stands behind each."""
-    lines = ((name, (registry.get(name).__doc__ or "").strip().split("\n")[0]) for name in registry)
-    return tuple(tables.OptionRow(name, line) for name, line in lines)
+def _control(row: Row) -> str:
+    """Return what shows a setting: a slider only if it has few steps."""
+    entry = row.entry
+    if row.kind is ValueKind.SWITCH:
+        return "check"
+    if row.kind is ValueKind.SEVERAL:
+        return "several"
+    if entry.names is not None:
+        return "choice"
+    if row.kind not in (ValueKind.NUMBER, ValueKind.WHOLE):
+        return "text"
+    few = entry.step is not None and entry.high is not None and entry.high / entry.step <= MOST_STEPS
+    return "slider" if few and not row.optional else "number"
 
 
-def _sampled(row: tables.OptionRow) -> tables.OnsetRow:
+def _sampled(name: str) -> tables.OnsetRow:
     """Return an onset function's row with its values, to be drawn."""
-    values = ONSET_FUNCTIONS.get(row.name)(np.linspace(0.0, 1.0, ONSET_STEPS))
-    return tables.OnsetRow(row.name, row.description, tuple(values.round(4).tolist()))
+    function = ONSET_FUNCTIONS.get(name)
+    line = (function.__doc__ or "").strip().split("\n")[0]
+    values = function(np.linspace(0.0, 1.0, ONSET_STEPS))
+    return tables.OnsetRow(name, line, tuple(values.round(4).tolist()))

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict
 from pathlib import Path
 
-from ..core.look import Look
-from ..core.performance import parse_fps
 from ..core.score import BlendSettings
+from ..core.setting import rows
 from ..errors import InputError, unknown
 from ..face.head import shipped_heads
-from ..rules.profiles import profile, profile_from, profile_texts
-from ..settings import PLANNED, BlendChoices, Settings
+from ..rules.profiles import profile as named_profile
+from ..rules.profiles import profile_from, profile_texts
+from ..settings import BlendChoices, Settings
+from ..settings import settings_of as settings_from
 from ..speech.engines.registry import is_voice_file
 from .session_files import kept_table
 from .wire import Choices
+from .wire_settings import chosen_rows, on_wire
 
 LARGEST_PROFILE = 100_000
 
@@ -29,53 +30,22 @@ def settings_of(choices: Choices, folder: Path) -> Settings:
         raise InputError(unknown("head", choices.head, shipped_heads()))
     if is_voice_file(choices.voice):
         raise InputError(f"voice '{choices.voice}' is a file; expected the name of a voice")
-    return Settings(
-        fps=parse_fps(choices.fps),
-        head=choices.head,
-        age=choices.age,
-        voice=choices.voice,
-        language=choices.language,
-        rate=choices.rate,
-        voice_emotion=choices.voice_emotion,
-        lead=choices.lead,
-        tail=choices.tail,
-        articulation=choices.articulation,
-        manner=choices.manner,
-        lively=choices.lively,
-        dynamics=choices.dynamics,
-        without=choices.without,
-        profile=_profile(choices, folder),
-        attitudes=choices.attitudes,
-        seed=choices.seed,
-        rules=_rules(choices.rules_off, folder),
-        look=Look(hair=choices.hair, complexion=choices.complexion),
-        blend=_chosen_blend(choices),
-    )
-
-
-def _chosen_blend(choices: Choices) -> BlendChoices:
-    """Return what is other than in a planned score."""
-    blend, usual = asdict(blend_of(choices)), asdict(PLANNED)
-    return BlendChoices(**{name: value for name, value in blend.items() if value != usual[name]})
+    values = {row.name: getattr(choices, row.name) for row in chosen_rows()}
+    usual = {row.name: on_wire(row, row.usual) for row in chosen_rows()}
+    chosen = {name: value for name, value in values.items() if value != usual[name]}
+    profile, rules = _profile(choices, folder), _rules(choices.rules_off, folder)
+    return settings_from({**chosen, "profile": profile, "rules": rules})
 
 
 def blend_of(choices: Choices) -> BlendSettings:
-    """Return how movements are combined."""
-    return BlendSettings(
-        conflict=choices.conflict,
-        activation_threshold=choices.activation_threshold,
-        min_onset=choices.min_onset,
-        min_offset=choices.min_offset,
-        onset_function=choices.onset_function,
-        contact=choices.contact,
-        lips=choices.lips,
-    )
+    """Return how movements are combined, whatever a score says."""
+    return BlendSettings(**{name: getattr(choices, name) for name in rows(BlendChoices)})
 
 
 def _profile(choices: Choices, folder: Path) -> str:
     """Return a profile's name, or the file in our folder that holds the one that was edited."""
     if choices.profile_text is None:
-        return profile(choices.profile).name
+        return named_profile(choices.profile).name
     if len(choices.profile_text) > LARGEST_PROFILE:
         raise InputError(f"the profile is longer than {LARGEST_PROFILE} characters")
     profile_from(choices.profile_text, "profile", profile_texts())

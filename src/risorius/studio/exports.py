@@ -6,18 +6,18 @@ import re
 import shutil
 import threading
 from collections import OrderedDict
-from dataclasses import replace
 from pathlib import Path
 
-from ..core.look import TRANSPARENT, Look
+from ..core.look import TRANSPARENT
 from ..core.progress import Progress
 from ..errors import InputError, RisoriusError
 from ..ports.formats import FORMATS
 from ..ports.targets import check_targets
 from ..render.backdrop import colour_named
-from ..settings import Settings, parse_size
+from ..settings import Settings, settings_of
 from ..take import Take
 from . import limits, wire
+from .wire_settings import exported_rows
 
 _NAME = re.compile(r"[^\w -]+")
 _MOST_JOBS = 20
@@ -98,17 +98,8 @@ def _names(asked: wire.Export) -> tuple[str, ...]:
 
 
 def _settings(settings: Settings, asked: wire.Export) -> Settings:
-    look = Look(
-        style=asked.style,
-        camera=asked.camera,
-        light=asked.light,
-        background=_background(asked.background),
-        quality=asked.quality,
-        hair=settings.look.hair,
-        complexion=settings.look.complexion,
-        overlay=asked.overlay,
-    )
-    return replace(settings, size=parse_size(asked.size), at=asked.at, every=asked.every, look=look)
+    values = {row.name: getattr(asked, row.name) for row in exported_rows()}
+    return settings_of({**values, "background": _background(asked.background)}, settings)
 
 
 def _background(asked: str | None) -> str | None:

@@ -6,12 +6,12 @@ from collections import defaultdict
 from collections.abc import Iterable
 
 from ..blend import Contribution, Explanation, Trace
+from ..blend.narrate import narrate
 from ..core.action_units import resolve_targets
 from ..core.movement import Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..core.progress import Progress
 from ..core.score import Score
-from ..narration import narrate
 from ..rules.book import book_of
 from ..rules.tuned import tuned_text
 from ..take import Take

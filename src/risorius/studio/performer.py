@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from ..core.edits import identified
 from ..core.progress import Progress
+from ..core.setting import Stage
 from ..core.utterance import Utterance
 from ..errors import InputError, warnings_to
 from ..pipeline import compose, speak, with_profile
@@ -17,7 +18,7 @@ from ..script import Script, parse_script, read_script
 from ..settings import Settings
 from ..speech import LabelledRecording, Recording, hear
 from ..speech.recordings.recording import read_recording
-from ..unread import Stage, values_read
+from ..unread import values_read
 from . import limits
 from .choices import blend_of, settings_of
 from .scores import adopted, parsed, score_file

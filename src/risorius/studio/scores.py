@@ -7,10 +7,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..core.score import BlendSettings
+from ..core.setting import rows
 from ..errors import InputError
 from ..ports.node import Node
 from ..ports.readable import ScoreFile
 from ..ports.score_json import score_from_json
+from ..settings import BlendChoices
 from .wire import Choices
 
 
@@ -37,13 +39,4 @@ def score_file(node: Node, sound: Path | None) -> ScoreFile:
 
 def adopted(choices: Choices, blend: BlendSettings) -> Choices:
     """Return the choices with those of a score on how movements are combined."""
-    return replace(
-        choices,
-        conflict=blend.conflict,
-        lips=blend.lips,
-        onset_function=blend.onset_function,
-        contact=blend.contact,
-        activation_threshold=blend.activation_threshold,
-        min_onset=blend.min_onset,
-        min_offset=blend.min_offset,
-    )
+    return replace(choices, **{name: getattr(blend, name) for name in rows(BlendChoices)})

@@ -12,7 +12,7 @@ from ..core.parameters import NEUTRAL
 from ..face.head import head_of
 from ..face.solve import FaceSolver
 from ..looks.dress import dressed
-from ..settings import Settings
+from ..settings import Look, Settings
 from ..take import make_solver
 from .stage import FacePacker
 from .threads import on_thread
@@ -76,8 +76,6 @@ def stage_of(
 ) -> FacePacker:
     """Return the stage of a head that comes with Risorius."""
     from dataclasses import replace
-
-    from ..core.look import Look
 
     found = head_of(Settings(head=head, age=age))
     looks = dressed(found.identity.looks, Look(hair=hair, complexion=complexion))

@@ -111,14 +111,6 @@ class ChannelRow:
 
 
 @dataclass(frozen=True, slots=True)
-class OptionRow:
-    """Something that is chosen by name."""
-
-    name: str
-    description: str
-
-
-@dataclass(frozen=True, slots=True)
 class OnsetRow:
     """An onset function, with its values at even steps from 0 to 1."""
 
@@ -149,16 +141,35 @@ class OutputRow:
 
 
 @dataclass(frozen=True, slots=True)
-class LooksTable:
-    """How pictures may look."""
+class ChoiceRow:
+    """A value that a setting may have: its name, what is said of it, and what is sent for it."""
 
-    styles: tuple[str, ...]
-    cameras: tuple[str, ...]
-    lights: tuple[str, ...]
-    qualities: tuple[str, ...]
-    hair: tuple[str, ...]
-    complexions: Mapping[str, float]
-    overlays: tuple[str, ...]
+    name: str
+    description: str
+    value: str | float
+
+
+@dataclass(frozen=True, slots=True)
+class SettingRow:
+    """A setting as a control: `key` of the choices or, if it is `exported`, of an export.
+
+    `control`: "choice" (of `choices`), "several" (of them), "check", "number", "slider" or "text".
+    `optional`: whether it may be null, which `unset` says in words.
+    """
+
+    key: str
+    label: str
+    group: str
+    control: str
+    exported: bool
+    help: str
+    low: float | None
+    high: float | None
+    step: float | None
+    optional: bool
+    unset: str
+    default: object
+    choices: tuple[ChoiceRow, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,7 +186,7 @@ class LimitsTable:
 
 @dataclass(frozen=True, slots=True)
 class Catalogue:
-    """`GET /api/catalogue`: all that can be named. `choices` and `size` are the defaults."""
+    """`GET /api/catalogue`: all that can be named. `choices` are the defaults."""
 
     version: str
     parameters: tuple[ParameterRow, ...]
@@ -185,20 +196,14 @@ class Catalogue:
     profiles: tuple[ProfileRow, ...]
     attitudes: tuple[AttitudeRow, ...]
     voices: tuple[VoiceRow, ...]
-    languages: tuple[str, ...]
     heads: tuple[HeadRow, ...]
     channels: tuple[ChannelRow, ...]
-    policies: tuple[OptionRow, ...]
-    lip_models: tuple[OptionRow, ...]
     onset_functions: tuple[OnsetRow, ...]
-    manners: tuple[str, ...]
-    dynamics: tuple[str, ...]
+    settings: tuple[SettingRow, ...]
     formats: tuple[str, ...]
     rules: tuple[RuleRow, ...]
     outputs: tuple[OutputRow, ...]
-    looks: LooksTable
     choices: Choices
-    size: str
     limits: LimitsTable
 
 
@@ -251,6 +256,6 @@ class StageTable:
 
 TABLES: tuple[type, ...] = (
     ParameterRow, UnitRow, EmotionRow, NumberRow, ProfileRow, AttitudeRow, VoiceRow, HeadRow, ChannelRow,
-    OptionRow, OnsetRow, RuleRow, OutputRow, LooksTable, LimitsTable, Catalogue, StagePart, Lamp, Light,
+    OnsetRow, RuleRow, OutputRow, ChoiceRow, SettingRow, LimitsTable, Catalogue, StagePart, Lamp, Light,
     StageTable,
 )  # fmt: skip

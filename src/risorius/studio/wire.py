@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from ..core.edits import Add, ClearKeys, Delete, Keys, Move, Retarget, Stretch
 from ..core.schema import Range
 from ..core.units import Seconds, Share
+from .wire_settings import choices_class, export_class
 
 Whole = Annotated[int, Range(0, 2**31)]
 Format = Literal["text", "xml", "utt", "ssml", "bml", "score", "TextGrid"]
@@ -34,42 +35,10 @@ class EmotionSpan:
     last: Whole | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Choices:
-    """The settings of a performance that a page may choose; null is the library's own default.
-
-    `rules_off`: ids of rules, or their beginnings up to a dot, that do not hold. `profile_text`: a profile
-    edited in the page (TOML); it goes before `profile`.
-    """
-
-    fps: str = "30"
-    head: str = "standard"
-    age: Annotated[float, Range(0.0, 100.0)] | None = None
-    voice: str | None = None
-    language: str | None = None
-    rate: Annotated[int, Range(80, 440)] | None = None
-    voice_emotion: bool = True
-    lead: Annotated[float, Range(0.0, 60.0)] = 0.5
-    tail: Annotated[float, Range(0.0, 60.0)] = 0.7
-    articulation: Annotated[float, Range(0.0, 2.0)] = 1.0
-    manner: str = "plain"
-    lively: bool = True
-    dynamics: str = "springs"
-    without: tuple[str, ...] = ()
-    profile: str = "neutral"
-    profile_text: str | None = None
-    attitudes: tuple[str, ...] = ()
-    seed: Whole = 0
-    conflict: str = "graded"
-    lips: str = "dominance"
-    onset_function: str | None = None
-    contact: bool = True
-    activation_threshold: Share | None = None
-    min_onset: Annotated[float, Range(0.0, 10.0)] | None = None
-    min_offset: Annotated[float, Range(0.0, 10.0)] | None = None
-    rules_off: tuple[str, ...] = ()
-    hair: str | None = None
-    complexion: Share | None = None
+if TYPE_CHECKING:
+    Choices = Any
+else:
+    Choices = choices_class(__name__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,22 +225,13 @@ class ProfileText:
     numbers: Mapping[str, float] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class Export:
-    """Write a take as files of these suffixes; answered by Job, then progress and exported events."""
-
-    take: Whole
-    suffixes: tuple[str, ...]
-    name: str = "performance"
-    size: str = "720x720"
-    at: Seconds | None = None
-    every: Annotated[int, Range(1, 1_000_000)] | None = None
-    style: str = "realistic"
-    camera: str = "portrait"
-    light: str = "studio"
-    background: str | None = None
-    quality: str = "normal"
-    overlay: tuple[str, ...] = ()
+if TYPE_CHECKING:
+    Export = Any
+else:
+    Export = export_class(
+        __name__,
+        [("take", Whole), ("suffixes", tuple[str, ...]), ("name", str, field(default="performance"))],
+    )
 
 
 @dataclass(frozen=True, slots=True)

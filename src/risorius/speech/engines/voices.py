@@ -16,6 +16,16 @@ def voices(engine: SpeechEngine | None = None) -> tuple[Voice, ...]:
     return (engine or load_engine()).voices()
 
 
+def speaking() -> dict[str, Voice]:
+    """Return the voices that speak by their names: those named `+name` only change the timbre of another."""
+    return {voice.name: voice for voice in voices() if not voice.name.startswith("+")}
+
+
+def languages() -> tuple[str, ...]:
+    """Return the languages of all voices that speak, sorted."""
+    return tuple(sorted({voice.language for voice in speaking().values()}))
+
+
 def find_voice(name: str | None, language: str | None = None, engine: SpeechEngine | None = None) -> Voice:
     """Return the voice called `name` (`en-us`, or with a variant `en-us+f3`), or the first of `language`.
 

@@ -86,34 +86,34 @@
  * `rules_off`: ids of rules, or their beginnings up to a dot, that do not hold. `profile_text`: a profile
  * edited in the page (TOML); it goes before `profile`.
  * @typedef {Object} Choices
- * @property {string} [fps]
- * @property {string} [head]
- * @property {number|null} [age]
- * @property {string|null} [voice]
  * @property {string|null} [language]
+ * @property {string|null} [voice]
  * @property {number|null} [rate]
  * @property {boolean} [voice_emotion]
  * @property {number} [lead]
  * @property {number} [tail]
- * @property {number} [articulation]
- * @property {string} [manner]
- * @property {boolean} [lively]
- * @property {string} [dynamics]
- * @property {Array<string>} [without]
  * @property {string} [profile]
- * @property {string|null} [profile_text]
  * @property {Array<string>} [attitudes]
+ * @property {boolean} [lively]
+ * @property {string} [manner]
+ * @property {number} [articulation]
+ * @property {Array<string>} [without]
+ * @property {string} [head]
+ * @property {number|null} [age]
+ * @property {string} [dynamics]
  * @property {number} [seed]
+ * @property {string} [fps]
+ * @property {string|null} [hair]
+ * @property {number|null} [complexion]
  * @property {string} [conflict]
- * @property {string} [lips]
- * @property {string|null} [onset_function]
- * @property {boolean} [contact]
  * @property {number|null} [activation_threshold]
  * @property {number|null} [min_onset]
  * @property {number|null} [min_offset]
+ * @property {string|null} [onset_function]
+ * @property {boolean} [contact]
+ * @property {string} [lips]
+ * @property {string|null} [profile_text]
  * @property {Array<string>} [rules_off]
- * @property {string|null} [hair]
- * @property {number|null} [complexion]
  */
 /**
  * What is performed: a script as text of a format, and a recording (by the name its upload was given).
@@ -263,6 +263,7 @@
  * @property {number|null} [every]
  * @property {string} [style]
  * @property {string} [camera]
+ * @property {number} [lens]
  * @property {string} [light]
  * @property {string|null} [background]
  * @property {string} [quality]
@@ -647,12 +648,6 @@
  * @property {number} priority
  */
 /**
- * Something that is chosen by name.
- * @typedef {Object} OptionRow
- * @property {string} name
- * @property {string} description
- */
-/**
  * An onset function, with its values at even steps from 0 to 1.
  * @typedef {Object} OnsetRow
  * @property {string} name
@@ -677,15 +672,30 @@
  * @property {Array<string>} needs
  */
 /**
- * How pictures may look.
- * @typedef {Object} LooksTable
- * @property {Array<string>} styles
- * @property {Array<string>} cameras
- * @property {Array<string>} lights
- * @property {Array<string>} qualities
- * @property {Array<string>} hair
- * @property {Object<string, number>} complexions
- * @property {Array<string>} overlays
+ * A value that a setting may have: its name, what is said of it, and what is sent for it.
+ * @typedef {Object} ChoiceRow
+ * @property {string} name
+ * @property {string} description
+ * @property {string|number} value
+ */
+/**
+ * A setting as a control: `key` of the choices or, if it is `exported`, of an export.
+ * `control`: "choice" (of `choices`), "several" (of them), "check", "number", "slider" or "text".
+ * `optional`: whether it may be null, which `unset` says in words.
+ * @typedef {Object} SettingRow
+ * @property {string} key
+ * @property {string} label
+ * @property {string} group
+ * @property {string} control
+ * @property {boolean} exported
+ * @property {string} help
+ * @property {number|null} low
+ * @property {number|null} high
+ * @property {number|null} step
+ * @property {boolean} optional
+ * @property {string} unset
+ * @property {any} default
+ * @property {Array<ChoiceRow>} choices
  */
 /**
  * Characters of a script; bytes of a recording, a project, a message; requests at once; undos.
@@ -698,7 +708,7 @@
  * @property {number} undo
  */
 /**
- * `GET /api/catalogue`: all that can be named. `choices` and `size` are the defaults.
+ * `GET /api/catalogue`: all that can be named. `choices` are the defaults.
  * @typedef {Object} Catalogue
  * @property {string} version
  * @property {Array<ParameterRow>} parameters
@@ -708,20 +718,14 @@
  * @property {Array<ProfileRow>} profiles
  * @property {Array<AttitudeRow>} attitudes
  * @property {Array<VoiceRow>} voices
- * @property {Array<string>} languages
  * @property {Array<HeadRow>} heads
  * @property {Array<ChannelRow>} channels
- * @property {Array<OptionRow>} policies
- * @property {Array<OptionRow>} lip_models
  * @property {Array<OnsetRow>} onset_functions
- * @property {Array<string>} manners
- * @property {Array<string>} dynamics
+ * @property {Array<SettingRow>} settings
  * @property {Array<string>} formats
  * @property {Array<RuleRow>} rules
  * @property {Array<OutputRow>} outputs
- * @property {LooksTable} looks
  * @property {Choices} choices
- * @property {string} size
  * @property {LimitsTable} limits
  */
 /**

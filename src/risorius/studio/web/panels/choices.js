@@ -1,89 +1,11 @@
-/** The settings of a performance as controls: which there are, and in which groups, is written here once. */
+/** The settings of a performance as controls: which there are, and in which groups, the catalogue says. */
 
 import { button, check, choice, field, number, slider } from "../parts/fields.js";
 import { make, settled } from "../parts/dom.js";
 
 const WAIT = 250; // ms after the last movement of a slider
 
-/**
- * Groups of settings: [title, open, rows]. A row is [key, label, kind, about]; `about` may be a function of the
- * catalogue. Kinds: "choice" (options, empty), "check", "number", "slider", "several" (options).
- */
-const GROUPS = [
-  [
-    "Voice",
-    true,
-    [
-      ["language", "Language", "choice", (c) => ({ options: c.languages, empty: "of the voice" })],
-      ["voice", "Voice", "choice", (c) => ({ options: speaking(c), empty: "default" })],
-      ["rate", "Words per minute", "number", { low: 80, high: 440, step: 5, placeholder: "voice's own" }],
-      ["voice_emotion", "Emotion is heard", "check"],
-    ],
-  ],
-  [
-    "Manner",
-    true,
-    [
-      ["profile", "Profile", "choice", (c) => ({ options: described(c.profiles) })],
-      ["attitudes", "Attitudes", "several", (c) => ({ options: described(c.attitudes) })],
-      ["lively", "Rules, blinks, gaze", "check"],
-      ["manner", "Speaks", "choice", (c) => ({ options: c.manners })],
-      ["articulation", "Articulation", "slider", { low: 0, high: 2, step: 0.05 }],
-    ],
-  ],
-  [
-    "Head",
-    false,
-    [
-      [
-        "head",
-        "Head",
-        "choice",
-        (c) => ({ options: c.heads.map((h) => ({ name: h.name, description: h.title })) }),
-      ],
-      ["age", "Age", "number", { low: 0, high: 100, step: 1, placeholder: "own" }],
-      ["hair", "Hair", "choice", (c) => ({ options: c.looks.hair, empty: "own" })],
-      [
-        "complexion",
-        "Complexion",
-        "choice",
-        (c) => ({ options: complexions(c), empty: "own", numeric: true }),
-      ],
-      ["dynamics", "Skin", "choice", (c) => ({ options: c.dynamics })],
-    ],
-  ],
-  [
-    "Models",
-    false,
-    [
-      ["lips", "Lips", "choice", (c) => ({ options: c.lip_models })],
-      ["conflict", "Conflicts", "choice", (c) => ({ options: c.policies })],
-      ["contact", "Lips always close", "check"],
-      ["onset_function", "Onsets", "choice", (c) => ({ options: c.onset_functions, empty: "by channel" })],
-      ["without", "Leave out", "several", (c) => ({ options: c.channels.map(({ name }) => name) })],
-      [
-        "activation_threshold",
-        "Threshold",
-        "number",
-        { low: 0, high: 1, step: 0.01, placeholder: "by muscle" },
-      ],
-      ["min_onset", "Least onset, s", "number", { low: 0, high: 10, step: 0.01, placeholder: "by muscle" }],
-      ["min_offset", "Least offset, s", "number", { low: 0, high: 10, step: 0.01, placeholder: "by muscle" }],
-    ],
-  ],
-  [
-    "Time and chance",
-    false,
-    [
-      ["seed", "Seed", "number", { low: 0, high: 2 ** 31, step: 1, fixed: true }],
-      ["fps", "Frames per second", "rate"],
-      ["lead", "Silence before, s", "number", { low: 0, high: 60, step: 0.1, fixed: true }],
-      ["tail", "Silence after, s", "number", { low: 0, high: 60, step: 0.1, fixed: true }],
-    ],
-  ],
-];
-
-const RATES = ["24", "25", "24000/1001", "30", "30000/1001", "50", "60"];
+const OPEN = ["Voice", "Manner"]; // groups whose settings are seen at first
 
 const MAKERS = {
   choice: makeChoice,
@@ -91,7 +13,7 @@ const MAKERS = {
   number: makeNumber,
   slider: makeSlider,
   several: makeSeveral,
-  rate: makeRate,
+  text: makeText,
 };
 
 /**
@@ -119,21 +41,17 @@ export function mountChoices(form, { store, actions }) {
  */
 export function choiceRows(form, catalogue, choices, set, only = null) {
   const controls = new Map();
-  for (const [title, open, rows] of GROUPS) {
-    const wanted = rows.filter(([key]) => only === null || only.includes(key));
-    const fields = wanted.map(([key, label, kind, about = {}]) => {
-      const given = typeof about === "function" ? about(catalogue) : about;
-      const control = MAKERS[kind](label, given, choices[key], (value) => set(key, value), catalogue);
-      const element = kind === "check" ? control : field(label, control, { hint: given.hint });
-      element.dataset.choice = key;
-      controls.set(key, { control, element });
+  const settings = catalogue.settings.filter(({ exported }) => !exported);
+  for (const title of new Set(settings.map(({ group }) => group))) {
+    const wanted = settings.filter(({ group, key }) => group === title && (only === null || only.includes(key)));
+    const fields = wanted.map((setting) => {
+      const { control, element } = settingRow(setting, choices[setting.key], (value) => set(setting.key, value));
+      controls.set(setting.key, { control, element });
       return element;
     });
-    if (fields.length === 0) continue;
     if (only) continue;
-    form.append(
-      make("details", { open }, make("summary", {}, title), make("div", { class: "stack" }, ...fields)),
-    );
+    const stack = make("div", { class: "stack" }, ...fields);
+    form.append(make("details", { open: OPEN.includes(title) }, make("summary", {}, title), stack));
   }
   if (only) form.append(...only.map((key) => controls.get(key).element));
   const show = (now) => {
@@ -145,35 +63,56 @@ export function choiceRows(form, catalogue, choices, set, only = null) {
   return { show, row: (key) => controls.get(key)?.element };
 }
 
-function makeChoice(label, { options, empty, numeric = false }, value, set) {
-  const change = (name) => set(name !== null && numeric ? Number(name) : name);
-  return choice(options, { value, empty, change });
+/**
+ * A setting as a labelled control.
+ * @param {import("../wire.js").SettingRow} setting @param {any} value @param {(value: any) => void} set
+ * @returns {{control: HTMLElement, element: HTMLElement}}
+ */
+export function settingRow(setting, value, set) {
+  const control = MAKERS[setting.control](setting, value, set);
+  const element = setting.control === "check" ? control : field(setting.label, control, { hint: setting.help });
+  element.dataset.choice = setting.key;
+  return { control, element };
 }
 
-function makeCheck(label, about, value, set) {
-  return check(label, { value, change: set, ...about });
+function makeChoice({ choices, optional, unset }, value, set) {
+  const options = choices.map((it) => ({ ...it, name: String(it.value), title: titleOf(it) }));
+  const valueOf = (name) => choices.find((it) => String(it.value) === name)?.value ?? name;
+  const change = (name) => set(name === null ? null : valueOf(name));
+  return choice(options, { value, empty: optional ? unset : undefined, change });
 }
 
-function makeNumber(label, { fixed = false, ...about }, value, set) {
-  return number({ ...about, optional: !fixed, value, change: set });
+/** What a choice is called: a number by its name, a code or a fraction as it is. */
+function titleOf({ name, value }) {
+  return typeof value === "number" || /^[\d/]+$/.test(name) ? name : undefined;
 }
 
-function makeSlider(label, about, value, set) {
-  return slider({ label, ...about, value, input: set });
+function makeCheck({ label }, value, set) {
+  return check(label, { value, change: set });
 }
 
-function makeRate(label, about, value, set) {
-  return choice(
-    RATES.map((name) => ({ name, title: name })),
-    { value, change: set },
-  );
+function makeNumber({ low, high, step, optional, unset }, value, set) {
+  return number({ low, high, step: step ?? "any", optional, placeholder: unset, value, change: set });
+}
+
+function makeSlider({ label, low, high, step }, value, set) {
+  return slider({ label, low, high, step, value, input: set });
+}
+
+function makeText({ optional, unset }, value, set) {
+  const change = () => set(box.value.trim() === "" && optional ? null : box.value.trim());
+  const box = make("input", { type: "text", placeholder: unset, onchange: change });
+  box.show = (now) => {
+    box.value = now ?? "";
+  };
+  box.show(value);
+  return box;
 }
 
 /** Some of several, as buttons that stay pressed. */
-function makeSeveral(label, { options }, value, set) {
+function makeSeveral({ label, choices }, value, set) {
   let chosen = [...value];
-  const buttons = options.map((option) => {
-    const { name, description } = typeof option === "string" ? { name: option } : option;
+  const buttons = choices.map(({ name, description }) => {
     return button(name, {
       class: "chip",
       title: description,
@@ -195,17 +134,6 @@ function makeSeveral(label, { options }, value, set) {
 
 function newSeed(act) {
   return button("Another seed", { title: "The same with other random blinks and glances", onclick: act });
-}
-
-function described(items) {
-  return items.map(({ name, description }) => ({ name, description }));
-}
-
-function complexions(catalogue) {
-  return Object.entries(catalogue.looks.complexions).map(([title, value]) => ({
-    name: String(value),
-    title,
-  }));
 }
 
 /** Voices that speak; those named +… only change the timbre of another. */

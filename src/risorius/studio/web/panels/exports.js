@@ -1,7 +1,8 @@
 /** Exports: which files, how they look, and those under way. */
 
-import { button, check, choice, field } from "../parts/fields.js";
+import { button, check, field } from "../parts/fields.js";
 import { fill, make } from "../parts/dom.js";
+import { settingRow } from "./choices.js";
 
 const USUAL = [".mp4", ".glb", ".performance.json"];
 
@@ -20,16 +21,16 @@ class Exports {
 
   constructor(element, studio) {
     this.#studio = studio;
-    const { outputs, looks, size } = studio.store.get("catalogue");
-    const [style] = looks.styles;
-    this.#look = { size, style, camera: looks.cameras[0], light: looks.lights[0], quality: "normal" };
+    const { outputs, settings } = studio.store.get("catalogue");
+    const pictured = settings.filter(({ exported }) => exported);
+    this.#look = Object.fromEntries(pictured.map(({ key, default: usual }) => [key, usual]));
     const boxes = make("div", { class: "outputs" }, ...outputs.map((output) => this.#box(output)));
     const foot = make("div", { class: "panel-foot" }, this.#go);
     element.append(
       make("h3", {}, "Export"),
       field("Name", this.#title),
       boxes,
-      this.#picture(looks),
+      this.#picture(pictured),
       this.#jobs,
       foot,
     );
@@ -49,30 +50,14 @@ class Exports {
   }
 
   /** What videos and pictures look like. */
-  #picture({ styles, cameras, lights, qualities }) {
-    const size = make("input", { type: "text", value: this.#look.size, placeholder: "720x720" });
-    size.addEventListener("change", () => {
-      this.#look.size = size.value;
+  #picture(settings) {
+    const rows = settings.map((setting) => {
+      const { element } = settingRow(setting, this.#look[setting.key], (value) => {
+        this.#look[setting.key] = value;
+      });
+      return element;
     });
-    const pick = (label, key, options) => {
-      const change = (name) => {
-        this.#look[key] = name;
-      };
-      return field(label, choice(options, { value: this.#look[key], change }));
-    };
-    const rows = [
-      pick("Style", "style", styles),
-      pick("Camera", "camera", cameras),
-      pick("Light", "light", lights),
-    ];
-    const stack = make(
-      "div",
-      { class: "stack" },
-      field("Size", size),
-      ...rows,
-      pick("Quality", "quality", qualities),
-    );
-    return make("details", {}, make("summary", {}, "Picture"), stack);
+    return make("details", {}, make("summary", {}, "Picture"), make("div", { class: "stack" }, ...rows));
   }
 
   #name() {

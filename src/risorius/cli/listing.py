@@ -1,19 +1,23 @@
-"""The tables of `risorius list`."""
+"""`risorius list` and its tables."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from .errors import ParameterError, unknown
+import click
+
+from ..errors import ParameterError, unknown
+from .console import table
+from .options import Command
 
 Listing = tuple[Sequence[str], list[Sequence[str]]]
 
 
 def muscles() -> Listing:
     """The 19 muscles of paper A, Table 1, then the other parameters."""
-    from .core.action_units import ACTION_UNITS
-    from .core.parameters import BASES, CONFLICTING_NUMBERS
+    from ..core.action_units import ACTION_UNITS
+    from ..core.parameters import BASES, CONFLICTING_NUMBERS
 
     rows: list[Sequence[str]] = []
     for base, sides in BASES.items():
@@ -36,14 +40,14 @@ def muscles() -> Listing:
 
 def channels() -> Listing:
     """The channels with their default priorities."""
-    from .core.movement import CHANNEL_PRIORITY
+    from ..core.movement import CHANNEL_PRIORITY
 
     return ("channel", "priority"), [(name, f"{value:g}") for name, value in CHANNEL_PRIORITY.items()]
 
 
 def emotions() -> Listing:
     """The emotions, their other names and the action units of a full display."""
-    from .rules.emotions import emotions as all_emotions
+    from ..rules.emotions import emotions as all_emotions
 
     return ("emotion", "also", "action units"), [
         (e.name, ", ".join(e.aliases), " ".join(f"{unit}={value:g}" for unit, value in e.units.items()))
@@ -53,21 +57,21 @@ def emotions() -> Listing:
 
 def voices() -> Listing:
     """The voices of the speech engine."""
-    from .speech.engines.voices import voices as all_voices
+    from ..speech.engines.voices import voices as all_voices
 
     return ("voice", "language", "name"), [(v.name, v.language, v.description) for v in all_voices()]
 
 
 def outputs() -> Listing:
     """The outputs by suffix."""
-    from .ports.formats import FORMATS
+    from ..ports.formats import FORMATS
 
     return ("suffix", "content"), [(suffix, FORMATS.get(suffix).description) for suffix in FORMATS]
 
 
 def heads() -> Listing:
     """The heads that come with Risorius; a folder with a head of your own can be named as well."""
-    from .face.head import load_head, shipped_heads
+    from ..face.head import load_head, shipped_heads
 
     identities = {name: load_head(name).identity for name in shipped_heads()}
     return ("head", "age", "who"), [(name, f"{who.age:g}", who.title) for name, who in identities.items()]
@@ -77,7 +81,7 @@ def sliders() -> Listing:
     """The sliders of a head's shape: --shape NAME:VALUE, -1 to 1."""
     import numpy as np
 
-    from .face.sliders import load_sliders
+    from ..face.sliders import load_sliders
 
     table = load_sliders()
     most = np.linalg.norm(table.skin, axis=-1).max(axis=-1)
@@ -90,22 +94,22 @@ def sliders() -> Listing:
 
 def profiles() -> Listing:
     """The profiles of speakers."""
-    from .rules.profiles import profiles as all_profiles
+    from ..rules.profiles import profiles as all_profiles
 
     return ("profile", "description"), [(p.name, p.description) for p in all_profiles().values()]
 
 
 def attitudes() -> Listing:
     """The attitudes that lie over a profile."""
-    from .rules.profiles import attitudes as all_attitudes
+    from ..rules.profiles import attitudes as all_attitudes
 
     return ("attitude", "description"), [(a.name, a.description) for a in all_attitudes().values()]
 
 
 def rule_rows(file: Path | None, prefix: str | None) -> Listing:
     """The rules that hold, or those whose id is `prefix` or begins with it; ParameterError if none does."""
-    from .rules.book import book_of
-    from .rules.conduct import is_under
+    from ..rules.book import book_of
+    from ..rules.conduct import is_under
 
     book = book_of(file)
     chosen = [rule for rule in book if prefix is None or is_under(rule.id, prefix)]
@@ -117,7 +121,7 @@ def rule_rows(file: Path | None, prefix: str | None) -> Listing:
 
 def rule_lines(name: str, file: Path | None) -> list[str]:
     """A rule as it stands in its file, after the place."""
-    from .rules.book import book_of
+    from ..rules.book import book_of
 
     entry = book_of(file).get(name)
     return [f"# {entry.place}", *entry.text.splitlines()]
@@ -134,3 +138,12 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
     "profiles": profiles,
     "attitudes": attitudes,
 }
+
+
+@click.command(name="list", cls=Command)
+@click.argument("what", type=click.Choice(list(LISTINGS)))
+def list_(what: str) -> None:
+    """List what can be named."""
+    header, rows = LISTINGS[what]()
+    for line in table(header, rows):
+        click.echo(line)

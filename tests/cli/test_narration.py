@@ -1,6 +1,7 @@
 from risorius.blend import Contribution, Explanation, Tally
+from risorius.blend.narrate import narrate
+from risorius.cli.narration import tell
 from risorius.core.movement import Cause
-from risorius.narration import narrate, tell
 
 SMILE = Contribution("emotion", "", "smile", Cause("script", "joy", "a.xml:1:1"), 0.9, 0.1, "limited by /M/")
 LIPS = Contribution("lips", "", "/M/", Cause("lips.M", '/M/ of "me"'), 0.05, 0.05, "lower than joy (emotion)")

@@ -8,7 +8,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from types import FrameType, TracebackType
 from typing import TYPE_CHECKING
 
-from .errors import warnings_to
+import click
+
+from ..errors import warnings_to
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
@@ -21,6 +23,11 @@ def interrupt(number: int, frame: FrameType | None) -> None:
     """Handle a signal: stop here, or at the next step where the exception is lost in foreign code."""
     _interrupted.set()
     raise KeyboardInterrupt
+
+
+def say(line: str) -> None:
+    """Print one line on standard error."""
+    click.echo(line, err=True)
 
 
 class Console:

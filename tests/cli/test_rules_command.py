@@ -56,7 +56,7 @@ def test_the_doctor_names_what_is_ill_and_fails(ill: Path, capsys) -> None:
     assert run(["rules", "doctor", "--rules", str(ill)]) == 2
     shown = capsys.readouterr()
     assert f"{ill}:2: rule 'signals.brows.ill' can never fire: its probability is 0" in shown.out
-    assert f"1 of {len(shipped().entries) + 1} rules" in shown.err
+    assert f"1 problem in {len(shipped().entries) + 1} rules" in shown.err
 
 
 def test_all_rules_are_listed_and_each_shown_as_it_stands(ill: Path, capsys) -> None:

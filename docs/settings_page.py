@@ -1,0 +1,71 @@
+"""Write docs/settings.md from the table of settings: run after changing a setting."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from risorius.core.setting import Group, Row, Stage, ValueKind, rows
+from risorius.settings import Settings
+from risorius.unread import INPUTS, InputKind
+
+PAGE = Path(__file__).parent / "settings.md"
+HEAD = """# Settings
+Written by `docs/settings_page.py` from the table in `settings.py`: do not edit.
+
+In the library a setting is a field of `Settings`, or of its `look` (a `Look`) or `blend` (a `BlendChoices`).
+Each is read by one stage. What does not go through that stage refuses the setting by name; a setting that
+equals its default is never refused.
+
+| input | refuses settings of | because |
+|---|---|---|
+"""
+
+
+def page() -> str:
+    """Return the page."""
+    return HEAD + "".join(map(_refusal, INPUTS)) + "".join(map(_section, Group))
+
+
+def _refusal(source: InputKind) -> str:
+    refused = ", ".join(stage for stage in Stage if stage not in source.stages)
+    return f"| {source.what} | {refused} | {source.reason.partition(';')[0]} |\n"
+
+
+def _section(group: Group) -> str:
+    entries = [row for row in rows(Settings).values() if row.entry.group is group]
+    return "\n".join(["", f"## {group}", *_lines(entries), ""])
+
+
+def _lines(entries: list[Row]) -> Iterator[str]:
+    yield "| setting | option | value | default | stage | |"
+    yield "|---|---|---|---|---|---|"
+    for row in entries:
+        cells = (f"`{_name(row)}`", _option(row), _value(row), _default(row), row.entry.stage, row.entry.help)
+        yield "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def _name(row: Row) -> str:
+    return row.name if row.owner == row.name else f"{row.owner}.{row.name}"
+
+
+def _option(row: Row) -> str:
+    if row.flag is None:
+        return ""
+    is_flag = row.kind is ValueKind.SWITCH and row.entry.flag
+    return f"`{row.flag}`" if is_flag else f"`{row.flag} {row.entry.metavar}`"
+
+
+def _value(row: Row) -> str:
+    names, low, high = row.entry.names, row.entry.low, row.entry.high
+    if names is not None and not names.path and row.kind is not ValueKind.RATE:
+        return ", ".join(names.known)
+    return str(row.kind) if low is None or high is None else f"{row.kind}, {low:g} to {high:g}"
+
+
+def _default(row: Row) -> str:
+    return row.text(row.usual)
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(), encoding="utf-8")

@@ -1,0 +1,37 @@
+"""Explanations in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ..core.parameters import INDEX, PARAMETERS
+from .explain import Contribution, Explanation
+
+
+def narrate(explanations: Iterable[Explanation], time: float) -> Iterator[str]:
+    """Yield the lines that say why parameters have their values at `time` seconds; equal sides once."""
+    told: dict[tuple[str, ...], list[str]] = {}
+    for explanation in explanations:
+        base = explanation.parameter.partition(".")[0]
+        told.setdefault((base, *_lines(explanation)), []).append(explanation.parameter)
+    for (base, value, *reasons), names in told.items():
+        yield f"{base if len(names) > 1 else names[0]} = {value}"
+        yield from (f"    {reason}" for reason in reasons)
+    if not told:
+        yield f"at {time:g} s nothing moves"
+
+
+def _lines(explanation: Explanation) -> Iterator[str]:
+    unit = PARAMETERS[INDEX[explanation.parameter]].unit
+    yield f"{explanation.value:.3f}{f' {unit}' if unit else ''}"
+    yield _sentence(explanation.winner) if explanation.winner else "at rest"
+    yield from (f"not {_sentence(loser)}" for loser in explanation.losers)
+    yield from explanation.notes
+
+
+def _sentence(contribution: Contribution) -> str:
+    cause, applied, requested = contribution.cause, contribution.applied, contribution.requested
+    place = f", {cause.place}" if cause.place else ""
+    amount = f"{applied:.3f}" if abs(applied - requested) < 5e-4 else f"{applied:.3f} of {requested:.3f}"
+    reason = f": {contribution.reason}" if contribution.reason else ""
+    return f"{amount} from {contribution.channel}: {contribution.what} ({cause.rule}{place}){reason}"

@@ -1,0 +1,36 @@
+"""`risorius align`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from ..errors import OutputError
+from .console import Console
+from .options import Command, output_option
+
+
+@click.command(cls=Command)
+@click.argument("audio")
+@click.argument("transcript", required=False)
+@output_option
+def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None:
+    """Say when each word and phone of TRANSCRIPT (a text or a file with it) is spoken in AUDIO.
+
+    Correct the TextGrid in Praat, then perform it: risorius speak x.TextGrid --audio x.wav. Without a
+    TRANSCRIPT the words are guessed.
+    """
+    with Console() as console:
+        from ..api import align as find
+        from ..ports.targets import check_targets as check_outputs
+        from ..speech.prosody import speech_rate
+
+        if not outputs:
+            raise OutputError("no output named; expected -o x.TextGrid")
+        check_outputs(outputs, ("speech",))
+        take = find(audio, transcript, progress=console.progress)
+        take.write(*outputs)
+        if said := take.utterance:
+            console.say(f"{len(said.words)} words, {speech_rate(said):.1f} syllables per second of speech")
+        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")

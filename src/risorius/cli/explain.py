@@ -1,0 +1,45 @@
+"""`risorius explain`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from ..errors import InputError
+from .options import Command, option
+
+
+@click.command(cls=Command)
+@click.argument("performance", type=click.Path(path_type=Path, dir_okay=True))
+@option(
+    "--at",
+    group="Output",
+    type=float,
+    metavar="S",
+    help="The second to explain; a summary of the clip without it.",
+)
+@option(
+    "--parameter",
+    group="Output",
+    metavar="NAME",
+    help="One muscle or other parameter; all that move without it.",
+)
+def explain(performance: Path, at: float | None, parameter: str | None) -> None:
+    """Say why the face does what it does, from a PERFORMANCE (.performance.json).
+
+    Each value goes back to the movement that won and its cause in the script, and each loser has its reason.
+    """
+    from ..api import load
+    from ..blend.narrate import narrate
+    from ..core.parameters import parameters_named
+    from .narration import tell
+
+    if at is None and parameter is not None:
+        raise InputError("--parameter needs a time; expected --at SECONDS as well")
+    if parameter is not None:
+        parameters_named(parameter)
+    take = load(performance)
+    lines = tell(take.summary()) if at is None else narrate(take.explain(at, parameter), at)
+    for line in lines:
+        click.echo(line)

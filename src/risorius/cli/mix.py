@@ -1,0 +1,35 @@
+"""`risorius mix`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..core.setting import Stage
+from .options import SHOWN, Command, output_option, setting_options, settings_from
+
+
+@click.command(cls=Command)
+@click.argument("score", type=click.Path(path_type=Path, dir_okay=True))
+@output_option
+@setting_options((Stage.COMBINE, *SHOWN))
+def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
+    """Combine the movements of SCORE (.json) into curves.
+
+    Without -o the curves go to standard output as CSV. What no option chooses is as the score says.
+    """
+    from ..api import mix as combine
+    from ..ports.targets import check_targets as check_outputs
+
+    settings = settings_from(chosen)
+    check_outputs(outputs, alpha=settings.look.transparent)
+    take = combine(score, settings=settings)
+    if outputs:
+        take.write(*outputs)
+    else:
+        from ..ports.muscles_csv import rows
+
+        for row in rows(take.performance):
+            click.echo(row)

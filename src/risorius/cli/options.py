@@ -1,0 +1,167 @@
+"""Options of the commands: those of settings are derived from the table, and shown in its groups."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+from click.shell_completion import CompletionItem
+
+from ..core.setting import Group, Names, Row, Stage, ValueKind, rows
+from ..settings import Settings, settings_of
+
+if TYPE_CHECKING:
+    from ..channels import Display
+
+F = TypeVar("F", bound=Callable[..., Any])
+SHOWN = (Stage.FRAMES, Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE, Stage.OUTPUT)
+"""Stages after all movements are combined."""
+
+
+class Command(click.Command):
+    """A command whose help shows options under the headings of their groups."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the options, group by group in the order in which the groups come first."""
+        groups: dict[str, list[tuple[str, str]]] = {}
+        for parameter in self.get_params(ctx):
+            record = parameter.get_help_record(ctx)
+            if record is not None and isinstance(parameter, click.Option):
+                groups.setdefault(getattr(parameter, "group", "Options"), []).append(record)
+        for title, records in groups.items():
+            with formatter.section(title):
+                formatter.write_dl(records)
+
+
+class Option(click.Option):
+    """An option that stands under a heading in help."""
+
+    def __init__(self, *arguments: Any, group: str = "Options", **about: Any) -> None:
+        super().__init__(*arguments, **about)
+        self.group = group
+
+
+class Named(click.ParamType[str]):
+    """A text that begins with a name: the names complete it, several where commas separate them."""
+
+    def __init__(self, names: Names, *, after: str = "", separator: str = "") -> None:
+        self.name, self._names, self._after, self._separator = "text", names, after, separator
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """Return the names that begin with what stands there already."""
+        before, comma, begun = "", "", incomplete
+        if self._separator:
+            before, comma, begun = incomplete.rpartition(self._separator)
+        return [
+            CompletionItem(f"{before}{comma}{choice.name}{self._after}", help=choice.description or None)
+            for choice in self._names.choices()
+            if choice.name.startswith(begun)
+        ]
+
+
+def option(*names: str, group: str, **about: Any) -> Callable[[F], F]:
+    """Return the decorator of an option that is no setting."""
+    return click.option(*names, cls=Option, group=group, **about)
+
+
+def setting_options(stages: Collection[Stage] = (), names: Collection[str] = ()) -> Callable[[F], F]:
+    """Return a decorator that gives a command the options of the settings that `stages` read, and `names`."""
+
+    def decorate(command: F) -> F:
+        # What is decorated last comes first.
+        for row in [row for group in Group for row in _rows_in(group)][::-1]:
+            if row.flag is not None and (row.entry.stage in stages or row.name in names):
+                command = _option(row)(command)
+        return command
+
+    return decorate
+
+
+def _rows_in(group: Group) -> list[Row]:
+    return [row for row in rows(Settings).values() if row.entry.group is group]
+
+
+def settings_from(chosen: Mapping[str, Any]) -> Settings:
+    """Return the settings that a command's options chose; raise RisoriusError for what is none."""
+    table = rows(Settings)
+    values = {name: _value(table[name], value) for name, value in chosen.items() if _is_given(value)}
+    return settings_of(values)
+
+
+def _is_given(value: Any) -> bool:
+    return value is not None and value is not False and value != ()
+
+
+def flag(name: str) -> str:
+    """Return the option that gives a setting, or another argument of the library's functions."""
+    row = rows(Settings).get(name)
+    return (row.flag if row is not None else None) or f"--{name.replace('_', '-')}"
+
+
+def _option(row: Row) -> Callable[[F], F]:
+    about: dict[str, Any] = {"metavar": row.entry.metavar, "type": _type(row)}
+    shown = "" if _is_flag(row) else row.text(row.usual)
+    if _is_flag(row):
+        about = {"is_flag": True}
+    elif row.several:
+        about["multiple"] = True
+    words = f"{row.entry.help}  [default: {shown}]" if shown else row.entry.help
+    return option(row.flag or "", row.name, group=str(row.entry.group), help=words, **about)
+
+
+def _type(row: Row) -> Any:
+    if row.kind is ValueKind.SWITCH:
+        return click.Choice(["on", "off"])
+    if row.kind is ValueKind.FILE:
+        return click.Path(path_type=Path, dir_okay=True)
+    if row.entry.names is not None:
+        separator = "," if row.kind is ValueKind.SEVERAL and not row.several else ""
+        return Named(row.entry.names, after=":" if row.kind is ValueKind.AMOUNTS else "", separator=separator)
+    if row.entry.read is None and row.kind in (ValueKind.NUMBER, ValueKind.WHOLE):
+        return float if row.kind is ValueKind.NUMBER else int
+    return str
+
+
+def _is_flag(row: Row) -> bool:
+    """Whether the option has no value: it says the opposite of what is usual."""
+    return row.kind is ValueKind.SWITCH and bool(row.entry.flag)
+
+
+def _value(row: Row, given: Any) -> Any:
+    if row.kind is ValueKind.SWITCH:
+        return not row.usual if _is_flag(row) else given == "on"
+    if row.kind is ValueKind.AMOUNTS:
+        return dict(row.read(text) for text in given)
+    return given
+
+
+output_option = option(
+    "-o",
+    "--output",
+    "outputs",
+    group="Output",
+    multiple=True,
+    type=click.Path(path_type=Path, dir_okay=True),
+    help="File to write; its suffix says what ('risorius list outputs'). May be given several times.",
+)
+rules_option = setting_options(names=("rules",))
+emotion_option = option(
+    "--emotion",
+    "emotions",
+    group="Input",
+    multiple=True,
+    metavar="NAME:INTENSITY[@START-END]",
+    type=Named(Names(path="rules.emotions:emotions"), after=":"),
+    help="Show an emotion, 0 to 1, over the whole clip or a span in seconds. May be given several times.",
+)
+
+
+def displays(emotions: tuple[str, ...]) -> tuple[Display, ...]:
+    """Return the displays of emotions that are given as texts; raise InputError for one that is none."""
+    from ..rules.emotions import parse_display
+
+    return tuple(parse_display(text) for text in emotions)

@@ -1,0 +1,35 @@
+"""`risorius play`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..errors import OutputError
+from .console import Console
+from .options import SHOWN, Command, option, output_option, setting_options, settings_from
+
+
+@click.command(cls=Command)
+@click.argument("capture", type=click.Path(path_type=Path, dir_okay=True))
+@option("--audio", group="Input", metavar="FILE", help="A sound to go with it: WAV, FLAC, OGG or MP3.")
+@output_option
+@setting_options(SHOWN)
+def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: Any) -> None:
+    """Perform a captured face: CAPTURE is .arkit.csv, .au.csv, .fap, a score or a performance (.json).
+
+    Any other .csv is read as a take of the Live Link Face app.
+    """
+    if not outputs:
+        raise OutputError("no output named; expected -o y.mp4")
+    settings = settings_from(chosen)
+    with Console() as console:
+        from ..api import play as perform
+        from ..ports.targets import check_targets as check_outputs
+
+        check_outputs(outputs, alpha=settings.look.transparent)
+        take = perform(capture, audio=audio, settings=settings, progress=console.progress)
+        take.write(*outputs, progress=console.progress)
+        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")

@@ -1,0 +1,50 @@
+"""`risorius pose`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..core.setting import Stage
+from ..errors import InputError, OutputError
+from .options import Command, displays, emotion_option, output_option, setting_options, settings_from
+
+WITHOUT_SPEECH = ("curves", "vertices", "pixels", "head")
+
+
+@click.command(cls=Command)
+@click.argument("targets", nargs=-1, metavar="NAME=VALUE …")
+@emotion_option
+@output_option
+@setting_options((Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE))
+def pose(
+    targets: tuple[str, ...], emotions: tuple[str, ...], outputs: tuple[Path, ...], **chosen: Any
+) -> None:
+    """Draw one face: muscles, action units or other parameters, 0 to 1 (degrees for head and gaze).
+
+    A name without .left or .right means both sides: risorius pose zygomatic_major=0.7 AU1=0.5 -o face.png
+    """
+    from ..api import pose as hold
+    from ..ports.targets import check_targets as check_outputs
+
+    if not outputs:
+        raise OutputError("no output named; expected -o face.png")
+    settings = settings_from(chosen)
+    check_outputs(outputs, WITHOUT_SPEECH, alpha=settings.look.transparent)
+    take = hold(_assignments(targets), emotion=displays(emotions), settings=settings)
+    take.write(*outputs)
+
+
+def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
+    values: dict[str, float] = {}
+    for text in targets:
+        name, equals, value = text.partition("=")
+        try:
+            if not equals:
+                raise ValueError
+            values[name] = float(value)
+        except ValueError:
+            raise InputError(f"'{text}' is not NAME=VALUE; expected e.g. zygomatic_major=0.7") from None
+    return values

@@ -1,0 +1,63 @@
+"""`risorius rig`."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..errors import InputError
+from .console import Console
+from .options import Command, option, setting_options, settings_from
+
+
+@click.command(cls=Command)
+@click.argument("character", type=click.Path(path_type=Path, dir_okay=True))
+@option(
+    "--map",
+    "map_file",
+    group="Input",
+    type=click.Path(path_type=Path),
+    help="TOML that says which target is which.",
+)
+@option(
+    "--perform",
+    group="Input",
+    metavar="INPUT",
+    help="A text or file to perform on the character; needs -o.",
+)
+@option(
+    "-o",
+    "--output",
+    group="Output",
+    type=click.Path(path_type=Path),
+    help="The character's .glb with its animation.",
+)
+@setting_options(names=("fps", "head"))
+def rig(
+    character: Path, map_file: Path | None, perform: str | None, output: Path | None, **chosen: Any
+) -> None:
+    """Say what a CHARACTER of yours (.glb with blend shapes) can show; perform on it.
+
+    Without --map the targets are guessed by name and shown as a table to correct: save it and give it back.
+    """
+    from ..api import rig as report
+    from ..api import speak
+    from ..settings import Settings
+    from .narration import tell_rig
+
+    if (perform is None) != (output is None):
+        raise InputError("--perform and -o go together; expected both or neither")
+    settings = settings_from(chosen)
+    with Console() as console:
+        take = None
+        if perform is not None:
+            take = partial(speak, perform, settings=settings, progress=console.progress)
+        measured = settings if take is None else Settings(head=settings.head)
+        shown, rows = report(character, map_file=map_file, take=take, output=output, settings=measured)
+        for line in tell_rig(shown, rows, guessed=map_file is None):
+            click.echo(line)
+        if output is not None:
+            console.say(f"Wrote {output}")

@@ -1,0 +1,55 @@
+"""`risorius rules`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from ..errors import InputError
+from .console import table
+from .options import Command, rules_option
+
+
+@click.group()
+def rules() -> None:
+    """Look at the rules that turn speech into movements: ours, as a file of yours changes them."""
+
+
+@rules.command(name="list", cls=Command)
+@click.argument("prefix", required=False)
+@rules_option
+def list_rules(prefix: str | None, rules: Path | None) -> None:
+    """List all rules, or those whose id is PREFIX or begins with it up to a dot."""
+    from .listing import rule_rows
+
+    for line in table(*rule_rows(rules, prefix)):
+        click.echo(line)
+
+
+@rules.command(cls=Command)
+@click.argument("name")
+@rules_option
+def show(name: str, rules: Path | None) -> None:
+    """Show the rule NAME as it stands in its file, and where."""
+    from .listing import rule_lines
+
+    for line in rule_lines(name, rules):
+        click.echo(line)
+
+
+@rules.command(cls=Command)
+@rules_option
+def doctor(rules: Path | None) -> None:
+    """Check the rules: those that can never fire, name nothing, or stand in each other's way."""
+    from ..rules.book import book_of
+    from ..rules.doctor import examine
+
+    book = book_of(rules)
+    findings = examine(book)
+    for finding in findings:
+        click.echo(str(finding))
+    if findings:
+        count = "1 problem" if len(findings) == 1 else f"{len(findings)} problems"
+        raise InputError(f"{count} in {len(book.entries)} rules; expected none")
+    click.echo(f"{len(book.entries)} rules, no problem")

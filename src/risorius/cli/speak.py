@@ -1,0 +1,91 @@
+"""`risorius speak`."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..core.setting import Stage
+from ..errors import InputError, UnreadError
+from .console import Console
+from .options import (
+    SHOWN,
+    Command,
+    displays,
+    emotion_option,
+    option,
+    output_option,
+    setting_options,
+    settings_from,
+)
+
+DEFAULT_OUTPUT = "performance.mp4"
+LONGEST_INPUT = 4_000_000
+
+
+@click.command(cls=Command)
+@click.argument("source", metavar="[INPUT]", required=False)
+@output_option
+@option(
+    "--text", "is_text", group="Input", is_flag=True, help="INPUT is the text itself, whatever it looks like."
+)
+@emotion_option
+@option("--audio", group="Input", metavar="FILE", help="A recorded voice: WAV, FLAC, OGG or MP3.")
+@option(
+    "--transcript",
+    group="Input",
+    metavar="TEXT|FILE",
+    help="What the recording says, or a file with it.  [default: INPUT]",
+)
+@setting_options((Stage.VOICE, Stage.PLAN, Stage.COMBINE, *SHOWN))
+def speak(
+    source: str | None,
+    outputs: tuple[Path, ...],
+    is_text: bool,
+    emotions: tuple[str, ...],
+    audio: str | None,
+    transcript: str | None,
+    **chosen: Any,
+) -> None:
+    """Perform INPUT: a text, a file, or - for standard input.
+
+    Files: .txt, .xml, .utt, .ssml, .bml, .TextGrid, .score.json.
+
+    With --audio a recorded voice is performed. It says INPUT or the transcript, or is labelled by INPUT (a
+    .TextGrid); without these its words are guessed.
+    """
+    if source is None and audio is None:
+        raise InputError("nothing to perform; expected a text, a file or --audio")
+    if source is None and is_text:
+        raise UnreadError(["text"], "there is no INPUT; expected one, or --transcript TEXT")
+    settings = settings_from(chosen)
+    targets = outputs or (Path(DEFAULT_OUTPUT),)
+    with Console() as console:
+        if not outputs:
+            console.say(f"Writing {DEFAULT_OUTPUT} (choose with -o)")
+        source, name = (source, "text") if source != "-" else (_standard_input(), "stdin")
+        from ..api import speak as perform
+        from ..ports.targets import check_targets as check_outputs
+
+        check_outputs(targets, alpha=settings.look.transparent)
+        take = perform(
+            source,
+            audio=audio,
+            transcript=transcript,
+            text=is_text or name == "stdin",
+            source=name,
+            emotion=displays(emotions),
+            settings=settings,
+            progress=console.progress,
+        )
+        take.write(*targets, progress=console.progress)
+        console.say(f"Wrote {', '.join(str(target) for target in targets)}")
+
+
+def _standard_input() -> str:
+    from ..script.files import decode
+
+    return decode(sys.stdin.buffer.read(LONGEST_INPUT), "stdin")

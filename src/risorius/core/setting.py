@@ -1,0 +1,310 @@
+"""How a setting is declared: its range or choices, its option, who reads it, and its words.
+
+A setting is a field of a frozen dataclass, made by `setting`. What a command line, a page and a manual need
+to know of it is derived from the field (`rows`). Nothing here loads numpy: the command line's help waits for
+it.
+"""
+
+from __future__ import annotations
+
+import types
+import typing
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import MISSING, dataclass, field, fields, is_dataclass
+from enum import StrEnum
+from fractions import Fraction
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from ..errors import InputError, unknown
+
+_KEY = "setting"
+
+
+class Stage(StrEnum):
+    """The stages of a performance that read settings."""
+
+    VOICE = "voice"
+    PLAN = "plan"
+    COMBINE = "combine"
+    FRAMES = "frames"
+    HEAD = "head"
+    SHAPE = "shape"
+    SKIN = "skin"
+    APPEARANCE = "appearance"
+    PICTURE = "picture"
+    OUTPUT = "output"
+
+
+class Group(StrEnum):
+    """Under which heading a setting stands in help, page and manual."""
+
+    VOICE = "Voice"
+    MANNER = "Manner"
+    HEAD = "Head"
+    MODELS = "Models"
+    TIME = "Time and chance"
+    PICTURE = "Picture"
+
+
+class ValueKind(StrEnum):
+    """What a setting's value is."""
+
+    TEXT = "text"
+    FILE = "file"
+    NUMBER = "number"
+    WHOLE = "whole number"
+    SWITCH = "switch"
+    SEVERAL = "names"
+    AMOUNTS = "numbers by name"
+    RATE = "frame rate"
+    SIZE = "size"
+
+
+_KINDS: Mapping[Any, ValueKind] = {
+    str: ValueKind.TEXT,
+    Path: ValueKind.FILE,
+    float: ValueKind.NUMBER,
+    int: ValueKind.WHOLE,
+    bool: ValueKind.SWITCH,
+    tuple[str, ...]: ValueKind.SEVERAL,
+    Mapping[str, float]: ValueKind.AMOUNTS,
+    Fraction: ValueKind.RATE,
+    tuple[int, int]: ValueKind.SIZE,
+}
+
+
+_NUMBERS: Mapping[ValueKind, tuple[Callable[[str], float], str]] = {
+    ValueKind.NUMBER: (float, "a number"),
+    ValueKind.WHOLE: (int, "a whole number"),
+}
+SWITCHED = {"on": True, "off": False}
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """A name that a setting may have, with a line on it, and the number for which it stands, if for one."""
+
+    name: str
+    description: str = ""
+    number: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """The names that a setting may have: `known` here, or found at `path` ("package.module:attribute").
+
+    At the path stands a registry, a mapping, a sequence, or a function without arguments that returns one. It
+    is imported when the names are asked for: most commands need none of them.
+    """
+
+    known: tuple[str, ...] = ()
+    path: str = ""
+
+    def choices(self) -> tuple[Choice, ...]:
+        """Return all names with what is said of them."""
+        if not self.path:
+            return tuple(map(Choice, self.known))
+        table = _at(self.path)
+        table = table() if callable(table) else table
+        return tuple(_choice(name, table) for name in table)
+
+
+def _at(path: str) -> Any:
+    """Return what stands at a path such as "core.look:COMPLEXIONS" in this package."""
+    module, _, attribute = path.partition(":")
+    return getattr(import_module(f"..{module}", __package__), attribute)
+
+
+def _choice(name: str, table: Any) -> Choice:
+    """Return a name with the description of what it stands for, or the first line of its documentation."""
+    entry = table[name] if isinstance(table, Mapping) else table.get(name) if hasattr(table, "get") else None
+    if isinstance(entry, float):
+        return Choice(name, number=entry)
+    if isinstance(entry, str):
+        return Choice(name, entry)
+    words = getattr(entry, "description", None) or (entry.__doc__ if callable(entry) else None) or ""
+    return Choice(name, words.strip().split("\n")[0])
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What the table says of a setting beside its type and its default.
+
+    `label`: its name on a page. `flag`: its option, None if the command line has none; `metavar`: what stands
+    for its value in help. `low`, `high`: its range, also of each of several amounts; `step` of a control.
+    `names`: what it may be called, `what` errors call one of them. `usual`: what None comes to where a script
+    is planned; `unset`: what None means, in words. `read`, a function or its path, makes a value of a text;
+    `fills` names the settings that such a text gives if they are more than one. `on_page`: whether the studio
+    shows it.
+    """
+
+    help: str
+    stage: Stage
+    group: Group
+    label: str
+    flag: str | None
+    metavar: str
+    low: float | None
+    high: float | None
+    step: float | None
+    names: Names | None
+    what: str
+    usual: object
+    unset: str
+    read: Callable[[str], Any] | str | None
+    fills: tuple[str, ...]
+    on_page: bool
+
+
+def setting(
+    stage: Stage,
+    group: Group,
+    label: str,
+    default: Any,
+    help: str,
+    *,
+    flag: str | None = "",
+    metavar: str = "NAME",
+    low: float | None = None,
+    high: float | None = None,
+    step: float | None = None,
+    names: Iterable[str] | str | None = None,
+    what: str = "",
+    usual: object = None,
+    unset: str = "",
+    read: Callable[[str], Any] | str | None = None,
+    fills: tuple[str, ...] = (),
+    on_page: bool = True,
+) -> Any:
+    """Return a dataclass field with its entry in the table (`Setting`); `names` is a sequence or a path."""
+    known = None if names is None else Names(path=names) if isinstance(names, str) else Names(tuple(names))
+    limits = (low, high, step)
+    entry = Setting(
+        help, stage, group, label, flag, metavar, *limits, known, what, usual, unset, read, fills, on_page
+    )
+    if isinstance(default, dict):
+        return field(default_factory=dict, metadata={_KEY: entry})
+    return field(default=default, metadata={_KEY: entry})
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A row of the table: a setting's `name`, the field of the outermost dataclass it stands in (`owner`, its
+    own name if it stands there itself), its kind, whether it may be None, and its entry.
+    """
+
+    name: str
+    owner: str
+    kind: ValueKind
+    optional: bool
+    default: Any
+    entry: Setting
+
+    @property
+    def flag(self) -> str | None:
+        """Its option on the command line, with dashes."""
+        flag = self.entry.flag
+        return f"--{self.name.replace('_', '-')}" if flag == "" else flag
+
+    @property
+    def usual(self) -> Any:
+        """Its value where nobody chooses it."""
+        return self.entry.usual if self.default is None else self.default
+
+    @property
+    def several(self) -> bool:
+        """Whether its option may be given several times, each time with one of its values."""
+        return self.kind is ValueKind.AMOUNTS or (self.kind is ValueKind.SEVERAL and self.entry.read is None)
+
+    def read(self, text: str) -> Any:
+        """Return the value that a text stands for, one of several where it has several.
+
+        Raises InputError if it is none.
+        """
+        read = self.entry.read
+        if read is not None:
+            return _at(read)(text) if isinstance(read, str) else read(text)
+        if self.kind in _NUMBERS:
+            make, what = _NUMBERS[self.kind]
+            try:
+                return make(text)
+            except ValueError:
+                raise InputError(f"{self.name} '{text}' is not {what}") from None
+        if self.kind is ValueKind.SWITCH:
+            if text not in SWITCHED:
+                raise InputError(unknown(self.name, text, SWITCHED))
+            return SWITCHED[text]
+        return Path(text) if self.kind is ValueKind.FILE else text
+
+    def text(self, value: Any) -> str:
+        """Return a value as `read` takes it; for None what that means, in words."""
+        if value is None:
+            return self.entry.unset
+        if self.kind is ValueKind.SWITCH:
+            return next(word for word, meaning in SWITCHED.items() if meaning is value)
+        if self.kind is ValueKind.SIZE:
+            return "x".join(map(str, value))
+        if self.kind is ValueKind.SEVERAL:
+            return ",".join(value)
+        if self.kind is ValueKind.AMOUNTS:
+            return ",".join(f"{name}:{amount:g}" for name, amount in value.items())
+        return f"{value:g}" if self.kind is ValueKind.NUMBER else str(value)
+
+
+@cache
+def rows(table: type) -> Mapping[str, Row]:
+    """Return the settings of a dataclass by name, those of dataclasses in it among them, in their order."""
+    hints = typing.get_type_hints(table)
+    table_rows: dict[str, Row] = {}
+    for f in fields(table):
+        if is_dataclass(hints[f.name]):
+            inner = rows(hints[f.name]).values()
+            table_rows |= {r.name: Row(r.name, f.name, r.kind, r.optional, r.default, r.entry) for r in inner}
+        else:
+            default = {} if f.default is MISSING else f.default
+            kind, optional = _kind(hints[f.name])
+            table_rows[f.name] = Row(f.name, f.name, kind, optional, default, f.metadata[_KEY])
+    return table_rows
+
+
+def _kind(hint: Any) -> tuple[ValueKind, bool]:
+    if typing.get_origin(hint) in (typing.Union, types.UnionType):
+        (kept,) = (part for part in typing.get_args(hint) if part is not types.NoneType)
+        return _KINDS[kept], True
+    return _KINDS[hint], False
+
+
+def check(settings: Any, spec: str = "") -> None:
+    """Raise InputError for the first field that is out of its range or none of its known names.
+
+    `spec` is the format in which numbers at fault are shown. Names that a registry knows are looked up by
+    those who read them.
+    """
+    table: type = type(settings)
+    for row in rows(table).values():
+        value = getattr(settings, row.owner)
+        if row.owner == row.name and value is not None:
+            _check_names(row, value)
+            _check_range(row, value, spec)
+
+
+def _check_names(row: Row, value: Any) -> None:
+    names = row.entry.names
+    if names is None or names.path or row.kind not in (ValueKind.TEXT, ValueKind.SEVERAL):
+        return
+    for name in (value,) if row.kind is ValueKind.TEXT else value:
+        if name not in names.known:
+            raise InputError(unknown(row.entry.what or row.name, str(name), names.known))
+
+
+def _check_range(row: Row, value: Any, spec: str) -> None:
+    low, high = row.entry.low, row.entry.high
+    if low is None or high is None or row.kind is ValueKind.AMOUNTS:
+        return
+    for number in value if row.kind is ValueKind.SIZE else (value,):
+        if not low <= number <= high:
+            what = f"{row.name} {number}" if row.kind is ValueKind.SIZE else row.name
+            raise InputError(f"{what} = {number:{spec}} is out of range; expected {low:g} to {high:g}")

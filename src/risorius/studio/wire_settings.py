@@ -1,0 +1,84 @@
+"""The settings that a page may choose, as messages: derived from the table of settings.
+
+What shapes the performance is chosen with it (`choices_class`), what pictures are like with an export
+(`export_class`). The name of a file is never among them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import field, make_dataclass
+from typing import Annotated, Any
+
+from ..core.schema import Range
+from ..core.setting import Row, Stage, ValueKind, rows
+from ..settings import Settings
+
+EXPORTED = (Stage.PICTURE, Stage.OUTPUT)
+LARGEST_WHOLE = 2**31  # a browser's numbers are floats
+_TYPES: dict[ValueKind, Any] = {
+    ValueKind.TEXT: str,
+    ValueKind.SWITCH: bool,
+    ValueKind.SEVERAL: tuple[str, ...],
+    ValueKind.RATE: str,
+    ValueKind.SIZE: str,
+}
+Fields = list[tuple[str, Any, Any] | tuple[str, Any]]
+
+
+def chosen_rows() -> Iterator[Row]:
+    """Yield the settings that a page chooses for a performance."""
+    return (row for row in rows(Settings).values() if _on_page(row) and row.entry.stage not in EXPORTED)
+
+
+def exported_rows() -> Iterator[Row]:
+    """Yield the settings that a page chooses for an export."""
+    return (row for row in rows(Settings).values() if _on_page(row) and row.entry.stage in EXPORTED)
+
+
+def choices_class(module: str) -> type:
+    """Return the class of a page's choices for a performance."""
+    texts: Fields = [
+        ("profile_text", str | None, field(default=None)),
+        ("rules_off", tuple[str, ...], field(default=())),
+    ]
+    words = """The settings of a performance that a page may choose; null is the library's own default.
+
+    `rules_off`: ids of rules, or their beginnings up to a dot, that do not hold. `profile_text`: a profile
+    edited in the page (TOML); it goes before `profile`.
+    """
+    return _made("Choices", words, module, [*map(_field, chosen_rows()), *texts])
+
+
+def export_class(module: str, own: Fields) -> type:
+    """Return the class of a request to export, with fields of its `own` before the settings."""
+    words = """Write a take as files of these suffixes; answered by Job, then progress and exported events."""
+    return _made("Export", words, module, [*own, *map(_field, exported_rows())])
+
+
+def on_wire(row: Row, value: Any) -> Any:
+    """Return a setting's value as it is sent."""
+    return row.text(value) if row.kind in (ValueKind.RATE, ValueKind.SIZE) else value
+
+
+def _on_page(row: Row) -> bool:
+    return row.entry.on_page and row.kind in (*_TYPES, ValueKind.NUMBER, ValueKind.WHOLE)
+
+
+def _made(name: str, words: str, module: str, entries: Fields) -> type:
+    made = make_dataclass(name, entries, frozen=True, slots=True, namespace={"__doc__": words})
+    made.__module__ = module
+    return made
+
+
+def _field(row: Row) -> tuple[str, Any, Any]:
+    kind = _TYPES.get(row.kind) or _number(row)
+    hint = kind | None if row.optional and row.usual is None else kind
+    return row.name, hint, field(default=on_wire(row, row.usual))
+
+
+def _number(row: Row) -> Any:
+    low, high = row.entry.low, row.entry.high
+    if row.kind is ValueKind.WHOLE:
+        return Annotated[int, Range(low or 0, min(high or LARGEST_WHOLE, LARGEST_WHOLE))]
+    return float if low is None or high is None else Annotated[float, Range(low, high)]

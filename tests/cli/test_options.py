@@ -1,0 +1,68 @@
+"""Options are derived from the table of settings: their help, their groups, what completes them."""
+
+from __future__ import annotations
+
+import click
+import pytest
+from click.shell_completion import ShellComplete
+
+from risorius.cli import commands, run
+from risorius.cli.options import flag, settings_from
+from risorius.core.setting import Group, rows
+from risorius.settings import Settings
+
+
+def completed(*words: str) -> list[str]:
+    """Return what a shell offers for the last word."""
+    shell = ShellComplete(commands, {}, "risorius", "_RISORIUS_COMPLETE")
+    return [item.value for item in shell.get_completions(list(words[:-1]), words[-1])]
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("speak", "--conf"), ["--conflict"]),
+        (("speak", "--conflict", "in"), ["inhibit"]),
+        (("speak", "--skin", ""), ["springs", "biphasic", "static"]),
+        (("speak", "--overlay", "caption,b"), ["caption,bars"]),
+        (("speak", "--emotion", "hap"), ["happiness:"]),
+        (("speak", "--shape", "nose_w"), ["nose_width:"]),
+        (("speak", "--head", "st"), ["standard"]),
+        (("speak", "--attitude", "iro"), ["ironic"]),
+        (("speak", "--voice-emotion", "o"), ["on", "off"]),
+        (("speak", "--fps", "24"), ["24", "24000/1001"]),
+        (("pose", "--complexion", "t"), ["tan"]),
+        (("rules", "d"), ["doctor"]),
+        (("list", "mus"), ["muscles"]),
+    ],
+)
+def test_a_shell_completes_values(words: tuple[str, ...], expected: list[str]) -> None:
+    assert completed(*words) == expected
+
+
+def test_help_has_the_groups_of_the_table_in_its_order(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["speak", "--help"]) == 0
+    shown = capsys.readouterr().out
+    places = [shown.index(f"\n{title}:\n") for title in ("Input", *Group, "Options")]
+    assert places == sorted(places)
+    assert "--rate WPM" in shown
+    assert "[default: 720x720]" in shown
+
+
+def test_speak_has_an_option_for_every_setting_that_has_one() -> None:
+    (speak,) = (command for name, command in commands.commands.items() if name == "speak")
+    options = {parameter.name for parameter in speak.params if isinstance(parameter, click.Option)}
+    assert {row.name for row in rows(Settings).values() if row.flag is not None} <= options
+
+
+def test_values_that_count_for_nothing_are_still_chosen() -> None:
+    switched = {"lively": True, "contact": True, "voice_emotion": "off"}
+    settings = settings_from({"age": 0.0, "seed": 0, "lead": 0.0, "tail": None, **switched})
+    assert (settings.age, settings.lead, settings.tail) == (0.0, 0.0, 0.7)
+    assert (settings.lively, settings.blend.contact, settings.voice_emotion) == (False, False, False)
+
+
+def test_settings_are_named_by_their_options() -> None:
+    assert [flag(name) for name in ("dynamics", "lively", "contact", "emotion", "min_onset")] == [
+        "--skin", "--still", "--without-contact", "--emotion", "--min-onset",
+    ]  # fmt: skip

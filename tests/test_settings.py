@@ -1,0 +1,98 @@
+"""The table of settings: what is out of range, and what is derived from it."""
+
+from __future__ import annotations
+
+import importlib.util
+import inspect
+from dataclasses import fields
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from risorius.core.score import BlendSettings
+from risorius.core.setting import rows
+from risorius.errors import InputError, RisoriusError
+from risorius.settings import BlendChoices, Look, Settings, parse_size, settings_of
+
+DOCS = Path(__file__).parents[1] / "docs"
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"fpss": 30}, "unknown setting 'fpss'; did you mean 'fps'"),
+        ({"fps": "0"}, "fps = 0 is out of range"),
+        ({"fps": "fast"}, "fps 'fast' is not a number"),
+        ({"size": "720"}, "size '720' is not a size; expected e.g. 720x720"),
+        ({"size": "8x720"}, "size 8 = 8 is out of range; expected 16 to 4096"),
+        ({"rate": 79}, "rate = 79 is out of range; expected 80 to 440"),
+        ({"lead": -0.1}, r"lead = -0\.1 is out of range; expected 0 to 60"),
+        ({"articulation": "2.5"}, r"articulation = 2\.5 is out of range; expected 0 to 2"),
+        ({"seed": "one"}, "seed 'one' is not a whole number"),
+        ({"seed": -1}, "seed = -1 is out of range"),
+        ({"every": 0}, "every = 0 is out of range; expected 1 to 1e"),
+        ({"at": -1.0}, r"at = -1\.0 is out of range"),
+        ({"dynamics": "spring"}, "unknown dynamics 'spring'; did you mean 'springs'"),
+        ({"hair": "bold"}, "unknown hair style 'bold'; did you mean 'bald'"),
+        ({"shape": "nose_widht:1"}, "unknown slider 'nose_widht'"),
+        ({"min_onset": 11.0}, r"min_onset = 11\.0 is out of range; expected 0 to 10"),
+        ({"voice_emotion": "maybe"}, "unknown voice_emotion 'maybe'; expected one of on, off"),
+    ],
+)
+def test_a_wrong_value_is_named(values: dict[str, object], message: str) -> None:
+    with pytest.raises(RisoriusError, match=message):
+        settings_of(values)
+
+
+def test_nothing_chosen_is_the_default() -> None:
+    assert settings_of({}) == settings_of(dict.fromkeys(rows(Settings))) == Settings()
+
+
+def test_values_go_where_they_belong_and_texts_are_read() -> None:
+    values = {"fps": "24000/1001", "camera": "eyes:135", "conflict": "sum", "size": "64x32", "age": "40"}
+    expected = Settings(
+        fps=Fraction(24000, 1001), size=(64, 32), age=40.0,
+        look=Look(camera="eyes", lens=135.0), blend=BlendChoices(conflict="sum"),
+    )  # fmt: skip
+    assert settings_of(values) == expected
+    assert settings_of({"age": 50.0}, expected).look.lens == 135.0
+    several = settings_of({"shape": "nose_width:1; ear_size:-0.5", "attitudes": "polite;ironic", "seed": 0})
+    assert several.shape == {"nose_width": 1.0, "ear_size": -0.5}
+    assert several.attitudes == ("polite", "ironic")
+
+
+def test_choices_of_blend_lie_over_a_score_and_over_what_is_usual() -> None:
+    score = BlendSettings("inhibit", min_onset=0.2)
+    assert BlendChoices().over(score) == score
+    assert BlendChoices(conflict="graded", contact=False).over(score) == BlendSettings(
+        "graded", min_onset=0.2, contact=False
+    )
+    assert BlendChoices().planned() == BlendSettings("graded")
+    assert [f.name for f in fields(BlendChoices)] == [f.name for f in fields(BlendSettings)]
+
+
+@pytest.mark.parametrize("row", rows(Settings).values(), ids=lambda row: row.name)
+def test_every_setting_is_whole(row) -> None:  # type: ignore[no-untyped-def]
+    entry = row.entry
+    assert entry.help.endswith((".", "…"))
+    assert entry.label
+    assert (entry.low is None) == (entry.high is None)
+    assert entry.names is None or entry.names.choices()
+    assert row.usual is not None or entry.unset or row.flag is None or row.name in ("rules", "every")
+
+
+def test_parse_size() -> None:
+    assert parse_size("640X480") == (640, 480)
+    with pytest.raises(InputError):
+        parse_size("640x480x3")
+
+
+def test_the_page_of_settings_is_up_to_date() -> None:
+    spec = importlib.util.spec_from_file_location("settings_page", DOCS / "settings_page.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    assert module.PAGE.read_text(encoding="utf-8") == module.page(), "run python docs/settings_page.py"
+    assert inspect.getdoc(module)
