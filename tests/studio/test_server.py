@@ -163,10 +163,12 @@ def test_the_face_of_a_preview_is_that_of_the_edit_when_it_is_made(server):
 def test_who_waits_for_a_solver_holds_up_nobody_else(server, monkeypatch):
     began, go_on = threading.Event(), threading.Event()
 
+    make = solvers.make_solver
+
     def slow(settings):
         began.set()
         assert go_on.wait(30)
-        return solvers.FaceSolver(solvers.load_head(settings.head, age=settings.age))
+        return make(settings)
 
     with server.page("waits") as page, server.page("other") as other:
         take = page.perform("Hello.", choices={"age": 70.0})
