@@ -62,7 +62,7 @@ def grid(start: float, end: float, step: float = 0.005) -> f.Array:
     return np.linspace(start, end, round((end - start) / step) + 1)
 
 
-def dress(axes: Axes, title: str, end: float, start: float = 0.0, x_label: str = "time (s)") -> None:
+def style_axes(axes: Axes, title: str, end: float, start: float = 0.0, x_label: str = "time (s)") -> None:
     """Give axes of an activity over time its title, range and labels."""
     axes.set(title=title, xlim=(start, end), ylim=(-0.03, 1.08), xlabel=x_label)
     axes.set_yticks([0.0, 0.5, 1.0])
@@ -82,7 +82,7 @@ def single_movement(path: Path) -> None:
         axes = drawn.subplots()
         axes.fill_between(times, values, color=OURS, alpha=0.1, lw=0)
         axes.plot(times, values, color=OURS)
-        dress(axes, "", 7.0)
+        style_axes(axes, "", 7.0)
         axes.set_ylim(0.0, 1.22)
         axes.set_ylabel("activity")
         release = movement.end - movement.offset
@@ -105,7 +105,7 @@ def lower_target(path: Path) -> None:
         axes.plot(times, printed, color=PRINTED, lw=1.6, ls=(0, (3, 2)), label="combined, as printed")
         axes.plot(times, f.curve((first, second), times), color=OURS, lw=2.6, label="combined, ours")
         axes.axvline(second.start, color=SOFT, lw=0.8, ls=":")
-        dress(axes, "", 9.0)
+        style_axes(axes, "", 9.0)
         axes.set_ylabel("Zygomatic Major")
         axes.legend(loc="upper right")
 
@@ -120,7 +120,7 @@ def smile_and_speech(path: Path) -> None:
             axes.fill_between(times, speech, color=SPEECH, alpha=0.22, lw=0)
             axes.plot(times, speech, color=SPEECH, label="Orbicularis Oris (speech)")
             axes.plot(times, smile, color=OURS, lw=2.4, label="Zygomatic Major (smile)")
-            dress(axes, f"{when} the combination", 7.0)
+            style_axes(axes, f"{when} the combination", 7.0)
         panels[1].plot(times, found["before"][0], color=OURS, lw=1.0, ls=":", zorder=1)
         drawn.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
 
@@ -138,10 +138,10 @@ def mended(path: Path) -> None:
             times = grid(0.0, end)
             compare(axes, times, f.printed_overlap(first, second, times), f.curve((first, second), times))
             axes.axvline(second.start, color=SOFT, lw=0.8, ls=":")
-            dress(axes, title, end)
+            style_axes(axes, title, end)
         times = grid(0.0, 4.0)
         compare(panels[3], times, f.printed_alone(f.TOO_SHORT, times), f.curve(f.TOO_SHORT, times))
-        dress(panels[3], "onset and offset longer than the movement", 4.0)
+        style_axes(panels[3], "onset and offset longer than the movement", 4.0)
         panels[3].set_xticks(range(5))
         panels[3].legend(loc="upper right")
 
@@ -158,14 +158,14 @@ def onset_functions(path: Path) -> None:
         above, below = drawn.subplots(2, len(f.FUNCTIONS), sharey=True)
         for axes, name in zip(above, f.FUNCTIONS, strict=True):
             rise_and_fall(axes, (f.FUNCTION_ALONE,), name)
-            dress(axes, name, 4.0, x_label="")
+            style_axes(axes, name, 4.0, x_label="")
         for axes, name in zip(below, f.FUNCTIONS, strict=True):
             for movement in f.FUNCTION_OVERLAP:
                 axes.plot(
                     grid(0.0, 6.0), f.curve(movement, grid(0.0, 6.0), onset_function=name), color=SOFT, lw=1.0
                 )
             rise_and_fall(axes, f.FUNCTION_OVERLAP, name)
-            dress(axes, "", 6.0)
+            style_axes(axes, "", 6.0)
         above[0].set_ylabel("one movement")
         below[0].set_ylabel("three that overlap")
 
@@ -237,7 +237,7 @@ def policies(path: Path) -> None:
                 label="Zygomatic Major as shown",
             )
             axes.axvline(times[shown], color=SOFT, lw=0.9, ls="--")
-            dress(axes, name, end, start, x_label="")
+            style_axes(axes, name, end, start, x_label="")
             axes.tick_params(labelbottom=name == f.POLICIES[-1])
             show_face(portrait, performed, shown)
         panels[-1, 0].set_xlabel("time (s)")
@@ -271,7 +271,7 @@ def demo_curves(path: Path) -> None:
                 axes.plot(
                     wanted.times, wanted[name], color=INK, lw=0.9, ls=":", label="the emotions by themselves"
                 )
-            dress(axes, "", end, x_label="")
+            style_axes(axes, "", end, x_label="")
             axes.set_ylabel(title, rotation=0, ha="right", va="center", fontsize=8.5)
             axes.set_yticks([0.0, 1.0])
         panels[-1].set(xlabel="time (s)", xticks=np.arange(0.0, end + 0.01, 0.5))

@@ -196,11 +196,11 @@ class Take:
         return Gauge(self.head)
 
     @cached_property
-    def dressed_head(self) -> Head:
+    def shown_head(self) -> Head:
         """The head that performs, with the looks that the settings choose."""
-        from .looks.dress import dressed
+        from .looks.apply_look import apply_look
 
-        looks = dressed(self.head.identity.looks, self.settings.look)
+        looks = apply_look(self.head.identity.looks, self.settings.look)
         return replace(self.head, identity=replace(self.head.identity, looks=looks))
 
     @cached_property

@@ -48,7 +48,7 @@ class SmallTake:
     measure_count: int = len(COLUMNS) - 1
 
     @property
-    def dressed_head(self) -> Head:
+    def shown_head(self) -> Head:
         raise AssertionError("a small take has no head")
 
     def faces(self, *, progress: Progress = quiet) -> Iterator[Any]:

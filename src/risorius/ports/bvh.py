@@ -30,7 +30,7 @@ def write_bvh(take: WritableTake, path: Path, options: WriteOptions) -> None:
 
 def _lines(take: WritableTake, progress: Progress) -> Iterator[str]:
     performance = take.performance
-    yield from _hierarchy(take.dressed_head)
+    yield from _hierarchy(take.shown_head)
     yield "MOTION"
     yield f"Frames: {len(performance.values)}"
     yield f"Frame Time: {float(1 / performance.fps):.8f}"

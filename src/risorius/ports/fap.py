@@ -45,7 +45,7 @@ def write_fap(take: WritableTake, path: Path, options: WriteOptions) -> None:
 
 
 def _lines(take: WritableTake, progress: Progress) -> Iterator[str]:
-    points, shown = FeaturePoints(take.dressed_head), np.array(SHOWN) - 1
+    points, shown = FeaturePoints(take.shown_head), np.array(SHOWN) - 1
     performance = take.performance
     yield f"{VERSION} risorius {round(performance.fps)} {len(performance.values)}"
     for number, frame in enumerate(take.faces(progress=progress)):

@@ -35,7 +35,7 @@ _MOVED = ("skin", "tongue", "teeth_lower")
 
 def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the clip by its own basis, or one frame as a still."""
-    head = take.dressed_head
+    head = take.shown_head
     parts = head_model(head).parts()
     if len(take.performance.values) <= 2 and take.audio is None:
         still(head, parts, next(take.faces(progress=options.progress)), _asset(options)).save(path)
@@ -61,7 +61,7 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
 
 def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the clip as weights of the 52 ARKit shapes; raise HeadError where the head has none."""
-    head, track = take.dressed_head, take.fit_arkit(options.progress)
+    head, track = take.shown_head, take.fit_arkit(options.progress)
     rms, worst = track.residual
     gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
     scene = rig_scene(head, gltf)

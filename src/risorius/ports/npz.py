@@ -28,7 +28,7 @@ def write_npz(take: WritableTake, path: Path, _options: WriteOptions) -> None:
 
 def write_vertices_npz(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the curves, and the skin frame by frame: memory does not grow with the clip."""
-    head = take.dressed_head
+    head = take.shown_head
     frames, rest = len(take.performance.values), head.skin.matrix @ head.rest
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         _curves(archive, take.performance)

@@ -29,7 +29,7 @@ _EYES = ("eye_left", "eye_right")
 
 def write_obj(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write one frame; raise InputError for a time outside the performance."""
-    head, parts = take.dressed_head, head_model(take.dressed_head).parts()
+    head, parts = take.shown_head, head_model(take.shown_head).parts()
     index = frame_at(take.performance, options.at)
     frame = next(islice(take.faces(progress=options.progress), index, None))
     write_lines(path, _lines(parts, placed(head, parts, frame)))

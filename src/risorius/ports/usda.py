@@ -37,7 +37,7 @@ def write_usda(take: WritableTake, path: Path, options: WriteOptions) -> None:
     except ImportError:
         raise OutputError("needs usd-core; expected pip install 'risorius[usd]'") from None
     stage = Usd.Stage.CreateInMemory(".usda")
-    _Stage(stage, take.dressed_head).build(take, take.fit_arkit(options.progress))
+    _Stage(stage, take.shown_head).build(take, take.fit_arkit(options.progress))
     path.write_text(stage.GetRootLayer().ExportToString(), encoding="utf-8", newline="\n")
 
 

@@ -39,7 +39,7 @@ class WritableTake(Protocol):
         """The sound that is heard; None if there is none."""
 
     @property
-    def dressed_head(self) -> Head:
+    def shown_head(self) -> Head:
         """The head that performs, with the looks that the settings choose."""
 
     def faces(self, *, progress: Progress = quiet) -> Iterator[FaceFrame]:

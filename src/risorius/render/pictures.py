@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..face.head import Head
 from ..looks.anatomy import find_anatomy
-from ..looks.dress import dressed
+from ..looks.apply_look import apply_look
 from ..settings import Look
 from .backdrop import backdrop
 from .framing import frame_head
@@ -26,7 +26,7 @@ def picture_renderer(head: Head, size: tuple[int, int], look: Look | None = None
         look.quality,
         camera=frame_head(find_anatomy(head), width / height, look.camera, look.lens),
         lights=rig,
-        looks=dressed(head.identity.looks, look),
+        looks=apply_look(head.identity.looks, look),
         background=None
         if look.transparent
         else backdrop(width, height, look.background, rig.centre, rig.edge),

@@ -11,7 +11,7 @@ from functools import lru_cache
 from ..core.parameters import NEUTRAL
 from ..face.head import head_of
 from ..face.solve import FaceSolver
-from ..looks.dress import dressed
+from ..looks.apply_look import apply_look
 from ..settings import Look, Settings
 from ..take import make_solver
 from .stage import FacePacker
@@ -78,5 +78,5 @@ def stage_of(
     from dataclasses import replace
 
     found = head_of(Settings(head=head, age=age))
-    looks = dressed(found.identity.looks, Look(hair=hair, complexion=complexion))
+    looks = apply_look(found.identity.looks, Look(hair=hair, complexion=complexion))
     return FacePacker(replace(found, identity=replace(found.identity, looks=looks)))

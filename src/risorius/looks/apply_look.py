@@ -27,7 +27,7 @@ _PLAIN: dict[str, tuple[Colour, Colour]] = {
 }
 
 
-def dressed(looks: Looks, look: Look) -> Looks:
+def apply_look(looks: Looks, look: Look) -> Looks:
     """Return a head's looks with the complexion, hair and matter that `look` chooses."""
     if look.complexion is not None:
         skin, lips, lining = (_between(look.complexion, column) for column in range(3))
