@@ -22,7 +22,8 @@ from risorius.core.score import Score
 from risorius.face.head import Head, load_head
 from risorius.face.lip_fit import load_lip_rig
 from risorius.face.solve import FaceSolver
-from risorius.render.renderer import Renderer
+from risorius.looks.head_model import head_model
+from risorius.render.software_renderer import SoftwareRenderer
 from risorius.rules.emotions import emotion, emotions
 from risorius.rules.lips import lip_table
 
@@ -53,13 +54,13 @@ class Studio:
 
     def __init__(self, head: Head, *, age: float = 25.0, turned: float = 0.0, side: int = SIDE) -> None:
         self._solver = FaceSolver(head, age=age)
-        self._renderer = Renderer(head, (side, side))
+        self._renderer = SoftwareRenderer(head_model(head), (side, side))
         if turned:
             camera = self._renderer.camera
             angle, far = np.radians(turned), camera.eye[2] - camera.target[2]
             x, _, z = camera.target
             eye = (x + far * float(np.sin(angle)), camera.eye[1], z + far * float(np.cos(angle)))
-            self._renderer = Renderer(head, (side, side), camera=replace(camera, eye=eye))
+            self._renderer = SoftwareRenderer(head_model(head), (side, side), camera=replace(camera, eye=eye))
 
     def take(self, targets: Targets, frame: tuple[int, int, int, int] = FACE) -> Image.Image:
         """Return the face with parameters or action units at `targets`."""

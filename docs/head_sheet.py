@@ -13,7 +13,8 @@ from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.head import Head, load_head, shipped_heads
 from risorius.face.solve import FaceSolver
-from risorius.render.renderer import Renderer
+from risorius.looks.head_model import head_model
+from risorius.render.software_renderer import SoftwareRenderer
 
 PICTURES = Path(__file__).parent / "pictures"
 SIZE = 300
@@ -25,7 +26,7 @@ AGES = (25.0, 50.0, 75.0)
 
 def pictures(head: Head, *poses: dict[str, float]) -> np.ndarray:
     """Return the poses of one head, one below the other."""
-    solver, renderer = FaceSolver(head), Renderer(head, (SIZE, SIZE), "normal")
+    solver, renderer = FaceSolver(head), SoftwareRenderer(head_model(head), (SIZE, SIZE), "normal")
     rows = []
     for pose in poses:
         values = np.array(NEUTRAL)

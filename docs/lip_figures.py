@@ -27,9 +27,10 @@ from risorius.face.head import load_head
 from risorius.face.lip_fit import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.face.solve import FaceSolver
+from risorius.looks.head_model import head_model
 from risorius.pipeline import compose
-from risorius.render import Renderer
 from risorius.render.camera import Camera
+from risorius.render.software_renderer import SoftwareRenderer
 from risorius.rules.lips import lip_table
 from risorius.script import read_script
 from risorius.settings import Settings
@@ -124,7 +125,8 @@ class Face:
         front = Camera((x, y, z + 500.0), (x, y - 4.0, z), 9.0)
         side = Camera((x + 430.0, y + 10.0, z + 200.0), (x, y - 4.0, z - 5.0), 9.0)
         size = (WIDTH, HEIGHT)
-        self._front, self._side = Renderer(head, size, camera=front), Renderer(head, size, camera=side)
+        model = head_model(head)
+        self._front, self._side = (SoftwareRenderer(model, size, camera=camera) for camera in (front, side))
 
     def measures(self, values: Array) -> Array:
         """Return gap, width and protrusion in mm, shape (n, 3)."""

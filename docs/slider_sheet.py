@@ -10,7 +10,8 @@ from PIL import Image, ImageDraw
 from risorius.core.parameters import NEUTRAL
 from risorius.face.head import load_head
 from risorius.face.solve import FaceSolver
-from risorius.render.renderer import Renderer
+from risorius.looks.head_model import head_model
+from risorius.render.software_renderer import SoftwareRenderer
 
 TARGET = Path(__file__).parent / "pictures" / "sliders.png"
 SIZE, CAPTION = 320, 16
@@ -26,7 +27,7 @@ def cell(shape: dict[str, float]) -> Image.Image:
     """Return the head in one shape, under the sliders that make it."""
     head = load_head(shape=shape)
     face = Image.new("RGB", (SIZE, SIZE + CAPTION), "white")
-    picture = Renderer(head, (SIZE, SIZE)).render(FaceSolver(head).solve(NEUTRAL))
+    picture = SoftwareRenderer(head_model(head), (SIZE, SIZE)).render(FaceSolver(head).solve(NEUTRAL))
     face.paste(Image.fromarray(np.asarray(picture)), (0, CAPTION))
     named = ", ".join(f"{name} {amount:g}" for name, amount in shape.items()) or "as it is"
     ImageDraw.Draw(face).text((4, 2), named, fill="black")

@@ -13,7 +13,8 @@ from PIL import Image, ImageDraw
 import risorius
 from risorius.face.head import load_head
 from risorius.face.solve import FaceSolver
-from risorius.render.renderer import Renderer
+from risorius.looks.head_model import head_model
+from risorius.render.software_renderer import SoftwareRenderer
 
 EMOTIONS = ("surprise", "anger", "disgust", "happiness", "sadness", "fear")
 AGES = (25, 45, 70)
@@ -26,7 +27,7 @@ TARGET = Path(__file__).parent / "pictures" / "emotions-ages.png"
 def draw() -> Image.Image:
     """Return the sheet: a row per age, a column per emotion."""
     head = load_head()
-    renderer = Renderer(head, (SIDE, SIDE))
+    renderer = SoftwareRenderer(head_model(head), (SIDE, SIDE))
     values = [risorius.pose({}, emotion={name: 1.0}).performance.values[0] for name in EMOTIONS]
     left, top, right, bottom = FACE
     sheet = Image.new("RGB", (len(EMOTIONS) * (right - left), len(AGES) * (bottom - top) + CAPTION), "white")

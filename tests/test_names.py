@@ -23,7 +23,6 @@ TO_MEND = {
     "Ending",
     "Entry",
     "Head",
-    "Job",
     "Json",
     "Lamp",
     "Light",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import astuple, dataclass, field, fields, replace
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import repeat
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal
@@ -146,24 +146,20 @@ class Take:
 
         They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
         """
-        from .render import Crew, compiled_ahead, picture_renderer
+        from .render import PictureInput, open_renderer
         from .render.overlay import Overlays, Subject
 
         chosen = range(len(self.performance.values)) if indices is None else indices
         look = self.settings.look
         subject = Subject(self.performance, self.utterance)
         overlays = Overlays(look.overlay, subject, size or self.settings.size)
-        compiling = partial(progress, "Compiling the face and the renderer (once, about 25 s) …")
-        with compiled_ahead(look.style, compiling) as compiled:
-            first = next(self.faces([0]))
-            compiled()
-            renderer = picture_renderer(self.head, overlays.picture_size, look)
-            renderer.render(first)
         suppression = self._suppression(chosen) if look.style == "muscles" else repeat(None)
-        pictures = Crew(renderer).draw(zip(self.faces(chosen, reuse=True), suppression, strict=False))
-        for done, (frame, picture) in enumerate(zip(chosen, pictures, strict=True)):
-            yield overlays.draw(picture, frame)
-            progress("Drawing", done + 1, len(chosen))
+        shown = overlays.picture_size
+        with open_renderer(self.head, shown, look, lambda: next(self.faces([0])), progress) as renderer:
+            inputs = map(PictureInput, self.faces(chosen, reuse=True), suppression)
+            for done, (frame, picture) in enumerate(zip(chosen, renderer.draw(inputs), strict=True)):
+                yield overlays.draw(picture, frame)
+                progress("Drawing", done + 1, len(chosen))
 
     def _suppression(self, indices: Sequence[int]) -> Array:
         from .blend import suppression

@@ -9,9 +9,8 @@ from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.head import load_head
 from risorius.face.solve import FaceSolver
-from risorius.looks.anatomy import find_anatomy
-from risorius.looks.parts import skin_surface
-from risorius.render import Renderer
+from risorius.looks.head_model import head_model
+from risorius.render.software_renderer import SoftwareRenderer
 
 
 @pytest.fixture(scope="session")
@@ -34,15 +33,15 @@ def face(head):
 
 
 @pytest.fixture(scope="session")
-def anatomy(head):
-    return find_anatomy(head)
+def model(head):
+    return head_model(head)
 
 
 @pytest.fixture(scope="session")
-def surface(head, anatomy):
-    return skin_surface(head, anatomy)
+def anatomy(model):
+    return model.anatomy
 
 
 @pytest.fixture(scope="session")
-def renderer(head):
-    return Renderer(head, (240, 240))
+def renderer(model):
+    return SoftwareRenderer(model, (240, 240))

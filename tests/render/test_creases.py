@@ -13,8 +13,9 @@ from risorius.face.head import load_head
 from risorius.face.layouts import Fold
 from risorius.face.regions import place_regions, region_names
 from risorius.face.solve import FaceSolver
+from risorius.looks.head_model import head_model
 from risorius.render.creases import DIMPLES, FOLD, FURROW, KIND, SHARE, lay_creases
-from risorius.render.renderer import Renderer
+from risorius.render.software_renderer import SoftwareRenderer
 
 SIDE = 720
 
@@ -34,7 +35,7 @@ def surprised(head):
 
 @pytest.fixture(scope="module")
 def renderer(head):
-    return Renderer(head, (SIDE, SIDE), "draft")
+    return SoftwareRenderer(head_model(head), (SIDE, SIDE), "draft")
 
 
 def picture(renderer, frame):
@@ -90,7 +91,7 @@ def test_shading_grows_gradually_with_height(renderer, surprised):
 def test_folds_finer_than_pixels_fade_instead_of_flickering(head, renderer, surprised):
     bare = replace(surprised, wrinkles=np.zeros_like(surprised.wrinkles))
     forehead = replace(bare, wrinkles=surprised.wrinkles * (np.arange(len(region_names())) == 0))
-    small = Renderer(head, (SIDE // 6, SIDE // 6), "draft")
+    small = SoftwareRenderer(head_model(head), (SIDE // 6, SIDE // 6), "draft")
     near, far = (np.abs(picture(r, forehead) - picture(r, bare)).max() for r in (renderer, small))
     assert near > 12
     assert far < 0.5 * near

@@ -5,12 +5,12 @@ import pytest
 
 from risorius.face.rotations import head_rotation
 from risorius.looks.attributes import HAIR
-from risorius.render import Renderer
+from risorius.render.software_renderer import SoftwareRenderer
 
 
 @pytest.fixture(scope="module")
-def drawn(head):
-    return Renderer(head, (160, 160))
+def drawn(model):
+    return SoftwareRenderer(model, (160, 160))
 
 
 def seen(renderer, frame):
@@ -43,13 +43,13 @@ def test_at_least_half_of_the_hair_is_left_out(drawn, face):
     assert (last[: drawn.scene.facial_hairs] >= points - 1).all()
 
 
-def test_what_is_left_out_does_not_depend_on_the_pictures_before(drawn, head, face):
+def test_what_is_left_out_does_not_depend_on_the_pictures_before(drawn, model, face):
     frame = replace(face(), head_rotation=head_rotation(3, 25, 0))
     drawn.render(face())
-    assert (drawn.render(frame) == Renderer(head, (160, 160)).render(frame)).all()
+    assert (drawn.render(frame) == SoftwareRenderer(model, (160, 160)).render(frame)).all()
 
 
-def test_a_close_up_shows_every_hair(head):
-    close = Renderer(head, (160, 160)).camera
+def test_a_close_up_shows_every_hair(model):
+    close = SoftwareRenderer(model, (160, 160)).camera
     near = replace(close, field_of_view=1.0)
-    assert Renderer(head, (720, 720), camera=near)._hair_views is None
+    assert SoftwareRenderer(model, (720, 720), camera=near)._hair_views is None

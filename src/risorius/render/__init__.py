@@ -1,8 +1,5 @@
-"""The renderer: a software rasterizer that draws the head without GL."""
+"""Pictures of a head: renderers behind one protocol, and what is drawn over their pictures."""
 
-from .ahead import compiled_ahead
-from .crew import Crew
-from .pictures import picture_renderer
-from .renderer import Renderer
+from .protocol import PictureInput, Renderer, open_renderer
 
-__all__ = ["Crew", "Renderer", "compiled_ahead", "picture_renderer"]
+__all__ = ["PictureInput", "Renderer", "open_renderer"]

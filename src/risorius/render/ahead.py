@@ -22,8 +22,8 @@ from ..face.frame import FaceFrame
 from ..face.head import Head, load_head
 from ..face.regions import region_names
 from ..settings import Look
-from .crew import processors
-from .pictures import picture_renderer
+from .from_look import renderer_from_look
+from .renderer_pool import processors
 
 _PATIENCE = 300.0
 """Seconds after which the other process is given up, and this one compiles for itself."""
@@ -109,7 +109,7 @@ def main() -> int:
     """Draw one picture in a style, so that its kernels are kept."""
     head = load_head("standard")
     with _no_collection():
-        picture_renderer(head, (_SIDE, _SIDE), Look(style=sys.argv[1])).render(_resting(head))
+        renderer_from_look(head, (_SIDE, _SIDE), Look(style=sys.argv[1])).render(_resting(head))
     return 0
 
 

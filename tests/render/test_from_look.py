@@ -3,14 +3,14 @@ import pytest
 
 from risorius.core.look import FRAMINGS, LIGHTS, STYLES
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.render import picture_renderer
+from risorius.render.from_look import renderer_from_look
 from risorius.settings import Look
 
 SIZE = (120, 120)
 
 
 def picture(head, frame, **look):
-    return picture_renderer(head, SIZE, Look(**look)).render(frame)
+    return renderer_from_look(head, SIZE, Look(**look)).render(frame)
 
 
 @pytest.mark.parametrize("style", STYLES)
@@ -35,7 +35,7 @@ def test_the_mesh_shows_as_lines(head, face):
 
 
 def test_a_contracted_muscle_is_painted_red_and_a_suppressed_one_yellow(head, face):
-    renderer = picture_renderer(head, SIZE, Look(style="muscles"))
+    renderer = renderer_from_look(head, SIZE, Look(style="muscles"))
     rest = renderer.render(face()).astype(int)
     smile = renderer.render(face(zygomatic_major=1.0)).astype(int)
     redder = (smile[..., 0] - smile[..., 1]) - (rest[..., 0] - rest[..., 1])
@@ -57,7 +57,7 @@ def test_pupils_are_wide_in_the_dark(head, face):
     dark = {}
     for light in ("daylight", "dark"):
         drawn = picture(head, face(), light=light, camera="eyes").max(axis=2)
-        dark[light] = picture_renderer(head, SIZE, Look(light=light))._lights.pupil, drawn.mean()
+        dark[light] = renderer_from_look(head, SIZE, Look(light=light))._lights.pupil, drawn.mean()
     assert dark["dark"][0] > 1.3 * dark["daylight"][0]
 
 

@@ -6,10 +6,10 @@ import pytest
 from risorius.errors import InputError
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.attributes import EYE_LEFT, EYE_RIGHT, HAIR, SKIN, TEETH, TONGUE
-from risorius.render import Renderer
 from risorius.render.camera import portrait
 from risorius.render.framing import frame_head
 from risorius.render.lights import Lamp, LightRig
+from risorius.render.software_renderer import SoftwareRenderer
 
 SYMMETRIC = LightRig((Lamp(0, 30, (2, 2, 2)),), (0.5, 0.5, 0.5), (0.3, 0.3, 0.3))
 
@@ -37,24 +37,24 @@ def interior(renderer):
         ((100, 100, 3), "width and height"),
     ],
 )
-def test_a_size_that_cannot_be_drawn_is_an_error(head, size, message):
+def test_a_size_that_cannot_be_drawn_is_an_error(model, size, message):
     with pytest.raises(InputError, match=message):
-        Renderer(head, size)
+        SoftwareRenderer(model, size)
 
 
-def test_an_unknown_quality_is_an_error_with_the_nearest_one(head):
+def test_an_unknown_quality_is_an_error_with_the_nearest_one(model):
     with pytest.raises(InputError, match="unknown quality 'norml'; did you mean 'normal'"):
-        Renderer(head, (64, 64), "norml")
+        SoftwareRenderer(model, (64, 64), "norml")
 
 
-def test_an_unknown_style_is_an_error_with_the_nearest_one(head):
+def test_an_unknown_style_is_an_error_with_the_nearest_one(model):
     with pytest.raises(InputError, match="unknown style 'cley'; did you mean 'clay'"):
-        Renderer(head, (64, 64), style="cley")
+        SoftwareRenderer(model, (64, 64), style="cley")
 
 
-def test_a_background_of_another_size_is_an_error(head):
+def test_a_background_of_another_size_is_an_error(model):
     with pytest.raises(InputError, match="background"):
-        Renderer(head, (64, 64), background=np.zeros((32, 64, 3), np.float32))
+        SoftwareRenderer(model, (64, 64), background=np.zeros((32, 64, 3), np.float32))
 
 
 def test_a_buffer_that_does_not_fit_is_an_error(renderer, face):
@@ -69,8 +69,8 @@ def test_a_frame_of_another_head_is_an_error(renderer, face):
         renderer.render(replace(frame, skin=frame.skin[:-1]))
 
 
-def test_the_picture_is_bytes_of_the_size_asked_for(head, face):
-    picture = Renderer(head, (96, 64)).render(face())
+def test_the_picture_is_bytes_of_the_size_asked_for(model, face):
+    picture = SoftwareRenderer(model, (96, 64)).render(face())
     assert picture.shape == (64, 96, 3)
     assert picture.dtype == np.uint8
 
@@ -103,8 +103,10 @@ def test_the_head_stands_within_the_frame(renderer, face):
     assert columns.max() < 0.85 * found.shape[1]
 
 
-def test_pupils_are_dark_and_whites_bright_at_rest(head, face):
-    picture = Renderer(head, (160, 160), camera=portrait(16, -16, (29, 0, 0))).render(face()).mean(axis=2)
+def test_pupils_are_dark_and_whites_bright_at_rest(model, face):
+    picture = (
+        SoftwareRenderer(model, (160, 160), camera=portrait(16, -16, (29, 0, 0))).render(face()).mean(axis=2)
+    )
     pupil = picture[70:90, 70:90]
     assert pupil.min() < 40
     assert np.percentile(picture[75:95, 30:130], 95) > 150
@@ -133,8 +135,8 @@ def test_no_teeth_show_between_shut_lips(renderer, face):
     assert (surfaces(renderer) == TEETH).sum() < 12
 
 
-def test_gaze_moves_the_iris(head, face):
-    renderer = Renderer(head, (160, 160), camera=portrait(16, -16, (29, 0, 0)))
+def test_gaze_moves_the_iris(model, face):
+    renderer = SoftwareRenderer(model, (160, 160), camera=portrait(16, -16, (29, 0, 0)))
     places = []
     for yaw in (-20.0, 20.0):
         dark = renderer.render(face(gaze_yaw=yaw)).mean(axis=2) < 45
@@ -143,8 +145,8 @@ def test_gaze_moves_the_iris(head, face):
     assert places[1] - places[0] > 20
 
 
-def test_a_mirrored_face_gives_a_mirrored_picture(head, face):
-    renderer = Renderer(head, (160, 160), camera=portrait(-30, -110, (0, 0, 0)), lights=SYMMETRIC)
+def test_a_mirrored_face_gives_a_mirrored_picture(model, face):
+    renderer = SoftwareRenderer(model, (160, 160), camera=portrait(-30, -110, (0, 0, 0)), lights=SYMMETRIC)
     left = renderer.render(face(**{"zygomatic_major.left": 0.9})).astype(int)
     right = renderer.render(face(**{"zygomatic_major.right": 0.9})).astype(int)
     mirrored = np.abs(left - right[:, ::-1]).mean()
@@ -152,35 +154,36 @@ def test_a_mirrored_face_gives_a_mirrored_picture(head, face):
     assert mirrored < 0.5 * np.abs(left - right).mean()
 
 
-def test_light_from_the_other_side_brightens_the_other_cheek(head, face):
+def test_light_from_the_other_side_brightens_the_other_cheek(model, face):
     camera = portrait(45, -115, (0, 0, 0))
     for azimuth in (-50.0, 50.0):
         rig = LightRig((Lamp(azimuth, 20, (2, 2, 2)),), (0.2, 0.2, 0.2), (0.2, 0.2, 0.2))
-        picture = Renderer(head, (96, 96), camera=camera, lights=rig).render(face()).astype(float)
+        picture = SoftwareRenderer(model, (96, 96), camera=camera, lights=rig).render(face()).astype(float)
         cheeks = picture[50:65, 22:32].mean(), picture[50:65, 64:74].mean()
         assert (cheeks[0] > cheeks[1]) == (azimuth < 0)
 
 
-def test_more_samples_smooth_the_outline(head, face):
+def test_more_samples_smooth_the_outline(model, face):
     frame = face()
     pictures = {
-        q: Renderer(head, (120, 120), q).render(frame).astype(int) for q in ("draft", "normal", "high")
+        q: SoftwareRenderer(model, (120, 120), q).render(frame).astype(int)
+        for q in ("draft", "normal", "high")
     }
     error = {q: np.abs(pictures[q] - pictures["high"]).mean() for q in ("draft", "normal")}
     assert 0 < error["normal"] < 0.7 * error["draft"]
 
 
-def test_the_background_shows_where_nothing_stands(head, face):
+def test_the_background_shows_where_nothing_stands(model, face):
     background = np.zeros((64, 64, 3), np.float32)
     background[..., 1] = 1.0
-    picture = Renderer(head, (64, 64), background=background).render(face())
+    picture = SoftwareRenderer(model, (64, 64), background=background).render(face())
     assert picture[0, 0].tolist() == [0, 255, 0]
 
 
-def test_a_row_has_room_for_a_patch_in_every_sample(head, face):
+def test_a_row_has_room_for_a_patch_in_every_sample(head, model, face):
     """Among lashes seen close by, each sample may show a hair of its own."""
     camera = frame_head(find_anatomy(head), 1.0, "eyes", 85.0)
-    renderer = Renderer(head, (120, 120), camera=camera)
+    renderer = SoftwareRenderer(model, (120, 120), camera=camera)
     renderer.render(face())
     shown = np.where(renderer._buffer.ids >= 0, renderer.scene.surfaces[renderer._buffer.ids], -1)
     pixels = shown.reshape(120, 2, 120, 2).transpose(0, 2, 1, 3).reshape(120, 120, 4)

@@ -1,4 +1,4 @@
-"""The renderer: frames of the face in, pictures out."""
+"""The software renderer: frames of the face in, pictures out."""
 
 from __future__ import annotations
 
@@ -9,13 +9,11 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
 from ..core.kernels.jit import f4
-from ..core.look import QUALITIES, STYLES
+from ..core.look import QUALITIES, STYLES, Size
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
-from ..face.head import Head
-from ..face.identity import Looks
 from ..looks.eyeball import iris_image
-from ..looks.head_model import head_model
+from ..looks.head_model import HeadModel
 from ..looks.noise import noise_tile
 from .backdrop import gradient
 from .camera import Camera, project
@@ -38,31 +36,29 @@ from .visibility import Visibility
 SMALLEST, LARGEST = 16, 4096
 
 
-class Renderer:
-    """Draws one head at one size.
+class SoftwareRenderer:
+    """Draws one head model at one size on the CPU.
 
     Draws one picture at a time; several renderers may draw at once, each in a thread of its own.
     """
 
     def __init__(
         self,
-        head: Head,
-        size: tuple[int, int] = (720, 720),
+        model: HeadModel,
+        size: Size = (720, 720),
         quality: str = "normal",
         *,
         camera: Camera | None = None,
         lights: LightRig = STUDIO,
-        looks: Looks | None = None,
         background: Float32Array | None = None,
         alpha: bool = False,
         style: str = "realistic",
     ) -> None:
-        """Prepare to draw `head` at `size` (width, height) in pixels.
+        """Prepare to draw `model` at `size` (width, height) in pixels.
 
-        `quality` is draft, normal or high: 1, 4 or 16 samples a pixel. `looks` are the head's own where None.
-        `background` is display light (height, width, 3) float32; with `alpha` it is left out and pictures
-        have four channels. Raises InputError for a size that cannot be drawn, and for an unknown quality or
-        style.
+        `quality` is draft, normal or high: 1, 4 or 16 samples a pixel. `background` is display light
+        (height, width, 3) float32; with `alpha` it is left out and pictures have four channels. Raises
+        InputError for a size that cannot be drawn, and for an unknown quality or style.
         """
         width, height = check_size(size)
         for kind, name, known in (("quality", quality, QUALITIES), ("style", style, STYLES)):
@@ -70,8 +66,8 @@ class Renderer:
                 raise InputError(unknown(kind, name, known))
         self.size = (width, height)
         self._lights = lights.lighting()
-        self.scene = HeadScene(head_model(head, looks), self._lights.lamps)
-        self.camera = camera or frame_head(self.scene.anatomy, width / height)
+        self.scene = HeadScene(model, self._lights.lamps)
+        self.camera = camera or frame_head(model.anatomy, width / height)
         self._samples = QUALITIES[quality]
         if alpha:
             background = np.zeros((height, width, 3), np.float32)
@@ -79,13 +75,13 @@ class Renderer:
             background = gradient(width, height, lights.centre, lights.edge)
         self._background = _check_background(background, width, height)
         self._alpha = alpha
-        self._sketch = Sketch(head, len(self.scene.triangles), style) if style != "realistic" else None
+        self._sketch = Sketch(model.head, len(self.scene.triangles), style) if style != "realistic" else None
         self._eye = np.asarray(self.camera.eye, np.float32)
         self._matrix = self.camera.matrix(width * self._samples, height * self._samples)
         self._empty = to_bytes(self._background)
         tones = (film_table(), tone_table(), to_bytes(film_table()))
-        cloth = self.scene.model.cloth.astype(np.float32)
-        iris = iris_image(*self.scene.model.looks.iris)
+        cloth = model.cloth.astype(np.float32)
+        iris = iris_image(*model.looks.iris)
         self._tables = Tables(diffuse_table(), noise_tile(), iris, cloth, *tones)
         self._least = 0.9 * self.camera.millimetres_per_sample(height * self._samples)
         views = HairViews(self.scene, math.dist(self.camera.eye, self.camera.target), self._least)
@@ -103,7 +99,7 @@ class Renderer:
         centre, radius = scene.anatomy.sphere()
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
 
-    def twin(self) -> Renderer:
+    def twin(self) -> SoftwareRenderer:
         """Return a renderer of the same pictures that may draw at the same time as this one."""
         other = copy(self)
         other.scene = self.scene.twin()
@@ -212,7 +208,7 @@ class Renderer:
             shade_diagram(sight, mesh, light, pose, self._tables, paint, self._batch, out)
 
 
-def check_size(size: tuple[int, int]) -> tuple[int, int]:
+def check_size(size: Size) -> Size:
     """Return a picture's size as whole numbers; raise InputError where it is none that can be drawn."""
     if len(size) != 2 or any(int(n) != n for n in size):
         raise InputError(f"picture size {size}; expected width and height in whole pixels")
