@@ -100,7 +100,7 @@ class Ledger:
 
 
 @dataclass(frozen=True, slots=True)
-class Turn:
+class DirectionEntry:
     """What one curve requests of a direction, and what the others leave of it: deviations (n,)."""
 
     channel: Channel
@@ -109,12 +109,14 @@ class Turn:
     applied: Array
 
 
-def turns(name: str, times: Array, channels: Sequence[Channel]) -> list[Turn]:
+def turns(name: str, times: Array, channels: Sequence[Channel]) -> list[DirectionEntry]:
     """Return what every curve does with a direction of head or gaze at sorted times (n,)."""
     curves = [(channel, curve) for channel in channels for curve in channel.curves.get(name, ())]
     requested = [_everywhere(curve, times) for _, curve in curves]
     applied = shares_of(name, requested) if requested else []
-    return [Turn(*curve, *values) for curve, *values in zip(curves, requested, applied, strict=True)]
+    return [
+        DirectionEntry(*curve, *values) for curve, *values in zip(curves, requested, applied, strict=True)
+    ]
 
 
 def _everywhere(curve: Curve, times: Array) -> Array:

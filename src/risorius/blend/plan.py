@@ -29,7 +29,7 @@ from .conflict import POLICIES, Join, PolicyInputs
 from .contact import CONTACTS
 from .directions import combine_directions
 from .knots import BLOCK
-from .ledger import Ledger, Turn, turns
+from .ledger import DirectionEntry, Ledger, turns
 from .levels import steady
 from .limits import LIPS, SpeechLimits
 from .lips import CompiledLips
@@ -147,7 +147,7 @@ class PlanSample:
             self._ledgers[name] = Ledger(name, self.times, plan.channels, self._resolve, plan.limits)
         return self._ledgers[name]
 
-    def turns(self, name: str) -> list[Turn]:
+    def turns(self, name: str) -> list[DirectionEntry]:
         """Return what every curve does with a direction."""
         return turns(name, self.times, self.plan.channels)
 
