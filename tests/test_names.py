@@ -38,7 +38,6 @@ TO_MEND = {
     "Progress",
     "Range",
     "Reader",
-    "Reading",
     "Row",
     "Rows",
     "Send",
