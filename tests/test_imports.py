@@ -1,11 +1,13 @@
 """Imports go one way, between packages and between files (DESIGN, section 1).
 
-Every import counts, wherever it stands: at the top of a file, in a function, or under TYPE_CHECKING.
+Every import counts, wherever it stands: at the top of a file, in a function, or under TYPE_CHECKING. So does
+a text that names what is imported later, as "package.module:attribute".
 """
 
 from __future__ import annotations
 
 import ast
+import re
 import sys
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -41,7 +43,7 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "channels": WORDS,
     "blend": {"core"},
     "face": SKIN,
-    "settings": {"core"},
+    "settings": {"core", "rules", "speech", "blend", "face"},
     "looks": SKIN | {"face", "settings"},
     "render": SKIN | {"face", "settings", "looks", "workers"},
     "ports": {"core", "languages", "script", "face", "looks", "render", "workers"},
@@ -65,6 +67,10 @@ UNSEEN: Mapping[str, set[str]] = {
 # The program that starts with every film, and what it may load that is not the standard library's.
 ENCODER = "risorius.ports.video.worker"
 LIGHT = {"av", "numpy"}
+NAMED = re.compile(r"([a-z_]+(?:\.[a-z_]+)+):\w+")
+# Where modules are imported by a name that is not a literal there: one that a test sees elsewhere, or that of
+# a file of the same package.
+BY_NAME = {"__init__.py", "core/setting.py", "languages/load.py", "ports/formats.py", "render/protocol.py"}
 
 
 @cache
@@ -94,6 +100,9 @@ def _targets(module: str, nodes: Iterator[ast.AST]) -> Iterator[str]:
             yield from (name if name in _modules() else source for name in names)
         elif isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            named = NAMED.fullmatch(node.value)
+            yield from (name for name in (f"risorius.{named[1]}",) if name in _modules()) if named else ()
 
 
 def _of_ours(module: str) -> set[str]:
@@ -136,6 +145,15 @@ def test_files_of_a_package_do_not_import_each_other_in_a_circle(unit: str) -> N
         TopologicalSorter(files).prepare()
     except CycleError as circle:
         pytest.fail(" → ".join(circle.args[1]))
+
+
+def test_modules_are_imported_by_name_where_it_is_known_what_they_are() -> None:
+    by_name = {
+        path.relative_to(ROOT).as_posix()
+        for path in _modules().values()
+        if re.search(r"import_module\(|__import__\(", path.read_text(encoding="utf-8"))
+    }
+    assert by_name == BY_NAME
 
 
 def test_the_encoder_starts_without_what_is_heavy() -> None:
