@@ -19,10 +19,9 @@ import pytest
 import risorius
 
 ROOT = Path(risorius.__file__).parent
-GROUND = {"errors", "registry"}
+GROUND = {"errors"}
 WORDS = {"core", "languages", "rules", "script", "speech"}
-SKIN = {"core", "kept"}
-TAKE = WORDS | SKIN | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
+TAKE = WORDS | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
 PIPELINE = TAKE | {"unread", "take"}
 LIBRARY = PIPELINE | {"pipeline", "api", "live", "batch"}
 
@@ -30,23 +29,20 @@ LIBRARY = PIPELINE | {"pipeline", "api", "live", "batch"}
 # ground. A row names only what stands above it.
 MAY_IMPORT: Mapping[str, set[str]] = {
     "errors": set(),
-    "registry": {"errors"},
-    "workers": set(),
     "heads": set(),
     "web": set(),
     "core": set(),
-    "kept": {"core"},
     "languages": {"core"},
     "rules": {"core", "languages"},
     "script": {"core", "languages", "rules"},
     "speech": {"core", "languages", "rules", "script"},
     "channels": WORDS,
     "blend": {"core"},
-    "face": SKIN,
+    "face": {"core"},
     "settings": {"core", "rules", "speech", "blend", "face"},
-    "looks": SKIN | {"face", "settings"},
-    "render": SKIN | {"face", "settings", "looks", "workers"},
-    "ports": {"core", "languages", "script", "face", "looks", "render", "workers"},
+    "looks": {"core", "face", "settings"},
+    "render": {"core", "face", "settings", "looks"},
+    "ports": {"core", "languages", "script", "face", "looks", "render"},
     "unread": {"core", "script", "speech", "settings"},
     "take": TAKE,
     "pipeline": PIPELINE,

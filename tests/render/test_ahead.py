@@ -26,7 +26,7 @@ def started(monkeypatch, tmp_path):
     found = []
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(ahead, "processors", lambda: 2)
-    monkeypatch.setattr(ahead.workers, "start", lambda *_, **__: found.append(Program()) or found[-1])
+    monkeypatch.setattr(ahead.processes, "start", lambda *_, **__: found.append(Program()) or found[-1])
     return found
 
 

@@ -15,8 +15,8 @@ import numpy as np
 
 from ..core.arrays import Array, IndexArray
 from ..core.movement import LipSegment
+from ..core.registry import Registry
 from ..core.utterance import SILENCE
-from ..registry import Registry
 
 T = TypeVar("T")
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..core.parameters import RIVALS
-from ..registry import Registry
+from ..core.registry import Registry
 from .channels import Channel
 from .limits import SpeechLimits
 from .tuning import Tuning

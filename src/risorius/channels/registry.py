@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 from ..core.counted import Counted
 from ..core.movement import LipSegment, Movement
+from ..core.registry import Registry
 from ..core.utterance import Utterance
-from ..registry import Registry
 from ..rules.book import Book, shipped
 from ..rules.conduct import Conduct
 from ..rules.emotions import Display

@@ -10,8 +10,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..registry import Registry
 from .arrays import Array
+from .registry import Registry
 
 OnsetFunction = Callable[[Array], Array]
 

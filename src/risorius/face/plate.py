@@ -12,8 +12,8 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
+from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
-from ..kept import kept
 
 BENDING, STRETCHING, BED = 0.5, 0.05, 0.004
 REACH = 45.0  # mm from a push beyond which the plate is held still
@@ -50,7 +50,7 @@ def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: BoolArray) -> Re
     Only vertices in `free` (N0,) move; those under the points must be among them, well within.
     """
     given = [part for matrix in (stiff, points) for part in (matrix.data, matrix.indices, matrix.indptr)]
-    return Response(*kept("response", [*given, free], lambda: _respond(stiff, points, free)))
+    return Response(*cached_arrays("response", [*given, free], lambda: _respond(stiff, points, free)))
 
 
 def _respond(stiff: sp.csc_matrix, points: sp.csr_matrix, free: BoolArray) -> tuple[Int32Array, Array, Array]:

@@ -16,8 +16,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..core.registry import Registry
 from ..errors import InputError, OutputError, Place, unknown
-from ..registry import Registry
 
 if TYPE_CHECKING:
     from .readable import PlayedFile, ReadOptions

@@ -15,7 +15,7 @@ from subprocess import DEVNULL, TimeoutExpired
 
 import numpy as np
 
-from .. import workers
+from ..core import processes
 from ..core.kernels import compile_cache
 from ..core.parameters import NEUTRAL
 from ..face.frame import FaceFrame
@@ -53,7 +53,7 @@ def _compiler(style: str) -> Iterator[Callable[[], None]]:
     if processors() < 2:
         yield _no_wait
         return
-    process = workers.start("risorius.render.ahead", style, stdin=DEVNULL, stdout=DEVNULL, stderr=DEVNULL)
+    process = processes.start("risorius.render.ahead", style, stdin=DEVNULL, stdout=DEVNULL, stderr=DEVNULL)
 
     def wait() -> None:
         with suppress(TimeoutExpired):

@@ -6,13 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, Float32Array, Int32Array, IntArray
 from ..core.kernels.jit import f4, i4, lean_kernel
 from ..face.head import Head
 from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
 from ..face.regions import Placed, place_regions
-from ..kept import kept
 from ..looks.noise import noise_at
 
 LINES, FOLD, DIMPLES = 0, 1, 2
@@ -48,7 +48,9 @@ def lay_creases(head: Head, triangles: int) -> Creases:
         covered[: len(faces)] |= (region.zone.mask[faces] > 0.0).any(axis=1).astype(np.int32) << number
     stray = RAGGED * noise_at(fine, WANDERING)
     phases = np.array([p.phase for p in placed])
-    (place,) = kept("creases", [phases, stray, fine, faces], lambda: (_places(phases, stray, fine, faces),))
+    (place,) = cached_arrays(
+        "creases", [phases, stray, fine, faces], lambda: (_places(phases, stray, fine, faces),)
+    )
     return Creases(
         covered,
         np.zeros_like(covered),

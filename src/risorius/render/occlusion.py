@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, ByteArray, Float32Array, FloatArray, Int32Array
 from ..core.kernels.jit import f4, lean_kernel
-from ..kept import kept
 from .shadow import flatten, light_matrix, transform
 from .visibility import Visibility
 
@@ -47,7 +47,7 @@ def bake(
         free = ambient_occlusion(mesh, centre, radius)
         return free, np.stack(reach, axis=1) if reach else np.ones((len(free), 0), np.float32)
 
-    free, reach = kept("occlusion", [*mesh, centre, radius, lamps], find)
+    free, reach = cached_arrays("occlusion", [*mesh, centre, radius, lamps], find)
     return free, reach
 
 

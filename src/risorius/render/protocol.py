@@ -21,9 +21,9 @@ from typing import NamedTuple, Protocol, Self
 
 from ..core.arrays import Array, ByteArray
 from ..core.look import Size
+from ..core.registry import Registry
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from ..registry import Registry
 from ..settings import Look
 
 DEFAULT = "software"

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from ..core.registry import Registry
 from ..errors import InputError, Place, unknown
-from ..registry import Registry
 from .bml import parse_bml
 from .files import names_something, read_text
 from .markup import parse_markup

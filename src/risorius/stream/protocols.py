@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
+from ..core.registry import Registry
 from ..errors import InputError, UnreadError, unknown
 from ..face.arkit_fit import ArkitTrack
-from ..registry import Registry
 
 NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
 

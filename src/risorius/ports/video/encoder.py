@@ -19,7 +19,7 @@ from typing import cast
 
 import numpy as np
 
-from ... import workers
+from ...core import processes
 from ...core.arrays import ByteArray, Int16Array
 from ...errors import OutputError
 from ...render.yuv import planes
@@ -59,7 +59,7 @@ class VideoEncoder:
         self._patience = patience
         self._silent_too_long = False
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
-        self._process = workers.start(
+        self._process = processes.start(
             "risorius.ports.video.worker",
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from ...core.registry import Registry
 from ...errors import SpeechError
-from ...registry import Registry
 from .protocol import SpeechEngine
 
 # Engines by name; each entry makes (or returns) the engine.

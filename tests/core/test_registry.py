@@ -1,7 +1,7 @@
 import pytest
 
+from risorius.core.registry import Registry
 from risorius.errors import ParameterError
-from risorius.registry import Registry
 
 
 def test_names_are_registered_once_and_found() -> None:

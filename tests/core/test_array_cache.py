@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius import kept as module
-from risorius.kept import kept
+from risorius.core import array_cache as module
+from risorius.core.array_cache import cached_arrays
 
 GIVEN = [np.arange(3.0), np.eye(2, dtype=np.float32)]
 FOUND = (np.array([1.5, np.nan]), np.arange(4, dtype=np.int32).reshape(2, 2))
@@ -34,22 +34,22 @@ def files(tmp_path: Path) -> list[Path]:
 
 
 def test_a_damaged_file_is_found_anew(find: Finder, tmp_path: Path) -> None:
-    kept("x", GIVEN, find)
+    cached_arrays("x", GIVEN, find)
     (file,) = files(tmp_path)
     for damage in (b"", b"no zip", file.read_bytes()[:100]):
         file.write_bytes(damage)
-        np.testing.assert_array_equal(kept("x", GIVEN, find)[1], FOUND[1])
+        np.testing.assert_array_equal(cached_arrays("x", GIVEN, find)[1], FOUND[1])
     assert find.times == 4
 
 
 def test_a_folder_that_cannot_be_written_costs_time_only(find: Finder, tmp_path: Path) -> None:
     (tmp_path / "cache").write_text("no folder")
-    np.testing.assert_array_equal(kept("x", GIVEN, find)[0], FOUND[0])
+    np.testing.assert_array_equal(cached_arrays("x", GIVEN, find)[0], FOUND[0])
 
 
 def test_what_is_kept_comes_back_as_it_was(find: Finder, tmp_path: Path) -> None:
-    kept("x", GIVEN, find)
-    for stored, found in zip(kept("x", GIVEN, find), FOUND, strict=True):
+    cached_arrays("x", GIVEN, find)
+    for stored, found in zip(cached_arrays("x", GIVEN, find), FOUND, strict=True):
         np.testing.assert_array_equal(stored, found)
         assert stored.dtype == found.dtype
     assert find.times == 1
@@ -67,20 +67,20 @@ def test_what_is_kept_comes_back_as_it_was(find: Finder, tmp_path: Path) -> None
     ids=["type", "shape", "value", "number"],
 )
 def test_another_input_is_another_file(find: Finder, other: list[np.ndarray]) -> None:
-    kept("x", GIVEN, find)
-    kept("x", other, find)
+    cached_arrays("x", GIVEN, find)
+    cached_arrays("x", other, find)
     assert find.times == 2
 
 
 def test_another_source_is_another_file(find: Finder, monkeypatch: pytest.MonkeyPatch) -> None:
-    kept("x", GIVEN, find)
+    cached_arrays("x", GIVEN, find)
     monkeypatch.setattr(module.compile_cache, "sources", lambda: "changed")
-    kept("x", GIVEN, find)
+    cached_arrays("x", GIVEN, find)
     assert find.times == 2
 
 
 def test_old_files_make_room(find: Finder, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "MOST_FILES", 3)
     for k in range(5):
-        kept("x", [np.array(k)], find)
+        cached_arrays("x", [np.array(k)], find)
     assert len(files(tmp_path)) == 3

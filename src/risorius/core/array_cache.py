@@ -1,4 +1,4 @@
-"""Arrays that take long to find and are the same at every start: kept on disk beside the compiled kernels."""
+"""A cache on disk for arrays that take long to compute and are the same at every start."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from .core.arrays import AnyArray
-from .core.kernels import compile_cache
-from .core.npz import read_arrays
+from .arrays import AnyArray
+from .kernels import compile_cache
+from .npz import read_arrays
 
 MOST_FILES = 64  # a head at one age needs five
 
 
-def kept(
-    name: str, given: Sequence[npt.ArrayLike], find: Callable[[], tuple[AnyArray, ...]]
+def cached_arrays(
+    name: str, inputs: Sequence[npt.ArrayLike], compute: Callable[[], tuple[AnyArray, ...]]
 ) -> tuple[AnyArray, ...]:
-    """Return what `find` returns, from disk where it was found before from the same `given` arrays.
+    """Return what `compute` returns, from disk if it was computed before from the same `inputs`.
 
-    `find` must depend on `given` and the sources of the face and the renderer alone. A folder that cannot be
-    read or written costs time, never the result.
+    `compute` must depend on `inputs` and the sources of the face and the renderer alone. A folder that cannot
+    be read or written costs time, never the result.
     """
-    path = _folder() / f"{name}-{_digest(given)}.npz"
+    path = _folder() / f"{name}-{_digest(inputs)}.npz"
     stored = _read(path)
     if stored is None:
-        stored = find()
+        stored = compute()
         with contextlib.suppress(OSError):
             _write(path, stored)
             _thin_out(path.parent)
@@ -42,9 +42,9 @@ def _folder() -> Path:
     return compile_cache.in_use() / "arrays"
 
 
-def _digest(given: Sequence[npt.ArrayLike]) -> str:
+def _digest(inputs: Sequence[npt.ArrayLike]) -> str:
     digest = hashlib.blake2b(f"{compile_cache.sources()} {np.__version__}".encode(), digest_size=16)
-    for array in map(np.ascontiguousarray, given):
+    for array in map(np.ascontiguousarray, inputs):
         digest.update(f"{array.dtype} {array.shape} ".encode())
         digest.update(array.data)
     return digest.hexdigest()

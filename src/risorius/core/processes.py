@@ -15,6 +15,6 @@ def start(module: str, *arguments: str, **options: Any) -> subprocess.Popen[byte
     `options` are those of `subprocess.Popen`.
     """
     # Our own package may have been found in the current folder.
-    paths = os.pathsep.join([*(entry for entry in sys.path if entry), str(Path(__file__).parents[1])])
+    paths = os.pathsep.join([*(entry for entry in sys.path if entry), str(Path(__file__).parents[2])])
     command = [sys.executable, "-P", "-m", module, *arguments]
     return subprocess.Popen(command, env={**os.environ, "PYTHONPATH": paths}, **options)

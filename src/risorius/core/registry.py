@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Generic, TypeVar
 
-from .errors import ParameterError, unknown
+from ..errors import ParameterError, unknown
 
 T = TypeVar("T")
 
