@@ -8,11 +8,12 @@ prints the line that reproduces it. No example is timed: the machine may be busy
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from typing import Any
+from typing import Any, TypeVar
 
 import pytest
 from hypothesis import HealthCheck, settings
 
+T = TypeVar("T")
 _FULL = 100
 _UNTIMED = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
 settings.register_profile("full", max_examples=_FULL, print_blob=True, **_UNTIMED)
@@ -25,8 +26,8 @@ def examples(full: int, **others: Any) -> settings:
     return settings(max_examples=max(1, round(full * share)), **others)
 
 
-def samples(full: int, everyday: int) -> int:
-    """Return how finely a test samples: `full` under `--full`, `everyday` else."""
+def samples(full: T, everyday: T) -> T:
+    """Return what a test takes of many, or how finely it samples: `full` under `--full`, `everyday` else."""
     return full if settings.default.max_examples == _FULL else everyday
 
 

@@ -13,11 +13,13 @@ import pytest
 from risorius.cli import commands, run
 from risorius.core.movement import CHANNELS
 from risorius.ports.formats import FORMATS
+from tests.profiles import samples
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
-SIZE = ["--size", "64x64"]
+SMALL = {"--size": "64x64"} | samples({}, everyday={"--fps": "6"})
+"""Options of commands that have them, unless they are given."""
 
 
 def blocks(page: Path, language: str) -> list[str]:
@@ -31,13 +33,18 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+def smaller(arguments: list[str]) -> list[str]:
+    """Return options by which a command has less to draw."""
+    known = {name for option in commands.commands[arguments[0]].params for name in option.opts}
+    return [text for name, value in SMALL.items() if name in known - {*arguments} for text in (name, value)]
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
 def test_commands_run(page: Path, folder: Path) -> None:
     for line in "".join(blocks(page, "sh")).splitlines():
         program, *arguments = shlex.split(line, comments=True)
         assert program == "risorius"
-        small = SIZE if any(a.endswith((".mp4", ".png")) for a in arguments) else []
-        assert run([*arguments, *small]) == 0, line
+        assert run([*arguments, *smaller(arguments)]) == 0, line
         outputs = [Path(b) for a, b in pairwise(arguments) if a == "-o"]
         assert all(output.stat().st_size > 0 for output in outputs)
 
