@@ -23,7 +23,7 @@ _FLAGS = (
     "--disable-component-update",
     "--disable-sync",
     "--use-gl=angle",
-    "--use-angle=swiftshader",
+    "--use-angle=swiftshader-webgl",  # for WebGL alone: the page itself is drawn for less
     "--enable-unsafe-swiftshader",
     "--autoplay-policy=no-user-gesture-required",
 )

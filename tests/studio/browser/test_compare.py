@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import pytest
 from selenium.webdriver.common.by import By
 
 from .acts import MOVED, choose, open_panel, perform
 from .driving import Page
 
 
+@pytest.mark.full
 def test_two_heads_stand_side_by_side_in_step(page: Page) -> None:
     perform(page)
     open_panel(page, "Compare")

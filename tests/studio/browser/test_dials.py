@@ -47,6 +47,7 @@ def test_the_face_follows_a_dial(dials: Page) -> None:
     dials.picture("dials")
 
 
+@pytest.mark.full
 def test_one_side_moves_alone(dials: Page) -> None:
     at_rest(dials)
     dials.run("document.querySelector('#panel-dials [data-name=left]').click()")

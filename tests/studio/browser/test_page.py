@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
@@ -19,6 +20,7 @@ OUTSIDE = """[...document.querySelectorAll('#studio > *')].filter((it) => {
 }).map((it) => it.id || it.tagName)"""
 
 
+@pytest.mark.full
 def test_light_and_dark(page: Page) -> None:
     perform(page)
     before = page.get(GROUND)
@@ -86,6 +88,7 @@ def test_everything_has_a_name_and_stays_on_the_page(page: Page) -> None:
         assert page.get(OUTSIDE) == []
 
 
+@pytest.mark.full
 def test_a_large_screen(page: Page) -> None:
     try:
         resize(page, 2560, 1440)

@@ -6,6 +6,7 @@ from io import BytesIO
 from pathlib import Path
 
 import numpy as np
+import pytest
 from PIL import Image
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -83,6 +84,7 @@ def test_sound_and_face_begin_together_where_the_line_does(page: Page) -> None:
     assert waited > 1400 or (ready >= 3 and not behind)
 
 
+@pytest.mark.full
 def test_what_is_written_is_made_ready_in_a_pause(page: Page) -> None:
     page.run("""
       window.asked = [];
@@ -147,6 +149,7 @@ def test_a_setting_is_performed_at_once_and_undone(page: Page) -> None:
     page.wait(f"{list_shows} === 'neutral'")
 
 
+@pytest.mark.full
 def test_another_head_performs_and_is_lit_from_the_front(page: Page) -> None:
     perform(page)
     page.run("window.first = studio.headPlayers.figures[0]")
@@ -176,6 +179,7 @@ def test_a_recording_with_its_transcript(page: Page, tmp_path: Path) -> None:
     assert page.get("document.querySelector('.recording .name').textContent") == "really.wav"
 
 
+@pytest.mark.full
 def test_what_is_typed_while_a_line_is_performed_stays(page: Page) -> None:
     perform(page)
     page.driver.find_element(By.ID, "perform").click()

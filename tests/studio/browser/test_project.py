@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
 from selenium.webdriver.common.by import By
 
 from .acts import SETTLED, SHOWN, choose, open_panel, perform, values
@@ -31,6 +32,7 @@ def test_an_export_shows_its_progress_and_gives_its_files(page: Page) -> None:
     assert len(rows) - 1 == values(page, "take")[0]["frames"]
 
 
+@pytest.mark.full
 def test_an_export_that_is_stopped_leaves_nothing(page: Page) -> None:
     perform(page)
     open_panel(page, "Project")
@@ -43,6 +45,7 @@ def test_an_export_that_is_stopped_leaves_nothing(page: Page) -> None:
     assert page.get("document.querySelectorAll('#jobs a').length") == 0
 
 
+@pytest.mark.full
 def test_a_reload_shows_the_same(page: Page) -> None:
     perform(page)
     choose(page, "perform", "profile", "lively")

@@ -23,6 +23,7 @@ def rules(page: Page) -> Page:
     return page
 
 
+@pytest.mark.full
 def test_the_rules_that_fired_are_listed_with_their_places(rules: Page) -> None:
     rules.wait(f"{ROW}?.hidden === false")
     rules.picture("rules")

@@ -229,7 +229,11 @@ def test_a_block_is_dragged_and_the_change_taken_back_and_made_again(timeline: T
 
 @pytest.mark.parametrize(
     ("time", "depth", "same", "other"),
-    [("start", 1.0, "end", "start"), ("end", 1.0, "start", "end"), ("apex_end", 0.0, "start", "apex_end")],
+    [
+        ("start", 1.0, "end", "start"),
+        pytest.param("end", 1.0, "start", "end", marks=pytest.mark.full),
+        pytest.param("apex_end", 0.0, "start", "apex_end", marks=pytest.mark.full),
+    ],
 )
 def test_a_block_is_stretched_by_its_handles(
     timeline: Timeline, time: str, depth: float, same: str, other: str
@@ -306,10 +310,10 @@ def test_a_block_is_moved_and_stretched_by_keys_alone(timeline: Timeline) -> Non
 @pytest.mark.parametrize(
     ("held", "start", "apex_start", "apex_end", "end"),
     [
-        (Keys.ALT, 1, 1, 0, 0),
-        (Keys.CONTROL, 0, 1, 0, 0),
+        pytest.param(Keys.ALT, 1, 1, 0, 0, marks=pytest.mark.full),
+        pytest.param(Keys.CONTROL, 0, 1, 0, 0, marks=pytest.mark.full),
         (Keys.CONTROL + Keys.SHIFT, 0, 0, 1, 0),
-        (Keys.SHIFT, 0, 0, 1, 1),
+        pytest.param(Keys.SHIFT, 0, 0, 1, 1, marks=pytest.mark.full),
     ],
 )
 def test_keys_with_modifiers_pull_one_of_the_times(
@@ -482,6 +486,7 @@ def test_a_lane_folds_to_one_row(timeline: Timeline) -> None:
     assert page.get("document.querySelector('.tl-names [data-name=signals]').ariaExpanded") == "false"
 
 
+@pytest.mark.full
 def test_graphs_and_folded_lanes_are_there_again_after_a_reload(timeline: Timeline) -> None:
     page = timeline.page
     page.run("timeline.scene.folded.add('signals'); document.querySelector('.tl-side').click()")
