@@ -13,7 +13,8 @@ import time
 from fractions import Fraction
 
 from risorius import blend
-from risorius.core.movement import CHANNELS, Movement
+from risorius.core.channels import CHANNELS
+from risorius.core.movement import Movement
 from risorius.core.parameters import MUSCLES, PARAMETERS, Kind
 from risorius.core.score import BlendSettings, Score
 

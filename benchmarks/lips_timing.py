@@ -20,7 +20,7 @@ from timit import GLOTTAL, RATE, Label, sentences
 from risorius import blend
 from risorius.channels import Brief, compose
 from risorius.core.audio import silence
-from risorius.core.movement import CHANNELS
+from risorius.core.channels import CHANNELS
 from risorius.core.utterance import Phone, Utterance
 from risorius.face.lip_fit import load_lip_rig
 from risorius.languages import phonesets

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from risorius.cli import commands, run
-from risorius.core.movement import CHANNELS
+from risorius.core.channels import CHANNELS
 from risorius.ports.formats import FORMATS
 from tests.profiles import samples
 

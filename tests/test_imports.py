@@ -66,7 +66,14 @@ LIGHT = {"av", "numpy"}
 NAMED = re.compile(r"([a-z_]+(?:\.[a-z_]+)+):\w+")
 # Where modules are imported by a name that is not a literal there: one that a test sees elsewhere, or that of
 # a file of the same package.
-BY_NAME = {"__init__.py", "core/setting.py", "languages/load.py", "ports/formats.py", "render/protocol.py"}
+BY_NAME = {
+    "__init__.py",
+    "channels/registry.py",
+    "core/setting.py",
+    "languages/load.py",
+    "ports/formats.py",
+    "render/protocol.py",
+}
 
 
 @cache

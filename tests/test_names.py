@@ -49,7 +49,6 @@ TO_MEND = {
     "Spoken",
     "Stretch",
     "Timed",
-    "Timing",
     "Tone",
     "Whole",
     "Word",

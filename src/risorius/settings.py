@@ -163,7 +163,7 @@ class Settings:
         "Articulation", 1.0, "How far the lips move, 0 to 2.", metavar="X", low=0.0, high=2.0, step=0.05)
     without: tuple[str, ...] = _manner(
         "Leave out", (), "Leave a channel out ('risorius list channels').",
-        metavar="CHANNEL", names="core.movement:CHANNEL_PRIORITY")
+        metavar="CHANNEL", names="core.channels:CHANNELS")
     rules: Path | None = _manner(
         "Rules", None, "A file of rules that adds to ours, replaces or deletes them.",
         metavar="FILE", on_page=False)

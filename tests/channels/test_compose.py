@@ -3,10 +3,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from risorius.channels import CHANNEL_BUILDERS, Brief, Display, compose
+from risorius.channels import Brief, Display, built_channels, compose
 from risorius.channels.manipulators import blink_interval
+from risorius.core.channels import CHANNELS
 from risorius.core.counted import Counted
-from risorius.core.movement import CHANNELS, Cause, Movement
+from risorius.core.movement import Cause, Movement
 from risorius.core.score import Score
 from risorius.errors import InputError, ParameterError
 from risorius.rules.profiles import profile
@@ -31,11 +32,11 @@ def test_bad_briefs(brief: Brief, without: list[str], error: type[Exception]) ->
 
 
 def test_every_channel_but_manual_has_a_builder() -> None:
-    assert set(CHANNEL_BUILDERS) == set(CHANNELS) - {"manual"}
+    assert set(built_channels()) == set(CHANNELS) - {"manual"}
 
 
 def _by_channel(score: Score) -> dict[str, list[Movement]]:
-    return {name: [m for m in score.movements if m.channel == name] for name in CHANNEL_BUILDERS}
+    return {name: [m for m in score.movements if m.channel == name] for name in CHANNELS}
 
 
 def test_same_seed_same_score_and_another_seed_another() -> None:

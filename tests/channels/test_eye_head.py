@@ -12,7 +12,7 @@ from risorius.core.counted import Counted
 from risorius.core.movement import Cause, Movement
 from risorius.core.score import Score
 from risorius.rules.profiles import profile
-from risorius.rules.timing import saccade_duration
+from risorius.rules.saccade import saccade_duration
 
 ANGLES = st.floats(-40.0, 40.0)
 UNBLINKING = replace(profile("neutral").blinks, shift=0.0)

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from risorius.channels import CHANNEL_BUILDERS, Brief, Display, compose
+from risorius.channels import Brief, Display, built_channels, compose
 from risorius.core.movement import Movement
 from risorius.core.utterance import Accent, PauseKind, Utterance
 from risorius.rules.book import extended, shipped
@@ -206,7 +206,7 @@ def test_blinks_of_paper_b_last_a_quarter_of_a_second_on_phonemes(sentence_of: M
     assert all(np.abs(edges - b.start).min() < 1e-9 for b in blinks)
 
 
-@pytest.mark.parametrize("dropped", sorted(CHANNEL_BUILDERS))
+@pytest.mark.parametrize("dropped", built_channels())
 def test_a_channel_left_out_leaves_the_others_as_they_were(dropped: str, sentence_of: Maker) -> None:
     said = sentence_of(LONG)
     brief = Brief(said.duration, said, emotions=(Display("joy", 0.5),), attitudes=(attitude("ironic"),))

@@ -112,7 +112,7 @@ print(len(called), declared)
 def test_checking_and_listing_import_no_writer() -> None:
     program = """
 import sys
-from risorius.listing import outputs
+from risorius.cli.listing import outputs
 from risorius.ports.targets import check_targets
 outputs()
 check_targets(["x.mp4", "x.glb", "x.arkit.csv"])

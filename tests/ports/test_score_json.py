@@ -9,8 +9,9 @@ from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from risorius.core.articulators import ARTICULATORS
+from risorius.core.channels import CHANNELS
 from risorius.core.functions import ONSET_FUNCTIONS
-from risorius.core.movement import CHANNELS, Cause, Dominance, LipSegment, ManualCurve, Movement
+from risorius.core.movement import Cause, Dominance, LipSegment, ManualCurve, Movement
 from risorius.core.parameters import PARAMETERS
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError
@@ -56,7 +57,7 @@ MOVEMENTS = st.builds(
     lambda start, length, **rest: Movement(start=start, end=start + length, **rest),
     start=_times(),
     length=POSITIVE,
-    channel=st.sampled_from(CHANNELS),
+    channel=st.sampled_from(CHANNELS.names()),
     onset=_times(),
     offset=_times(),
     targets=_of_parameters(_value),

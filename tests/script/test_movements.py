@@ -4,7 +4,7 @@ from risorius.core.movement import Cause, check_movement
 from risorius.core.score import check_sequence
 from risorius.core.utterance import Word
 from risorius.errors import InputError
-from risorius.rules.timing import saccade_duration
+from risorius.rules.saccade import saccade_duration
 from risorius.script.markup import parse_markup
 from risorius.script.movements import movements_of
 from risorius.script.plain import parse_plain

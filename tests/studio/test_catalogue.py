@@ -6,7 +6,7 @@ import json
 from dataclasses import fields
 
 from risorius.cli.listing import LISTINGS
-from risorius.core.movement import CHANNELS
+from risorius.core.channels import CHANNELS
 from risorius.core.parameters import PARAMETERS
 from risorius.ports.formats import FORMATS
 from risorius.rules.book import shipped

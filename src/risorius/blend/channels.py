@@ -9,7 +9,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..core.arrays import Array, IndexArray
-from ..core.movement import CHANNEL_PRIORITY, CHANNELS, Movement
+from ..core.channels import CHANNELS
+from ..core.movement import Movement
 from ..core.score import Score
 from .concatenate import LayerCurves, concatenate
 from .curve import Curve
@@ -74,7 +75,7 @@ def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, 
             curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
         curves = _joined(drawn, curves) if name == "manual" else _under(replaced, curves)
         if curves:
-            levels = levels_of(_claims(name, layers, lips), CHANNEL_PRIORITY[name])
+            levels = levels_of(_claims(name, layers, lips), CHANNELS.get(name).priority)
             channels.append(Channel(name, levels, dict(sorted(curves.items()))))
     return tuple(channels)
 
@@ -107,6 +108,6 @@ def _claims(name: str, layers: Sequence[LayerCurves], lips: CompiledLips | None)
     """Return what decides the channel's priority; speech without a break counts as one movement."""
     claims = [step.claim() for layer in layers for step in layer.steps]
     if name == "lips" and lips is not None:
-        own = CHANNEL_PRIORITY[name]
+        own = CHANNELS.get(name).priority
         claims.extend(PriorityClaim(start, end, end, own, own) for start, end in lips.speech.tolist())
     return claims

@@ -12,8 +12,9 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from ..core.channels import CHANNELS
 from ..core.functions import DEFAULT_FUNCTION
-from ..core.movement import CHANNEL_PRIORITY, Movement, fitted
+from ..core.movement import Movement, fitted
 from ..core.parameters import NEUTRAL, PARAMETERS
 from .curve_pieces import CurvePiece, CurvePieces, MovementCurve, last_time, value_at
 from .levels import PriorityClaim
@@ -47,7 +48,7 @@ class LayerStep:
     def claim(self) -> PriorityClaim:
         """Return the priority that it claims for its channel."""
         m = self.movement
-        own = CHANNEL_PRIORITY[m.channel] if m.priority is None else m.priority
+        own = CHANNELS.get(m.channel).priority if m.priority is None else m.priority
         after = own if m.release_priority is None else m.release_priority
         return PriorityClaim(self.start, self.release, self.until, own, after)
 

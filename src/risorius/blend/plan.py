@@ -15,8 +15,8 @@ from itertools import pairwise
 import numpy as np
 
 from ..core.arrays import Array
+from ..core.channels import CHANNELS
 from ..core.lip_rig import OPENING, LipRig
-from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
@@ -61,7 +61,9 @@ class Plan:
         else:
             self.lips = CompiledLips(score, self.tuning, rig) if score.lips else None
         self.channels = compile_channels(score, self.lips)
-        levels = next((c.levels for c in self.channels if c.name == LIPS), steady(CHANNEL_PRIORITY[LIPS]))
+        levels = next(
+            (c.levels for c in self.channels if c.name == LIPS), steady(CHANNELS.get(LIPS).priority)
+        )
         self.limits = SpeechLimits(self.lips.mouth, levels) if self.lips else None
         self.inputs = PolicyInputs(self.channels, self.tuning, self.limits)
         self.policy = policy(self.inputs)

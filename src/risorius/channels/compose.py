@@ -7,15 +7,15 @@ that the others are as they were (paper B, section 3.2).
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 
+from ..core.channels import CHANNELS
 from ..core.counted import Counted
 from ..core.movement import LipSegment, Movement
 from ..core.score import BlendSettings, Score, check_score
-from ..rules.match import events_of
+from ..errors import ParameterError, unknown
+from ..rules.match import Event, events_of
 from ..rules.settle import settle
-from . import emotion, gaze, head, lips, manipulators, ruled  # noqa: F401 - each registers its channels
-from .registry import CHANNEL_BUILDERS, Brief
+from .registry import Brief, Context, builder_of
 
 HORIZON = 9.0
 """How far appended text reaches back, seconds: it changes no movement that ends more than this before the end
@@ -27,10 +27,6 @@ are an aversion that either look would end too soon (3 s) and a blink just befor
 but gaze and manipulators keep to 1 s. A user's rule that acts before the end of a turn reaches back by its
 own `lead`.
 """
-# Channels whose marks keep the events of rules from moving the same parameters meanwhile.
-_MARKED = ("signals", "punctuators", "head", "gaze", "manipulators")
-# Manipulators come last: they look at the blinks of all others.
-_ORDER = ("lips", "emotion", "signals", "punctuators", "regulators", "gaze", "head", "manipulators")
 
 
 def compose(
@@ -40,14 +36,16 @@ def compose(
 
     Raises ParameterError for an unknown channel, InputError if two movements of a channel start together.
     """
+    channels = built_channels()
     for name in without:
-        CHANNEL_BUILDERS.get(name)
-    brief = proposed(brief, seed)
+        if name not in channels:
+            raise ParameterError(unknown("channel", name, channels))
+    events = proposed(brief, seed)
     movements: list[Movement] = []
     segments: list[LipSegment] = []
-    for name in _ORDER:
-        brief = replace(brief, built=tuple(movements))
-        for built in CHANNEL_BUILDERS.get(name)(brief, Counted(seed, name)):
+    for name in channels:
+        context = Context(name, events, tuple(movements), Counted(seed, name))
+        for built in builder_of(CHANNELS.get(name))(brief, context):
             if isinstance(built, LipSegment):
                 segments.append(built)
             else:
@@ -67,16 +65,16 @@ def compose(
     return score
 
 
-def proposed(brief: Brief, seed: int) -> Brief:
-    """Return a brief with the events of its rules; a still face has none."""
+def built_channels() -> tuple[str, ...]:
+    """Return the names of the channels that are built, in the order in which they are."""
+    channels = [channel for channel in map(CHANNELS.get, CHANNELS) if channel.built]
+    return tuple(c.name for c in sorted(channels, key=lambda c: (c.order, c.name)))
+
+
+def proposed(brief: Brief, seed: int) -> tuple[Event, ...]:
+    """Return the events of the rules that happen; a still face has none."""
     if not brief.lively:
-        return brief
-    events = events_of(
-        brief.book,
-        brief.units,
-        Counted(seed),
-        conduct=brief.conduct,
-        side=brief.profile.side,
-    )
-    taken = [(m.start, m.end, frozenset(m.targets)) for m in brief.marks if m.channel in _MARKED]
-    return replace(brief, events=tuple(settle(events, taken)))
+        return ()
+    events = events_of(brief.book, brief.units, Counted(seed), conduct=brief.conduct, side=brief.profile.side)
+    exclusive = [m for m in brief.marks if CHANNELS.get(m.channel).exclusive]
+    return tuple(settle(events, [(m.start, m.end, frozenset(m.targets)) for m in exclusive]))

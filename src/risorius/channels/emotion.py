@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from ..core.action_units import check_intensity
-from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import InputError
@@ -14,18 +13,16 @@ from ..rules.emotions import Display, emotion_key
 from ..rules.emotions import emotion as find_emotion
 from ..rules.fuzzy import blend_targets
 from .head import posture
-from .registry import CHANNEL_BUILDERS, Brief
-from .ruled import movements_of_rules
+from .registry import Brief, Context, register
+from .ruled import marked_and_ruled
 
 POSTURE = "emotion.posture.speaker"
 _OVERLAP = 0.05
 
 
-@CHANNEL_BUILDERS.register("emotion")
-def emotion(brief: Brief, numbers: Counted) -> Iterator[Movement]:
+def emotion(brief: Brief, context: Context) -> Iterator[Movement]:
     """Yield the marked displays, then the others, each in a layer of its own so that they blend."""
-    yield from brief.marked("emotion")
-    yield from movements_of_rules(brief, "emotion")
+    yield from marked_and_ruled(brief, context)
     if brief.lively:
         yield from _posture(brief)
     displays = [_placed(display, brief.duration) for display in brief.emotions]
@@ -91,3 +88,7 @@ def _company(displays: Sequence[Display], time: float) -> Mapping[str, float]:
         if d.start is not None and d.end is not None and d.start <= time < d.end:
             found[d.emotion] = max(found.get(d.emotion, 0.0), d.intensity)
     return found
+
+
+# The rise and fall of what is felt: facts: science/05, section 5.5.
+register("emotion", 10.0, emotion, timing=(0.45, 0.75, "exponential"), rules=True, marks=True)

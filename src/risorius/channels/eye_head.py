@@ -18,7 +18,7 @@ from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..rules.match import EYES
 from ..rules.profiles import Blinks
-from ..rules.timing import saccade_duration
+from ..rules.saccade import saccade_duration
 from .blinks import blink
 
 Angles = tuple[float, float]

@@ -20,7 +20,7 @@ from ..rules.match import Event
 from ..rules.profiles import Aversion
 from ..rules.rule import AWAY, TurnState
 from .eye_head import Angles, GazeShift, head_help, shifts_of
-from .registry import CHANNEL_BUILDERS, Brief
+from .registry import Brief, Context, register
 from .ruled import movements_of_rules
 
 AVERSION, SCAN, REST = "gaze.aversion.habit", "gaze.scan.face", "gaze.rest.listener"
@@ -46,19 +46,19 @@ class Look:
     fixed: bool = False
 
 
-@CHANNEL_BUILDERS.register("gaze")
-def gaze(brief: Brief, numbers: Counted) -> Iterator[Movement]:
+def gaze(brief: Brief, context: Context) -> Iterator[Movement]:
     """Yield the marked gaze with the head's share of it, and the fixations of the clip, one after another."""
     marked = brief.marked("gaze")
     yield from marked
     yield from (helped for m in marked if (helped := head_help(m)) is not None)
-    yield from movements_of_rules(brief, "gaze")
+    yield from movements_of_rules(brief, context)
     if not brief.lively:
         return
     # While listening the eyes are as free as else: only who is looked at is marked.
     asked = [m for m in marked if (m.start, m.end) not in brief.listening]
     looks = [Look(m.start, m.end, LISTENER, m.cause, fixed=True) for m in asked]
-    looks = _averted(brief, _commanded(brief, _apart(looks), numbers), numbers)
+    numbers = context.numbers
+    looks = _averted(brief, _commanded(brief, _apart(looks), context), numbers)
     shifts = list(_fixations(brief, looks, numbers))
     yield from shifts_of(shifts, brief.duration, brief.profile.blinks, brief.units.boundaries, numbers)
 
@@ -70,12 +70,12 @@ def _apart(looks: Sequence[Look]) -> list[Look]:
     return [replace(k, end=min(k.end, end)) for k, end in zip(ordered, ends, strict=True) if k.start < end]
 
 
-def _commanded(brief: Brief, marked: Sequence[Look], numbers: Counted) -> list[Look]:
+def _commanded(brief: Brief, marked: Sequence[Look], context: Context) -> list[Look]:
     """Return the marked looks, and those of rules where they do not stand against them, one after another."""
     looks = list(marked)
-    asked = [e for e in brief.events if e.rule.effect.look is not None]
+    asked = [e for e in context.events if e.rule.effect.look is not None]
     for event in sorted(asked, key=lambda e: (e.rule.channel != "gaze", -e.span.start, e.rule.id)):
-        direction = _aimed(event, brief, numbers)
+        direction = _aimed(event, brief, context.numbers)
         end = min([event.span.end, *(k.start for k in looks if k.end > event.span.start)])
         if end - event.span.start >= _SHORTEST:
             looks.append(Look(event.span.start, end, direction, Cause(event.rule.id, event.unit.text)))
@@ -173,3 +173,7 @@ def _fixation(mean: float, numbers: Counted) -> float:
     """
     beyond = numbers.exponential("first") + numbers.exponential("second")
     return _REFRACTORY + 0.5 * max(mean - _REFRACTORY, 0.05) * beyond
+
+
+# The eyes' angle sets onset and offset (`saccade_duration`); these hold for the distance at which they look.
+register("gaze", 20.0, gaze, timing=(0.2, 0.2, "saccade"), rules=True, marks=True, exclusive=True)

@@ -18,23 +18,21 @@ from ..core.utterance import PauseKind
 from ..rules.conduct import size_of
 from ..rules.match import HEAD
 from ..rules.rule import TurnState
-from .registry import CHANNEL_BUILDERS, Brief
-from .ruled import movements_of_rules, with_eyes
+from .registry import Brief, Context, register
+from .ruled import marked_and_ruled, with_eyes
 
 NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.pitch", "head.posture.speaker"
 # Seconds in which one movement of a chain gives way to the next.
 _OVERLAP = 0.02
 
 
-@CHANNEL_BUILDERS.register("head")
-def head(brief: Brief, numbers: Counted) -> Iterator[Movement]:
+def head(brief: Brief, context: Context) -> Iterator[Movement]:
     """Yield the marked movements, those of rules, and a smooth wander about the speaker's posture."""
-    yield from brief.marked("head")
-    yield from movements_of_rules(brief, "head")
+    yield from marked_and_ruled(brief, context)
     if brief.lively:
         yield from _posture(brief)
         yield from _melody(brief)
-        yield from _noise(brief, numbers)
+        yield from _noise(brief, context.numbers)
 
 
 def posture(brief: Brief) -> dict[str, float]:
@@ -138,3 +136,6 @@ class _Calm:
     def rests(self, time: float) -> bool:
         """Tell whether nothing more is to be said, so that the head goes back to rest (paper B, 5.2)."""
         return any(start <= time for start in self._last)
+
+
+register("head", 20.0, head, timing=(0.2, 0.3, "minimum_jerk"), rules=True, marks=True, exclusive=True)

@@ -10,21 +10,19 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from ..core.articulators import within_range
-from ..core.counted import Counted
 from ..core.frozen import FrozenDict
 from ..core.movement import Cause, LipSegment
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet
 from ..rules.articulation import is_known, sounds
 from ..rules.lips import OPENING, LipTable, PhoneShape, lip_table
-from .registry import CHANNEL_BUILDERS, Brief
+from .registry import Brief, Context, register
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
 
 
-@CHANNEL_BUILDERS.register("lips")
-def lips(brief: Brief, numbers: Counted) -> Iterator[LipSegment]:
+def lips(brief: Brief, context: Context) -> Iterator[LipSegment]:
     """Yield the segments of all phones and pauses in order, the in-breath before speech included."""
     if brief.utterance is None:
         return
@@ -146,3 +144,6 @@ def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:
         if vowel >= 0 and phone.end in ends:
             found.add(vowel)
     return frozenset(found)
+
+
+register("lips", 60.0, lips)

@@ -11,8 +11,8 @@ from ..rules.match import LIDS
 from ..rules.profiles import Blinks
 from ..rules.synchrony import nearest
 from .blinks import blink
-from .registry import CHANNEL_BUILDERS, Brief
-from .ruled import movements_of_rules
+from .registry import Brief, Context, register
+from .ruled import marked_and_ruled
 
 RANDOM, PERIODIC = "manipulators.lids.random", "manipulators.lids.periodic"
 # Blinks a second after the wait, and after twice the wait (Itti, Dhavale and Pighin 2003, as hazards).
@@ -23,18 +23,17 @@ _SHUT, _LONGEST = 0.5, 0.8
 _APART = 0.3
 
 
-@CHANNEL_BUILDERS.register("manipulators")
-def manipulators(brief: Brief, numbers: Counted) -> Iterator[Movement]:
+def manipulators(brief: Brief, context: Context) -> Iterator[Movement]:
     """Yield the marked blinks, those of rules, and others where too much time passes without one."""
-    known = [*brief.marked("manipulators"), *movements_of_rules(brief, "manipulators")]
+    known = list(marked_and_ruled(brief, context))
     yield from known
     if not brief.lively:
         return
-    voluntary = sorted((m for m in (*known, *brief.built) if _is_blink(m)), key=lambda m: m.start)
+    voluntary = sorted((m for m in (*known, *context.built) if _is_blink(m)), key=lambda m: m.start)
     habits, boundaries = brief.profile.blinks, brief.units.boundaries
-    starts = _starts(habits, voluntary, boundaries, brief.duration, numbers)
+    starts = _starts(habits, voluntary, boundaries, brief.duration, context.numbers)
     for number, (start, why) in enumerate(starts):
-        depth = _depth(habits, numbers.under("depth", number))
+        depth = _depth(habits, context.numbers.under("depth", number))
         yield blink("manipulators", start, depth, habits, boundaries, Cause(why, "eyes to wet"))
 
 
@@ -92,3 +91,17 @@ def blink_interval(numbers: Counted, wait: float) -> float:
     if budget < early:
         return wait + budget / _HAZARD
     return min(2.0 * wait + (budget - early) / _LATE_HAZARD, 3.0 * wait)
+
+
+# A blink's timing: paper B, section 5 (1/8 s of closure, 1/24 s closed, 1/12 s of aperture). Built last: no
+# blink is added where another channel has one.
+register(
+    "manipulators",
+    50.0,
+    manipulators,
+    timing=(0.125, 0.0833, "minimum_jerk"),
+    rules=True,
+    marks=True,
+    exclusive=True,
+    order=1,
+)

@@ -1,13 +1,15 @@
-"""What a channel is given, and the table of channels."""
+"""What a channel builds from, and its registration."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
+from importlib import import_module
 
+from ..core.channels import ChannelDeclaration
 from ..core.counted import Counted
 from ..core.movement import LipSegment, Movement
-from ..core.registry import Registry
 from ..core.utterance import Utterance
 from ..rules.book import Book, shipped
 from ..rules.conduct import Conduct
@@ -18,7 +20,7 @@ from ..rules.situation import Situation
 from ..rules.units import Units
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Brief:
     """All that a channel may build from.
 
@@ -26,8 +28,7 @@ class Brief:
     the displays asked for beside the script; `felt`: those that the script marks. `listening`: spans of
     listening, seconds. `opens`: whether the mouth may open before speech and close after it (plain text).
     `lively`: whether rules, random blinks, small head and eye movements are wanted. `book`: the rules that
-    hold. `events`: what they propose and `built`: the movements of the channels before, as `compose` fills
-    them in.
+    hold.
     """
 
     duration: float
@@ -43,15 +44,13 @@ class Brief:
     profile: Profile = field(default_factory=lambda: profile(NEUTRAL))
     attitudes: tuple[Attitude, ...] = ()
     book: Book = field(default_factory=shipped)
-    events: tuple[Event, ...] = ()
-    built: tuple[Movement, ...] = ()
 
-    @property
+    @cached_property
     def situation(self) -> Situation:
         """What rules see."""
         return Situation(self.duration, self.utterance, (*self.felt, *self.emotions), self.listening)
 
-    @property
+    @cached_property
     def units(self) -> Units:
         """The stretches that rules are tried on."""
         return Units(self.situation)
@@ -70,7 +69,35 @@ class Brief:
         return tuple(m for m in self.marks if m.channel == channel)
 
 
-Built = Iterable[Movement | LipSegment]
-ChannelBuilder = Callable[[Brief, Counted], Built]
+@dataclass(frozen=True, slots=True)
+class Context:
+    """What a channel builds beside: its own `name`, the events of all rules, the movements that the channels
+    before it `built`, and its random numbers.
+    """
 
-CHANNEL_BUILDERS: Registry[ChannelBuilder] = Registry("channel")
+    name: str
+    events: tuple[Event, ...]
+    built: tuple[Movement, ...]
+    numbers: Counted
+
+
+Built = Iterable[Movement | LipSegment]
+ChannelBuilder = Callable[[Brief, Context], Built]
+_BUILDERS: dict[str, ChannelBuilder] = {}  # filled as the channels' modules are imported
+
+
+def register(name: str, priority: float, build: ChannelBuilder | None = None, **declaration: object) -> None:
+    """Register a channel, at the end of its file; all but the builder are written as literals.
+
+    `core.channels` reads what is declared as text, see `ChannelDeclaration`: `rules`, `marks`, `exclusive`,
+    `order`, and `timing`, which is (onset, offset, function).
+    """
+    if build is not None:
+        _BUILDERS[name] = build
+
+
+def builder_of(channel: ChannelDeclaration) -> ChannelBuilder:
+    """Return what builds a channel; its module is imported if it is not yet."""
+    if channel.name not in _BUILDERS:
+        import_module(channel.module)
+    return _BUILDERS[channel.name]

@@ -1,19 +1,18 @@
-"""Channels made by rules: events become movements, beside what the script marks."""
+"""Movements of rules: events become movements, beside what the script marks."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from ..core.counted import Counted
+from ..core.channels import channel_timing
 from ..core.movement import Cause, Movement
 from ..rules.markup import markup_table
 from ..rules.match import Event
 from ..rules.settle import APART
-from ..rules.timing import channel_timing
 from ..script.gestures import strokes_of
 from .blinks import blink
-from .registry import CHANNEL_BUILDERS, Brief, ChannelBuilder
+from .registry import Brief, Context
 
 # While the head moves the eyes stay on what they look at: the vestibulo-ocular reflex, of gain 1.
 _COUNTER = {"head_pitch": "gaze_pitch", "head_yaw": "gaze_yaw"}
@@ -25,10 +24,16 @@ def with_eyes(targets: Mapping[str, float]) -> dict[str, float]:
     return {**targets, **counter}
 
 
-def movements_of_rules(brief: Brief, channel: str) -> Iterator[Movement]:
+def marked_and_ruled(brief: Brief, context: Context) -> Iterator[Movement]:
+    """Yield the movements that the script marks on a channel, then those of its rules: all that many do."""
+    yield from brief.marked(context.name)
+    yield from movements_of_rules(brief, context)
+
+
+def movements_of_rules(brief: Brief, context: Context) -> Iterator[Movement]:
     """Yield the movements of a channel's events; looks are left to the gaze."""
     boundaries = brief.units.boundaries
-    events = [event for event in brief.events if event.rule.channel == channel]
+    events = [event for event in context.events if event.rule.channel == context.name]
     for event, following in zip(events, _following_gestures(events), strict=True):
         if event.targets:
             yield _held(event)
@@ -37,7 +42,7 @@ def movements_of_rules(brief: Brief, channel: str) -> Iterator[Movement]:
         if event.rule.effect.blink is not None:
             depth = min(event.rule.effect.blink, 1.0)
             yield blink(
-                channel,
+                context.name,
                 event.span.start,
                 depth,
                 brief.profile.blinks,
@@ -106,15 +111,3 @@ def _gesture(event: Event, until: float) -> Iterator[Movement]:
             function=rule.timing.function or "minimum_jerk",
             cause=_cause(event),
         )
-
-
-def _ruled(channel: str) -> ChannelBuilder:
-    def build(brief: Brief, numbers: Counted) -> Iterator[Movement]:
-        yield from brief.marked(channel)
-        yield from movements_of_rules(brief, channel)
-
-    return build
-
-
-for _channel in ("signals", "punctuators", "regulators"):
-    CHANNEL_BUILDERS.register(_channel)(_ruled(_channel))

@@ -40,9 +40,9 @@ def muscles() -> Listing:
 
 def channels() -> Listing:
     """The channels with their default priorities."""
-    from ..core.movement import CHANNEL_PRIORITY
+    from ..core.channels import CHANNELS
 
-    return ("channel", "priority"), [(name, f"{value:g}") for name, value in CHANNEL_PRIORITY.items()]
+    return ("channel", "priority"), [(name, f"{CHANNELS.get(name).priority:g}") for name in CHANNELS]
 
 
 def emotions() -> Listing:

@@ -4,28 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 
 from ..errors import InputError, ParameterError, unknown
 from .articulators import leader
+from .channels import CHANNELS
 from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
 from .parameters import INDEX, PARAMETERS, check_value
-
-# Default priority of each channel (DESIGN section 3), highest first.
-CHANNEL_PRIORITY: Mapping[str, float] = MappingProxyType(
-    {
-        "manual": 70.0,
-        "lips": 60.0,
-        "manipulators": 50.0,
-        "signals": 40.0,
-        "punctuators": 30.0,
-        "regulators": 25.0,
-        "gaze": 20.0,
-        "head": 20.0,
-        "emotion": 10.0,
-    }
-)
-CHANNELS = tuple(CHANNEL_PRIORITY)
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,8 +117,7 @@ class ManualCurve:
 
 def check_movement(m: Movement) -> None:
     """Raise InputError or ParameterError if a movement cannot be performed."""
-    if m.channel not in CHANNEL_PRIORITY:
-        raise ParameterError(unknown("channel", m.channel, CHANNELS))
+    CHANNELS.get(m.channel)
     check_span(m.label, m.start, m.end)
     for what, value in (("onset", m.onset), ("offset", m.offset)):
         if not 0.0 <= value < float("inf"):

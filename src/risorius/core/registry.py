@@ -5,8 +5,11 @@ A plug-in is a plain function (or class) registered under the name by which user
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Generic, TypeVar
+import ast
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Generic, TypeVar
 
 from ..errors import ParameterError, unknown
 
@@ -47,3 +50,39 @@ class Registry(Generic[T]):
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._entries)
+
+
+@dataclass(frozen=True, slots=True)
+class Registration:
+    """A line `register(…)` of a module, as it is written; None stands for functions."""
+
+    module: str
+    arguments: tuple[Any, ...]
+    keywords: Mapping[str, Any]
+
+
+def registrations(folder: Path, package: str, literals: int) -> Iterator[Registration]:
+    """Yield the lines `register(…)` that end the files of a package in a folder, without importing them.
+
+    Keywords and the first arguments, as many as `literals`, are literals; the other arguments are functions.
+    Raises ValueError for anything else.
+    """
+    for file in sorted(folder.rglob("*.py")):
+        _, first, rest = file.read_text(encoding="utf-8").partition(_REGISTER)
+        if first:
+            module = ".".join((package, *file.relative_to(folder).with_suffix("").parts))
+            for statement in ast.parse(first + rest).body:
+                yield _registration(module, statement, literals)
+
+
+_REGISTER = "\nregister("
+
+
+def _registration(module: str, statement: ast.stmt, literals: int) -> Registration:
+    match statement:
+        case ast.Expr(ast.Call(ast.Name("register"), arguments, keywords)):
+            options = {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in keywords}
+            values = [ast.literal_eval(argument) for argument in arguments[:literals]]
+            return Registration(module, (*values, *[None for _ in arguments[literals:]]), options)
+        case _:
+            raise ValueError(f"{module}: expected nothing but register(…) after the first register(…)")

@@ -7,7 +7,6 @@ do not need. A format's file is imported when it is first written or read.
 
 from __future__ import annotations
 
-import ast
 import difflib
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
@@ -16,7 +15,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..core.registry import Registry
+from ..core.registry import Registry, registrations
 from ..errors import InputError, OutputError, Place, unknown
 
 if TYPE_CHECKING:
@@ -27,8 +26,8 @@ Writer = Callable[["WritableTake", Path, "WriteOptions"], None]
 """Fills a file, which is empty and stands beside the final one."""
 Reader = Callable[[Path, "ReadOptions"], "PlayedFile"]
 """Reads a file; raises InputError for one that is wrong."""
-_REGISTER = "\nregister("
 _LAST = 100
+_COLUMNS = ("suffix", "description", "needs")  # what `register` has before its functions
 
 
 class Need(StrEnum):
@@ -113,23 +112,9 @@ def _format(module: str, columns: tuple[Any, ...], options: dict[str, Any], *, r
 
 def _declared(package: Path) -> Iterator[FileFormat]:
     """Yield the formats that the files of the package register, without importing them."""
-    for file in package.rglob("*.py"):
-        _, found, calls = file.read_text(encoding="utf-8").partition(_REGISTER)
-        if found:
-            module = ".".join((__package__, *file.relative_to(package).with_suffix("").parts))
-            for statement in ast.parse(found + calls).body:
-                yield _of_call(module, statement)
-
-
-def _of_call(module: str, statement: ast.stmt) -> FileFormat:
-    """Return the row of a `register(…)` that stands in a module's text."""
-    match statement:
-        case ast.Expr(ast.Call(ast.Name("register"), arguments, keywords)):
-            columns = tuple(ast.literal_eval(argument) for argument in arguments[:3])
-            options = {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in keywords}
-            return _format(module, columns, options, readable=len(arguments) > 4)
-        case _:
-            raise ValueError(f"{module}: expected nothing but register(…) after the first register(…)")
+    for line in registrations(package, __package__, len(_COLUMNS)):
+        readable = len(line.arguments) > len(_COLUMNS) + 1
+        yield _format(line.module, line.arguments[: len(_COLUMNS)], dict(line.keywords), readable=readable)
 
 
 for _row in sorted(_declared(Path(__file__).parent), key=lambda row: (row.order, row.suffix.lower())):

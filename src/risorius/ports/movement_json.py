@@ -7,9 +7,9 @@ from typing import Any
 
 from ..core.action_units import resolve_targets
 from ..core.articulators import ARTICULATORS, check_lip_target
+from ..core.channels import CHANNELS
 from ..core.functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
 from ..core.movement import (
-    CHANNELS,
     Cause,
     Dominance,
     LipSegment,

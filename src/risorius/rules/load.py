@@ -14,7 +14,7 @@ __all__ = ["DATA", "load", "load_file", "load_folder", "parse"]
 
 
 def load(cls: type[T], name: str) -> T:
-    """Return the package's table `name` (a path under `rules/data`, such as "timing.toml") as a `cls`."""
+    """Return the package's table `name` (a path under `rules/data`, such as "synchrony.toml") as a `cls`."""
     return parse(cls, (DATA / name).read_text(encoding="utf-8"), name)
 
 

@@ -13,6 +13,7 @@ from enum import StrEnum
 from typing import Annotated
 
 from ..core.action_units import resolve_targets
+from ..core.channels import CHANNELS
 from ..core.frozen import FrozenDict
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.schema import Range
@@ -180,7 +181,7 @@ class Timing:
 
 
 _ID = re.compile(r"[a-z_]+(?:\.[\w-]+){2,}")
-RULED_CHANNELS = ("signals", "punctuators", "regulators", "manipulators", "emotion", "gaze", "head")
+RULED_CHANNELS = tuple(name for name in CHANNELS if CHANNELS.get(name).rules)
 # Conditions that units of a level can meet; all others would keep a rule from ever firing.
 _ALWAYS = frozenset({"rate", "lasting", "emotion", "intensity", "turn"})
 _SPOKEN = frozenset({"accent", "nuclear", "boundary", "pause", "question", "stress", "position", "words"})

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from ..core.action_units import resolve_targets
+from ..core.channels import channel_timing
 from ..errors import InputError, RisoriusError
 from ..rules.bml import bml_table
 from ..rules.markup import markup_table
-from ..rules.timing import channel_timing
 from .anchor import Anchor, Base
 from .bml_shapes import PEAKS, SHIFT_SECONDS, USUAL_AMOUNT, gesture_of, limited
 from .model import WHOLE, Mark, MarkKind

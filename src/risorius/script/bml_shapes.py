@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from ..core.channels import channel_timing
 from ..core.parameters import INDEX, PARAMETERS
 from ..rules.bml import bml_table
 from ..rules.markup import markup_table
-from ..rules.timing import channel_timing
 from .gestures import MOST_REPETITIONS, strokes_of
 from .model import Stroke
 from .tree import Node

@@ -9,8 +9,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from ..core.action_units import resolve_targets
+from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
-from ..core.movement import CHANNELS
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import RisoriusError
 from ..rules.markup import Attitude, markup_table
@@ -27,7 +27,7 @@ COMMON = (
 )  # fmt: skip
 _LABEL = 80
 # Lips are segments of speech, manual curves are keys: raw movements go to the other channels.
-_RAW_CHANNELS = tuple(c for c in CHANNELS if c not in ("lips", "manual"))
+_MARKED_CHANNELS = tuple(name for name in CHANNELS if CHANNELS.get(name).marks)
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,7 +220,7 @@ def _blink(attributes: Attributes) -> tuple[Mark, ...]:
 
 def _movement(attributes: Attributes) -> tuple[Mark, ...]:
     common = _common(attributes)
-    channel = attributes.choice("channel", _RAW_CHANNELS)
+    channel = attributes.choice("channel", _MARKED_CHANNELS)
     targets = take_targets(attributes)
     if not targets:
         raise attributes.error('no muscle is given; expected e.g. AU12="0.5" or zygomatic_major="0.5"')

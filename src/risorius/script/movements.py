@@ -6,10 +6,11 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from ..core.channels import ChannelTiming, channel_timing
 from ..core.movement import Cause, Movement
 from ..core.utterance import Word
 from ..errors import InputError
-from ..rules.timing import Timing, channel_timing, saccade_duration
+from ..rules.saccade import saccade_duration
 from .apart import check_apart
 from .model import Mark, Script, Stroke
 
@@ -88,11 +89,11 @@ def _id(timed: _Timed) -> str:
     return name if len(mark.strokes) == 1 else f"{name}.{timed.number}"
 
 
-def _function(mark: Mark, timing: Timing) -> str:
+def _function(mark: Mark, timing: ChannelTiming) -> str:
     return channel_timing("gaze").function if _moves_eyes_alone(mark) else timing.function
 
 
-def _default_timing(timed: _Timed, timing: Timing, eyes: _Eyes) -> tuple[float, float]:
+def _default_timing(timed: _Timed, timing: ChannelTiming, eyes: _Eyes) -> tuple[float, float]:
     """Return seconds of onset and offset: by the eyes' angle, the stroke's length, or the channel."""
     if _moves_eyes_alone(timed.mark):
         return eyes.turn(timed)

@@ -11,8 +11,8 @@ import numpy as np
 
 from .. import __version__
 from ..core.action_units import ACTION_UNITS, ActionUnit, resolve_targets
+from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
-from ..core.movement import CHANNEL_PRIORITY
 from ..core.parameters import ALIASES, PARAMETERS, RIVALS, Parameter
 from ..core.setting import Row, ValueKind
 from ..face.head import load_head, shipped_heads
@@ -44,7 +44,7 @@ def catalogue() -> tables.Catalogue:
         attitudes=tuple(tables.AttitudeRow(a.name, a.description, a.source) for a in attitudes().values()),
         voices=tuple(tables.VoiceRow(v.name, v.language, v.description) for v in voices()),
         heads=tuple(map(_head, shipped_heads())),
-        channels=tuple(tables.ChannelRow(name, rank) for name, rank in CHANNEL_PRIORITY.items()),
+        channels=tuple(tables.ChannelRow(name, CHANNELS.get(name).priority) for name in CHANNELS),
         onset_functions=tuple(map(_sampled, ONSET_FUNCTIONS)),
         settings=tuple(map(_setting, (*chosen_rows(), *exported_rows()))),
         formats=get_args(Format),

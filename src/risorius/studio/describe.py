@@ -9,8 +9,9 @@ import numpy as np
 
 from ..core.arrays import Array, Int16Array
 from ..core.audio import Audio
+from ..core.channels import CHANNELS
 from ..core.edits import is_edited
-from ..core.movement import CHANNEL_PRIORITY, Cause, LipSegment, ManualCurve, Movement, fitted
+from ..core.movement import Cause, LipSegment, ManualCurve, Movement, fitted
 from ..core.parameters import NAMES, NEUTRAL
 from ..core.score import Score
 from ..core.utterance import Utterance
@@ -68,7 +69,7 @@ def blocks(score: Score, like: tuple[Score, Blocks] | None = None) -> Blocks:
 
 def _block(m: Movement) -> wire.Block:
     onset, offset = fitted(m.onset, m.offset, m.end - m.start)
-    priority = CHANNEL_PRIORITY[m.channel] if m.priority is None else m.priority
+    priority = CHANNELS.get(m.channel).priority if m.priority is None else m.priority
     return wire.Block(
         id=m.id,
         channel=m.channel,
@@ -98,7 +99,7 @@ def _segment(name: str, s: LipSegment) -> wire.Block:
         apex_end=s.end,
         end=s.end,
         targets=dict(s.targets),
-        priority=CHANNEL_PRIORITY["lips"],
+        priority=CHANNELS.get("lips").priority,
         function="",
         cause=sentence(s.cause),
         rule=s.cause.rule,

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from ...core.channels import CHANNELS
 from ...core.look import Size
-from ...core.movement import CHANNELS, Movement
+from ...core.movement import Movement
 from ...core.score import Score
 from .ink import BRIGHT, GROUND, INK, SOFT, Colour, Subject, font
 
@@ -60,7 +61,7 @@ class Lanes:
         for k, (name, spans) in enumerate(self._spans.items()):
             y = height + (k + 0.3) * self._row
             pen.text((0.5 * self._text.size, y), name, font=self._text, fill=SOFT)
-            colour = _COLOURS[CHANNELS.index(name) % len(_COLOURS)]
+            colour = _COLOURS[CHANNELS.names().index(name) % len(_COLOURS)]
             for span in spans:
                 start, end = left + (span.start - first) * scale, left + (span.end - first) * scale
                 self._block(
