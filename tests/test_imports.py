@@ -187,3 +187,11 @@ def _and_parents(name: str) -> set[str]:
     if parts[0] != "risorius":
         return {parts[0]}
     return {".".join(parts[:count]) for count in range(1, len(parts) + 1)} & set(_modules())
+
+
+def test_the_page_on_architecture_has_the_packages_in_their_order() -> None:
+    page = (ROOT.parent.parent / "docs" / "architecture.md").read_text(encoding="utf-8")
+    table = page.partition("## The packages")[2].partition("## ")[0]
+    drawn = re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE)
+    units = {_unit(module) for module in _modules()} - {"__init__", "__main__"}
+    assert drawn == [unit for unit in MAY_IMPORT if unit in units]
