@@ -45,7 +45,7 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "ports": {"core", "languages", "script", "face", "looks", "render"},
     "unread": {"core", "script", "speech", "settings"},
     "take": TAKE,
-    "pipeline": PIPELINE,
+    "pipeline": PIPELINE - {"face", "looks", "render", "ports"},
     "api": PIPELINE | {"pipeline"},
     "live": PIPELINE | {"pipeline", "api"},
     "batch": PIPELINE | {"pipeline", "api"},

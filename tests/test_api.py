@@ -1,0 +1,55 @@
+"""What users import, and what two of them may do at once."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+import risorius
+
+PAGE = Path(risorius.__file__).parent / "pipeline.py"
+
+
+def test_the_pipeline_is_one_page() -> None:
+    assert len(PAGE.read_text(encoding="utf-8").splitlines()) <= 80
+
+
+def test_an_unknown_name_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="has no attribute 'speek'"):
+        _ = risorius.speek
+
+
+def test_every_exported_name_is_there() -> None:
+    for name in risorius.__all__:
+        assert getattr(risorius, name) is not None, name
+
+
+def test_to_stream_is_a_package_and_stays_one() -> None:
+    assert isinstance(risorius.stream, ModuleType)
+    assert callable(risorius.stream.send_take)
+    assert isinstance(risorius.stream, ModuleType)
+
+
+def _performed(script: Path) -> tuple[risorius.Take, list[str]]:
+    warnings: list[str] = []
+    with risorius.warnings_to(warnings.append):
+        return risorius.speak(str(script)), warnings
+
+
+def test_two_runs_in_two_threads_are_what_each_is_alone_with_its_own_warnings(tmp_path: Path) -> None:
+    scripts = []
+    for name, text in (("bark", "Hello, mum!"), ("purr", "I told you so.")):
+        scripts.append(tmp_path / f"{name}.ssml")
+        scripts[-1].write_text(f"<speak>{text} <{name}/></speak>")
+    alone = [_performed(script) for script in scripts]
+    with ThreadPoolExecutor(2) as threads:
+        both = list(threads.map(_performed, scripts))
+    for script, (one, said), (other, said_at_once) in zip(scripts, alone, both, strict=True):
+        np.testing.assert_array_equal(other.performance.values, one.performance.values)
+        assert said_at_once == said
+        assert len(said) == 1
+        assert f"<{script.stem}> is not understood" in said[0]
