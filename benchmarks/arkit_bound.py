@@ -22,8 +22,8 @@ from scipy.optimize import linprog
 import risorius
 from risorius.core.arkit import EXCLUSIVE, INDEX, SHAPES
 from risorius.core.arrays import Array, FloatArray
+from risorius.face.arkit_direct import DIRECT
 from risorius.face.arkit_fit import ArkitFit
-from risorius.face.arkit_given import GIVEN
 
 CLOSE_ENOUGH = 0.01  # mm
 PLANES = 60  # of the farthest vertices, each round
@@ -62,11 +62,11 @@ def bounds_of(fit: ArkitFit, skin: FloatArray, weights: Array) -> tuple[float, f
 
     `weights` (52,) are the fit's; those that it does not fit stay.
     """
-    basis = fit.seen_displacement(np.eye(len(SHAPES)))
-    wanted = fit.displacement(skin) - fit.seen_displacement(np.where(GIVEN, weights, 0.0))
+    basis = fit.visible_displacement(np.eye(len(SHAPES)))
+    wanted = fit.displacement(skin) - fit.visible_displacement(np.where(DIRECT, weights, 0.0))
 
     def without(names: Iterable[str]) -> float:
-        highest = (~GIVEN).astype(float)
+        highest = (~DIRECT).astype(float)
         highest[[INDEX[name] for name in names]] = 0.0
         return least_worst(basis, wanted, highest)[0]
 

@@ -131,8 +131,8 @@ class Take:
 
         moving, drive = self.settings.dynamics != "static", self._curves_between_frames
         solver = solver or self._solver
-        room = solver.room() if reuse else None
-        faces = animate(self.performance, solver, moving, drive, indices, lead_in, room)
+        buffers = solver.buffers() if reuse else None
+        faces = animate(self.performance, solver, moving, drive, indices, lead_in, buffers)
         total = len(self.performance.values if indices is None else indices)
         return faces if progress is quiet else _counted(faces, total, progress)
 

@@ -44,7 +44,7 @@ class Laws:
         self._tester = LipTester.of(head)
         self._teeth = TeethTester(head)
         self._mouth = Mouth.of(head)
-        self._found = Contacts.room_for(len(self._mouth.facing.vertices))
+        self._found = Contacts.allocate(len(self._mouth.facing.vertices))
         self._margins = [margins(head, eye) for eye in (0, 1)]
         self._flips = Flips(head)
 

@@ -12,8 +12,8 @@ from risorius.core.parameters import INDEX as PARAMETER
 from risorius.core.parameters import NEUTRAL
 from risorius.errors import HeadError
 from risorius.face import far_vertices
+from risorius.face.arkit_direct import gaze_of
 from risorius.face.arkit_fit import ArkitFit
-from risorius.face.arkit_given import gaze_of
 from risorius.face.head import load_head, shipped_heads
 from risorius.face.shapes import arkit_shapes
 from risorius.face.solve import FaceSolver

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from scipy.optimize import nnls
 
-from risorius.face.complementarity import Gaps, Workspace, settle
+from risorius.face.complementarity import Gaps, Workspace, solve_gaps
 
 INF = np.inf
 
 
 def solve(gaps, compliance, sweeps=2000):
     force = np.zeros(len(compliance))
-    settle(gaps, compliance, sweeps, Workspace.room_for(len(gaps.gap), len(compliance)), force)
+    solve_gaps(gaps, compliance, sweeps, Workspace.allocate(len(gaps.gap), len(compliance)), force)
     opened = np.array([w @ (compliance @ force)[p] for p, w in zip(gaps.points, gaps.weight, strict=True)])
     return gaps.gap + opened, force
 

@@ -26,7 +26,7 @@ def sheets(height, tilt=0.0):
 @pytest.mark.parametrize("height", [1.5, 0.0, -0.4])
 def test_gap_is_the_height_between_the_sheets_negative_where_they_overlap(height):
     points, facing = sheets(height)
-    found = Contacts.room_for(len(points))
+    found = Contacts.allocate(len(points))
     count = find_contacts(facing, points, np.inf, found)
     assert count > NX * NZ
     np.testing.assert_allclose(found.gap[:count], height, atol=1e-12)
@@ -34,7 +34,7 @@ def test_gap_is_the_height_between_the_sheets_negative_where_they_overlap(height
 
 def test_weights_give_the_gap_and_how_it_opens():
     points, facing = sheets(0.7, tilt=0.1)
-    found = Contacts.room_for(len(points))
+    found = Contacts.allocate(len(points))
     count = find_contacts(facing, points, np.inf, found)
     again = (found.weight[:count] * points[found.points[:count], 1]).sum(axis=1)
     np.testing.assert_allclose(again, found.gap[:count], atol=1e-12)
@@ -43,7 +43,7 @@ def test_weights_give_the_gap_and_how_it_opens():
 
 def test_only_gaps_below_the_reach_are_found():
     points, facing = sheets(0.5, tilt=0.1)
-    found = Contacts.room_for(len(points))
+    found = Contacts.allocate(len(points))
     count = find_contacts(facing, points, 0.4, found)
     assert 0 < count < len(points)
     assert found.gap[:count].max() < 0.4
@@ -52,7 +52,7 @@ def test_only_gaps_below_the_reach_are_found():
 def test_vertices_beside_the_other_sheet_touch_nothing():
     points, facing = sheets(1.0)
     points[: NX * NZ, 0] += 100.0
-    assert find_contacts(facing, points, np.inf, Contacts.room_for(len(points))) == 0
+    assert find_contacts(facing, points, np.inf, Contacts.allocate(len(points))) == 0
 
 
 def test_the_narrowest_contact_about_each_place():

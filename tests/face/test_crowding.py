@@ -40,9 +40,9 @@ def test_a_muscle_alone_is_left_as_it_is(head, crowding, solver, muscle):
 def test_what_many_muscles_crowd_keeps_its_room(head, crowding):
     solver = FaceSolver(head, NO_LINKS)
     crowded = displaced(solver, dict.fromkeys(("depressor_supercilii", "levator_palpebrae", "AU1"), 1.0))
-    before = (crowding.distances.shortened(crowded) - crowding.room).max()
+    before = (crowding.distances.shortened(crowded) - crowding.allowance).max()
     crowding.relieve(crowded)
-    after = (crowding.distances.shortened(crowded) - crowding.room).max()
+    after = (crowding.distances.shortened(crowded) - crowding.allowance).max()
     assert before > 0.3
     assert after < 0.1
 
@@ -62,9 +62,9 @@ def test_a_narrow_face_is_kept_from_turning_over():
     np.testing.assert_allclose(widths.length[np.abs(widths.way[:, 1]) > 0.99], 1.0)
     moved = np.array([[0.0, 1.4, 0.0], [0.0, 1.4, 0.0], [3.0, 0.0, 0.0], [3.0, 0.0, 0.0]])
     assert widths.shortened(moved).max() > 1.0
-    room = 0.6 * widths.length
-    relieve(widths.points, widths.foot, widths.way, room, 40, moved)
-    assert (widths.shortened(moved) - room).max() < 0.05
+    allowance = 0.6 * widths.length
+    relieve(widths.points, widths.foot, widths.way, allowance, 40, moved)
+    assert (widths.shortened(moved) - allowance).max() < 0.05
     assert (rest + moved)[3, 1] > (rest + moved)[0, 1]
 
 
@@ -90,4 +90,4 @@ def test_no_corner_leaves_its_face_steeply(crowding, head):
     flat = np.abs((found.way * (third - second)).sum(axis=1)) < 1e-9
     tilts = out & flat
     assert tilts.sum() > 100
-    assert (crowding.room[tilts] >= STEEPEST * found.length[tilts] - 1e-9).all()
+    assert (crowding.allowance[tilts] >= STEEPEST * found.length[tilts] - 1e-9).all()

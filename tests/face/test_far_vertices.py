@@ -28,7 +28,7 @@ def least(normal, right):
 
 def test_what_is_near_stays_as_the_least_squares_have_it() -> None:
     held, start = problem(0, size=0.2)
-    assert np.array_equal(held.settle(start, least), start)
+    assert np.array_equal(held.solution(start, least), start)
 
 
 @examples(25)
@@ -63,7 +63,7 @@ def test_the_worst_comes_nearer() -> None:
 def test_no_weight_goes_far_from_the_least_squares(monkeypatch: pytest.MonkeyPatch) -> None:
     held, start = problem(3)
     monkeypatch.setattr(far_vertices, "LEEWAY", 0.5 * np.abs(held.minimum(start, least) - start).max())
-    found = held.settle(start, least)
+    found = held.solution(start, least)
     assert np.abs(found - start).max() == pytest.approx(far_vertices.LEEWAY)
     costs = [held.cost(weights)[0] for weights in (held.minimum(start, least), found, start)]
     assert costs == sorted(costs)

@@ -29,7 +29,7 @@ def tester(head):
 def opening(head):
     """A function from a frame to the widest of the narrowest openings (mm) along the mouth."""
     mouth = Mouth.of(head)
-    found = Contacts.room_for(len(mouth.facing.vertices))
+    found = Contacts.allocate(len(mouth.facing.vertices))
     middle = 0.5 * np.abs(mouth.line)
 
     def widest(frame):

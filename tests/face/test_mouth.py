@@ -17,7 +17,7 @@ def mouth(head):
 
 
 def test_the_lips_do_not_overlap_at_rest(mouth, head):
-    found = Contacts.room_for(len(mouth.facing.vertices))
+    found = Contacts.allocate(len(mouth.facing.vertices))
     count = find_contacts(mouth.facing, mouth.matrix @ head.rest, np.inf, found)
     assert count > 100
     assert found.gap[:count].min() > -OVERLAP

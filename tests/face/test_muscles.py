@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from risorius.core.parameters import INDEX, MUSCLES, PARAMETERS
-from risorius.face.muscles import ELSEWHERE, EXCESS, FREE_EXCESS, SHEETS, Displaced, MuscleFields
+from risorius.face.muscles import ELSEWHERE, EXCESS, FREE_EXCESS, SHEETS, DisplacedSkin, MuscleFields
 
 from .conftest import values_of
 
@@ -57,7 +57,7 @@ def test_an_activation_next_to_nothing_does_nothing(displaced, tiny):
 
 def test_what_is_kept_from_call_to_call_is_what_all_anew_gives(head):
     fields, draw = MuscleFields.of(head), np.random.default_rng(1)
-    kept, anew = Displaced(fields), np.empty_like(head.rest)
+    kept, anew = DisplacedSkin(fields), np.empty_like(head.rest)
     values = np.zeros(len(PARAMETERS))
     for _ in range(20):
         some = draw.integers(0, len(MUSCLES), 5)

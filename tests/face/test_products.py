@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from risorius.face.products import Rows, carry, carry_upwards
+from risorius.face.products import SparseRows, carry, carry_upwards
 
 RNG = np.random.default_rng(7)
 
@@ -11,7 +11,7 @@ RNG = np.random.default_rng(7)
 def test_rows_times_points_is_the_matrix_product():
     matrix = sp.random(40, 30, density=0.2, format="csr", random_state=3)
     points, out = RNG.normal(size=(30, 3)), np.full((40, 3), np.nan)
-    assert Rows.of(matrix).times(points, out) is out
+    assert SparseRows.of(matrix).times(points, out) is out
     np.testing.assert_allclose(out, matrix @ points, atol=1e-14)
 
 

@@ -21,9 +21,9 @@ BY_SIZE = {"face_length": 9.0, "fullness": 7.0, "nose_width": 3.0, "chin_length"
         ("nose_widht:0.5", r"unknown slider 'nose_widht'.*nose_width"),
         ("nose_width:1.5", r"nose_width = 1\.5 is out of range; expected -1 to 1"),
         ("nose_width:nan", r"out of range"),
-        ("nose_width", r"no slider with its amount; expected e\.g\. nose_width:0\.5"),
-        ("nose_width:much", r"no slider with its amount"),
-        ("", r"no slider with its amount"),
+        ("nose_width", r"not a slider with its amount; expected e\.g\. nose_width:0\.5"),
+        ("nose_width:much", r"not a slider with its amount"),
+        ("", r"not a slider with its amount"),
     ],
 )
 def test_what_is_no_slider_is_an_error_that_says_why(text, message):

@@ -134,16 +134,16 @@ def test_frames_are_made_one_by_one(solver):
 
 def test_frames_solved_into_one_room_make_no_arrays(solver):
     """What is left is Python's own: the frame, its rotations and the checked values."""
-    room = solver.room()
+    buffers = solver.buffers()
     poses = [values_of({"AU12": a, "AU1": a, "masseter": 0.4 * a, "lip_seal": a, "tongue_up": a, "AU43": a})
              for a in (0.3, 0.6, 0.9)]  # fmt: skip
     for pose in poses:  # what compiles, compiles here
-        solver.solve(pose, room)
+        solver.solve(pose, buffers)
     tracemalloc.start()
     try:
         before, _ = tracemalloc.get_traced_memory()
         for pose in poses:
-            solver.solve(pose, room)
+            solver.solve(pose, buffers)
         _, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
@@ -151,10 +151,10 @@ def test_frames_solved_into_one_room_make_no_arrays(solver):
 
 
 def test_a_frame_in_given_room_is_the_same(solver):
-    pose, room = values_of({"AU12": 0.7, "masseter": 0.2, "tongue_out": 0.5}), solver.room()
-    solver.solve(values_of({"AU4": 1.0, "AU9": 1.0}), room)
-    given, own = solver.solve(pose, room), solver.solve(pose)
-    assert given.skin is room.skin
-    assert own.skin is not room.skin
+    pose, buffers = values_of({"AU12": 0.7, "masseter": 0.2, "tongue_out": 0.5}), solver.buffers()
+    solver.solve(values_of({"AU4": 1.0, "AU9": 1.0}), buffers)
+    given, own = solver.solve(pose, buffers), solver.solve(pose)
+    assert given.skin is buffers.skin
+    assert own.skin is not buffers.skin
     for name in ("skin", "teeth_lower", "tongue", "wrinkles"):
         np.testing.assert_array_equal(getattr(given, name), getattr(own, name))

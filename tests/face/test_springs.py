@@ -46,7 +46,7 @@ def field_of(head, base, free):
 
 
 def test_rest_stays_at_rest(springs, head):
-    springs.settle(REST)
+    springs.come_to_rest(REST)
     for _ in range(5):
         springs.step(REST)
     assert not placed(springs, head).any()
@@ -55,7 +55,7 @@ def test_rest_stays_at_rest(springs, head):
 @pytest.mark.parametrize("muscle", [m.name for m in MUSCLES if m.base not in ELSEWHERE])
 def test_a_muscle_alone_comes_to_its_calibrated_field(springs, head, muscle):
     values = values_of({muscle: 1.0})
-    springs.settle(REST)
+    springs.come_to_rest(REST)
     for _ in range(2 * RATE):
         springs.step(values)
     whole = np.zeros_like(head.rest)
@@ -71,7 +71,7 @@ def test_lag_and_overshoot_of_a_fast_contraction(parts, head, base):
     field = field_of(head, base, springs.network.free)
     length = np.linalg.norm(field, axis=1)
     strong = length > 0.1 * length.max()
-    springs.settle(REST)
+    springs.come_to_rest(REST)
     course = []
     for step in range(1, RATE // 2):
         springs.step(values_of({base: min(step / RATE / ONSET, 1.0)}))
@@ -86,7 +86,7 @@ def test_lag_and_overshoot_of_a_fast_contraction(parts, head, base):
 
 
 def test_a_sudden_step_neither_explodes_nor_rings_for_long(springs, head):
-    springs.settle(REST)
+    springs.come_to_rest(REST)
     values = values_of({"AU12": 1.0, "AU4": 1.0, "AU9": 1.0, "AU17": 1.0})
     size = []
     for _ in range(RATE):
@@ -99,8 +99,8 @@ def test_a_sudden_step_neither_explodes_nor_rings_for_long(springs, head):
 def test_biphasic_springs_move_less_under_several_muscles(parts, head):
     values = values_of({"AU12": 1.0, "AU6": 1.0, "AU9": 1.0, "AU20": 1.0})
     linear, biphasic = Springs(*parts), Springs(*parts, second_phase=Biphasic(*parts, head))
-    linear.settle(values)
-    biphasic.settle(values)
+    linear.come_to_rest(values)
+    biphasic.come_to_rest(values)
     one, other = placed(linear, head), placed(biphasic, head)
     assert np.abs(one - other).max() > 0.1
     assert np.linalg.norm(other) < np.linalg.norm(one)
@@ -108,7 +108,7 @@ def test_biphasic_springs_move_less_under_several_muscles(parts, head):
 
 def test_a_settled_skin_is_in_equilibrium(springs, head):
     values = values_of({"AU12": 0.8, "AU6": 1.0, "AU10": 0.7})
-    springs.settle(values)
+    springs.come_to_rest(values)
     before = placed(springs, head)
     for _ in range(RATE):
         springs.step(values)
@@ -116,7 +116,7 @@ def test_a_settled_skin_is_in_equilibrium(springs, head):
 
 
 def test_between_two_steps_lies_a_straight_line(springs, head):
-    springs.settle(REST)
+    springs.come_to_rest(REST)
     springs.step(values_of({"AU12": 0.5}))
     ends = [placed(springs, head, share) for share in (0.0, 1.0)]
     np.testing.assert_allclose(placed(springs, head, 0.25), 0.75 * ends[0] + 0.25 * ends[1], atol=1e-12)
@@ -124,7 +124,7 @@ def test_between_two_steps_lies_a_straight_line(springs, head):
 
 def test_two_states_do_not_meet(parts, head):
     one, other = Springs(*parts), Springs(*parts)
-    other.settle(values_of({"AU12": 1.0}))
-    one.settle(REST)
+    other.come_to_rest(values_of({"AU12": 1.0}))
+    one.come_to_rest(REST)
     one.step(REST)
     assert not placed(one, head).any()

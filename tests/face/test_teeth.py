@@ -11,7 +11,7 @@ from risorius.face.head import load_head
 from risorius.face.jaw import Jaw
 from risorius.face.solve import FaceSolver
 from risorius.face.teeth import LONG, SHORT, Teeth
-from risorius.face.tooth_row import Row
+from risorius.face.tooth_row import ToothRow
 from risorius.rules.emotions import emotion
 from tests.profiles import everyday
 
@@ -146,7 +146,7 @@ def test_the_lower_row_goes_with_the_jaw(teeth, head):
 
 
 def test_a_row_is_as_wide_as_its_teeth(head):
-    row = Row.of(head.teeth_upper, 1.0)
+    row = ToothRow.of(head.teeth_upper, 1.0)
     crowns = head.teeth_upper.vertices[head.teeth_upper.material < 0.5]
     assert row.front.max() >= np.hypot(crowns[:, 0], crowns[:, 2] - row.middle[0]).max() - 0.5
     assert row.edge[np.abs(row.edge) < 900.0].min() == pytest.approx(crowns[:, 1].min())

@@ -21,7 +21,7 @@ from .concatenate import SIGNED
 from .conflict import Suppressor
 from .contact import CONTACTS, SEAL, TUCK
 from .curve import Curve, Origin
-from .ledger import Entry
+from .ledger import LedgerEntry
 from .limits import LIPS
 from .lips import CompiledLips
 from .manual import replaced_values
@@ -112,13 +112,13 @@ def _moving(sample: PlanSample, name: str) -> Iterator[Contribution]:
 
 def _turning(sample: PlanSample, name: str) -> Iterator[Contribution]:
     """Yield all that turns the head or the eyes."""
-    for turn in sample.turns(name):
-        requested, applied = float(turn.requested[0]), float(turn.applied[0])
+    for entry in sample.direction_entries(name):
+        requested, applied = float(entry.requested[0]), float(entry.applied[0])
         if abs(requested) > _LEAST:
             smaller = "added, made smaller by the others" if abs(applied) < abs(requested) - _LEAST else ""
-            origin = _origin(sample, turn.channel, turn.curve)
+            origin = _origin(sample, entry.channel, entry.curve)
             yield replace(origin, requested=requested, applied=applied, reason=smaller)
-        yield from _replaced(sample, turn.channel, turn.curve)
+        yield from _replaced(sample, entry.channel, entry.curve)
 
 
 def _replaced(sample: PlanSample, channel: Channel, curve: Curve) -> Iterator[Contribution]:
@@ -165,7 +165,7 @@ def _seal(sample: PlanSample, lips: CompiledLips, rig: LipRig) -> list[Contribut
     return [replace(_contribution(LIPS, segments[number]), requested=seal, applied=seal)]
 
 
-def _reason(sample: PlanSample, name: str, entry: Entry) -> str:
+def _reason(sample: PlanSample, name: str, entry: LedgerEntry) -> str:
     """Say which stages of the ledger left less than the stage before, and why."""
     plan, time = sample.plan, float(sample.times[0])
     resolved, shared = _only(entry.resolved), _only(entry.shared)

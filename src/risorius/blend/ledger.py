@@ -23,7 +23,7 @@ from .limits import LIPS, SpeechLimits
 from .mouth import JAW
 
 
-class Entry:
+class LedgerEntry:
     """What one channel requests of a parameter while it moves it, and what each stage leaves, shape (m,).
 
     `index`: at which of the ledger's times, shape (m,).
@@ -86,17 +86,17 @@ class Ledger:
                 values[entry.index] = entry.resolved
         return values
 
-    def entries(self) -> Iterator[Entry]:
+    def entries(self) -> Iterator[LedgerEntry]:
         """Yield the entry of every channel that moves the parameter, highest priority first."""
         return map(self.entry, self.channels)
 
-    def entry(self, channel: Channel) -> Entry:
+    def entry(self, channel: Channel) -> LedgerEntry:
         """Return the entry of a channel: of all its layers the highest value."""
-        return Entry(self, channel, *channel.sample(self.name, self.times))
+        return LedgerEntry(self, channel, *channel.sample(self.name, self.times))
 
-    def curve_entry(self, channel: Channel, curve: Curve) -> Entry:
+    def curve_entry(self, channel: Channel, curve: Curve) -> LedgerEntry:
         """Return the entry of one of a channel's curves, as though it had no other."""
-        return Entry(self, channel, *curve.sample(self.times))
+        return LedgerEntry(self, channel, *curve.sample(self.times))
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +109,7 @@ class DirectionEntry:
     applied: Array
 
 
-def turns(name: str, times: Array, channels: Sequence[Channel]) -> list[DirectionEntry]:
+def direction_entries(name: str, times: Array, channels: Sequence[Channel]) -> list[DirectionEntry]:
     """Return what every curve does with a direction of head or gaze at sorted times (n,)."""
     curves = [(channel, curve) for channel in channels for curve in channel.curves.get(name, ())]
     requested = [_everywhere(curve, times) for _, curve in curves]

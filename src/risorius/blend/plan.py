@@ -29,7 +29,7 @@ from .conflict import POLICIES, Join, PolicyInputs
 from .contact import CONTACTS
 from .directions import combine_directions
 from .knots import BLOCK
-from .ledger import DirectionEntry, Ledger, turns
+from .ledger import DirectionEntry, Ledger, direction_entries
 from .levels import steady
 from .limits import LIPS, SpeechLimits
 from .lips import CompiledLips
@@ -149,13 +149,13 @@ class PlanSample:
             self._ledgers[name] = Ledger(name, self.times, plan.channels, self._resolve, plan.limits)
         return self._ledgers[name]
 
-    def turns(self, name: str) -> list[DirectionEntry]:
+    def direction_entries(self, name: str) -> list[DirectionEntry]:
         """Return what every curve does with a direction."""
-        return turns(name, self.times, self.plan.channels)
+        return direction_entries(name, self.times, self.plan.channels)
 
     def _direction(self, name: str) -> Array:
         return combine_directions(
-            name, [turn.applied for turn in self.turns(name)] or [np.zeros(len(self.times))]
+            name, [entry.applied for entry in self.direction_entries(name)] or [np.zeros(len(self.times))]
         )
 
     def _joined(self, name: str) -> Array:
@@ -204,8 +204,8 @@ def combine(score: Score, fps: Fraction, rig: LipRig | None = None) -> Performan
     """Return the performance of a score at frames k/fps, k = 0 … round(duration·fps).
 
     Two stages (paper A, sections 5 and 6; DESIGN, section 3): within each channel, then across channels by
-    the policy that the score's settings name. Values do not depend on `fps`. `rig`: the head's, which a
-    score needs whose lips are articulators. Raises InputError or ParameterError if the score cannot be
+    the policy that the score's settings name. Values do not depend on `fps`. `rig`: the head's; a score with
+    articulators as lip targets needs it. Raises InputError or ParameterError if the score cannot be
     performed.
     """
     return Plan(score, rig).performance(fps)

@@ -73,8 +73,8 @@ def traces(plan: Plan, parameter: str, times: Array) -> tuple[Trace, ...]:
 
 def _turned(sample: PlanSample, name: str) -> Iterator[tuple[str, Array, Array]]:
     """Yield channel, what is requested and what is applied of a direction, for every curve; (n,) both."""
-    for turn in sample.turns(name):
-        yield turn.channel.name, turn.requested + replaced_values(turn.curve, sample.times), turn.applied
+    for entry in sample.direction_entries(name):
+        yield entry.channel.name, entry.requested + replaced_values(entry.curve, sample.times), entry.applied
 
 
 def _moved(sample: PlanSample, name: str) -> Iterator[tuple[str, Array, Array]]:

@@ -1,4 +1,4 @@
-"""What age does to the skin's wrinkling: paper B's coefficient of compression as a function of age."""
+"""How age changes the skin's wrinkles: paper B's coefficient of compression as a function of age."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from ..errors import InputError
 DEFAULT_AGE = 30.0
 YOUNGEST, OLDEST = 0.0, 100.0
 
-# Years; share of its length that skin gives way before it folds; gain of the folds' height; share of their
-# depth at rest. At 20, 45 and 70 as tried by eye (facts: face-model, section 6), straight between.
+# Years; share of its length by which skin shortens before it folds; gain of the folds' height; share of their
+# depth at rest. Values at 20, 45 and 70 were judged by eye (facts: face-model, section 6); between them lie
+# straight lines.
 _YEARS = (0.0, 20.0, 25.0, 45.0, 70.0, 100.0)
 _GIVE = (0.14, 0.075, 0.065, 0.03, 0.0, 0.0)
 _GAIN = (0.12, 0.33, 0.38, 0.52, 0.72, 0.85)
@@ -22,8 +23,8 @@ _STATIC = (0.0, 0.0, 0.0, 0.2, 0.6, 1.0)
 class SkinAge(NamedTuple):
     """How skin of an age folds.
 
-    `give` is the share of its length by which it shortens before it folds, `gain` a factor on the height of
-    folds, `static` the share 0..1 of the greatest depth at rest that creases keep.
+    `give`: the share of its length by which it shortens before it folds; `gain`: a factor on the height of
+    folds; `static`: the depth of creases at rest, as a share 0..1 of their greatest depth.
     """
 
     give: float

@@ -1,4 +1,4 @@
-"""The shapes of one head at several ages, between which it is interpolated."""
+"""The shapes of one head at several ages; other ages are interpolated."""
 
 from __future__ import annotations
 
@@ -20,8 +20,7 @@ class AgeShapes:
     """Anchors of a head's shape, by ascending age; mm.
 
     `years` (k,); `rest` (k, N0, 3) of the skin; `eye_centre` (k, 2, 3), `eye_radius` (k, 2), `jaw_point` and
-    `head_pivot` (k, 3); `mouth` (k, 3) where the teeth and the tongue stand, beside their place in the head
-    file.
+    `head_pivot` (k, 3); `mouth` (k, 3): the shift of teeth and tongue from their place in the head file.
     """
 
     years: Array
@@ -33,10 +32,10 @@ class AgeShapes:
     mouth: Array
 
     def weights(self, age: float) -> Array:
-        """Return the anchors' shares (k,) at `age` in years; before the first and after the last one it is
-        theirs.
+        """Return the anchors' shares (k,) at `age` in years; beyond the first and the last anchor, only that
+        one.
 
-        Raises HeadError where the age is no number from 0 to 100.
+        Raises HeadError if the age is not a number from 0 to 100.
         """
         check_age(age)
         anchors = np.eye(len(self.years))
@@ -44,7 +43,7 @@ class AgeShapes:
 
 
 def check_age(age: float) -> None:
-    """Raise HeadError where `age` is no number of years from 0 to 100."""
+    """Raise HeadError if `age` is not a number of years from 0 to 100."""
     if not YEARS[0] <= age <= YEARS[1]:
         raise HeadError(f"age is {age:g}; expected {YEARS[0]:g} to {YEARS[1]:g} years")
 
@@ -52,8 +51,8 @@ def check_age(age: float) -> None:
 def read_ages(path: Path, rest: Array, own: float) -> AgeShapes:
     """Read the anchors of the head whose skin at rest is `rest` (N0, 3), at its `own` age in years.
 
-    Raises HeadError where an array is missing, misshapen or out of range, or no anchor has the
-    head's own age.
+    Raises HeadError if an array is missing, misshapen or out of range, or if no anchor has the head's own
+    age.
     """
     file = HeadFile.read(path)
     years = file.array("years", ("k",), *YEARS)

@@ -2,8 +2,8 @@
 
 A muscle pulls the points of its zone along its line, out of the skin and across the line, each with a weight
 that varies smoothly over the zone; the spring network at rest turns these forces into displacements
-(facts: face-model, section 1, column 3). The weights are fitted once to the sculpts of the standard head by
-`tools/fit_anatomy.py` and kept with it: they belong to places on a face, not to vertices of a mesh.
+(facts: face-model, section 1, column 3). `tools/fit_anatomy.py` fits the weights once to the sculpts of the
+standard head, whose folder holds them: they belong to places on a face, not to vertices of a mesh.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from .stiffness import spring_stiffness
 
 FILE = "anatomy.npz"
 REACH = 5.5  # mm over which the weights vary
-JAW = 30.0  # mm that stand for the whole of the jaw's share: keeps the lips apart where they touch
+JAW = 30.0  # mm that a share of 1 in the jaw's rotation counts: it separates the lips that touch
 MIRROR = np.array([-1.0, 1.0, 1.0])
-# A field is left out where it is less than this share of its greatest displacement.
+# Displacements below this share of a field's greatest one are left out.
 NEGLIGIBLE = 0.002
 
 
@@ -41,7 +41,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Skin:
-    """What the anatomical mode needs of a head: `rest` (N, 3) mm, `quads` (Q, 4), `jaw_weight` (N,)."""
+    """The skin of a head for the anatomical mode: `rest` (N, 3) mm, `quads` (Q, 4), `jaw_weight` (N,)."""
 
     rest: Array
     quads: IntArray
@@ -76,14 +76,14 @@ class Skin:
 
 
 def influence(points: Array, places: Array) -> Array:
-    """Return the share (n, k) that points (n, 4) take of the weights at places (k, 4)."""
+    """Return the shares (n, k) of the weights at places (k, 4) for points (n, 4)."""
     return np.asarray(np.exp(-0.5 * (cdist(points, places) / REACH) ** 2))
 
 
 def directions(muscle: Muscle, points: Array, normals: Array) -> Array:
     """Return the unit directions (n, d, 3) in which a muscle's type pulls `points` (n, 3).
 
-    Its own come first, and last the one across it in the skin: fibres fan out and gather what lies beside.
+    The last direction lies in the skin, across the others: fibres fan out and gather the skin beside them.
     """
     origin, insertion = (np.array(p) for p in muscle.line)
     along = np.broadcast_to((origin - insertion) / np.linalg.norm(origin - insertion), points.shape)
@@ -132,10 +132,7 @@ def anatomical_fields(
 
 
 def load_pulls(folder: Path, names: tuple[str, ...]) -> dict[str, Pull]:
-    """Return the weights kept in a head's `folder` for muscles by name.
-
-    Raises HeadError where one is missing.
-    """
+    """Return the weights in a head's `folder` for muscles by name; raise HeadError if one is missing."""
     path = folder / FILE
     try:
         arrays = read_arrays(path)

@@ -1,9 +1,10 @@
 """ARKit weights of a face: the non-negative least squares of its skin over the head's 52 sculpted shapes.
 
-The eyes' shapes stand for the eyes' rotation and `tongueOut` for the tongue, so these are not fitted: weight
-1 is the farthest that the table of parameters allows. `mouthClose` closes what `jawOpen` opens, so it is
-never more than it: the two are fitted as an opening, and an opening with the lips together. Of shapes that
-exclude each other the difference stays, and the others are fitted anew, vertices that are far off held back.
+The eyes' shapes follow from the eyes' rotation and `tongueOut` from the tongue, so these are not fitted:
+weight 1 is the farthest that the table of parameters allows. `mouthClose` closes what `jawOpen` opens and is
+never larger: the two are fitted as an opening, and as an opening with the lips together. Of shapes that
+exclude each other only the difference remains; then the others are fitted again, with a penalty for vertices
+that are far off.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from scipy.optimize import nnls
 from ..core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
 from ..core.arrays import Array, BoolArray, FloatArray
 from ..core.parameters import INDEX as PARAMETER
-from .arkit_given import GIVEN, given_weights
+from .arkit_direct import DIRECT, direct_weights
 from .eyes import pitch_and_yaw
 from .far_vertices import FarVertices
 from .frame import FaceFrame
@@ -25,11 +26,12 @@ from .head import Head
 from .lids import FRONT, LID_REACH
 from .shapes import ArkitShapes, arkit_shapes
 
-# Shares of the mean square of a shape: what keeps nearly parallel shapes, and opposed ones, from fighting.
+# Shares of the mean square of a shape that keep nearly parallel and opposed shapes from cancelling each
+# other.
 RIDGE, AGAINST = 3e-5, 5e-5
-LIPS = 2.0  # how much more the lips count: they are few vertices, and what is looked at
-HIDDEN = 3.0  # mm before the eyeball's front plane up to which the socket's lining is not seen
-MOVED = 0.3  # mm by which some shape must move a vertex for it to count in the residual
+LIPS = 2.0  # how much more the lips count: they have few vertices, and people look at them
+HIDDEN = 3.0  # mm before the eyeball's front plane; behind that, the socket's lining is not visible
+MOVED = 0.3  # mm: a vertex counts in the residual if some shape moves it farther
 
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 _EXCLUSIVE = np.array([[INDEX[name] for name in pair] for pair in EXCLUSIVE])
@@ -42,8 +44,8 @@ class ArkitTrack:
     weights  (frames, 52) 0..1 in the order of `core.arkit.SHAPES`
     head     (frames, 3) yaw, pitch, roll of the head in degrees: to the subject's left, up, tilted left
     eyes     (frames, 2, 3) the same of the left and the right eye in the head; no roll
-    rms      (frames,) mm between the skin that the weights make and the face, where shapes move it
-    worst    (frames,) mm of the vertex that fits least
+    rms      (frames,) mm between the weights' skin and the face, over the vertices that shapes move
+    worst    (frames,) mm of the vertex that fits worst
     """
 
     weights: Array
@@ -65,18 +67,18 @@ class ArkitTrack:
 
 
 class ArkitFit:
-    """Fits frames of one head by the shapes `available` (all where None); the others get 0.
+    """Fits frames of one head by the shapes `available` (None: all); the others get 0.
 
-    Raises HeadError where the head has no sculpted shapes.
+    Raises HeadError if the head has no sculpted shapes.
     """
 
     def __init__(self, head: Head, available: Collection[str] | None = None) -> None:
-        self._free, self._given = _roles(SHAPES if available is None else available)
+        self._free, self._direct = _roles(SHAPES if available is None else available)
         self.shapes: ArkitShapes = arkit_shapes(head)
         self.rest: Array = head.skin.matrix @ head.rest
         dense = self.shapes.skin.toarray()
         size = np.linalg.norm(dense.reshape(len(SHAPES), -1, 3), axis=2).max(axis=0)
-        self.counted = np.flatnonzero(_seen(head, self.rest) & (size > MOVED))
+        self.counted = np.flatnonzero(_visible(head, self.rest) & (size > MOVED))
         columns = (3 * self.counted[:, None] + np.arange(3)).ravel()
         self._basis = np.ascontiguousarray(dense[:, columns])
         self._fitted = self._basis.copy()
@@ -87,20 +89,20 @@ class ArkitFit:
 
     def weights(self, frame: FaceFrame) -> Array:
         """Return the weights (52,) of a frame, 0..1."""
-        return self._solve(self.displacement(frame.skin), given_weights(frame))
+        return self._solve(self.displacement(frame.skin), direct_weights(frame))
 
-    def of_skin(self, skin: FloatArray, given: Array | None = None) -> Array:
-        """Return the weights (52,) of a level-1 skin (N1, 3) mm; `given` (52,) are those not fitted."""
-        return self._solve(self.displacement(skin), np.zeros(len(SHAPES)) if given is None else given)
+    def of_skin(self, skin: FloatArray, direct: Array | None = None) -> Array:
+        """Return the weights (52,) of a level-1 skin (N1, 3) mm; `direct` (52,) are weights without a fit."""
+        return self._solve(self.displacement(skin), np.zeros(len(SHAPES)) if direct is None else direct)
 
     def skin(self, weights: Array) -> Array:
-        """Return the level-1 skin (N1, 3) in mm that `weights` (52,) make."""
+        """Return the level-1 skin (N1, 3) in mm of `weights` (52,)."""
         return np.asarray(self.rest + (weights @ self.shapes.skin).reshape(-1, 3))
 
     def residual(self, frame: FaceFrame, weights: Array) -> tuple[float, float]:
         """Return the root mean square and the greatest distance in mm between a frame and its weights' skin.
 
-        Over the vertices that are seen and that some shape moves.
+        Both are over the visible vertices that some shape moves.
         """
         rest = self.displacement(frame.skin) - weights @ self._basis
         distance = np.linalg.norm(rest.reshape(-1, 3), axis=1)
@@ -118,33 +120,38 @@ class ArkitFit:
         head = frame.parameters[[PARAMETER[f"head_{axis}"] for axis in ("yaw", "pitch", "roll")]]
         return weights, head, eyes, self.residual(frame, weights)
 
-    def seen_displacement(self, weights: Array) -> Array:
-        """Return the displacements (frames, 3 k) in mm that `weights` (frames, 52) make of what is seen."""
+    def visible_displacement(self, weights: Array) -> Array:
+        """Return the displacements (frames, 3 k) in mm of the visible vertices by `weights` (frames, 52)."""
         return np.asarray(weights @ self._basis)
 
     def displacement(self, skin: FloatArray) -> Array:
-        """Return the displacement (3 k,) in mm of what is seen of a level-1 skin (N1, 3)."""
+        """Return the displacement (3 k,) in mm of the visible vertices of a level-1 skin (N1, 3)."""
         return np.asarray((skin[self.counted] - self.rest[self.counted]).ravel(), dtype=np.float64)
 
-    def _solve(self, displacement: Array, given: Array) -> Array:
-        given = given * self._given
-        wanted = displacement - given @ self._basis
+    def _solve(self, displacement: Array, direct: Array) -> Array:
+        direct = direct * self._direct
+        wanted = displacement - direct @ self._basis
         right = self._heavy @ wanted
         both = self._least(self._normal, right, np.full(len(SHAPES), np.nan))
-        kept = _one_of_each(both)
-        start = self._least(self._normal, right, kept)
-        held = FarVertices(self._fitted, wanted, self._normal, right)
-        weights = held.settle(start, lambda normal, right: self._least(normal, right, kept)) + given
+        fixed_weights = _one_of_each(both)
+        start = self._least(self._normal, right, fixed_weights)
+        far = FarVertices(self._fitted, wanted, self._normal, right)
+        weights = (
+            far.solution(start, lambda normal, right: self._least(normal, right, fixed_weights)) + direct
+        )
         weights[_JAW] += weights[_CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[_CLOSE] = min(weights[_CLOSE], weights[_JAW])
         return weights
 
-    def _least(self, normal: Array, right: Array, kept: Array) -> Array:
-        """Return the non-negative least squares (52,) of normal equations; those `kept` are not NaN."""
-        fixed = ~np.isnan(kept)
+    def _least(self, normal: Array, right: Array, fixed_weights: Array) -> Array:
+        """Return the non-negative least squares (52,) of normal equations.
+
+        `fixed_weights` (52,): NaN for the weights that are free.
+        """
+        fixed = ~np.isnan(fixed_weights)
         free = self._free & ~fixed
-        weights = np.where(fixed, kept, 0.0)
+        weights = np.where(fixed, fixed_weights, 0.0)
         if not free.any():
             return weights
         factor = np.linalg.cholesky(normal[np.ix_(free, free)])
@@ -154,26 +161,26 @@ class ArkitFit:
 
 
 def _one_of_each(weights: Array) -> Array:
-    """Return (52,) what is left of shapes that exclude each other, one of them 0, and NaN for all others.
+    """Return the weights (52,) of shapes that exclude each other, NaN for all others.
 
-    The difference of the two, because it passes through 0 without a jump.
+    One of the two is 0, the other their difference, because that passes through 0 without a jump.
     """
-    kept = np.full(len(SHAPES), np.nan)
+    fixed_weights = np.full(len(SHAPES), np.nan)
     one, other = _EXCLUSIVE.T
-    left = weights[one] - weights[other]
-    kept[one], kept[other] = np.maximum(left, 0.0), np.maximum(-left, 0.0)
-    return kept
+    difference = weights[one] - weights[other]
+    fixed_weights[one], fixed_weights[other] = np.maximum(difference, 0.0), np.maximum(-difference, 0.0)
+    return fixed_weights
 
 
 def _roles(available: Collection[str]) -> tuple[BoolArray, BoolArray]:
-    """Return which shapes (52,) are fitted and which are given, of those that are available."""
-    there = np.array([name in available for name in SHAPES])
-    there[_CLOSE] &= there[_JAW]  # what closes an opening is nothing without it
-    return there & ~GIVEN, there & GIVEN
+    """Return which of the available shapes (52,) are fitted, and which follow directly from the frame."""
+    usable = np.array([name in available for name in SHAPES])
+    usable[_CLOSE] &= usable[_JAW]  # without the opening there is nothing to close
+    return usable & ~DIRECT, usable & DIRECT
 
 
-def _seen(head: Head, rest: Array) -> BoolArray:
-    """Return which vertices (N1,) can be seen: not those inside the mouth or behind the lids."""
+def _visible(head: Head, rest: Array) -> BoolArray:
+    """Return which vertices (N1,) are visible: not those inside the mouth or behind the lids."""
     seen = np.asarray(head.skin.matrix @ head.masks["inner_mouth"] < 0.5)
     for centre, radius in zip(head.eye_centre, head.eye_radius, strict=True):
         place = rest - centre
@@ -183,7 +190,7 @@ def _seen(head: Head, rest: Array) -> BoolArray:
 
 
 def _regular(normal: Array) -> Array:
-    """Return normal equations (52, 52) held by the ridge and between opposed shapes."""
+    """Return normal equations (52, 52) with the ridge, and the penalty for opposed shapes together."""
     scale = np.trace(normal) / len(normal)
     result = normal + RIDGE * scale * np.eye(len(normal))
     for pair in OPPOSED:

@@ -1,9 +1,9 @@
 """Biphasic springs: beyond a strain the skin stiffens, as collagen does (facts: science/09).
 
-Besides the linear network, each spring between neighbours that is longer or shorter than at rest by more than
-the strain s₀ pulls with k₂ (|s| − s₀) times its length at rest. A muscle's force holds the share that its own
-field at full contraction needs, so that a muscle alone is still exact there; several together move the skin
-less than with linear springs.
+In addition to the linear network, each spring between neighbours with a strain above s₀ pulls with
+k₂ (|s| − s₀) times its length at rest. A muscle's force includes what its own field at full contraction needs
+against that, so that a single muscle stays exact there; several together move the skin less than with linear
+springs.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from .stiffness import NEIGHBOUR, edges
 
 YIELD = 0.15  # strain s₀ at which the second phase begins
 SECOND = 1.0  # stiffness k₂ of the second phase, added to the first
-SETTLED, MOST = 1e-3, 60  # mm of change below which an equilibrium is found, and the most iterations
+CONVERGED, MOST = 1e-3, 60  # mm of change in the last iteration, and the most iterations
 
 
 class Biphasic:
     """The second phase of the springs about a network's free points, with the workspace of one state."""
 
     stiffest = 1.0 + SECOND / NEIGHBOUR
-    """The most that springs in their second phase are stiffer than in their first."""
+    """The greatest stiffness of a spring in its second phase, in units of its first."""
 
     def __init__(self, network: Network, fields: MuscleFields, head: Head) -> None:
         local = np.full(len(head.rest), -1)
@@ -70,8 +70,8 @@ class Biphasic:
             if values[column] > 0.0:
                 _add(force, factor * values[column], out)
 
-    def settle(self, values: Array, place: Array) -> None:
-        """Bring `place` (r, 4) from the equilibrium of the linear springs to that with the second phase."""
+    def relax(self, values: Array, place: Array) -> None:
+        """Move `place` (r, 4) from the equilibrium of the linear springs to that with the second phase."""
         net, linear = self._network, place.copy()
         for _ in range(MOST):
             self._work[:] = 0.0
@@ -79,14 +79,14 @@ class Biphasic:
             self.pull(values, place, 1.0, self._work)
             self._factor.solve(self._work)
             place += self._work
-            if np.abs(self._work).max() < SETTLED:
+            if np.abs(self._work).max() < CONVERGED:
                 break
 
-    def settle_skin(self, values: Array, displacement: Array) -> None:
-        """Bring in the same way the whole skin's `displacement` (N0, 3) to equilibrium."""
+    def relax_skin(self, values: Array, displacement: Array) -> None:
+        """Move the displacement (N0, 3) of the whole skin in the same way."""
         place = np.zeros_like(self._work)
         place[:, :3] = displacement[self._network.free]
-        self.settle(values, place)
+        self.relax(values, place)
         displacement[self._network.free] = place[:, :3]
 
 

@@ -21,14 +21,14 @@ from .layouts import spot
 from .marks import Marks
 from .tables import build, read_table
 
-# Loss of area that the flesh takes up before it shows: without it a bulge would begin with a jerk.
+# Loss of area that does not show yet: without it a bulge would begin abruptly.
 TAKEN_UP = 0.02
 _HIDDEN = ("lips", "inner_mouth", "lids", "ears", "garment")
 
 
 @dataclass(frozen=True, slots=True)
 class Bulge:
-    """Where flesh swells, in mm of the tables; see `bulges.toml`."""
+    """A place at which flesh swells, in mm of the tables; see `bulges.toml`."""
 
     source: str
     anchor: tuple[int, ...]
@@ -67,7 +67,7 @@ class Bulges:
         self.vertices = np.unique(rows.row_vertex)
 
     def lift(self, skin: Array, out: Array) -> None:
-        """Add to `out` (N1,) by how many mm the skin swells, given the level-0 skin (N0, 3)."""
+        """Add the mm by which the level-0 `skin` (N0, 3) swells to `out` (N1,)."""
         self._compression.measure(skin, self._area)
         _swell(self._area, self._compression.row_vertex, self._mask, self._depth, self._cap, out)
 
@@ -88,10 +88,7 @@ def _pull(bulge: Bulge, head: Head) -> Array:
 
 @device
 def bulge_height(area: float, depth: float, cap: float) -> float:
-    """Return by how many mm flesh of `depth` mm swells when its area shrinks to the share `area`.
-
-    It is at most `cap`.
-    """
+    """Return the mm, at most `cap`, by which flesh of `depth` mm swells at the share `area` of its area."""
     if area >= 1.0:
         return 0.0
     lost = 1.0 / area - 1.0

@@ -1,8 +1,8 @@
-"""A sparse symmetric matrix factored once, and solved many times for points in one thread.
+"""A sparse symmetric matrix that is factored once and solved many times for points, in one thread.
 
-The unknowns are put in the order of the factor (minimum degree), so that solving needs no permutation;
-points are kept in rows of four (x, y, z and an unused 0), which a processor handles at once; indices are
-unsigned, which spares the check for negative ones.
+The unknowns have the order of the factor (minimum degree), so that solving needs no permutation. Points are
+rows of four (x, y, z and an unused 0), because a processor handles four numbers at once. Indices are
+unsigned, because numba checks signed ones for negative values.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Factor:
 
     @classmethod
     def of(cls, matrix: sp.csc_matrix) -> Factor:
-        """Factor `matrix` in the order it has."""
+        """Factor `matrix` without changing the order of its unknowns."""
         factor = splu(matrix.tocsc(), permc_spec="NATURAL", **_SYMMETRIC)
         lower = sp.tril(factor.L, -1).tocsc()
         lower.sort_indices()
@@ -45,12 +45,12 @@ class Factor:
         )
 
     def solve(self, points: Array) -> None:
-        """Replace `points` (n, 4) by the solution for them, in place."""
+        """Replace `points` (n, 4) by their solution, in place."""
         solve(self.start, self.row, self.weight, self.inverse, points)
 
 
 def sparing_order(matrix: sp.csc_matrix) -> IndexArray:
-    """Return the order (n,) of the unknowns of a symmetric `matrix` in which its factor stays sparse."""
+    """Return the order (n,) of the unknowns of a symmetric `matrix` that keeps its factor sparse."""
     factor = splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", **_SYMMETRIC)
     return np.argsort(factor.perm_c)
 

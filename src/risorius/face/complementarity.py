@@ -9,15 +9,15 @@ import numpy as np
 from ..core.arrays import Array, IntArray
 from ..core.kernels.jit import kernel, summing_kernel
 
-# A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from fighting.
+# A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from opposing each other.
 SOFTNESS = 1.001
-SETTLED = 5e-4  # mm of change in a sweep below which the pushes are settled
+CONVERGED = 5e-4  # mm: a sweep that changes every gap by less is the last
 
 
 class Gaps(NamedTuple):
-    """The k gaps to settle: each is `gap` + Σ weight · the displacement of its points.
+    """k gaps: each is `gap` + Σ weight · the displacement of its points.
 
-    `points` and `weight` (k, 4); `gap` (k,) mm as it is, `low` and `high` (k,) as it may be.
+    `points` and `weight` (k, 4); `gap` (k,) mm, and its bounds `low` and `high` (k,).
     """
 
     points: IntArray
@@ -36,12 +36,12 @@ class Workspace(NamedTuple):
     here: Array
 
     @classmethod
-    def room_for(cls, gaps: int, points: int) -> Workspace:
+    def allocate(cls, gaps: int, points: int) -> Workspace:
         """Allocate."""
         return cls(np.zeros(points), np.zeros((gaps, gaps)), np.zeros(gaps), np.zeros(gaps))
 
 
-def settle(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, force: Array) -> None:
+def solve_gaps(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, force: Array) -> None:
     """Add to `force` (n,) the pushes along one axis that bring every gap between `low` and `high`.
 
     `compliance` (n, n) is the displacement of each point per unit push at each point. A gap that lies within
@@ -54,7 +54,7 @@ def settle(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, force: A
 
 @summing_kernel
 def _couple(points: IntArray, weight: Array, compliance: Array, moved: Array, matrix: Array) -> None:
-    """Write how much each gap opens per unit push at each other to `matrix`, which is symmetric."""
+    """Write the opening of each gap per unit push at each other one to `matrix`, which is symmetric."""
     for i in range(len(points)):
         p, q, r, s = points[i, 0], points[i, 1], points[i, 2], points[i, 3]
         a, b, c, d = weight[i, 0], weight[i, 1], weight[i, 2], weight[i, 3]
@@ -88,7 +88,7 @@ def _balance(
                 push[i] += more
                 for j in range(count):
                     here[j] += matrix[i, j] * more
-        if change < SETTLED:
+        if change < CONVERGED:
             break
 
 

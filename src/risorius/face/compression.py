@@ -1,7 +1,7 @@
 """How much the skin is compressed, region by region: one kernel for wrinkles and bulges.
 
-A quad's deformation is read from its two diagonals, which a mirrored mesh has too (triangles of a split quad
-are not mirrored by the split).
+A quad's deformation is read from its two diagonals, because a mirrored mesh has the same ones; the triangles
+of a split quad would not be mirrored.
 """
 
 from __future__ import annotations
@@ -19,16 +19,17 @@ from .head import Head
 from .marks import smooth
 from .products import short
 
-STRETCHED = 1.05  # stretch beyond this does not make up for compression beside it
+STRETCHED = 1.05  # a larger stretch does not compensate for compression beside it
 _ROUNDS = 2  # of smoothing on level 0
-_MIDDLE = 9.0  # mm from the middle within which the two sides pass into each other
-_ALONG = 1e-6  # length of a direction laid into a quad below which there is none
-_NEGLIGIBLE = 4e-3  # share of a vertex's strain below which a quad is left out
+_MIDDLE = 9.0  # mm from the middle, within which the two sides blend
+_ALONG = 1e-6  # a direction projected into a quad has at least this length
+_NEGLIGIBLE = 4e-3  # a quad with a smaller share of a vertex's strain is left out
 
 
 class Zone(NamedTuple):
-    """A region at level 1: `mask` (N1,) 0..1, and at the quads of level 0 the unit direction `pull` (Q0, 3)
-    along which the skin is measured; where that is 0 the area is measured.
+    """A region: `mask` (N1,) 0..1 at level 1, and the unit direction `pull` (Q0, 3) at the quads of level 0.
+
+    The compression is measured along that direction; if it is 0, the compression of the area is measured.
     """
 
     mask: Array
@@ -39,12 +40,12 @@ class Zone(NamedTuple):
 class Compression:
     """Rows of (vertex, zone) with the quads that each reads.
 
-    `quad` (e, 4) and `frame` (e, 3) are the quads in use, one entry per zone, with the coefficients of the
-    zone's direction on their diagonals, 0 where area is measured, and the area at rest; `side` (e, 2) their
-    shares in the means of the left and right half of their zone `zone` (e,); `start` (r + 1,), `column`,
-    `weight` the entries that each row averages; `row_zone` (r,), `row_vertex` (r,), `row_side` (r,) share of
-    the left half; `work` the strain (e,) and the means (zones, 2) of what was measured last; `taut`
-    whether skin drawn out across a direction may narrow along it.
+    `quad` (e, 4) and `frame` (e, 3): the quads in use, one entry per zone, with the coefficients of the
+    zone's direction on their diagonals (0 to measure area) and the area at rest; `side` (e, 2): their shares
+    in the means of the left and right half of their zone `zone` (e,); `start` (r + 1,), `column`, `weight`:
+    the entries that each row averages; `row_zone` (r,), `row_vertex` (r,), `row_side` (r,): zone, vertex, and
+    share of the left half; `work`: the strain (e,) and the means (zones, 2) of the last measurement; `taut`:
+    whether skin that is stretched across a direction may narrow along it.
     """
 
     zones: int
@@ -63,7 +64,7 @@ class Compression:
 
     @classmethod
     def of(cls, head: Head, zones: Sequence[Zone], *, taut: bool = False) -> Compression:
-        """Prepare to measure `zones` of a head; `taut` as skin that folds, not as flesh that swells."""
+        """Prepare to measure `zones` of a head; `taut` for skin that folds, not for flesh that swells."""
         spread = _quads_to_fine(head)
         left = smooth(-_MIDDLE, _MIDDLE, head.rest[head.quads].mean(axis=1)[:, 0])
         fine_left = smooth(-_MIDDLE, _MIDDLE, (head.skin.matrix @ head.rest)[:, 0])
@@ -168,8 +169,10 @@ def _diagonals(corners: Array) -> tuple[Array, Array]:
 
 
 def _frames(corners: Array, pull: Array) -> Array:
-    """Return for quads their frame (k, 3): the coefficients on the diagonals of `pull` (k, 3), laid into the
-    quad, as a unit vector, or 0 and 0 where there is no such direction; and the area at rest.
+    """Return the frames (k, 3) of quads.
+
+    The first two numbers are the coefficients on the diagonals of `pull` (k, 3), projected into the quad as a
+    unit vector, or 0 and 0 if there is no such direction; the third is the area at rest.
     """
     a, b = _diagonals(corners)
     aa, bb, ab = (a * a).sum(axis=1), (b * b).sum(axis=1), (a * b).sum(axis=1)
@@ -186,8 +189,8 @@ def _frames(corners: Array, pull: Array) -> Array:
 def _stretch(skin: Array, quad: UInt32Array, frame: Array, e: int, taut: bool) -> float:
     """Return the stretch of quad e along its frame's direction, or of its area.
 
-    `taut`: skin that is drawn out across that direction narrows by itself, and only what is shorter than
-    that is compressed: an open jaw draws the cheeks long and folds nothing.
+    `taut`: skin that is stretched across that direction narrows without compression, and only skin that is
+    shorter than that is compressed: an open jaw stretches the cheeks and folds nothing.
     """
     p, q, r, s = quad[e, 0], quad[e, 1], quad[e, 2], quad[e, 3]
     ax, ay, az = skin[r, 0] - skin[p, 0], skin[r, 1] - skin[p, 1], skin[r, 2] - skin[p, 2]

@@ -1,8 +1,8 @@
 """Contact of two facing surfaces that lie one above the other, such as the lips.
 
-Each surface is a height over the (x, z) plane: of the upper one counts the lowest y at a place, of the lower
-one the highest. A vertex of one meets the other where a triangle covers its place. Unlike a search for the
-nearest point, this cannot flip faces or change its mind about the side. Gaps open along y.
+Each surface is a height over the (x, z) plane: the lowest y at a place for the upper one, the highest for the
+lower one. A vertex of one surface meets the triangle of the other that covers its place. Unlike a search for
+the nearest point, this cannot jump between faces or sides. Gaps open along y.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ from ..core.kernels.jit import device, inlined, kernel
 
 Grid = tuple[float, float, float, float]
 
-COLUMNS, ROWS = 48, 32  # of cells over x and z
-ITEMS = 24  # in cells, for each vertex that may touch: more than lips have
-EDGE = 1e-9  # of a triangle, beyond it, that still belongs to it
-SPILL = 1e-6  # of a cell, beyond a triangle, that is looked at: more than EDGE
+COLUMNS, ROWS = 48, 32  # of cells, over x and z
+ITEMS = 24  # triangles in cells, per vertex that may touch: more than lips have
+EDGE = 1e-9  # share of a triangle; a point this little outside still belongs to it
+SPILL = 1e-6  # share of a cell around a triangle that counts as covered: more than EDGE
 
 
 class Facing(NamedTuple):
     """Two facing surfaces over one numbering of points.
 
-    `vertices` (k,) are those that may touch the other surface, `above` (k,) whether each belongs to the upper
-    one; `upper`, `lower` (m, 3) triangles.
+    `vertices` (k,): those that may touch the other surface; `above` (k,): whether each belongs to the upper
+    one; `upper`, `lower` (m, 3): triangles.
     """
 
     vertices: IntArray
@@ -37,11 +37,11 @@ class Facing(NamedTuple):
 
 
 class Cells(NamedTuple):
-    """Workspace for triangles sorted into cells of the (x, z) plane; more room is made where it is needed.
+    """Workspace for triangles sorted into cells of the (x, z) plane; it grows if it is too small.
 
-    `span` (m, 4) is each triangle's first and last column and row, `shape` (m, 8) what tells whether it
-    covers a place: its lowest height, x and z of its first corner, of the ways to the second and third, and
-    twice its area. A cell's `items` start and end at `start` (COLUMNS · ROWS + 1,), filled up to `fill`.
+    `span` (m, 4): each triangle's first and last column and row; `shape` (m, 8): its lowest height, x and z
+    of its first corner and of the vectors to the second and third, and twice its area. A cell's `items` start
+    and end at `start` (COLUMNS · ROWS + 1,), filled up to `fill`.
     """
 
     span: Int32Array
@@ -51,7 +51,7 @@ class Cells(NamedTuple):
     items: IntArray
 
     @classmethod
-    def room_for(cls, count: int) -> Cells:
+    def allocate(cls, count: int) -> Cells:
         """Allocate for the triangles among `count` vertices."""
         start, fill = np.zeros(COLUMNS * ROWS + 1, np.int32), np.zeros(COLUMNS * ROWS + 1, np.int32)
         most = ITEMS * count
@@ -61,8 +61,8 @@ class Cells(NamedTuple):
 class Contacts(NamedTuple):
     """Workspace for the contacts of one instant, at most one per vertex of `Facing`.
 
-    Row i says that Σ weight[i] · y[points[i]] is the gap: `points` (k, 4), `weight` (k, 4), `gap` (k,) mm
-    (negative where the surfaces overlap), `x` (k,) where it lies. `upper`, `lower`: their sorted triangles.
+    The gap of row i is Σ weight[i] · y[points[i]]: `points` (k, 4), `weight` (k, 4), `gap` (k,) mm, negative
+    if the surfaces overlap; `x` (k,): its place. `upper`, `lower`: their sorted triangles.
     """
 
     points: IntArray
@@ -73,11 +73,11 @@ class Contacts(NamedTuple):
     lower: Cells
 
     @classmethod
-    def room_for(cls, count: int) -> Contacts:
+    def allocate(cls, count: int) -> Contacts:
         """Allocate for `count` contacts."""
         points, weight = np.zeros((count, 4), np.uint32), np.zeros((count, 4))
         return cls(
-            points, weight, np.zeros(count), np.zeros(count), Cells.room_for(count), Cells.room_for(count)
+            points, weight, np.zeros(count), np.zeros(count), Cells.allocate(count), Cells.allocate(count)
         )
 
 
@@ -151,9 +151,10 @@ def _row(z: float, grid: Grid) -> int:
 def _sort_into_cells(
     points: Array, triangles: IntArray, grid: Grid, sign: float, work: Cells
 ) -> tuple[IntArray, IntArray, Array]:
-    """Return start (COLUMNS · ROWS + 1,) and items: the triangles that meet each cell of the `grid`.
+    """Return start (COLUMNS · ROWS + 1,) and items of the cells of the `grid`, and the triangles' shapes (m,
+    8).
 
-    And the `shape` (m, 8) of every triangle, its lowest height being the least `sign` times y.
+    The items of a cell are the triangles that meet it. The lowest height is the least `sign` times y.
     """
     span, shape, start, fill, items = work
     if len(span) < len(triangles):
@@ -206,20 +207,20 @@ def _cover(
     first: int,
     last: int,
 ) -> tuple[int, float, float, float]:
-    """Return the triangle over vertex v with the lowest y (`sign` 1) or the highest (−1), `sign` times that
-    y, and the weights of its last two corners; −1 where none is nearer than `reach` along y.
+    """Return the triangle over vertex v with the lowest y (`sign` 1) or the highest (−1).
 
-    The `items` from `first` to `last` are looked at, with the `shape` of each.
+    Also returns `sign` times that y, and the weights of its last two corners; −1 if no triangle is nearer
+    than `reach` along y. The search is over the `items` from `first` to `last`, with their `shape`.
     """
     x, z = points[v, 0], points[v, 2]
-    found, best, weight_b, weight_c = -1, sign * points[v, 1] + reach, 0.0, 0.0
+    nearest, best, weight_b, weight_c = -1, sign * points[v, 1] + reach, 0.0, 0.0
     for k in range(first, last):
         t = items[k]
         if shape[t, 0] >= best:
             continue
         px, pz = x - shape[t, 1], z - shape[t, 2]
         area = shape[t, 7]
-        # Most miss, and a quotient is dear: signs and sizes say as much.
+        # Most triangles miss, and a quotient is slow: signs and sizes are enough.
         turn, size = np.copysign(1.0, area), abs(area)
         b, c = turn * (px * shape[t, 6] - pz * shape[t, 5]), turn * (shape[t, 3] * pz - shape[t, 4] * px)
         if b < -EDGE * size or c < -EDGE * size or b + c > (1.0 + EDGE) * size:
@@ -230,23 +231,23 @@ def _cover(
         wb, wc = b / size, c / size
         y = sign * (points[p, 1] + wb * (points[q, 1] - points[p, 1]) + wc * (points[r, 1] - points[p, 1]))
         if y < best:
-            found, best, weight_b, weight_c = t, y, wb, wc
-    return found, best, weight_b, weight_c
+            nearest, best, weight_b, weight_c = t, y, wb, wc
+    return nearest, best, weight_b, weight_c
 
 
 @kernel
 def narrowest(start: float, end: float, places: int, width: float, x: Array, gap: Array) -> Int64Array:
-    """Return the contact with the narrowest gap about each of `places` even places from `start` to `end`.
+    """Return the contact with the narrowest gap around each of `places` even places from `start` to `end`.
 
-    −1 where there is none. `width` is the share of the whole within which a contact is about a place; `x` mm
-    and `gap` (k,) are those of the contacts.
+    −1 if there is none. `width`: the share of the whole that counts as around a place; `x` mm and `gap` (k,):
+    those of the contacts.
     """
-    found = np.full(places, -1)
+    nearest = np.full(places, -1)
     step = (end - start) / (places - 1)
     reach = 0.5 * width * (places - 1)  # in steps
     for k in range(len(x)):
         place = (x[k] - start) / step
         for p in range(max(math.ceil(place - reach), 0), min(math.floor(place + reach), places - 1) + 1):
-            if found[p] < 0 or gap[k] < gap[found[p]]:
-                found[p] = k
-    return found
+            if nearest[p] < 0 or gap[k] < gap[nearest[p]]:
+                nearest[p] = k
+    return nearest

@@ -1,11 +1,11 @@
 """Skin that several muscles push together gives way before it folds over.
 
-What is limited are distances of points of the mesh: the ends of an edge keep a share of their distance along
-the edge's own direction, and so does a corner of a face from the edge across, for a long narrow face turns
-over while no edge of it grows shorter. What the hardest muscle alone leaves is always left: so muscles alone
-stay exact. The limits are linear in the displacement before the jaw turns it, and are met by sweeps of equal
-pushes (position-based dynamics, Müller et al. 2007, one-sided constraints), which is continuous in every
-activation.
+Distances between points of the mesh are limited. The ends of an edge keep a share of their distance along the
+edge's direction. So does a corner of a face from the opposite edge, because a long narrow face can turn over
+while none of its edges becomes shorter. No limit is tighter than what the strongest muscle alone leaves, so
+single muscles stay exact. The limits are linear in the displacement before the jaw turns it. Sweeps of equal
+pushes meet them (position-based dynamics, Müller et al. 2007, one-sided constraints), which is continuous in
+every activation.
 """
 
 from __future__ import annotations
@@ -20,20 +20,22 @@ from ..core.parameters import PARAMETERS
 from .head import Head
 from .muscles import ELSEWHERE
 
-LEAST = 0.6  # of an edge's length at rest that is left to it along its direction
-LEAST_WIDTH = 0.5  # of a face's width at rest that is left to it
-STEEPEST = 0.5  # of a face's width at rest, by which a corner may leave its plane
-LAID_OVER = 1.2  # of a face's width: lost and risen by all muscles together where they could lay it over
-TURNING = 0.9  # of a face's width: lost by all muscles together where they could turn it over
+LEAST = 0.6  # share of an edge's length at rest that remains along its direction
+LEAST_WIDTH = 0.5  # share of a face's width at rest that remains
+STEEPEST = 0.5  # share of a face's width at rest by which a corner may leave the plane of the face
+LAID_OVER = 1.2  # share of a face's width: if all muscles together narrow and lift it more, it may fold over
+TURNING = 0.9  # share of a face's width: if all muscles together narrow it more, it may turn over
 SWEEPS = 20
-NEAR = 1e-2  # mm: distances at rest are longer
+NEAR = 1e-2  # mm: shorter distances at rest are left out
 
 
 @dataclass(frozen=True, slots=True)
 class Distances:
-    """Distances of points from points on edges of the mesh: from `points` (d, 3) the first, to the place
-    `foot` (d,), 0 to 1, on the way from the second to the third; `way` (d, 3) is their unit direction and
-    `length` (d,) their length in mm at rest.
+    """Distances of points from places on edges of the mesh.
+
+    `points` (d, 3): a point, and the ends of an edge; `foot` (d,): the place on the edge, 0 at its first end
+    and 1 at its second; `way` (d, 3): the unit direction from the point to the place; `length` (d,): the
+    distance in mm at rest.
     """
 
     points: Int32Array
@@ -43,7 +45,10 @@ class Distances:
 
     @classmethod
     def of(cls, points: IntArray, rest: Array) -> Distances:
-        """Measure, at rest (n, 3), each first point from the edge of the other two, which may be one."""
+        """Measure at `rest` (n, 3) the distance of each first point from the edge of the other two.
+
+        Both ends of an edge may be the same point.
+        """
         first, second, third = (rest[points[:, k]] for k in range(3))
         base = third - second
         along = ((first - second) * base).sum(axis=1) / np.maximum((base * base).sum(axis=1), NEAR**2)
@@ -59,7 +64,7 @@ class Distances:
         return Distances(self.points[chosen], self.foot[chosen], self.way[chosen], self.length[chosen])
 
     def shortened(self, displacement: Array) -> Array:
-        """Return by how many mm (d,) a displacement (n, 3) shortens them; below 0 where it lengthens them."""
+        """Return by how many mm (d,) a displacement (n, 3) shortens each distance; negative if it grows."""
         first, second, third = (displacement[self.points[:, k]] for k in range(3))
         apart = second + self.foot[:, None] * (third - second) - first
         return np.asarray(-(apart * self.way).sum(axis=1))
@@ -67,16 +72,14 @@ class Distances:
 
 @dataclass(frozen=True, slots=True)
 class Crowding:
-    """What muscles could fold over: distances of points, and the most in mm by which each may shorten, `room`
-    (d,).
-    """
+    """The distances that muscles could fold over; each may shorten by its `allowance` (d,) mm."""
 
     distances: Distances
-    room: Array
+    allowance: Array
 
     @classmethod
     def of(cls, head: Head) -> Crowding:
-        """Find what all muscles of `head` together could shorten to less than is left to it."""
+        """Find the distances that all muscles of `head` together could shorten too far."""
         fields = _fields(head)
         edges, widths = struts(head.quads), altitudes(head.quads)
         across = Distances.of(widths, head.rest)
@@ -85,14 +88,14 @@ class Crowding:
             _limits(across, fields, 1.0 - LEAST_WIDTH, TURNING),
             *(_tilts(across, fields, head.rest, side) for side in (1.0, -1.0)),
         ]
-        tables = [(d.points, d.foot, d.way, d.length, room) for d, room in limits]
-        *found, room = (np.concatenate(parts) for parts in zip(*tables, strict=True))
-        return cls(Distances(*found), room)
+        tables = [(d.points, d.foot, d.way, d.length, allowance) for d, allowance in limits]
+        *distances, allowance = (np.concatenate(parts) for parts in zip(*tables, strict=True))
+        return cls(Distances(*distances), allowance)
 
     def relieve(self, displacement: Array) -> None:
-        """Change `displacement` (N0, 3) mm in place until nothing is shorter than it may be."""
-        found = self.distances
-        relieve(found.points, found.foot, found.way, self.room, SWEEPS, displacement)
+        """Change `displacement` (N0, 3) mm in place until no distance is too short."""
+        distances = self.distances
+        relieve(distances.points, distances.foot, distances.way, self.allowance, SWEEPS, displacement)
 
 
 def struts(quads: IntArray) -> IntArray:
@@ -102,54 +105,61 @@ def struts(quads: IntArray) -> IntArray:
 
 
 def altitudes(quads: IntArray) -> IntArray:
-    """Return each corner of `quads` (Q, 4) with the ends of either side that it does not lie on (8 Q, 3)."""
+    """Return each corner of `quads` (Q, 4) with the ends of each opposite side (8 Q, 3)."""
     turned = [np.roll(quads, -k, axis=1) for k in range(4)]
     return np.vstack([t[:, order] for t in turned for order in ([0, 3, 2], [1, 2, 3])])
 
 
-def _limits(found: Distances, fields: list[Array], most: float, turning: float) -> tuple[Distances, Array]:
-    """Return those of the distances `found` that all `fields` together shorten by more than their share
-    `turning` and than they may, and by how much each may: by the share `most`, or as one field alone does.
+def _limits(
+    distances: Distances, fields: list[Array], most: float, turning: float
+) -> tuple[Distances, Array]:
+    """Return the `distances` at risk, and by how many mm each may shorten.
+
+    A distance may shorten by the share `most`, or by as much as one of the `fields` alone shortens it. It is
+    at risk if all fields together shorten it by more than that and by more than the share `turning`.
     """
-    shortened = _shortened(found, fields)
-    room = np.maximum(most * found.length, np.max(shortened, axis=0))
-    risky = np.sum(shortened, axis=0) > np.maximum(room, turning * found.length)
-    return found.only(risky), room[risky]
+    shortened = _shortened(distances, fields)
+    allowance = np.maximum(most * distances.length, np.max(shortened, axis=0))
+    risky = np.sum(shortened, axis=0) > np.maximum(allowance, turning * distances.length)
+    return distances.only(risky), allowance[risky]
 
 
 def _tilts(widths: Distances, fields: list[Array], rest: Array, side: float) -> tuple[Distances, Array]:
-    """Return those of `widths` that all `fields` together could halve and lay over, measured out of the plane
-    of their three points at `rest` (N0, 3), to the `side` 1 or -1, and how far each corner may go.
+    """Return the `widths` that all `fields` together could halve and fold over, and how far corners may rise.
+
+    They are measured out of the plane of their three points at `rest` (N0, 3), to the `side` 1 or -1.
     """
     crowded = np.sum(_shortened(widths, fields), axis=0)
     base = rest[widths.points[:, 2]] - rest[widths.points[:, 1]]
     normal = np.cross(base, widths.way)
-    found = replace(widths, way=side * normal / np.linalg.norm(normal, axis=1, keepdims=True))
-    left = _shortened(found, fields)
-    risky = crowded + np.sum(left, axis=0) > LAID_OVER * widths.length
+    heights = replace(widths, way=side * normal / np.linalg.norm(normal, axis=1, keepdims=True))
+    risen = _shortened(heights, fields)
+    risky = crowded + np.sum(risen, axis=0) > LAID_OVER * widths.length
     risky &= crowded > (1.0 - LEAST_WIDTH) * widths.length
-    return found.only(risky), np.maximum(STEEPEST * widths.length, np.max(left, axis=0))[risky]
+    return heights.only(risky), np.maximum(STEEPEST * widths.length, np.max(risen, axis=0))[risky]
 
 
-def _shortened(found: Distances, fields: list[Array]) -> list[Array]:
-    return [np.maximum(found.shortened(field), 0.0) for field in fields]
+def _shortened(distances: Distances, fields: list[Array]) -> list[Array]:
+    return [np.maximum(distances.shortened(field), 0.0) for field in fields]
 
 
 def _fields(head: Head) -> list[Array]:
     """Return the displacement (N0, 3) of every muscle at 1, of both sides together."""
-    found: dict[str, Array] = {}
+    whole_fields: dict[str, Array] = {}
     for p in PARAMETERS:
         if p.name in head.fields and p.base not in ELSEWHERE:
-            whole = found.setdefault(p.base, np.zeros_like(head.rest))
+            whole = whole_fields.setdefault(p.base, np.zeros_like(head.rest))
             whole[head.fields[p.name].vertices] += head.fields[p.name].displacement
-    return list(found.values())
+    return list(whole_fields.values())
 
 
 @kernel
 def relieve(
-    points: Int32Array, foot: Array, way: Array, room: Array, sweeps: int, displacement: Array
+    points: Int32Array, foot: Array, way: Array, allowance: Array, sweeps: int, displacement: Array
 ) -> None:
-    """Push points apart that come nearer than by `room` (d,) mm along `way` (d, 3): `Distances`' tables.
+    """Push points apart whose distance shortens by more than `allowance` (d,) mm along `way` (d, 3).
+
+    The tables are those of `Distances`.
 
     `displacement` (n, 3) mm is changed in place, in at most `sweeps` sweeps.
     """
@@ -159,7 +169,7 @@ def relieve(
             first, second, third = points[k, 0], points[k, 1], points[k, 2]
             far = foot[k]
             near = 1.0 - far
-            excess = -room[k]
+            excess = -allowance[k]
             for c in range(3):
                 other = near * displacement[second, c] + far * displacement[third, c]
                 excess += (displacement[first, c] - other) * way[k, c]

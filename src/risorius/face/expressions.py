@@ -20,7 +20,7 @@ FILE = "expressions.toml"
 
 @dataclass(frozen=True, slots=True)
 class Expression:
-    """A preset: its name in VRM 0, and the ARKit shapes that it is made of."""
+    """A preset: its name in VRM 0, and its ARKit shapes with their weights."""
 
     vrm0: str
     shapes: Mapping[str, float]
@@ -28,14 +28,14 @@ class Expression:
 
 @lru_cache(maxsize=1)
 def expressions() -> Mapping[str, Expression]:
-    """Return the presets by their name in VRM 1; raise InputError where the table names an unknown shape."""
+    """Return the presets by their name in VRM 1; raise InputError if the table names an unknown shape."""
     text = (resources.files(__package__) / "data" / FILE).read_text(encoding="utf-8")
-    found = parse_rows(Expression, text, FILE)
-    for expression in found.values():
+    presets = parse_rows(Expression, text, FILE)
+    for expression in presets.values():
         for name in expression.shapes:
             if name not in INDEX:
                 raise InputError(f"{FILE}: {unknown('shape', name, INDEX)}")
-    return FrozenDict(found)
+    return FrozenDict(presets)
 
 
 def preset_weights(weights: Array) -> Array:

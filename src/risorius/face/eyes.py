@@ -1,4 +1,4 @@
-"""The eyeballs: both look at one point, at the gaze's direction and distance."""
+"""The eyeballs: both look at one point, in the direction and at the distance of the gaze."""
 
 from __future__ import annotations
 

@@ -1,15 +1,15 @@
-"""Least squares that also hold back the vertices that are far off: a little is lost over the whole surface
-for what would be seen at one place.
+"""Least squares with a penalty for vertices that are far off: the whole surface fits a little worse, so that
+no single place is visibly wrong.
 
-To half the weighted sum of squares comes `STRENGTH` · Σ max(d − `FAR`, 0)^`POWER` over the vertices'
-distances d in mm: nearly the least worst vertex, and yet a strictly convex function of the weights, so that
-its minimum is one and moves without jumps as the surface does. Found by Newton's method: each step is the
-non-negative least squares of the second-order model, halved while it goes too far (Nocedal and Wright,
-Numerical Optimization, 2006, chapters 3 and 18).
+The penalty, added to half the weighted sum of squares, is `STRENGTH` · Σ max(d − `FAR`, 0)^`POWER` over the
+vertices' distances d in mm. It nearly minimizes the worst distance, but is a strictly convex function of the
+weights: there is one minimum, and it moves without jumps as the surface does. Newton's method finds it: each
+step is the non-negative least squares of the second-order model, halved while it goes too far (Nocedal and
+Wright, Numerical Optimization, 2006, chapters 3 and 18).
 
-What no shapes can reach would pull in others that have little to do with the place, and others yet against
-what these do elsewhere. So the weights go only so far from the least squares, on the straight way to the
-minimum, on which every step is to the better.
+A place that no shape can reach would raise shapes that have little to do with it, and others against their
+effects elsewhere. So the weights move only by a limited amount from the least squares, straight towards the
+minimum; every step in that direction improves the fit.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ import numpy as np
 from ..core.arrays import Array
 
 Least = Callable[[Array, Array], Array]
-"""Returns the weights that are the least of ½ w·normal·w − right·w, within their limits."""
+"""(normal, right) -> the weights w within their limits that minimize ½ w·normal·w − right·w."""
 
 FAR, POWER, STRENGTH = 1.5, 8, 1e4  # mm, none, mm⁻⁶
-STEPS, STILL = 40, 1e-4  # at most so many; a step that moves no weight by more is the last
-LEEWAY = 0.4  # by how much a weight may leave the least squares
-SHORTEST = 1e-3  # share of a step that is still tried
+STEPS, STILL = 40, 1e-4  # the most steps; a step that moves every weight by less is the last
+LEEWAY = 0.4  # the most that a weight may differ from the least squares
+SHORTEST = 1e-3  # the least share of a step that is tried
 
 
 class FarVertices:
@@ -39,14 +39,14 @@ class FarVertices:
         self._basis, self._wanted = basis, wanted
         self._normal, self._right = normal, right
 
-    def settle(self, weights: Array, least: Least) -> Array:
-        """Return the weights (s,), from those of the least squares; `least` keeps weights within limits."""
+    def solution(self, weights: Array, least: Least) -> Array:
+        """Return the weights (s,), given those of the least squares."""
         way = self.minimum(weights, least) - weights
         farthest = float(np.abs(way).max())
         return weights + way * (LEEWAY / farthest) if farthest > LEEWAY else weights + way
 
     def minimum(self, weights: Array, least: Least) -> Array:
-        """Return the weights (s,) that cost least, on the way from those given."""
+        """Return the weights (s,) of the least cost, searched from `weights` on."""
         cost, distance = self.cost(weights)
         for _ in range(STEPS):
             if distance.max() <= FAR:
@@ -65,7 +65,7 @@ class FarVertices:
         return weights
 
     def cost(self, weights: Array) -> tuple[float, Array]:
-        """Return what is made least, up to a constant, and the distances (n,) in mm."""
+        """Return the cost, up to a constant, and the distances (n,) in mm."""
         distance = np.linalg.norm((self._wanted - weights @ self._basis).reshape(-1, 3), axis=1)
         squares = weights @ (0.5 * self._normal @ weights - self._right)
         return float(squares + STRENGTH * (np.maximum(distance - FAR, 0.0) ** POWER).sum()), distance

@@ -66,7 +66,7 @@ LIDS = {19: (0, 0, -1.0), 20: (1, 0, -1.0), 21: (0, 1, 1.0), 22: (1, 1, 1.0)}
 ANGLES = {23: "yaw_left", 24: "yaw_right", 25: "pitch_left", 26: "pitch_right", 48: "", 49: "", 50: ""}
 TONGUE = {44: _UP, 45: _FORWARD}
 SHOWN = tuple(sorted((*POINTS, *LIDS, *ANGLES, *TONGUE)))
-"""The parameters that a face of ours sets; the others are masked out."""
+"""The parameters that our faces set; the others are masked out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,37 +95,37 @@ class FeaturePoints:
         self.units = self._measure_units()
 
     def values(self, frame: FaceFrame) -> Array:
-        """Return the 68 parameters in FAP units, 0 where the face has none; index 0 is FAP 1."""
-        found = self.of_skin(frame.skin)
+        """Return the 68 parameters in FAP units, 0 for those that our faces do not set; index 0 is FAP 1."""
+        parameters = self.of_skin(frame.skin)
         eyes = [pitch_and_yaw(rotation) for rotation in frame.eye_rotation]
         for side, (pitch, yaw) in enumerate(eyes):
-            found[22 + side], found[24 + side] = np.radians(yaw) / ANGLE, -np.radians(pitch) / ANGLE
+            parameters[22 + side], parameters[24 + side] = np.radians(yaw) / ANGLE, -np.radians(pitch) / ANGLE
         pitch, yaw, roll = (frame.parameters[INDEX[f"head_{axis}"]] for axis in ("pitch", "yaw", "roll"))
-        found[47:50] = np.radians([-pitch, yaw, -roll]) / ANGLE
-        found[[number - 1 for number in TONGUE]] = self.tongue_tip(frame)
-        return found
+        parameters[47:50] = np.radians([-pitch, yaw, -roll]) / ANGLE
+        parameters[[number - 1 for number in TONGUE]] = self.tongue_tip(frame)
+        return parameters
 
     def of_skin(self, skin: FloatArray) -> Array:
         """Return the parameters (68,) of points and lids for a level-1 skin (N1, 3) mm, 0 elsewhere."""
         moved = self._head.landmarks(skin) - self._rest
-        found = np.zeros(COUNT)
+        parameters = np.zeros(COUNT)
         for number, (point, direction, unit) in POINTS.items():
-            found[number - 1] = moved[point] @ direction / getattr(self.units, unit)
+            parameters[number - 1] = moved[point] @ direction / getattr(self.units, unit)
         for number, (eye, lid, sign) in LIDS.items():
             now = np.asarray(skin, np.float64)[self._lids[eye]].mean(axis=0)
-            found[number - 1] = sign * (now - self._rest_lids[eye])[lid, 1] / self.units.IRISD
-        return found
+            parameters[number - 1] = sign * (now - self._rest_lids[eye])[lid, 1] / self.units.IRISD
+        return parameters
 
     def sizes(self) -> Array:
-        """Return what a unit of each parameter (68,) is in mm, 0 for those that are no way of a point."""
-        found = np.zeros(COUNT)
+        """Return the unit of each parameter (68,) in mm, 0 for those that do not move a point."""
+        parameters = np.zeros(COUNT)
         for number, (_, _, unit) in POINTS.items():
-            found[number - 1] = getattr(self.units, unit)
-        found[[number - 1 for number in LIDS]] = self.units.IRISD
-        return found
+            parameters[number - 1] = getattr(self.units, unit)
+        parameters[[number - 1 for number in LIDS]] = self.units.IRISD
+        return parameters
 
     def tongue_tip(self, frame: FaceFrame) -> Array:
-        """Return how the tip rises and thrusts against the jaw (2,): the parameters of `TONGUE`."""
+        """Return height and thrust of the tip relative to the jaw (2,): the parameters of `TONGUE`."""
         carried = self._tongue.place(NEUTRAL, self._jaw, frame.jaw_angle / self._jaw.angle)[self._tip]
         way = frame.tongue[self._tip].astype(np.float64) - carried
         return np.array([way[1] / self.units.MNS, way[2] / self.units.MW])

@@ -1,4 +1,4 @@
-"""One frame of the face: what the solver makes and renderers and exporters draw."""
+"""One frame of the face: the solver's result, which renderers and exporters draw."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from ..core.arrays import Array, Float32Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class FrameRoom:
-    """Room for the arrays of a frame, to be filled again and again: `FaceFrame` has their shapes."""
+class FrameBuffers:
+    """Arrays of a frame that are filled again and again; `FaceFrame` has their shapes."""
 
     skin: Float32Array
     teeth_lower: Float32Array
@@ -43,6 +43,6 @@ class FaceFrame:
     parameters: Array
 
     def copy(self) -> FaceFrame:
-        """Return a frame that stays as it is, whatever becomes of this one's arrays."""
+        """Return a frame with copies of all arrays."""
         arrays = [f.name for f in fields(self) if isinstance(getattr(self, f.name), np.ndarray)]
         return replace(self, **{name: getattr(self, name).copy() for name in arrays})

@@ -1,6 +1,4 @@
-"""A head: geometry, muscle fields, jaw, eyes, teeth, tongue and landmarks, loaded from a folder and
-checked.
-"""
+"""A head: geometry, muscle fields, jaw, eyes, teeth, tongue and landmarks, from a folder, checked."""
 
 from __future__ import annotations
 
@@ -36,9 +34,7 @@ LANDMARKS = 68
 
 
 class Field(NamedTuple):
-    """A sparse field of displacements: vertices (k,) int32 at level 0, displacement (k, 3) in mm at
-    activation 1.
-    """
+    """A sparse field: level-0 vertices (k,) int32, and their displacement (k, 3) in mm at activation 1."""
 
     vertices: Int32Array
     displacement: Array
@@ -46,9 +42,7 @@ class Field(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Mesh:
-    """A rigid triangle mesh: vertices (n, 3) mm, triangles (m, 3), material (n,) with 0 = tooth and 1 =
-    gum.
-    """
+    """A rigid triangle mesh: vertices (n, 3) mm, triangles (m, 3), material (n,): 0 is tooth, 1 is gum."""
 
     vertices: Array
     triangles: Int32Array
@@ -57,9 +51,7 @@ class Mesh:
 
 @dataclass(frozen=True, slots=True)
 class Tongue:
-    """The tongue: rest (n, 3) mm and quads (q, 4) at level 0, its fields by parameter name, and its level
-    1.
-    """
+    """The tongue: rest (n, 3) mm and quads (q, 4) at level 0, fields by parameter name, and its level 1."""
 
     rest: Array
     quads: Int32Array
@@ -69,8 +61,7 @@ class Tongue:
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """A head at rest and all that moves it; read-only arrays, mm, axes as in DESIGN (x to the subject's
-    left).
+    """A head at rest and all that moves it; read-only arrays, mm, x to the subject's left, y up.
 
     `rest` (N0, 3), `quads` (Q0, 4), `uv` (N0, 2), `masks` name → (N0,) 0..1, `mirror` (N0,) index of the
     mirrored vertex; `fields` parameter name → `Field`, for every muscle but the masseter, and `lip_tuck`;
@@ -80,8 +71,8 @@ class Head:
     `head_pivot`. `lip_pairs` (P, 2) are upper and lower vertices that touch when the lips close, `lid_pairs`
     the same for the lids of the (left, right) eye; `eye_centre` (2, 3) and `eye_radius` (2,) are in that
     order too. `landmarks` holds 68 iBUG points: level-1 vertices (68, 3) and barycentric weights (68, 3).
-    `skin` is the skin's level 1. `folder` may hold tables of its own. `identity` says who it is, how old and
-    how coloured; `ages` are its shapes at other ages, None where the folder has none.
+    `skin` is the skin's level 1. `folder` may hold tables of its own. `identity` holds the recipe of its
+    shape, its age and its colours; `ages` are its shapes at other ages, None if the folder has none.
     """
 
     name: str
@@ -119,9 +110,9 @@ class Head:
         return path if path.is_file() else None
 
     def muscles(self) -> dict[str, tuple[Muscle, dict[str, float]]]:
-        """The head's table of muscles (the standard head's where it has none): each row and its links.
+        """The head's table of muscles, or the standard head's if it has none: each row and its links.
 
-        Raises InputError where a table does not fit.
+        Raises InputError if a table does not fit.
         """
         folder = self.folder if (self.folder / MUSCLE_TABLE).is_file() else _standard()
         links = link_rows(self.links_file)
@@ -135,8 +126,8 @@ class Head:
     def shaped(self, amounts: Mapping[str, float]) -> Head:
         """Return this head with its shape changed by sliders, each with an amount from -1 to 1 (`sliders`).
 
-        Lips and lids keep their form; teeth, tongue and the jaw's hinge go with the lips. Raises HeadError
-        for an unknown slider or an amount out of range, and for a head of another topology than ours.
+        Lips and lids keep their form; teeth, tongue and the jaw's hinge move with the lips. Raises HeadError
+        for an unknown slider or an amount out of range, and for a head with a topology of its own.
         """
         check_sliders(amounts)
         if not any(amounts.values()):
@@ -155,11 +146,10 @@ class Head:
         )
 
     def aged(self, age: float) -> Head:
-        """Return this head at `age` in years, 0 to 100; below its youngest and above its oldest shape it is
-        that one.
+        """Return this head at `age` in years, 0 to 100, but not younger or older than its own shapes.
 
-        Skull, skin, eyes and jaw take the place of that age, teeth and tongue go with the mouth; muscles act
-        as they do on this head. Raises HeadError where the age is out of range or the head has no ages.
+        Skull, skin, eyes and jaw have the place of that age, teeth and tongue move with the mouth; muscles
+        act as on this head. Raises HeadError if the age is out of range or the head has no ages.
         """
         check_age(age)
         if age == self.identity.age:
@@ -212,19 +202,19 @@ def load_head(
     """Load a head that comes with Risorius by its name, or any head from its folder or `.npz` file.
 
     `age` in years, 0 to 100, changes its shape as `Head.aged` does; None is the age it was made at; `shape`
-    changes it as `Head.shaped` does. The same unchanged files give the same object again. Raises HeadError
-    where there is no such head, where a file in its folder lacks an array, holds one of the wrong shape or
-    range, or lacks a muscle, and as `Head.aged` and `Head.shaped`.
+    changes it as `Head.shaped` does. The same unchanged files return the same object. Raises HeadError if
+    there is no such head, or if a file in its folder lacks an array or a muscle or holds an array of the
+    wrong shape or range; raises as `Head.aged` and `Head.shaped`, too.
     """
     path = _locate(name_or_path)
     beside = [path, *(path.with_name(name) for name in (identity_file.FILE, age_file.FILE))]
     changed = tuple(file.stat().st_mtime_ns if file.is_file() else 0 for file in beside)
-    given = tuple(sorted((shape or {}).items()))
-    return _load_shaped(path, changed, None if age is None else float(age), given)
+    amounts = tuple(sorted((shape or {}).items()))
+    return _load_shaped(path, changed, None if age is None else float(age), amounts)
 
 
 class HeadChoice(Protocol):
-    """What chooses a head and changes it."""
+    """The choice of a head, and of the changes to it."""
 
     @property
     def head(self) -> str:
@@ -255,11 +245,11 @@ def head_titles() -> dict[str, str]:
 
 
 def _locate(name_or_path: str | Path) -> Path:
-    given = Path(name_or_path)
-    if given.is_dir():
-        given = given / "head.npz"
-    if given.is_file():
-        return given.resolve()
+    path = Path(name_or_path)
+    if path.is_dir():
+        path = path / "head.npz"
+    if path.is_file():
+        return path.resolve()
     shipped = {entry.name: Path(str(entry)) / "head.npz" for entry in _shipped()}
     if str(name_or_path) in shipped:
         return shipped[str(name_or_path)]
@@ -330,7 +320,7 @@ def _read(path: Path) -> Head:
 
 
 def _muscle_fields(file: HeadFile, rest: Array, quads: Int32Array) -> Mapping[str, Field]:
-    """The calibrated fields; of a head that has none at all, those of the anatomical mode."""
+    """Return the calibrated fields, or those of the anatomical mode if the file has none."""
     if any(name.startswith("field/") for name in file.arrays):
         return _fields(file, "field", required_fields(), len(rest))
     table = file.path.parent if (file.path.parent / MUSCLE_TABLE).is_file() else _standard()
@@ -338,8 +328,8 @@ def _muscle_fields(file: HeadFile, rest: Array, quads: Int32Array) -> Mapping[st
     bases = tuple(dict.fromkeys(name.partition(".")[0] for name in required_fields()))
     pulls = load_pulls(_standard(), bases)
     mirror = file.indices("mirror", (len(rest),), len(rest))
-    found = anatomical_fields(skin, mirror, load_muscles(table), pulls, required_fields())
-    return MappingProxyType({name: Field(*field) for name, field in found.items()})
+    fields = anatomical_fields(skin, mirror, load_muscles(table), pulls, required_fields())
+    return MappingProxyType({name: Field(*field) for name, field in fields.items()})
 
 
 def _standard() -> Path:

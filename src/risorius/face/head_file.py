@@ -1,6 +1,4 @@
-"""The file format of a head (`head.npz`): named arrays, fields as int16, each read with a check of its
-shape.
-"""
+"""The file format of a head (`head.npz`): named arrays and fields in int16, each checked when it is read."""
 
 from __future__ import annotations
 
@@ -15,19 +13,19 @@ from ..core.npz import read_arrays
 from ..errors import HeadError, Place
 
 FORMAT = 1
-Shape = tuple[int | str, ...]
+ArrayShape = tuple[int | str, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class HeadFile:
-    """The arrays of one head file. Shapes are given as sizes, or letters where any size above 0 will do."""
+    """The arrays of one head file. Shapes are sizes, or a letter if any size above 0 is allowed."""
 
     path: Path
     arrays: dict[str, AnyArray]
 
     @classmethod
     def read(cls, path: Path) -> HeadFile:
-        """Read all arrays; raise HeadError where the file is no head file of this format."""
+        """Read all arrays; raise HeadError if the file is not a head file of this format."""
         try:
             arrays = read_arrays(path)
         except (OSError, ValueError, zipfile.BadZipFile) as error:
@@ -39,12 +37,15 @@ class HeadFile:
         return file
 
     def error(self, name: str, message: str) -> HeadError:
-        """The error to raise about the array `name`."""
+        """Return the error to raise about the array `name`."""
         return HeadError(f"array '{name}' {message}", Place(str(self.path)))
 
-    def array(self, name: str, shape: Shape, low: float | None = None, high: float | None = None) -> Array:
-        """A read-only float64 array; raise HeadError where it is missing, misshapen, not finite or out of
-        range.
+    def array(
+        self, name: str, shape: ArrayShape, low: float | None = None, high: float | None = None
+    ) -> Array:
+        """Return a read-only float64 array; raise HeadError if it does not fit.
+
+        It must exist with this shape, and its values must be finite and within the range.
         """
         values = np.asarray(self._raw(name, shape), dtype=np.float64)
         if not np.isfinite(values).all():
@@ -56,8 +57,8 @@ class HeadFile:
         values.setflags(write=False)
         return values
 
-    def indices(self, name: str, shape: Shape, count: int) -> Int32Array:
-        """A read-only int32 array of indices below `count`; raise HeadError where one is not."""
+    def indices(self, name: str, shape: ArrayShape, count: int) -> Int32Array:
+        """Return a read-only int32 array of indices below `count`; raise HeadError if one is not below."""
         raw = self._raw(name, shape)
         if raw.dtype.kind not in "iu":
             raise self.error(name, f"is of type {raw.dtype}; expected whole numbers")
@@ -68,15 +69,16 @@ class HeadFile:
         return values
 
     def unit(self, name: str) -> Array:
-        """A direction (3,); raise HeadError where its length is not 1."""
+        """Return a direction (3,); raise HeadError if its length is not 1."""
         values = self.array(name, (3,))
         if abs(float(np.linalg.norm(values)) - 1.0) > 1e-5:
             raise self.error(name, f"has length {np.linalg.norm(values):g}; expected 1")
         return values
 
     def field(self, name: str, count: int) -> tuple[Int32Array, Array]:
-        """Vertices (k,) and displacement (k, 3) of a field kept as `name/vertices`, `name/values`,
-        `name/scale`.
+        """Return vertices (k,) and displacement (k, 3) of a field.
+
+        Its arrays are `name/vertices`, `name/values` and `name/scale`.
         """
         vertices = self.indices(f"{name}/vertices", ("k",), count)
         steps = self.array(f"{name}/values", (len(vertices), 3))
@@ -84,15 +86,15 @@ class HeadFile:
         displacement.setflags(write=False)
         return vertices, displacement
 
-    def _raw(self, name: str, shape: Shape) -> AnyArray:
+    def _raw(self, name: str, shape: ArrayShape) -> AnyArray:
         if name not in self.arrays:
             raise self.error(name, "is missing")
-        found = self.arrays[name].shape
-        wanted = "(" + ", ".join(str(size) for size in shape) + (",)" if len(shape) == 1 else ")")
-        fits = len(found) == len(shape) and all(
-            (size > 0 if isinstance(want, str) else size == want)
-            for size, want in zip(found, shape, strict=True)
+        actual = self.arrays[name].shape
+        expected_text = "(" + ", ".join(str(size) for size in shape) + (",)" if len(shape) == 1 else ")")
+        fits = len(actual) == len(shape) and all(
+            (size > 0 if isinstance(expected, str) else size == expected)
+            for size, expected in zip(actual, shape, strict=True)
         )
         if not fits:
-            raise self.error(name, f"has shape {found}; expected {wanted}")
+            raise self.error(name, f"has shape {actual}; expected {expected_text}")
         return self.arrays[name]

@@ -1,4 +1,4 @@
-"""Who a head is: `identity.toml` in its folder, the recipe of its shape and the colours of its looks."""
+"""The identity of a head (`identity.toml`): the recipe of its shape and the colours of its looks."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from typing import Any
 from ..core.look import HAIR_STYLES
 from ..errors import HeadError, Place, unknown
 
-Colour = tuple[int, int, int]
+ByteColour = tuple[int, int, int]
+"""A colour in sRGB, 0 to 255."""
 
 SEXES = ("female", "male")
 ORIGINS = ("african", "asian", "caucasian")
@@ -22,22 +23,22 @@ FILE = "identity.toml"
 
 @dataclass(frozen=True, slots=True)
 class Looks:
-    """What is seen besides the shape. Colours are sRGB bytes.
+    """The visible properties of a head besides its shape.
 
     `skin`, `lips`, `lining` (inside of the mouth) and `cloth`; `hair` of head and lashes, and of the `brows`
-    where these have no colour of their own; `iris` at the pupil and at the rim. `flush`, 0 to 2, is how far
-    cheeks, nose, ears and lids are redder or darker than the rest. `hair_style` is one of `HAIR_STYLES`;
-    `hairs` and `brow_hairs` are how many grow on the head, and on each brow.
+    if these have no colour of their own; `iris` at the pupil and at the rim. `flush`, 0 to 2: how much redder
+    or darker cheeks, nose, ears and lids are. `hair_style`: one of `HAIR_STYLES`; `hairs` and `brow_hairs`:
+    how many grow on the head, and on each brow.
     """
 
-    skin: Colour = (212, 165, 140)
-    lips: Colour = (178, 108, 98)
-    lining: Colour = (160, 84, 80)
-    cloth: Colour = (52, 62, 78)
-    hair: Colour = (58, 42, 32)
+    skin: ByteColour = (212, 165, 140)
+    lips: ByteColour = (178, 108, 98)
+    lining: ByteColour = (160, 84, 80)
+    cloth: ByteColour = (52, 62, 78)
+    hair: ByteColour = (58, 42, 32)
     hair_style: str = HAIR_STYLES[0]
-    brows: Colour | None = None
-    iris: tuple[Colour, Colour] = ((132, 112, 74), (74, 94, 104))
+    brows: ByteColour | None = None
+    iris: tuple[ByteColour, ByteColour] = ((132, 112, 74), (74, 94, 104))
     flush: float = 1.0
     hairs: int = 8500
     brow_hairs: int = 360
@@ -50,9 +51,9 @@ _HAIRS = {"hairs": (100, 40_000), "brow_hairs": (20, 2000)}
 class Identity:
     """The recipe of a head.
 
-    `title` says in a few words who it is; `age` in years. The shares of `sex` and of `origin` each add up to
-    1. `build` moves weight and muscle from the mean (0) to the least (-1) or the most (1). `sliders` names
-    targets of the source, `{}` for both sides, with their amounts.
+    `title` describes the person in a few words; `age` in years. The shares of `sex` and of `origin` each add
+    up to 1. `build` moves weight and muscle from the mean (0) to the least (-1) or the most (1). `sliders`
+    names targets of the source, `{}` for both sides, with their amounts.
     """
 
     title: str = ""
@@ -68,13 +69,13 @@ class Identity:
         return replace(self, age=age)
 
 
-UNNAMED = Identity()  # of a head whose folder does not say who it is
+UNNAMED = Identity()  # the identity of a head whose folder has no identity.toml
 
 
 def read_identity(path: Path) -> Identity:
     """Read an `identity.toml`.
 
-    Raises HeadError, with its place, where the file is no TOML, holds an unknown key, or a value of the wrong
+    Raises HeadError, with its place, if the file is not TOML or holds an unknown key, or a value of the wrong
     kind or out of range.
     """
     try:
@@ -109,10 +110,10 @@ def _check_keys(kind: str, table: Mapping[str, Any], known: list[str] | tuple[st
 
 
 def _section(name: str, table: dict[str, Any]) -> dict[str, Any]:
-    found = table.get(name, {})
-    if not isinstance(found, dict):
-        raise HeadError(f"{name} is {found!r}; expected a table")
-    return found
+    section = table.get(name, {})
+    if not isinstance(section, dict):
+        raise HeadError(f"{name} is {section!r}; expected a table")
+    return section
 
 
 def _number(name: str, value: Any, low: float, high: float) -> float:
@@ -122,10 +123,10 @@ def _number(name: str, value: Any, low: float, high: float) -> float:
 
 
 def _numbers(name: str, table: dict[str, Any], known: tuple[str, ...] | None = None) -> dict[str, float]:
-    found = _section(name, table)
+    section = _section(name, table)
     if known is not None:
-        _check_keys(f"key of {name}", found, known)
-    return {key: _number(f"{name}.{key}", value, -1.0, 1.0) for key, value in found.items()}
+        _check_keys(f"key of {name}", section, known)
+    return {key: _number(f"{name}.{key}", value, -1.0, 1.0) for key, value in section.items()}
 
 
 def _shares(name: str, table: dict[str, Any], known: tuple[str, ...]) -> dict[str, float]:
@@ -157,7 +158,7 @@ def _looks(table: dict[str, Any]) -> Looks:
     return Looks(**chosen)
 
 
-def _colour(name: str, value: Any) -> Colour:
+def _colour(name: str, value: Any) -> ByteColour:
     whole = isinstance(value, list) and all(isinstance(part, int) and 0 <= part <= 255 for part in value)
     if not whole or len(value) != 3:
         raise HeadError(f"{name} is {value!r}; expected a colour [red, green, blue] of 0 to 255")

@@ -1,7 +1,7 @@
 """The jaw: a frame that turns about the hinge axis and carries teeth, tongue and skin.
 
-Skin fields are turned with the share of the rotation that their vertex takes; what the rigid rotation leaves
-over is a linear corrective (facts: face-model, section 2).
+Each vertex of the skin turns by its share of the rotation, with its fields; a linear corrective adds what the
+rigid rotation does not explain (facts: face-model, section 2).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Jaw:
 
     @classmethod
     def of(cls, head: Head) -> Jaw:
-        """Take the jaw of `head`, with room for its throat, which age and sliders change."""
+        """Take the jaw of `head`; its corrective keeps throats of other ages and shapes from folding."""
         corrective = np.zeros_like(head.rest)
         corrective[head.jaw_corrective.vertices] = head.jaw_corrective.displacement
         angle = head.jaw_weight * head.jaw_angle
@@ -46,7 +46,7 @@ class Jaw:
         return cls(head.jaw_point, head.jaw_axis, head.jaw_angle, head.jaw_weight, opened - rigid)
 
     def carry_skin(self, rest: Array, displacement: Array, opening: float, out: Array) -> None:
-        """Write the skin (N0, 3) that muscles displaced by `displacement`, with the jaw at `opening` 0..1."""
+        """Write the skin (N0, 3), moved by `displacement` and by the jaw at `opening` 0..1, to `out`."""
         _carry(
             rest, displacement, self.weight, self.corrective, self.point, self.axis, self.angle, opening, out
         )
@@ -58,7 +58,7 @@ class Jaw:
         return out
 
     def carry_to(self, points: Array, opening: float, out: FloatArray) -> None:
-        """Write to `out` (n, 3), of any precision, what `carry` returns."""
+        """Write the result of `carry` to `out` (n, 3), of any precision."""
         turn_about(about_axis(self.axis, self.angle * opening), self.point, points, out)
 
 

@@ -1,7 +1,7 @@
-"""Layouts of creases: where on the face a wrinkle region lies, and how its creases run through it.
+"""Layouts of creases: the place of a wrinkle region on the face, and the way its creases run.
 
-A layout gives each point of the skin a phase, whose integers are the creases (paper B's isolines), a mask,
-and the direction in which the skin must shorten for it to fold.
+A layout assigns each point of the skin a phase, with creases at the integers (paper B's isolines), a mask,
+and the direction in which the skin must shorten to fold.
 """
 
 from __future__ import annotations
@@ -15,10 +15,11 @@ from ..core.arrays import Array, Int64Array
 from ..core.kernels.jit import kernel
 from .marks import Marks, plateau, ripple, smooth
 
-Range = tuple[float, float, float, float]
+PlateauEdges = tuple[float, float, float, float]
+"""Where a plateau begins, is full, is still full and ends (`marks.plateau`)."""
 
 _BREAK_LENGTH = 15.0  # mm along a crease over which it fades and returns
-_BEHIND = (-55.0, -40.0)  # mm behind the anchor where the front of the face has ended
+_BEHIND = (-55.0, -40.0)  # mm behind the anchor, between which the front of the face ends
 _CURVE_STEPS = 12  # straight pieces between two points of a fold
 
 
@@ -48,8 +49,8 @@ class Lines:
     first: float
     spacing: float
     strengths: tuple[float, ...]
-    across_range: Range
-    along_range: Range
+    across_range: PlateauEdges
+    along_range: PlateauEdges
     bow: float
     wave: float
     breaks: float
@@ -76,8 +77,8 @@ class Fan:
     first: float
     spacing: float
     strengths: tuple[float, ...]
-    angle_range: Range
-    radius_range: Range
+    angle_range: PlateauEdges
+    radius_range: PlateauEdges
     wave: float
     breaks: float
 
@@ -104,7 +105,7 @@ class Fold:
 
     points: tuple[tuple[float, float, float], ...]
     sides: tuple[float, float]
-    ends: Range
+    ends: PlateauEdges
     compression: tuple[float, float, float]
 
     def chart(self, marks: Marks, places: Array) -> Chart:
@@ -146,7 +147,7 @@ LAYOUTS: dict[str, type[Lines] | type[Fan] | type[Fold] | type[Dimples]] = {
 
 
 def spot(places: Array, centre: Array, size: tuple[float, float]) -> Array:
-    """Return a soft ellipse (n,), 1 at its centre and 0 from `size` mm on, on the front of the face."""
+    """Return a soft ellipse (n,), 1 at its centre, 0 beyond `size` mm, only on the front of the face."""
     offset = places - centre
     radius = np.hypot(offset[:, 0] / size[0], offset[:, 1] / size[1])
     return (1.0 - smooth(0.15, 1.0, radius)) * (1.0 - smooth(20.0, 35.0, np.abs(offset[:, 2])))
@@ -170,7 +171,7 @@ def _one(strengths: tuple[float, ...], number: Array, along: Array, breaks: floa
     index = number.astype(int)
     exists = (index >= 0) & (index < len(strengths))
     strength = np.where(exists, np.asarray(strengths)[np.clip(index, 0, len(strengths) - 1)], 0.0)
-    # Each crease reads the ripple at a place of its own.
+    # Each crease samples the ripple at its own place.
     gaps = ripple(np.stack([along, 41.0 * number], axis=1), _BREAK_LENGTH, 5)
     return strength * np.clip(1.0 + breaks * (gaps - 0.35), 0.0, 1.0)
 
@@ -187,7 +188,7 @@ def _curve(knots: Array) -> Array:
 
 
 def _beside(curve: Array, places: Array) -> tuple[Array, Array]:
-    """Return how far `places` (n, 2) lie beyond a curve that runs downwards, and their way 0..1 along it."""
+    """Return how far `places` (n, 2) are beyond a curve that runs down, and their share 0..1 along it."""
     length = np.linalg.norm(np.diff(curve, axis=0), axis=1)
     side, piece, share = np.empty(len(places)), np.empty(len(places), np.int64), np.empty(len(places))
     _find_nearest(curve, np.ascontiguousarray(places), side, piece, share)
@@ -197,7 +198,7 @@ def _beside(curve: Array, places: Array) -> tuple[Array, Array]:
 
 @kernel
 def _find_nearest(curve: Array, places: Array, side: Array, piece: Int64Array, share: Array) -> None:
-    """Write how far each place (n, 2) lies beyond the curve (k, 2), from which piece, and where along it."""
+    """Write each place's (n, 2) distance beyond the curve (k, 2), nearest piece, and share along it."""
     for i in range(len(places)):
         nearest = np.inf
         for j in range(len(curve) - 1):

@@ -1,9 +1,9 @@
 """The lids: they slide over the eyeball on arcs, meet exactly when closed, and follow the gaze.
 
-Each lid turns about the horizontal axis through its eyeball. The blink's field gives the path; what remains
-to the goal of the two margins is carried by the plate of skin around the eye, so that the goal is met under
-every other muscle; skin that others have carried the same way goes less far, as under parallel pulls. At
-closure a the aperture is (1 − a) times what the other muscles and the gaze leave open.
+Each lid turns about the horizontal axis through its eyeball along the path of the blink's field. The plate of
+skin around the eye moves the margins the rest of the way to their goal, so that they reach it whatever other
+muscles do; skin that others have moved in the same direction goes less far, as under parallel pulls. At
+closure a the aperture is (1 − a) times the opening that the other muscles and the gaze leave.
 
 The lids follow the vertical gaze (facts: science/03, section 3.7): the upper one most of the way, the lower
 one enough to keep touching the iris.
@@ -21,7 +21,7 @@ from ..core.kernels.jit import device, inlined, kernel
 from ..core.parameters import INDEX
 from .head import Head
 from .plate import nearby, response, stiffness
-from .products import Rows, carry
+from .products import SparseRows, carry
 
 SIDES = ("left", "right")
 BLINK = "orbicularis_oculi_palpebralis"
@@ -30,10 +30,10 @@ UPPER_GAIN = {"up": 0.75, "down": 0.80}
 LOWER_GAIN = {"up": 0.65, "down": 0.55}
 UPPER_MOST = {"up": 14.0, "down": 20.0}
 LOWER_MOST = {"up": 12.0, "down": 16.0}
-LOWER_SHARE = 0.08  # of a closure's way, gone by the lower lid
-CLEARANCE = 0.35  # mm of lid outside the eyeball; less only where the rest has less
+LOWER_SHARE = 0.08  # the lower lid's share of the way to a closure
+CLEARANCE = 0.35  # mm between lid and eyeball; less only for vertices that are nearer at rest
 FRONT = 0.15  # of the eyeball's radius: lids lie before this plane, the socket's lining behind it
-LID_REACH = 7.0  # mm from the eyeball to the last vertex that is kept off it
+LID_REACH = 7.0  # mm from the eyeball to the farthest vertex that is pushed out of it
 
 
 def follow(pitch: float, gain: dict[str, float], most: dict[str, float]) -> float:
@@ -48,22 +48,22 @@ class Lids:
 
     closing        (k,) level-0 vertices that the blink moves
     angle          (k,) rad about the eye's horizontal axis at which they rest
-    stroke         (k, 3) their way at closure: x mm, radius mm, angle rad
+    path           (k, 3) their displacement at closure: x mm, radius mm, angle rad
     margin         rows (2 m, N0) of the margins' points at level 1, upper then lower
-    margin_stroke  (m,) rad by which the blink alone brings them together
+    margin_path    (m,) rad by which the blink alone brings them together
     taper          (m,) 1 at the middle of the eye, 0 at its corners
     region         (r,) level-0 vertices that move with the margins, `motion` (2 m, r) how far with each
     shell          (s,) level-1 vertices, `floor` (s,) mm their least distance to `centre`
-    work           of the last frame: where the margins were and went (2 m, 3), `region`'s way (3, r)
+    work           scratch: the margins' places and displacements (2 m, 3), the region's displacements (3, r)
     """
 
     column: int
     centre: Array
     closing: Int32Array
     angle: Array
-    stroke: Array
-    margin: Rows
-    margin_stroke: Array
+    path: Array
+    margin: SparseRows
+    margin_path: Array
     taper: Array
     region: Int32Array
     motion: Array
@@ -79,11 +79,11 @@ class Lids:
         field = head.fields[name]
         at_rest = head.rest[field.vertices]
         before = _cylinder(at_rest - centre)
-        stroke = _cylinder(at_rest + field.displacement - centre) - before
+        path = _cylinder(at_rest + field.displacement - centre) - before
         pairs = head.lid_pairs[eye]
         margin: sp.csr_matrix = head.skin.matrix[pairs.T.ravel()].tocsr()
         spread = np.zeros((len(head.rest), 3))
-        spread[field.vertices] = stroke
+        spread[field.vertices] = path
         angles = (margin @ spread)[:, 2]
         apart = angles[len(pairs) :] - angles[: len(pairs)]
         plate = response(stiff, margin, nearby(head.rest, margin @ head.rest))
@@ -93,8 +93,8 @@ class Lids:
             centre,
             field.vertices,
             np.ascontiguousarray(before[:, 2]),
-            stroke,
-            Rows.of(margin),
+            path,
+            SparseRows.of(margin),
             apart,
             apart / apart.max(),
             plate.region,
@@ -109,9 +109,9 @@ class Lids:
         up, down = follow(pitch, UPPER_GAIN, UPPER_MOST), follow(pitch, LOWER_GAIN, LOWER_MOST)
         places, goal, sums = self.work
         self.margin.times(skin, places)
-        share = _aim(places, self.centre, self.taper, self.margin_stroke, closure, up, down, goal)
+        share = _aim(places, self.centre, self.taper, self.margin_path, closure, up, down, goal)
         if share != 0.0:
-            _turn(skin, self.closing, self.angle, self.stroke, min(share, 1.0), self.centre)
+            _turn(skin, self.closing, self.angle, self.path, min(share, 1.0), self.centre)
             self.margin.times(skin, places)
         _rest_of_the_way(places, self.centre, closure, goal)
         carry(self.region, self.motion, goal, sums, skin)
@@ -146,16 +146,16 @@ def _aim(
     places: Array,
     centre: Array,
     taper: Array,
-    stroke: Array,
+    path: Array,
     closure: float,
     up: float,
     down: float,
     goal: Array,
 ) -> float:
-    """Write to the last column of `goal` (2 m, 3) the angles where the margins shall be, from where they are.
+    """Write the goal angles of the margins at `places` (2 m, 3) to the last column of `goal` (2 m, 3).
 
     `up` and `down` are the rotations in radians by which upper and lower lid follow the gaze. Returns the
-    share of the blink's own `stroke` (m,) that comes nearest to it for the upper lid.
+    share of the blink's own `path` (m,) that brings the upper lid nearest to its goal.
     """
     count = len(taper)
     drop, square = 0.0, 0.0
@@ -165,16 +165,16 @@ def _aim(
         overlap, closing = 0.5 * max(low - high, 0.0), closure * max(high - low, 0.0)
         goal[k, 2] = high + overlap - (1.0 - LOWER_SHARE) * closing
         goal[count + k, 2] = low - overlap + LOWER_SHARE * closing
-        drop += (upper - goal[k, 2]) * stroke[k]
-        square += stroke[k] * stroke[k]
+        drop += (upper - goal[k, 2]) * path[k]
+        square += path[k] * path[k]
     return float(drop / square)
 
 
 @kernel
 def _rest_of_the_way(places: Array, centre: Array, closure: float, goal: Array) -> None:
-    """Turn `goal` (2 m, 3), whose last column has angles, into the ways in mm there from `places` (2 m, 3).
+    """Replace `goal` (2 m, 3), whose last column has angles, by displacements in mm of `places` (2 m, 3).
 
-    In x and radius the margins meet half way as the lids close.
+    In x and radius the closing margins meet half way.
     """
     count = len(places) // 2
     for k in range(count):
@@ -200,22 +200,22 @@ def _radius(points: Array, row: int, centre: Array) -> float:
 
 
 @kernel
-def _turn(skin: Array, vertices: Int32Array, rest: Array, stroke: Array, share: float, centre: Array) -> None:
+def _turn(skin: Array, vertices: Int32Array, rest: Array, path: Array, share: float, centre: Array) -> None:
     for k in range(len(vertices)):
         v = vertices[k]
         y, z = skin[v, 1] - centre[1], skin[v, 2] - centre[2]
         radius = np.sqrt(y * y + z * z)
-        way = _limited(share * stroke[k, 2], np.arctan2(y, z) - rest[k])
+        way = _limited(share * path[k, 2], np.arctan2(y, z) - rest[k])
         sine, cosine = np.sin(way), np.cos(way)
-        grow = 1.0 + share * stroke[k, 1] / radius
-        skin[v, 0] += share * stroke[k, 0]
+        grow = 1.0 + share * path[k, 1] / radius
+        skin[v, 0] += share * path[k, 0]
         skin[v, 1] = centre[1] + grow * (y * cosine + z * sine)
         skin[v, 2] = centre[2] + grow * (z * cosine - y * sine)
 
 
 @device
 def _limited(way: float, gone: float) -> float:
-    """Return what is left of a `way` for skin that others have `gone` along: as of two parallel pulls."""
+    """Return the rest of the angle `way` if other muscles moved the skin by `gone`: two parallel pulls."""
     if way * gone <= 1e-12:
         return way
     return float(np.cbrt(way * way * way + gone * gone * gone) - gone)

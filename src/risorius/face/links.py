@@ -1,8 +1,8 @@
 """Links between muscles: fibres that interleave pull each other along (paper B, section 6.3).
 
-A table gives each ordered pair of muscles a weight from 0 (no link) to 1 (fully linked); a linked muscle
-contracts at least by the weight times the other. Links do not pass through: what a link adds pulls nothing
-along in turn. They act on the activations before the skin is displaced; parameters keep the values they had.
+A table assigns each ordered pair of muscles a weight from 0 (no link) to 1 (fully linked); a linked muscle
+contracts at least by the weight times the other. Links do not chain: an activation that a link adds pulls no
+further muscle. They change the activations before the skin is displaced, but not the parameters.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ _BASES = tuple(dict.fromkeys(m.base for m in MUSCLES))
 class Link:
     """One row: `linked` contracts at least `weight` times as much as `muscle`.
 
-    Muscles are named without a side: `sides` says whether the link holds on the same side or with the other
-    side. Raises ParameterError for an unknown muscle, for one linked to itself, and for muscles that conflict
-    (paper A, Table 2).
+    Muscles are named without a side; `sides`: whether the link is to the same or to the other side. Raises
+    ParameterError for an unknown muscle, for a muscle linked to itself, and for muscles that conflict (paper
+    A, Table 2).
     """
 
     muscle: str
@@ -81,7 +81,7 @@ class LinkTable:
 
 @dataclass(frozen=True, slots=True)
 class Links:
-    """A table of links made ready: `first`, `second` (k,) columns of the parameters, `weight` (k,) 0..1."""
+    """A compiled table of links: `first`, `second` (k,) columns of the parameters, `weight` (k,) 0..1."""
 
     first: UInt32Array
     second: UInt32Array
@@ -89,14 +89,14 @@ class Links:
 
     @classmethod
     def of(cls, links: Iterable[Link]) -> Links:
-        """Take the rows `links`; of two rows for one pair the later holds."""
+        """Compile the rows `links`; of two rows for one pair, the later one counts."""
         weights = {(INDEX[a.name], INDEX[b.name]): row.weight for row in links for a, b in row.pairs()}
         pairs = np.array(list(weights), np.uint32).reshape(-1, 2)
         first, second = (np.ascontiguousarray(column) for column in pairs.T)
         return cls(first, second, np.array(list(weights.values()), np.float64))
 
     def apply(self, values: Array, out: Array) -> Array:
-        """Write the activations (46,) that follow from `values` (46,) to `out` and return it."""
+        """Write `values` (46,) with all linked activations to `out` (46,) and return it."""
         _apply(self.first, self.second, self.weight, values, out)
         return out
 
@@ -107,15 +107,15 @@ NO_LINKS = Links.of(())
 def load_links(path: Path | None = None) -> Links:
     """Return the links of a file, or of the standard head.
 
-    Raises InputError, or ParameterError for a muscle, with the file and line where the table does not fit.
+    Raises InputError, or ParameterError for a muscle, with file and line, if the table does not fit.
     """
     return Links.of(link_rows(path))
 
 
 def link_rows(path: Path | None = None) -> tuple[Link, ...]:
     """Return the rows of a file of links, or of the standard head's; raises as `load_links`."""
-    found = path or Path(str(resources.files("risorius") / "heads" / "standard" / FILE))
-    return _load(found, found.stat().st_mtime_ns if found.is_file() else 0)
+    file = path or Path(str(resources.files("risorius") / "heads" / "standard" / FILE))
+    return _load(file, file.stat().st_mtime_ns if file.is_file() else 0)
 
 
 @lru_cache(maxsize=8)
@@ -125,7 +125,7 @@ def _load(path: Path, _changed: int) -> tuple[Link, ...]:
 
 @kernel
 def _apply(first: UInt32Array, second: UInt32Array, weight: Array, values: Array, out: Array) -> None:
-    # Not as a slice: what numba compiles to say that lengths differ is more than all the rest.
+    # A loop, because for a slice numba would compile a check of the lengths that is longer than the kernel.
     for k in range(len(values)):
         out[k] = values[k]
     for k in range(len(weight)):

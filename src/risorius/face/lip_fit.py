@@ -1,6 +1,7 @@
-"""The fit of a head's lips: what its mesh measures when the lips' controls act (`lips.npz` beside it).
+"""The fit of a head's lips: the measures of its mesh as functions of the lips' controls (`lips.npz`).
 
-Made by `tools/fit_lips.py` for the heads that come with Risorius, on the spot for others (seconds).
+`tools/fit_lips.py` makes the fits of the heads that come with Risorius; for other heads the fit is made when
+they are loaded, which takes seconds.
 """
 
 from __future__ import annotations
@@ -22,20 +23,20 @@ from .solve import FaceSolver
 
 FILE = "lips.npz"
 SAMPLES = 1200
-# The largest activation of each control that speech comes to.
+# The largest activation of each control in speech.
 LARGEST = {"jaw": 0.5, "open": 1.0, "upper": 0.6, "round": 0.95, "spread": 0.4, "lift": 0.3, "lower": 0.3}
-# Share of the samples in which a control is at rest, as most are most of the time.
+# Share of the samples in which a control is at rest, because most controls rest most of the time.
 AT_REST = 0.35
 OPEN_MM = 0.3
-# Controls that bend a measure so much, or one another, that squares do not follow it.
+# Controls whose effects are too curved for squares, alone or together.
 _CURVED = ("jaw", "open", "round", "spread")
 _UPPER_LIP = 51  # iBUG
 
 
 def load_lip_rig(name_or_path: str | Path = "standard") -> LipRig:
-    """Return the fit of a head, by its name or path as `load_head` takes it; fit it where it has none.
+    """Return the fit of a head, by its name or path as `load_head` takes it; fit the head if it has none.
 
-    Raises HeadError as `load_head`, and where the file of the fit lacks an array or holds a wrong one.
+    Raises HeadError as `load_head`, and if the file of the fit lacks an array or holds a wrong one.
     """
     head = load_head(name_or_path)
     path = head.folder / FILE
@@ -65,7 +66,7 @@ def fit(head: Head) -> LipRig:
     terms = _terms()
     products = np.prod(np.append(settings, np.ones((SAMPLES, 1)), axis=1)[:, terms], axis=2)
     coefficients = np.linalg.lstsq(products, measured, rcond=None)[0]
-    # Lips that are shut say nothing on what a control adds to their gap.
+    # Shut lips do not show what a control adds to their gap.
     gap = MEASURES.index(APERTURE)
     apart = measured[:, gap] > OPEN_MM
     coefficients[:, gap] = np.linalg.lstsq(products[apart], measured[apart, gap], rcond=None)[0]
@@ -73,15 +74,15 @@ def fit(head: Head) -> LipRig:
 
 
 def _terms() -> Int64Array:
-    """Return all products of up to two controls, and of three of those that bend; shape (k, 3)."""
+    """Return all products of up to two controls, and of up to three curved ones; shape (k, 3)."""
     every, curved = range(len(CONTROLS)), [list(CONTROLS).index(name) for name in _CURVED]
-    found = [t for n in (1, 2) for t in combinations_with_replacement(every, n)]
-    found += combinations_with_replacement(curved, DEGREE)
-    return np.array([(*t, *[NONE] * (DEGREE - len(t))) for t in found])
+    terms = [t for n in (1, 2) for t in combinations_with_replacement(every, n)]
+    terms += combinations_with_replacement(curved, DEGREE)
+    return np.array([(*t, *[NONE] * (DEGREE - len(t))) for t in terms])
 
 
 class MeasuredMouth:
-    """A head's mouth, set by parameters or controls and measured on its mesh in mm against rest."""
+    """A head's mouth, moved by parameters or controls and measured on its mesh, in mm from rest."""
 
     def __init__(self, head: Head) -> None:
         self._solver, self._gauge = FaceSolver(head), Gauge(head)
@@ -100,15 +101,15 @@ class MeasuredMouth:
     def measure_values(self, values: Array) -> Array:
         """Return `MEASURES` (6,) for a value of every parameter, shape (46,)."""
         frame = self._solver.solve(np.where(NEUTRAL == 0.0, np.clip(values, -90.0, 1.0), values))
-        found, points = self._gauge.measure(frame), self._gauge.landmarks(frame)
+        measures, points = self._gauge.measure(frame), self._gauge.landmarks(frame)
         corners = points[list(CORNERS), 1].mean()
         return (
             np.array(
                 [
-                    found.jaw_drop_mm,
-                    found.lip_gap_mm,
-                    found.mouth_width_mm,
-                    found.lip_protrusion_mm,
+                    measures.jaw_drop_mm,
+                    measures.lip_gap_mm,
+                    measures.mouth_width_mm,
+                    measures.lip_protrusion_mm,
                     points[_UPPER_LIP, 1],
                     corners,
                 ]

@@ -1,7 +1,7 @@
 """The lips' contact: they never pass through each other, close on `lip_seal`, and tuck in on `lip_tuck`.
 
-All three are constraints on the plate of skin around the mouth (facts: face-model, section 5), solved after
-muscles and jaw, so that no expression can open a closure.
+All three are constraints on the plate of skin around the mouth (facts: face-model, section 5). They are
+solved after muscles and jaw, so that no expression can open a closure.
 """
 
 from __future__ import annotations
@@ -10,25 +10,28 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, Int64Array
-from .complementarity import Gaps, Workspace, settle
+from .complementarity import Gaps, Workspace, solve_gaps
 from .contact import Contacts, find_contacts, narrowest
 from .head import Head
 from .jaw import Jaw
 from .mouth import OVERLAP, Mouth, TeethEdge
 from .plate import Response, nearby, response, stiffness
-from .products import Rows, carry, carry_upwards
+from .products import SparseRows, carry, carry_upwards
 
-NEAR = 0.12  # mm; after closing, wider gaps are left out of the solution
+NEAR = 0.12  # mm; wider gaps are left out of the solution after closing
 SHUT = 0.005  # mm that a full seal may leave open
-WIDEST = 80.0  # mm: no narrowest gap is wider, so that a seal that sets in changes nothing at once
-PRESS = 0.05  # mm by which a seal presses the lips together, so that facets do not hold them apart
-SLACK = 0.005  # mm outside its bounds at which a gap is left alone
+WIDEST = 80.0  # mm: no gap is wider, so that a seal changes nothing when it begins
+PRESS = 0.05  # mm by which a seal presses the lips together, because facets would keep them apart
+SLACK = 0.005  # mm outside its bounds that a gap may have
 PASSES = 3
-PLACES, WIDTH = 61, 0.05  # at which a seal closes the lips, and how wide each is as a share of the mouth
-SWEEPS = 300  # at most: most faces are settled after a few
+PLACES, WIDTH = (
+    61,
+    0.05,
+)  # places at which a seal closes the lips, and the width of each as a share of the mouth
+SWEEPS = 300  # the most; most faces need only a few
 TUCK_WIDTH = 11.0  # mm to either side of the midline over which the lip meets the teeth
-TUCK_ABOVE, TUCK_BEFORE = 0.7, 1.2  # mm that the tucked lip stands above and before the teeth's edge
-TUCK_ROOM = 1.2  # mm that the upper lip stays above the teeth's edge, out of the tucked lip's way
+TUCK_ABOVE, TUCK_BEFORE = 0.7, 1.2  # mm of the tucked lip above and before the teeth's edge
+TUCK_ROOM = 1.2  # mm of the upper lip above the teeth's edge, so that it does not meet the tucked lip
 
 
 class Handles:
@@ -36,40 +39,40 @@ class Handles:
 
     def __init__(self, weights: Array, plate: Response) -> None:
         """Take the places `weights` (s, n)."""
-        self._rows = Rows.of(sp.csr_matrix(weights))
+        self._rows = SparseRows.of(sp.csr_matrix(weights))
         self._region = plate.region
         inverse = np.linalg.inv(weights @ plate.compliance @ weights.T)
         self._motion = np.ascontiguousarray((weights.T @ inverse).T @ plate.motion)
         self._sums = np.empty((3, len(plate.region)))
 
     def places(self, points: Array) -> Array:
-        """Return where they are (s, 3) at `points` (n, 3)."""
+        """Return the places (s, 3) on `points` (n, 3)."""
         return self._rows.times(points, np.empty((len(self._motion), 3)))
 
     def move(self, skin: Array, way: Array) -> None:
-        """Move the places by `way` (s, 3) mm, and the level-0 `skin` (N0, 3) around them with them."""
+        """Move the places by `way` (s, 3) mm, together with the level-0 `skin` (N0, 3) around them."""
         carry(self._region, self._motion, way, self._sums, skin)
 
 
 class Lips:
-    """The lips' constraints of one head, with the workspace of one solver (not for two threads at once)."""
+    """The lips' constraints of one head, with the workspace of one solver: not for two threads at a time."""
 
     def __init__(self, head: Head, jaw: Jaw | None = None) -> None:
         mouth = Mouth.of(head, jaw)
         rest: Array = mouth.matrix @ head.rest
         self._plate = response(stiffness(len(head.rest), head.quads), mouth.matrix, nearby(head.rest, rest))
         self._facing = mouth.facing
-        self._matrix, self._points = Rows.of(mouth.matrix), np.zeros_like(rest)
+        self._matrix, self._points = SparseRows.of(mouth.matrix), np.zeros_like(rest)
         self._line = Handles(mouth.line, self._plate)
-        self._ends = Rows.of(sp.csr_matrix(0.5 * np.abs(mouth.line[[0, -1]])))
+        self._ends = SparseRows.of(sp.csr_matrix(0.5 * np.abs(mouth.line[[0, -1]])))
         self._corners = np.zeros((2, 3))
         upper, lower = np.maximum(mouth.line, 0.0), np.maximum(-mouth.line, 0.0)
         central = np.abs(lower @ rest[:, 0]) <= TUCK_WIDTH
         self._tucked = Handles(np.vstack([upper[central], lower[central]]), self._plate)
         self._teeth = TeethEdge.of(head.teeth_upper, TUCK_WIDTH + 4.0, 16)
         most = len(mouth.facing.vertices)
-        self._contacts = Contacts.room_for(most)
-        self._work = Workspace.room_for(most, len(rest))
+        self._contacts = Contacts.allocate(most)
+        self._work = Workspace.allocate(most, len(rest))
         self._low, self._high = np.full(most, -OVERLAP), np.full(most, np.inf)
         self._force = np.zeros(len(rest))
         self._sums = np.empty(len(self._plate.region))
@@ -77,8 +80,8 @@ class Lips:
     def solve(self, skin: Array, seal: float, tuck: float) -> None:
         """Move the level-0 `skin` (N0, 3) in place.
 
-        The lower lip goes the share `tuck` (0..1) of its way to the upper teeth, the lips the share `seal` of
-        theirs to each other (a full seal tucks nothing); then they are moved apart where they overlap.
+        The lower lip goes the share `tuck` (0..1) of its way to the upper teeth, and the lips go the share
+        `seal` of theirs to each other (a full seal leaves no tuck); then lips that overlap are moved apart.
         """
         if tuck > 0.0 and seal < 1.0:
             self._tuck(skin, tuck * (1.0 - seal))
@@ -86,11 +89,11 @@ class Lips:
             self._close(skin, seal)
         opening = (1.0 - seal) * WIDEST + seal * SHUT
         for _ in range(PASSES):
-            if not self._settle(skin, opening):
+            if not self._push_apart(skin, opening):
                 break
 
     def _tuck(self, skin: Array, tuck: float) -> None:
-        """Bring the lower lip to the upper teeth by the share `tuck`, and the upper lip out of its way."""
+        """Move the lower lip to the upper teeth by the share `tuck`, and the upper lip away from it."""
         here = self._tucked.places(self._matrix.times(skin, self._points))
         upper, lower = here[: len(here) // 2], here[len(here) // 2 :]
         goal = here.copy()
@@ -101,17 +104,17 @@ class Lips:
         self._tucked.move(skin, tuck * (goal - here))
 
     def _close(self, skin: Array, seal: float) -> None:
-        """Bring the points of the line together by the share `seal`."""
+        """Move the points of the line together by the share `seal`."""
         apart = self._line.places(self._matrix.times(skin, self._points))
         apart[:, 1] += PRESS
         self._line.move(skin, -seal * apart)
 
-    def _settle(self, skin: Array, opening: float) -> bool:
-        """Push along y until no gap overlaps or is wider than `opening` mm; False if none was."""
+    def _push_apart(self, skin: Array, opening: float) -> bool:
+        """Push along y until no gap overlaps or is wider than `opening` mm; return False if none did."""
         points = self._matrix.times(skin, self._points)
-        found = self._contacts
-        count = find_contacts(self._facing, points, NEAR if opening >= WIDEST else np.inf, found)
-        low, high, gap = self._low[:count], self._high[:count], found.gap[:count]
+        contacts = self._contacts
+        count = find_contacts(self._facing, points, NEAR if opening >= WIDEST else np.inf, contacts)
+        low, high, gap = self._low[:count], self._high[:count], contacts.gap[:count]
         high[:] = np.inf
         if opening < WIDEST:
             high[self._narrowest(points, count)] = opening
@@ -119,8 +122,8 @@ class Lips:
             return False
         rows = np.flatnonzero((gap < NEAR) | (high < np.inf))
         self._force[:] = 0.0
-        gaps = Gaps(found.points[rows], found.weight[rows], gap[rows], low[rows], high[rows])
-        settle(gaps, self._plate.compliance, SWEEPS, self._work, self._force)
+        gaps = Gaps(contacts.points[rows], contacts.weight[rows], gap[rows], low[rows], high[rows])
+        solve_gaps(gaps, self._plate.compliance, SWEEPS, self._work, self._force)
         carry_upwards(self._plate.region, self._plate.motion, self._force, self._sums, skin)
         return True
 
@@ -128,5 +131,5 @@ class Lips:
         """Return which of the `count` contacts is the narrowest at each place along the mouth."""
         start, end = self._ends.times(points, self._corners)[:, 0]
         x, gap = self._contacts.x[:count], self._contacts.gap[:count]
-        found = narrowest(start, end, PLACES, WIDTH, x, gap)
-        return found[found >= 0]
+        contacts = narrowest(start, end, PLACES, WIDTH, x, gap)
+        return contacts[contacts >= 0]

@@ -1,4 +1,4 @@
-"""The face at rest as tables of places see it: mirrored onto its left half, in proportion to the eyes."""
+"""The coordinates of tables of places: the left half of the face at rest, in proportion to the eyes."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ import numpy as np
 from ..core.arrays import Array, FloatArray
 from .head import Head
 
-EYE_DISTANCE = 57.8  # mm between the eyes of the face on which places are given
+EYE_DISTANCE = 57.8  # mm between the eyes of the face on which the tables' places were measured
 _RIPPLES = 6
 
 
 @dataclass(frozen=True, slots=True)
 class Marks:
-    """The 68 landmarks at rest (68, 3), and the scale of the face: mm to one mm of the tables."""
+    """The 68 landmarks at rest (68, 3), and the scale of the face: its mm per mm of the tables."""
 
     landmarks: Array
     unit: float
@@ -28,7 +28,7 @@ class Marks:
         return cls(head.landmarks(head.skin.matrix @ head.rest) / unit, unit)
 
     def left_half(self, points: Array) -> Array:
-        """Return points (n, 3) in mm of the tables, those of the right half mirrored."""
+        """Return points (n, 3) in mm of the tables; the right half is mirrored to the left."""
         places = points / self.unit
         places[:, 0] = np.abs(places[:, 0])
         return np.asarray(places)
@@ -39,7 +39,7 @@ class Marks:
 
 
 def smooth(low: float, high: float, x: FloatArray) -> Array:
-    """Return 0 up to `low`, 1 from `high` on, smooth between."""
+    """Return 0 below `low`, 1 above `high`, and a smooth step between them."""
     t = np.clip((np.asarray(x, np.float64) - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t)
 
@@ -50,7 +50,7 @@ def plateau(edges: Sequence[float], x: FloatArray) -> Array:
 
 
 def ripple(points: Array, wavelength: float, seed: int) -> Array:
-    """Return smooth random heights (n,) of variance 1/2 at `points` (n, k): the same waves for a seed."""
+    """Return smooth random heights (n,) of variance 1/2 at `points` (n, k), the same for a seed."""
     generator = np.random.default_rng(seed)
     total = np.zeros(len(points))
     for _ in range(_RIPPLES):

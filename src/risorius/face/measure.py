@@ -12,7 +12,7 @@ from .frame import FaceFrame
 from .head import Head
 from .mouth import Mouth
 
-MIDLINE = 0.75  # mm from the middle, at rest, within which vertices make the lips' profile
+MIDLINE = 0.75  # mm from the middle at rest; vertices that are nearer form the lips' profile
 # iBUG points (left and right are the subject's).
 CHIN, CORNERS, LIPS = 8, (48, 54), (51, 57)
 BROW_INNER, BROW_OUTER = (22, 21), (25, 18)
@@ -20,10 +20,10 @@ BROW_INNER, BROW_OUTER = (22, 21), (25, 18)
 
 @dataclass(frozen=True, slots=True)
 class Measures:
-    """What one frame measures; the fields are the columns of `.landmarks.csv`, in their order.
+    """The measures of one frame; the fields are the columns of `.landmarks.csv`, in their order.
 
-    lip_gap_mm                 opening between the inner lips at the midline; 0 where they touch as at rest
-    lip_protrusion_mm          how far the middle of both lips stands before its place at rest
+    lip_gap_mm                 opening between the inner lips at the midline; 0 if they touch as at rest
+    lip_protrusion_mm          how far the middle of both lips is before its place at rest
     mouth_width_mm             from corner to corner
     jaw_drop_mm                how far the chin is below its place at rest
     eye_gap_{left,right}_mm    opening between the lids' margins over the middle of the eye
@@ -68,7 +68,7 @@ class Gauge:
         return self._head.landmarks(frame.skin)
 
     def measure(self, frame: FaceFrame) -> Measures:
-        """Return what `frame` measures."""
+        """Return the measures of `frame`."""
         skin = frame.skin.astype(np.float64)
         points = self._head.landmarks(skin)
         eyes = [_mean_length(skin[pairs[:, 0]] - skin[pairs[:, 1]]) for pairs in self._lids]

@@ -14,20 +14,20 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..core.performance import Performance
-from .frame import FaceFrame, FrameRoom
+from .frame import FaceFrame, FrameBuffers
 from .solve import FaceSolver, checked_rows
 from .springs import RATE, Springs
 
 Drive = Callable[[Array], Array]
 """All parameters (n, 46) at ascending times (n,) in seconds."""
 
-# Steps whose activations are asked for at once: few after a jump, and more as time goes on, since asking for
-# many costs little more than asking for one.
+# Steps whose activations are computed at once: few after a jump, later more, because many cost little more
+# than one.
 FIRST_BLOCK, LARGEST_BLOCK = RATE, 8 * RATE
 
 
 def between_frames(performance: Performance) -> Drive:
-    """Return the curves of `performance` between its frames: straight lines, the ends held."""
+    """Return the curves of `performance` between its frames: straight lines, constant beyond the ends."""
     values, times = performance.values, performance.times
 
     def drive(wanted: Array) -> Array:
@@ -47,27 +47,27 @@ def animate(
     drive: Drive | None = None,
     indices: Sequence[int] | None = None,
     lead_in: float | None = None,
-    room: FrameRoom | None = None,
+    buffers: FrameBuffers | None = None,
 ) -> Iterator[FaceFrame]:
     """Yield the face at every frame of `performance`, or at those in `indices`, one at a time.
 
-    With `dynamics` the skin moves with its inertia, starting at rest in the first frame; frames that are left
-    out are gone through all the same, so that the others do not depend on it; with `lead_in` only that many
-    seconds before the first of them (see `Motion.start_before`). `drive` gives the curves between frames
-    (straight lines where None); with the score's own, faces at one time agree at all frame rates. With `room`
-    each frame takes the place of the one before it. Raises ParameterError for a value that is not a number
-    or out of range.
+    With `dynamics` the skin moves with its inertia and starts at rest in the first frame. Frames that are not
+    in `indices` are computed too, so that the others do not depend on the choice; with `lead_in`, only those
+    in so many seconds before the first one (see `Motion.start_before`). `drive` returns the curves between
+    frames (None: straight lines); with the score's own curves, faces at one time agree at all frame rates.
+    With `buffers` each frame overwrites the one before it. Raises ParameterError for a value that is not a
+    number or out of range.
     """
     chosen = range(len(performance.values)) if indices is None else indices
     if not dynamics:
-        yield from (solver.solve(performance.values[i], room) for i in chosen)
+        yield from (solver.solve(performance.values[i], buffers) for i in chosen)
         return
     motion = Motion(solver, drive or between_frames(performance))
     if lead_in is not None and len(chosen):
         motion.start_before(Fraction(int(chosen[0])) / performance.fps, lead_in)
     for i in chosen:
         values = performance.values[i]
-        yield solver.solve_moving(values, *motion.go_to(Fraction(int(i)) / performance.fps), room)
+        yield solver.solve_moving(values, *motion.go_to(Fraction(int(i)) / performance.fps), buffers)
 
 
 class Motion:
@@ -79,30 +79,31 @@ class Motion:
         self._block, self._first = np.empty((0, 0)), 0
 
     def go_to(self, time: Fraction) -> tuple[Springs, float]:
-        """Go to `time` ≥ 0 in seconds; where that is in the past, from the start again.
+        """Go to `time` ≥ 0 in seconds; start again if that is in the past.
 
-        Returns the skin after the step that reaches `time`, and the share of that step at which it lies.
+        Returns the skin after the step that reaches `time`, and the share of that step until `time`.
         """
         exact = time * RATE
         last = -(-exact.numerator // exact.denominator)
         if self._step < 0 or last < self._step:
-            self._settle_at(0)
+            self._rest_at(0)
         while self._step < last:
             self._step += 1
             self._springs.step(self._values(self._step))
         return self._springs, float(1 - (last - exact))
 
     def start_before(self, time: Fraction, lead_in: float) -> None:
-        """Come to rest `lead_in` seconds before `time`, or at 0: what was before is forgotten.
+        """Start at rest `lead_in` seconds before `time`, or at 0.
 
-        The skin forgets by a factor of e in 57 ms, so that after a second no point is 1e-6 mm elsewhere.
+        Earlier motion decays by a factor of e in 57 ms, so that after a second every point is right to 1e-6
+        mm.
         """
-        self._settle_at(max(0, math.floor((time - Fraction(lead_in)) * RATE)))
+        self._rest_at(max(0, math.floor((time - Fraction(lead_in)) * RATE)))
 
-    def _settle_at(self, step: int) -> None:
+    def _rest_at(self, step: int) -> None:
         self._first, self._step = step, step
         self._block = self._values_from(step, FIRST_BLOCK)
-        self._springs.settle(self._block[0])
+        self._springs.come_to_rest(self._block[0])
 
     def _values(self, step: int) -> Array:
         if step - self._first >= len(self._block):

@@ -1,4 +1,4 @@
-"""Where the lips can touch: their two surfaces, the line on which they meet, and the upper teeth's edge."""
+"""The places at which lips can touch: their surfaces, the line on which they meet, the upper teeth's edge."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from .contact import Contacts, Facing, find_contacts
 from .head import Head, Mesh
 from .jaw import Jaw
 
-REACH = 5.0  # mm from the line on which the lips meet to the last point that may touch
-STATIONS = 19  # along that line; closer ones would ask for more than the mesh can bend
-OPENINGS = np.linspace(0.02, 1.0, 50)  # of the jaw, which by itself brings no lips together
+REACH = 5.0  # mm from the line on which the lips meet to the farthest point that may touch
+STATIONS = 19  # places along that line; the mesh cannot bend more finely
+OPENINGS = np.linspace(0.02, 1.0, 50)  # of the jaw, which alone never brings lips together
 OVERLAP = 0.03  # mm by which the lips may overlap: less than the mesh's own facets
 
 
 @dataclass(frozen=True, slots=True)
 class Mouth:
-    """The part of the skin where lips touch, at level 1.
+    """The part of the skin on which lips touch, at level 1.
 
-    `vertices` (n,) are its level-1 vertices and `matrix` (n, N0) gives them from level-0 positions; `facing`
-    are its two surfaces; `line` (s, n) takes, at each station from the right corner to the left, the upper
-    point minus the lower point that meet.
+    `vertices` (n,): its level-1 vertices; `matrix` (n, N0): computes them from level-0 positions; `facing`:
+    its two surfaces; `line` (s, n): at each station from the right corner to the left, the upper minus the
+    lower of the two points that meet.
     """
 
     vertices: IndexArray
@@ -35,9 +35,9 @@ class Mouth:
 
     @classmethod
     def of(cls, head: Head, jaw: Jaw | None = None) -> Mouth:
-        """Find the two surfaces about the lip pairs of `head`, and where they meet at rest.
+        """Find the two surfaces around the lip pairs of `head`, and the line on which they meet at rest.
 
-        Its jaw may be given if it is there already.
+        `jaw`: the head's, if it exists already.
         """
         meeting = head.rest[head.lip_pairs].mean(axis=1)
         inside = head.skin.matrix @ np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > 0.3
@@ -71,30 +71,30 @@ def _facing(patch: IndexArray, triangles: Int32Array, above: BoolArray) -> Facin
 
 
 def _without_overlap(facing: Facing, points: Array) -> Facing:
-    """Leave out vertices that overlap where lips do not touch: folds of the cheek, the crease at a corner.
+    """Leave out vertices that overlap although they are not lips: folds of the cheek, the crease at a corner.
 
-    Contact must leave the rest, and what the jaw alone opens, as they are.
+    Contact must not change the face at rest, nor one that the jaw alone has opened.
     """
-    found = Contacts.room_for(len(facing.vertices))
-    count = find_contacts(facing, points, -OVERLAP, found)
-    free = ~np.isin(facing.vertices, found.points[:count, 0])
+    contacts = Contacts.allocate(len(facing.vertices))
+    count = find_contacts(facing, points, -OVERLAP, contacts)
+    free = ~np.isin(facing.vertices, contacts.points[:count, 0])
     return facing._replace(vertices=facing.vertices[free], above=facing.above[free])
 
 
 def _line(facing: Facing, above: BoolArray, points: Array, stations: Array) -> Array:
-    """Return rows (s, n): about each station (s,) mm in x, the contact whose gap at rest is least.
+    """Return rows (s, n): around each station (s,) mm in x, the contact with the least gap at rest.
 
-    `above` (n,) tells the points of the upper lip.
+    `above` (n,): which points belong to the upper lip.
     """
     upper, lower = above[facing.upper].all(axis=1), above[facing.lower].any(axis=1)
     facing = facing._replace(upper=facing.upper[upper], lower=facing.lower[~lower])
-    found = Contacts.room_for(len(facing.vertices))
-    count = find_contacts(facing, points, np.inf, found)
+    contacts = Contacts.allocate(len(facing.vertices))
+    count = find_contacts(facing, points, np.inf, contacts)
     width = stations[1] - stations[0]
     rows = np.zeros((len(stations), len(points)))
     for row, x in zip(rows, stations, strict=True):
-        best = int(np.argmin(found.gap[:count] + np.abs(found.x[:count] - x) / width))
-        np.add.at(row, found.points[best], found.weight[best])
+        best = int(np.argmin(contacts.gap[:count] + np.abs(contacts.x[:count] - x) / width))
+        np.add.at(row, contacts.points[best], contacts.weight[best])
     return rows
 
 

@@ -15,24 +15,25 @@ from .links import Link
 
 FILE = "muscles.toml"
 NAMES = (*dict.fromkeys(m.base for m in MUSCLES), "lip_tuck")
-Point = tuple[float, float, float]
+Point3 = tuple[float, float, float]
+"""x, y, z."""
 ForceType = Literal["linear", "sheet", "sphincter", "rotation", "bulge", "protrusion"]
-"""The six types of force (paper B, section 6.1, names six without saying which; the choice is ours)."""
+"""The six types of force (paper B, section 6.1, has six without naming them; the choice is ours)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Muscle:
     """One row. Points are mm in the head frame, on the subject's left; `zone` mm from the line.
 
-    The recipe of the calibrated field (`shapes`, `part`, `lips`, `smooth`, `narrow`) is read by the builder
-    of heads.
+    The builder of heads reads the recipe of the calibrated field: `shapes`, `part`, `lips`, `smooth`,
+    `narrow`.
     """
 
     origin: str
     insertion: str
     action: str
     type: ForceType
-    line: tuple[Point, Point]
+    line: tuple[Point3, Point3]
     zone: Annotated[float, Range(0.0, 200.0)]
     source: str
     shapes: Mapping[str, float] = field(default_factory=dict)
@@ -49,8 +50,8 @@ class Muscle:
 def load_muscles(folder: Path) -> dict[str, Muscle]:
     """Return the rows of the table in a head's `folder` by the muscle's name without side, and `lip_tuck`.
 
-    Raises InputError with the file and the line where a row does not fit, and HeadError where a muscle is
-    missing or unknown.
+    Raises InputError with file and line if a row does not fit, and HeadError if a muscle is missing or
+    unknown.
     """
     path = folder / FILE
     rows = load_rows(Muscle, path)
@@ -64,7 +65,7 @@ def load_muscles(folder: Path) -> dict[str, Muscle]:
 
 
 def links_of(muscle: str, links: Iterable[Link]) -> dict[str, float]:
-    """Return the weights, 0..1, of the muscles that a muscle pulls along; across: "… (other side)"."""
+    """Return the weights, 0..1, of the muscles linked to a muscle, by name or "NAME (other side)"."""
     return {
         link.linked + (" (other side)" if link.sides == "other" else ""): link.weight
         for link in links

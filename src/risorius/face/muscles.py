@@ -1,9 +1,8 @@
 """Muscles: activations to one displacement per skin vertex.
 
-Every muscle has a calibrated field of displacement (facts: face-model, section 1). At equilibrium a linear
-network of springs is the plain sum of such fields; flesh is not linear, so near-parallel pulls on one vertex
-are limited here (facts: face-model, section 3), which keeps two muscles that do the same thing from doing it
-twice.
+Every muscle has a calibrated field of displacement (facts: face-model, section 1). The equilibrium of a
+linear network of springs is the sum of such fields. Flesh is not linear, so near-parallel pulls on one vertex
+are limited here (facts: face-model, section 3): two muscles with the same effect do not have it twice.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ from ..core.parameters import INDEX, PARAMETERS
 from .head import Head
 from .roots import inverse_cube_root
 
-# These do not act by a field on the skin at rest: the jaw is a frame, the lids slide over the eyeball.
+# These have no field on the skin at rest: the jaw is a frame, and the lids slide over the eyeball.
 ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")
 
 # Muscles that are heads of one sheet: their fields are parts of one shape and add up to it, unlimited.
@@ -33,9 +32,9 @@ class MuscleFields:
     """The fields of all muscles, sorted by vertex and then by source.
 
     Entries `start[v]:start[v + 1]` belong to vertex v: `parameter` (k,) index into the values, `source` (k,)
-    what they are a part of (the two sides of a muscle, and the heads of a sheet, meet as parts of one shape),
-    `muscle` (k,) which muscle they are a side of, `displacement` (k, 3) in mm at activation 1. `acting` (n,)
-    has the bits of the parameters that act on each vertex.
+    the shape that they are parts of (both sides of a muscle, and the heads of a sheet, form one shape),
+    `muscle` (k,) the muscle that they are a side of, `displacement` (k, 3) in mm at activation 1. `acting`
+    (n,) has the bits of the parameters that act on each vertex.
     """
 
     start: UInt32Array
@@ -71,7 +70,7 @@ class MuscleFields:
         )
 
     def at(self, vertices: IntArray) -> MuscleFields:
-        """Return the fields at some `vertices` (n,) only, in their order."""
+        """Return only the fields at some `vertices` (n,), in their order."""
         start = self.start.astype(np.int64)
         sizes = np.diff(start)[vertices]
         ends = np.concatenate([[0], np.cumsum(sizes)])
@@ -99,7 +98,7 @@ class MuscleFields:
     def update(self, before: Array, values: Array, out: Array) -> None:
         """Change `out` (n, 3), the displacement for the values `before` (46,), to that for `values` (46,).
 
-        Vertices whose muscles have not changed are left alone; `before` becomes `values`.
+        Vertices whose muscles have not changed are skipped; `before` becomes `values`.
         """
         changed = _bits_of_changes(before, values)
         if changed:
@@ -109,27 +108,27 @@ class MuscleFields:
         return self.start, self.parameter, self.source, self.muscle, self.displacement, self.acting
 
 
-class Displaced:
-    """The skin as the muscles displace it, kept from one call to the next: what has not changed stays."""
+class DisplacedSkin:
+    """The skin displaced by the muscles; a new call recomputes only the vertices whose muscles changed."""
 
     def __init__(self, fields: MuscleFields) -> None:
         self._fields, self._values = fields, np.zeros(len(PARAMETERS))
         self._skin = np.zeros((len(fields.acting), 3))
 
     def at(self, values: Array) -> Array:
-        """Return the displacement (n, 3) in mm for `values` (46,), not to be changed.
+        """Return the displacement (n, 3) in mm for `values` (46,).
 
-        It holds until this is called again.
+        The caller must not change it, and the next call overwrites it.
         """
         self._fields.update(self._values, values, self._skin)
         return self._skin
 
 
-MOST = 32  # entries of one vertex, at least
-# mm by which two muscles together may move a vertex further than the larger alone, and up to which freely.
+MOST = 32  # no vertex has more entries
+# mm that two muscles together may move a vertex beyond the larger alone; the second without any damping.
 EXCESS, FREE_EXCESS = 1.75, 1.3
-_PULL = 8  # columns for a pull, a cache line: its three components, and scratch
-NOTHING = 1e-9  # mm: a pull this small is as long as none, and its cube would be too small a number
+_PULL = 8  # columns of a pull, one cache line: its three components, and scratch
+NOTHING = 1e-9  # mm: a smaller pull counts as none, because its cube would underflow
 _EVERY = np.uint64(2**64 - 1)
 
 
@@ -198,7 +197,7 @@ def _gather(
     values: Array,
     pulls: Array,
 ) -> int:
-    """Write what each source among the first `count` of `entries` does to `pulls`; return how many do."""
+    """Write the pull of each source in the first `count` of `entries` to `pulls`; return their number."""
     e = entries[0]
     last, s, activation = source[e], 0, values[parameter[e]]
     for c in range(3):
@@ -228,10 +227,10 @@ def _cap(
     v: int,
     out: Array,
 ) -> None:
-    """Shorten `out[v]`, `length` mm long, where it is much longer than the largest of the displacements of
-    the muscles that have the first `count` of `entries`.
+    """Shorten `out[v]`, `length` mm long, if it is much longer than any of the muscles would make it alone.
 
-    Of n equal ones the last n − 1 may each add up to EXCESS mm.
+    The muscles are those of the first `count` of `entries`. Of n equal ones, each of the last n − 1 may add
+    up to EXCESS mm.
     """
     total, largest, own = 0.0, 0.0, 0.0
     x, y, z = 0.0, 0.0, 0.0
@@ -259,12 +258,12 @@ def _cap(
 
 @inlined
 def _limited_sum(pulls: Array, count: int, v: int, out: Array) -> None:
-    """Write to `out[v]` the sum of the first `count` of `pulls` D, each times |D|² / (Σ |D'|³ c²)^⅔ over all
-    D', c the cosine between D and D' where that is positive.
+    """Write to `out[v]` the limited sum of the first `count` of `pulls`.
 
-    A pull alone, and pulls at right angles or against each other, are exact; n equal parallel pulls give
-    ∛n times one. Continuous, and the same in every frame of reference. Columns 3 and 4 of `pulls` are
-    scratch: lengths, and Σ |D'| (D·D')² over the others.
+    Each pull D counts |D|² / (Σ |D'|³ c²)^⅔ times, over all D', with c the cosine between D and D' if it is
+    positive, else 0. A single pull, and pulls at right angles or against each other, are exact; n equal
+    parallel pulls give ∛n times one. The sum is continuous and does not depend on the frame of reference.
+    Columns 3 and 4 of `pulls` are scratch: lengths, and Σ |D'| (D·D')² over the others.
     """
     for m in range(count):
         square = pulls[m, 0] * pulls[m, 0] + pulls[m, 1] * pulls[m, 1] + pulls[m, 2] * pulls[m, 2]

@@ -1,11 +1,11 @@
 """The skin as a network of masses and springs (paper B, section 6.1; facts: face-model, section 4).
 
 Every point has springs to its neighbours and one to its place at rest: K = k L + k₀ I over the edges of level
-0. What the muscles ask for is a displacement d; their force is f = K d, so that at equilibrium a muscle alone
-gives its calibrated field exactly.
+0. The muscles request a displacement d; their force is f = K d, so that at equilibrium a single muscle gives
+exactly its calibrated field.
 
-Points that no muscle moves stand still, and the lips are quasi-static: they are where the muscles want them
-at once, so that what the mouth must close is never late. Both are the border of the network.
+Points that no muscle moves stand still. The lips are quasi-static: they follow the muscles at once, so that
+the mouth never closes late. Both form the border of the network.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from .head import Head
 from .muscles import ELSEWHERE
 from .stiffness import spring_stiffness
 
-STILL = 0.02  # mm at full contraction below which a point counts as one that no muscle moves
-LIP = 0.5  # of the lips' masks, above which a point belongs to the lips
+STILL = 0.02  # mm at full contraction: a point that moves less counts as one that no muscle moves
+LIP = 0.5  # a point whose mask is higher belongs to the lips
 
 
 @dataclass(frozen=True, slots=True)

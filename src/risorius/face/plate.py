@@ -1,6 +1,6 @@
-"""The skin as a bending plate on a soft bed: how a push at some points moves the skin around them.
+"""The skin as a bending plate on a soft bed: how pushes at some points move the skin around them.
 
-K = ½L² + 0.05L + 0.004I on the level-0 edges (facts: face-model, section 5), factored once for a head.
+K = ½L² + 0.05L + 0.004I on the level-0 edges (facts: face-model, section 5), factored once per head.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
 
 BENDING, STRETCHING, BED = 0.5, 0.05, 0.004
-REACH = 45.0  # mm from a push beyond which the plate is held still
-# Vertices that no push moves by more than this share of the strongest response are left where they are.
+REACH = 45.0  # mm from a push; farther vertices do not move
+# Vertices that every push moves by less than this share of the strongest response do not move.
 NEGLIGIBLE = 0.004
 
 
 @dataclass(frozen=True, slots=True)
 class Response:
-    """What unit pushes at n points do.
+    """The effects of unit pushes at n points.
 
-    `region` (r,) the level-0 vertices that move, `motion` (n, r) how far each moves per unit push at each
-    point, `compliance` (n, n) how far each point moves per unit push at each point.
+    `region` (r,): the level-0 vertices that move; `motion` (n, r): how far each moves per unit push at each
+    point; `compliance` (n, n): how far each point moves per unit push at each point.
     """
 
     region: Int32Array
@@ -47,10 +47,10 @@ def stiffness(count: int, quads: IntArray) -> sp.csc_matrix:
 def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: BoolArray) -> Response:
     """Return the response of the plate `stiff` (N0, N0) at `points` (n, N0), rows of weights that sum to 1.
 
-    Only vertices in `free` (N0,) move; those under the points must be among them, well within.
+    Only vertices in `free` (N0,) move; all vertices near the points must be among them.
     """
-    given = [part for matrix in (stiff, points) for part in (matrix.data, matrix.indices, matrix.indptr)]
-    return Response(*cached_arrays("response", [*given, free], lambda: _respond(stiff, points, free)))
+    key = [part for matrix in (stiff, points) for part in (matrix.data, matrix.indices, matrix.indptr)]
+    return Response(*cached_arrays("response", [*key, free], lambda: _respond(stiff, points, free)))
 
 
 def _respond(stiff: sp.csc_matrix, points: sp.csr_matrix, free: BoolArray) -> tuple[Int32Array, Array, Array]:

@@ -1,6 +1,6 @@
-"""Products of matrices with points, in one thread and into memory that is already there.
+"""Products of matrices with points, in one thread and into existing memory.
 
-A linear algebra library would start threads for each of these, which costs more than the product.
+A linear algebra library would start threads for each product, which costs more than the product.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from ..core.kernels.jit import summing_kernel
 
 
 def short(indices: IntArray) -> UIntArray:
-    """Return `indices` in 16 bits if they fit, else in 32: long tables cost the time to fetch them."""
+    """Return `indices` in 16 bits if they fit, else in 32: shorter tables are faster to fetch."""
     return indices.astype(np.uint16 if indices.size == 0 or indices.max() < 1 << 16 else np.uint32)
 
 
-class Rows(NamedTuple):
+class SparseRows(NamedTuple):
     """The rows of a sparse matrix (n, m): row i has `weight[start[i]:start[i + 1]]` at `column[…]`."""
 
     start: IntArray
@@ -27,7 +27,7 @@ class Rows(NamedTuple):
     weight: Array
 
     @classmethod
-    def of(cls, matrix: sp.csr_matrix) -> Rows:
+    def of(cls, matrix: sp.csr_matrix) -> SparseRows:
         """Take the rows of a CSR matrix."""
         return cls(matrix.indptr.astype(np.uint32), short(matrix.indices), matrix.data.astype(np.float64))
 
@@ -51,8 +51,9 @@ def _times(start: IntArray, column: UIntArray, weight: Array, points: Array, out
 
 @summing_kernel
 def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Array) -> None:
-    """Add to `skin` (N, 3) at `region` (r,) the transpose of `motion` (s, r) times `moves` (s, 3): `sums`
-    (3, r), which are overwritten.
+    """Add the transpose of `motion` (s, r) times `moves` (s, 3) to `skin` (N, 3) at `region` (r,).
+
+    `sums` (3, r) is scratch.
     """
     sums[:] = 0.0
     for s in range(len(moves)):
@@ -68,8 +69,9 @@ def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Arra
 
 @summing_kernel
 def carry_upwards(region: IntArray, motion: Array, pushes: Array, sums: Array, skin: Array) -> None:
-    """Add to the y of `skin` (N, 3) at `region` (r,) `pushes` (s,), mostly 0, times `motion` (s, r): `sums`
-    (r,), which are overwritten.
+    """Add `pushes` (s,), most of them 0, times `motion` (s, r) to the y of `skin` (N, 3) at `region` (r,).
+
+    `sums` (r,) is scratch.
     """
     sums[:] = 0.0
     for s in range(len(pushes)):

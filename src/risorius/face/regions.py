@@ -23,7 +23,7 @@ _HIDDEN = ("lips", "inner_mouth", "lids", "ears", "garment")
 
 @dataclass(frozen=True, slots=True)
 class Sizes:
-    """What a region's table says beside its layout, in mm; see `wrinkles.toml`."""
+    """The sizes of a region in mm, beside its layout; see `wrinkles.toml`."""
 
     source: str
     cap: float
@@ -43,8 +43,8 @@ class Region:
     layout: Lines | Fan | Fold | Dimples
 
 
-class Placed(NamedTuple):
-    """A region on a head at level 1: phases (N1,) whose integers are creases, and the zone that drives it."""
+class PlacedRegion(NamedTuple):
+    """A region on a head at level 1: phases (N1,), creases at the integers, and the zone that drives it."""
 
     region: Region
     phase: Array
@@ -58,7 +58,7 @@ def regions() -> tuple[Region, ...]:
 
 
 def parse_regions(text: str, name: str) -> tuple[Region, ...]:
-    """Return the regions of a table's text; raise InputError, naming the file, where it does not fit."""
+    """Return the regions of a table's text; raise InputError with the file's name if it does not fit."""
     return _regions(parse_table(text, name), name)
 
 
@@ -68,7 +68,7 @@ def region_names() -> tuple[str, ...]:
 
 
 def check_factors(factors: Mapping[str, float]) -> Array:
-    """Return one factor (R,) per region, 1 where none is given.
+    """Return one factor (R,) per region, 1 for regions that `factors` does not name.
 
     Raises InputError for a region that does not exist, and for a factor outside 0 to 2.
     """
@@ -83,7 +83,7 @@ def check_factors(factors: Mapping[str, float]) -> Array:
     return result
 
 
-def place_regions(head: Head) -> list[Placed]:
+def place_regions(head: Head) -> list[PlacedRegion]:
     """Lay all regions out on a head; a mirrored vertex gets the same phase and mask."""
     marks = Marks.of(head)
     fine = head.skin.matrix @ head.rest
@@ -94,14 +94,14 @@ def place_regions(head: Head) -> list[Placed]:
     return [_place(region, marks, fine, middles, seen) for region in regions()]
 
 
-def _place(region: Region, marks: Marks, fine: Array, middles: Array, seen: Array) -> Placed:
+def _place(region: Region, marks: Marks, fine: Array, middles: Array, seen: Array) -> PlacedRegion:
     layout: Layout = region.layout
     chart = layout.chart(marks, marks.left_half(fine))
     pull = layout.chart(marks, marks.left_half(middles)).pull
     pull[:, 0] *= np.where(middles[:, 0] < 0.0, -1.0, 1.0)
     mask = chart.mask * seen
     mask[mask < 1e-3] = 0.0
-    return Placed(region, chart.phase, Zone(mask, pull))
+    return PlacedRegion(region, chart.phase, Zone(mask, pull))
 
 
 def _regions(table: Mapping[str, Any], name: str) -> tuple[Region, ...]:
@@ -110,10 +110,10 @@ def _regions(table: Mapping[str, Any], name: str) -> tuple[Region, ...]:
 
 def _region(name: str, values: Any, what: str) -> Region:
     if not isinstance(values, dict):
-        raise InputError(f"{what} is no table; expected one per region")
-    given = [key for key in values if key in LAYOUTS]
-    if len(given) != 1:
-        raise InputError(f"{what} has {len(given)} layouts; expected one of {', '.join(LAYOUTS)}")
-    rest = {key: value for key, value in values.items() if key != given[0]}
+        raise InputError(f"{what} is not a table; expected one per region")
+    layouts = [key for key in values if key in LAYOUTS]
+    if len(layouts) != 1:
+        raise InputError(f"{what} has {len(layouts)} layouts; expected one of {', '.join(LAYOUTS)}")
+    rest = {key: value for key, value in values.items() if key != layouts[0]}
     sizes = build(Sizes, rest, what)
-    return Region(name, sizes, build(LAYOUTS[given[0]], values[given[0]], f"{what}.{given[0]}"))
+    return Region(name, sizes, build(LAYOUTS[layouts[0]], values[layouts[0]], f"{what}.{layouts[0]}"))

@@ -1,4 +1,4 @@
-"""What each muscle does to a face, and which muscles do what is wanted: for faces captured elsewhere."""
+"""The effect of each muscle on a face, and the muscles for a wanted effect: for faces captured elsewhere."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ Measure = Callable[[FaceFrame], Array]
 
 TONGUE = ("tongue_up", "tongue_out", "tongue_back")
 FITTED = (*(muscle.name for muscle in MUSCLES), "lip_tuck")
-# Of muscles that do nearly the same none is driven high against another.
+# Keeps muscles with nearly the same effect from cancelling each other at high activations.
 _RIDGE = 2e-3
 
 
 class Responses:
     """Non-negative least squares of measures over the muscles of one head, or over the parameters `fitted`.
 
-    `measure` gives numbers (n,) of a frame, 0 at rest. Each column is what a muscle alone does at activation
-    1, its linked muscles included; muscles together are taken to add up, which the solver's limits on
-    near-parallel pulls make a little too much.
+    `measure` returns numbers (n,) of a frame, 0 at rest. Each column is the effect of a single muscle at
+    activation 1, with its linked muscles. The fit adds the effects up, which is a little too much, because
+    the solver limits near-parallel pulls.
     """
 
     def __init__(self, solver: FaceSolver, measure: Measure, fitted: Sequence[str] = FITTED) -> None:
@@ -34,7 +34,7 @@ class Responses:
         self._places = [INDEX[name] for name in fitted]
 
     def values(self, wanted: Array, rows: Sequence[int]) -> Array:
-        """Return values (frames, 46) whose muscles come nearest to measures `wanted` (frames, n).
+        """Return the values (frames, 46) whose measures are nearest to `wanted` (frames, n).
 
         `rows` are the measures that count. Parameters that are not fitted stay at rest.
         """
@@ -42,7 +42,7 @@ class Responses:
         return self._nearest(columns, wanted[:, list(rows)] @ columns)
 
     def of_shapes(self, weights: Array, shapes: Array) -> Array:
-        """Return the same where measures are sums of `shapes` (s, n) by `weights` (frames, s)."""
+        """Return the same for measures that are sums of `shapes` (s, n) by `weights` (frames, s)."""
         return self._nearest(self._columns, weights @ (shapes @ self._columns))
 
     def _nearest(self, columns: Array, right: Array) -> Array:
@@ -52,8 +52,8 @@ class Responses:
         factor = np.linalg.cholesky(normal + _RIDGE * scale * np.eye(len(normal)))
         result = np.tile(NEUTRAL, (len(right), 1))
         for row, target in zip(result, right, strict=True):
-            found = nnls(factor.T, np.linalg.solve(factor, target))[0]
-            row[self._places] = np.minimum(found, 1.0)
+            activations = nnls(factor.T, np.linalg.solve(factor, target))[0]
+            row[self._places] = np.minimum(activations, 1.0)
         return result
 
 

@@ -1,4 +1,4 @@
-"""Roots that kernels take often."""
+"""Roots that kernels compute often."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from ..core.kernels.jit import device
 
-# Adding a third of the exponent to this gives 1/∛x within 4 %: the fast inverse root, for the cube.
+# Subtracting a third of the bits of x from this gives 1/∛x within 4 %: the fast inverse root, for cubes.
 _MAGIC = 0x553EF0FF289DD796
 
 

@@ -1,7 +1,8 @@
-"""The 52 ARKit shapes of a head: sculpted, from the `shapes.npz` in its folder, but for a lid that is shut.
+"""The 52 ARKit shapes of a head: sculpted shapes from its `shapes.npz`, but the face's own closed lids.
 
-The sculpted `eyeBlink` draws the lids past each other by a third at weight 1, so that 0.66 of it would shut
-the eye, and a character that takes over the weights would never shut its own. It is our face's own shut lid.
+The sculpted `eyeBlink` moves the lids past each other by a third at weight 1, so that weight 0.66 would close
+the eye, and a character that uses the weights would never close its own. So `eyeBlink` is the face's own
+closed lid.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ _SHUT = {
     INDEX[f"eyeBlink{side.title()}"]: PARAMETER[f"orbicularis_oculi_palpebralis.{side}"]
     for side in ("left", "right")
 }
-_SMALLEST = 1e-3  # mm: displacements below it are none
+_SMALLEST = 1e-3  # mm: smaller displacements count as 0
 _JAW_OPEN, _TONGUE_OUT = INDEX["jawOpen"], INDEX["tongueOut"]
 
 
@@ -53,7 +54,7 @@ class ArkitShapes:
 
 
 def arkit_shapes(head: Head) -> ArkitShapes:
-    """Return the shapes of `head`; raise HeadError where its folder has none or they do not fit."""
+    """Return the shapes of `head`; raise HeadError if its folder has none or they do not fit."""
     path = head.folder / FILE
     if not path.is_file():
         raise HeadError(

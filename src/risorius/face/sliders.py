@@ -1,8 +1,8 @@
-"""Sliders: what changes the shape of any head when it is loaded.
+"""Sliders change the shape of any head when it is loaded.
 
-The standard head's folder holds one table for all heads, which share one topology. A slider moves the skin in
-proportion to its amount; lips and lids are carried along unbent, and with the lips the teeth, the tongue and
-the jaw's hinge, so that what holds for a head's mouth and eyes holds for every shape of it.
+The standard head's folder holds one table for all heads, because they share one topology. A slider moves the
+skin in proportion to its amount. Lips and lids move without bending, and teeth, tongue and the jaw's hinge
+move with the lips, so that a head's mouth and eyes work in every shape.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from ..errors import HeadError, unknown
 from .head_file import HeadFile
 
 FILE = "sliders.npz"
-MOST = 1.0  # of a slider's amount, either way
+MOST = 1.0  # the largest amount of a slider, in both directions
 
 
 @dataclass(frozen=True, slots=True)
-class Reshaped:
-    """What sliders do together, in mm: `skin` (N0, 3), `mouth` (3,) and the `eyes` (2, 3), left and right."""
+class ShapeChange:
+    """The sum of sliders, in mm: `skin` (N0, 3), `mouth` (3,) and the `eyes` (2, 3), left and right."""
 
     skin: Array
     mouth: Array
@@ -34,8 +34,9 @@ class Reshaped:
 
 @dataclass(frozen=True, slots=True)
 class Sliders:
-    """All sliders: `names` (s,); `skin` (s, 2, N0, 3), `mouth` (s, 2, 3), `eyes` (s, 2, 2, 3) in mm at the
-    amounts 1 and −1.
+    """All sliders: `names` (s,), and their displacements in mm at the amounts 1 and −1.
+
+    `skin` (s, 2, N0, 3), `mouth` (s, 2, 3), `eyes` (s, 2, 2, 3).
     """
 
     names: tuple[str, ...]
@@ -43,13 +44,15 @@ class Sliders:
     mouth: Array
     eyes: Array
 
-    def together(self, amounts: Mapping[str, float]) -> Reshaped:
+    def together(self, amounts: Mapping[str, float]) -> ShapeChange:
         """Return the sum of sliders, each times its amount; raises HeadError as `check_sliders`."""
         check_sliders(amounts)
         shares = np.zeros((len(self.names), 2))
         for name, amount in amounts.items():
             shares[self.names.index(name)] = max(amount, 0.0), max(-amount, 0.0)
-        return Reshaped(*(np.tensordot(shares, part, axes=2) for part in (self.skin, self.mouth, self.eyes)))
+        return ShapeChange(
+            *(np.tensordot(shares, part, axes=2) for part in (self.skin, self.mouth, self.eyes))
+        )
 
 
 def slider_names() -> tuple[str, ...]:
@@ -58,7 +61,7 @@ def slider_names() -> tuple[str, ...]:
 
 
 def check_sliders(amounts: Mapping[str, float]) -> None:
-    """Raise HeadError for a slider that does not exist, and for an amount that is no number from −1 to 1."""
+    """Raise HeadError for a slider that does not exist, and for an amount that is not from −1 to 1."""
     for name, amount in amounts.items():
         if name not in slider_names():
             raise HeadError(unknown("slider", name, slider_names()))
@@ -67,21 +70,21 @@ def check_sliders(amounts: Mapping[str, float]) -> None:
 
 
 def parse_slider(text: str) -> tuple[str, float]:
-    """Return name and amount of a text such as "nose_width:0.5"; raises HeadError if it is none."""
+    """Return name and amount of a text such as "nose_width:0.5"; raise HeadError if it is not like that."""
     name, _, amount = text.partition(":")
     try:
-        found = float(amount)
+        number = float(amount)
     except ValueError:
         raise HeadError(
-            f"shape '{text}' is no slider with its amount; expected e.g. nose_width:0.5"
+            f"shape '{text}' is not a slider with its amount; expected e.g. nose_width:0.5"
         ) from None
-    check_sliders({name.strip(): found})
-    return name.strip(), found
+    check_sliders({name.strip(): number})
+    return name.strip(), number
 
 
 @lru_cache(maxsize=1)
 def load_sliders() -> Sliders:
-    """Return the sliders; raises HeadError where their file does not fit."""
+    """Return the sliders; raise HeadError if their file does not fit."""
     file, names = HeadFile.read(_path()), slider_names()
     count = len(HeadFile.read(_path().with_name("head.npz")).array("rest", ("N", 3)))
     skin = np.zeros((len(names), 2, count, 3))

@@ -1,9 +1,9 @@
 """The face solver: parameter values to vertices.
 
 The chain: linked muscles displace the skin, at its equilibrium or in motion; the jaw carries it, the lids
-slide over the eyeballs, the lips come into contact, the skin is subdivided, what would lie within an eyeball
-or a tooth is pushed out, and the skin bulges and wrinkles where it is compressed. All that closes comes after
-the motion, so that no closure is late.
+slide over the eyeballs, the lips come into contact, the skin is subdivided, vertices within an eyeball or a
+tooth are pushed out, and compressed skin bulges and wrinkles. All closures come after the motion, so that
+none is late.
 """
 
 from __future__ import annotations
@@ -21,22 +21,22 @@ from .ageing import DEFAULT_AGE
 from .biphasic import Biphasic
 from .crowding import Crowding
 from .eyes import eye_rotations, pitch_and_yaw
-from .frame import FaceFrame, FrameRoom
+from .frame import FaceFrame, FrameBuffers
 from .head import Head
 from .jaw import Jaw
 from .lids import both_lids
 from .links import Links, load_links
 from .lips import Lips
-from .muscles import Displaced, MuscleFields
+from .muscles import DisplacedSkin, MuscleFields
 from .network import Network
-from .products import Rows
+from .products import SparseRows
 from .rotations import head_rotation
 from .springs import Springs
 from .teeth import Teeth
 from .tongue import TongueShapes
 from .wrinkles import Wrinkles
 
-# Curves are sums of floating-point numbers: values this little outside their range are meant to be its end.
+# Curves are sums of floating-point numbers: a value so little outside its range counts as the end of it.
 ROUNDING = 1e-6
 _JAW = INDEX["masseter"]
 _GAZE = [INDEX["gaze_pitch"], INDEX["gaze_yaw"], INDEX["gaze_distance"]]
@@ -51,12 +51,12 @@ def checked_values(values: npt.ArrayLike) -> Array:
     Raises ParameterError for the wrong number of values, and for one that is not a number or out of range, by
     the parameter's name.
     """
-    given = np.asarray(values, dtype=np.float64)
-    if given.shape != (len(PARAMETERS),):
+    row = np.asarray(values, dtype=np.float64)
+    if row.shape != (len(PARAMETERS),):
         raise ParameterError(
-            f"values have shape {given.shape}; expected ({len(PARAMETERS)},), one per parameter"
+            f"values have shape {row.shape}; expected ({len(PARAMETERS)},), one per parameter"
         )
-    return np.asarray(checked_rows(given[None])[0])
+    return np.asarray(checked_rows(row[None])[0])
 
 
 def checked_rows(values: Array) -> Array:
@@ -70,12 +70,12 @@ def checked_rows(values: Array) -> Array:
 
 
 class FaceSolver:
-    """Solves frames of one head. It keeps a workspace: one solver must not be used by two threads at once.
+    """Solves frames of one head. It has a workspace: two threads must not use one solver at the same time.
 
-    `links` is the table of linked muscles (the head's own where None), `phases` of the skin's springs
-    "linear" or "biphasic", `age` (years, 0 to 100) and `wrinkles` (factors by region) say how the skin folds.
-    Building it factors the head's plates (about a second); the first frame compiles the kernels, once for a
-    machine. Raises InputError where the table of links does not fit or age or wrinkles are out of range.
+    `links` is the table of linked muscles (None: the head's own), `phases` of the skin's springs "linear" or
+    "biphasic"; `age` (years, 0 to 100) and `wrinkles` (factors by region) determine how the skin folds.
+    Building a solver factors the head's plates (about a second); the first frame compiles the kernels, once
+    per machine. Raises InputError if the table of links does not fit or age or wrinkles are out of range.
     """
 
     def __init__(
@@ -93,8 +93,8 @@ class FaceSolver:
         self._muscles = MuscleFields.of(head)
         self._crowding = Crowding.of(head)
         self._network = Network.of(head)
-        self._displaced = Displaced(self._muscles)
-        self._held = Displaced(self._muscles.without(self._network.free))
+        self._displaced_skin = DisplacedSkin(self._muscles)
+        self._fixed_skin = DisplacedSkin(self._muscles.without(self._network.free))
         self._phases = phases
         self._stiffening = self._second_phase()
         self._lids = both_lids(head)
@@ -102,20 +102,18 @@ class FaceSolver:
         self._teeth = Teeth.of(head, self.jaw)
         self._tongue = TongueShapes.of(head)
         self._wrinkles = Wrinkles(head, age, wrinkles)
-        self._refine = Rows.of(head.skin.matrix)
+        self._refine = SparseRows.of(head.skin.matrix)
         self._linked = np.zeros(len(PARAMETERS))
         self._displacement = np.zeros_like(head.rest)
         self._skin = np.zeros_like(head.rest)
         self._fine = np.zeros((head.skin.matrix.shape[0], 3))
-        self._lick = np.zeros_like(self._tongue.rest)
+        self._tongue_points = np.zeros_like(self._tongue.rest)
 
-    def room(self) -> FrameRoom:
-        """Return room for a frame of this solver, which `solve` and `solve_moving` fill: with it they make no
-        new arrays.
-        """
-        shapes = (self._fine.shape, self.head.teeth_lower.vertices.shape, self._lick.shape)
+    def buffers(self) -> FrameBuffers:
+        """Return arrays for a frame, which `solve` and `solve_moving` can fill again and again."""
+        shapes = (self._fine.shape, self.head.teeth_lower.vertices.shape, self._tongue_points.shape)
         skin, teeth, tongue = (np.empty(shape, np.float32) for shape in shapes)
-        return FrameRoom(skin, teeth, tongue, np.zeros(self._wrinkles.shape, np.float32))
+        return FrameBuffers(skin, teeth, tongue, np.zeros(self._wrinkles.shape, np.float32))
 
     def springs(self) -> Springs:
         """Return a state of the skin in motion; there may be several at once."""
@@ -124,56 +122,56 @@ class FaceSolver:
     def _second_phase(self) -> Biphasic | None:
         return Biphasic(self._network, self._muscles, self.head) if self._phases == "biphasic" else None
 
-    def solve(self, values: npt.ArrayLike, room: FrameRoom | None = None) -> FaceFrame:
+    def solve(self, values: npt.ArrayLike, buffers: FrameBuffers | None = None) -> FaceFrame:
         """Return the face at `values` (46,), in the parameter table's order and units, in equilibrium.
 
         The same values give the same frame, whatever was solved before. The frame's arrays are those of
-        `room`, and the next frame's too if it is given again; new ones where None. Raises ParameterError as
+        `buffers`, which the next frame overwrites, or new ones with None. Raises ParameterError as
         `checked_values`.
         """
         checked = checked_values(values)
         linked = self._links.apply(checked, self._linked)
-        self._displacement[:] = self._displaced.at(linked)
+        self._displacement[:] = self._displaced_skin.at(linked)
         if self._stiffening is not None:
-            self._stiffening.settle_skin(linked, self._displacement)
-        return self._finish(checked, room or self.room())
+            self._stiffening.relax_skin(linked, self._displacement)
+        return self._finish(checked, buffers or self.buffers())
 
     def solve_moving(
-        self, values: npt.ArrayLike, springs: Springs, share: float, room: FrameRoom | None = None
+        self, values: npt.ArrayLike, springs: Springs, share: float, buffers: FrameBuffers | None = None
     ) -> FaceFrame:
-        """Return the face at `values` (46,) with the free points of the skin where `springs` have them.
+        """Return the face at `values` (46,) with the free points of the skin at the places of `springs`.
 
-        `share` 0..1 is the way from before the last step to after it; `room` as for `solve`. Raises
+        `share` 0..1 is the way from before the last step to after it; `buffers` as for `solve`. Raises
         ParameterError as `checked_values`.
         """
         checked = checked_values(values)
-        self._displacement[:] = self._held.at(self._links.apply(checked, self._linked))
+        self._displacement[:] = self._fixed_skin.at(self._links.apply(checked, self._linked))
         springs.place(share, self._displacement)
-        return self._finish(checked, room or self.room())
+        return self._finish(checked, buffers or self.buffers())
 
-    def _finish(self, values: Array, room: FrameRoom) -> FaceFrame:
+    def _finish(self, values: Array, buffers: FrameBuffers) -> FaceFrame:
         """Return the face at checked `values` (46,) whose muscles have displaced the skin."""
         values.setflags(write=False)
         opening = float(values[_JAW])
         eyes = eye_rotations(self.head.eye_centre, *values[_GAZE].tolist())
         self._crowding.relieve(self._displacement)
-        self._solve_skin(values, eyes, room)
-        self._tongue.place(values, self.jaw, opening, self._lick)
-        self._teeth.keep_in(self._lick, opening)
-        room.tongue[:] = self._lick
-        self.jaw.carry_to(self.head.teeth_lower.vertices, opening, room.teeth_lower)
+        self._solve_skin(values, eyes, buffers)
+        self._tongue.place(values, self.jaw, opening, self._tongue_points)
+        self._teeth.keep_in(self._tongue_points, opening)
+        buffers.tongue[:] = self._tongue_points
+        self.jaw.carry_to(self.head.teeth_lower.vertices, opening, buffers.teeth_lower)
         return FaceFrame(
-            skin=room.skin,
-            teeth_lower=room.teeth_lower,
-            tongue=room.tongue,
+            skin=buffers.skin,
+            teeth_lower=buffers.teeth_lower,
+            tongue=buffers.tongue,
             eye_rotation=eyes,
             head_rotation=head_rotation(*values[_HEAD].tolist()),
             jaw_angle=opening * self.jaw.angle,
-            wrinkles=room.wrinkles,
+            wrinkles=buffers.wrinkles,
             parameters=values,
         )
 
-    def _solve_skin(self, values: Array, eyes: Array, room: FrameRoom) -> None:
+    def _solve_skin(self, values: Array, eyes: Array, buffers: FrameBuffers) -> None:
         skin = self._skin
         self.jaw.carry_skin(self.head.rest, self._displacement, values[_JAW], skin)
         for lids, eye in zip(self._lids, eyes, strict=True):
@@ -183,5 +181,5 @@ class FaceSolver:
         for lids in self._lids:
             lids.keep_off(self._fine)
         self._teeth.keep_out(self._fine, values[_JAW])
-        self._wrinkles.fold(skin, self._fine, room.wrinkles)
-        room.skin[:] = self._fine
+        self._wrinkles.fold(skin, self._fine, buffers.wrinkles)
+        buffers.skin[:] = self._fine

@@ -1,8 +1,8 @@
 """The spring skin in motion: an implicit step of fixed length, whatever the frame rate.
 
-m a = f − K x − c v (paper B, section 6.1, with the sign of the viscosity mended: it opposes the velocity). A
-step of h seconds solves (m + h c + h² K) v⁺ = m v + h (f − K x), x⁺ = x + h v⁺ with a matrix that is factored
-once (facts: face-model, section 4).
+m a = f − K x − c v (paper B, section 6.1, with the sign of the viscosity corrected: it opposes the velocity).
+A step of h seconds solves (m + h c + h² K) v⁺ = m v + h (f − K x), x⁺ = x + h v⁺ with a matrix that is
+factored once (facts: face-model, section 4).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from ..core.kernels.jit import summing_kernel
 from ..core.parameters import NAMES
 from .biphasic import Biphasic
 from .links import NO_LINKS, Links
-from .muscles import Displaced, MuscleFields
+from .muscles import DisplacedSkin, MuscleFields
 from .network import Network, pull
 from .stiffness import REST
 
@@ -31,7 +31,8 @@ VISCOSITY = 2.0 * DAMPING * 2.0 * math.pi * FREQUENCY * MASS
 class Springs:
     """The state of a network: displacements and velocities of its free points, before the jaw turns them.
 
-    `second_phase` adds springs that stiffen under strain. One state must not be used by two threads at once.
+    `second_phase` adds springs that stiffen under strain. Two threads must not use one state at the same
+    time.
     """
 
     def __init__(
@@ -42,7 +43,7 @@ class Springs:
         second_phase: Biphasic | None = None,
     ) -> None:
         self.network = network
-        self._displaced, self._links = Displaced(fields.at(network.free)), links
+        self._displaced, self._links = DisplacedSkin(fields.at(network.free)), links
         self._linked = np.zeros(len(NAMES))
         self._second = second_phase
         step = 1.0 / RATE
@@ -52,12 +53,12 @@ class Springs:
         self._place, self._before, self._velocity = np.zeros(shape), np.zeros(shape), np.zeros(shape)
         self._strain = np.zeros(shape)
 
-    def settle(self, values: Array) -> None:
-        """Come to rest at the equilibrium for the activations `values` (46,)."""
+    def come_to_rest(self, values: Array) -> None:
+        """Rest at the equilibrium for the activations `values` (46,)."""
         linked = self._links.apply(values, self._linked)
         self._place[:, :3] = self._displaced.at(linked)
         if self._second is not None:
-            self._second.settle(linked, self._place)
+            self._second.relax(linked, self._place)
         self._before[:] = self._place
         self._velocity[:] = 0.0
 
@@ -74,9 +75,9 @@ class Springs:
         _move(self._place, self._velocity, 1.0 / RATE)
 
     def place(self, share: float, displacement: Array) -> None:
-        """Write where the points are to the skin's `displacement` (N0, 3).
+        """Write the places of the points to the skin's `displacement` (N0, 3).
 
-        `share` 0..1 of the way from before the last step to after it.
+        `share`: 0 is before the last step, 1 after it.
         """
         _place(self.network.free, self._before, self._place, share, displacement)
 

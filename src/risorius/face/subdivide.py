@@ -32,10 +32,10 @@ class _Edges:
 
 
 def catmull_clark(vertices: int, quads: IntArray) -> Subdivision:
-    """Subdivide a mesh of `vertices` vertices and `quads` (Q, 4) once; borders follow the cubic B-spline
-    rule.
+    """Subdivide a mesh of `vertices` vertices and `quads` (Q, 4) once.
 
-    Every vertex must belong to a face; an edge may belong to one face (border) or two.
+    Borders follow the cubic B-spline rule. Every vertex must belong to a face, and every edge to one face (on
+    a border) or two.
     """
     faces = np.asarray(quads, dtype=np.int64)
     edges = _edges(faces)

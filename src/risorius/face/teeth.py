@@ -1,7 +1,7 @@
-"""The teeth as an obstacle: lips and cheeks stay before them, the tongue behind or between them.
+"""The teeth as an obstacle: lips and cheeks stay before them, the tongue stays behind or between them.
 
-The front of a row (`tooth_row`) is kept from the skin, its back and its edges from the tongue; the lower row
-is looked up in the frame of the jaw.
+The front of a row (`tooth_row`) pushes the skin away, its back and its edges push the tongue; the lower row
+is read in the frame of the jaw.
 """
 
 from __future__ import annotations
@@ -18,30 +18,37 @@ from .crowding import struts
 from .head import Head
 from .jaw import Jaw
 from .rotations import about_axis
-from .tooth_row import NONE, ROUNDING, ROW, Row, column_of, look_up, sector_of
+from .tooth_row import NONE, ROUNDING, ROW, ToothRow, column_of, look_up, sector_of
 
 CLEARANCE = 0.3  # mm of skin before the teeth's front
 BETWEEN = 0.1  # mm of skin before the teeth's front at the middle of a long edge
-LONG, SHORT = 5.0, 4.0  # mm of an edge as it is: it is kept out like that from here on, below not at all
-SPAN, SPAN_REACH = 3.0, 10.0  # mm at rest of an edge that may be drawn out that long, and to its teeth
-DEEPEST, LOST = 7.0, 10.0  # mm behind the front: up to here skin is pushed out, from there on it is elsewhere
-LINING_REACH = 14.0  # mm from the teeth's vertices to the skin that can meet them
+LONG, SHORT = 5.0, 4.0  # mm of an edge: a longer one keeps the whole clearance, a shorter one needs none
+SPAN, SPAN_REACH = (
+    3.0,
+    10.0,
+)  # mm at rest: the least length of an edge that can become so long, and to the teeth
+DEEPEST, LOST = (
+    7.0,
+    10.0,
+)  # mm behind the front: skin is pushed out in full up to the first, not beyond the second
+LINING_REACH = 14.0  # mm from the teeth's vertices; skin that is nearer can meet them
 
 
 @dataclass(frozen=True, slots=True)
 class Teeth:
-    """Both rows of a head, and the `places` (k, 2) of the level-1 skin that are kept before them: vertices,
-    twice each, and the ends of long sides and diagonals of faces, which could cut the round of a tooth.
+    """Both rows of a head, and the `places` (k, 2) of the level-1 skin that stay before them.
+
+    A place is a vertex, twice, or the two ends of a long side or diagonal of a face, which could cut a tooth.
     """
 
-    upper: Row
-    lower: Row
+    upper: ToothRow
+    lower: ToothRow
     places: UInt32Array
     jaw: Jaw
 
     @classmethod
     def of(cls, head: Head, jaw: Jaw | None = None) -> Self:
-        """Measure the teeth of `head`, whose jaw may be given if it is there already."""
+        """Measure the teeth of `head`; `jaw` is the head's, if it exists already."""
         rest = head.skin.matrix @ head.rest
         rows = (head.teeth_upper, head.teeth_lower)
         soft = head.skin.matrix @ np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > 0.3
@@ -52,7 +59,12 @@ class Teeth:
         lining = np.flatnonzero(soft & near)
         spans = _spans(rest, struts(head.skin.quads), lining, crowns)
         places = np.vstack([np.column_stack([lining, lining]), spans]).astype(np.uint32)
-        return cls(Row.of(head.teeth_upper, 1.0), Row.of(head.teeth_lower, -1.0), places, jaw or Jaw.of(head))
+        return cls(
+            ToothRow.of(head.teeth_upper, 1.0),
+            ToothRow.of(head.teeth_lower, -1.0),
+            places,
+            jaw or Jaw.of(head),
+        )
 
     def keep_out(self, skin: Array, opening: float) -> None:
         """Push the level-1 `skin` (N1, 3) before the teeth in place, with the jaw at `opening` 0..1."""
@@ -66,7 +78,7 @@ class Teeth:
                 tongue, row.middle, row.front, row.back, row.around, row.edge, row.up, turn, self.jaw.point
             )
 
-    def _rows(self, opening: float) -> tuple[tuple[Row, Array], tuple[Row, Array]]:
+    def _rows(self, opening: float) -> tuple[tuple[ToothRow, Array], tuple[ToothRow, Array]]:
         return (self.upper, _UPRIGHT), (self.lower, about_axis(self.jaw.axis, self.jaw.angle * opening))
 
 

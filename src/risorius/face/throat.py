@@ -1,6 +1,6 @@
-"""The skin of the throat, which an open jaw pushes together: it gives way before it folds over.
+"""The skin of the throat: it gives way before an open jaw folds it over.
 
-The sculpted jaw was made for one throat. On another, of another age or shape, it would lay the skin below the
+The sculpted jaw was made for one throat. On a throat of another age or shape it would fold the skin below the
 chin over itself.
 """
 
@@ -12,15 +12,15 @@ from ..core.arrays import Array, IntArray
 from .crowding import relieve, struts
 from .rotations import turned
 
-LEAST = 0.35  # of an edge's length along its direction that the open jaw leaves
+LEAST = 0.35  # the share of an edge's length that the open jaw leaves along its direction
 SWEEPS = 200
 
 
 def uncrowd(quads: IntArray, rest: Array, below: float, axis: Array, angle: Array, opened: Array) -> None:
-    """Push the skin `opened` (N0, 3), mm, of a wide open jaw apart in place where it is crowded.
+    """Push crowded skin apart in place: `opened` (N0, 3) mm, the skin under a wide open jaw.
 
-    It is that of `rest` (N0, 3), turned about `axis` by `angle` (N0,) radians and then some; only what lies
-    lower than `below` mm at rest is moved.
+    It is the skin `rest` (N0, 3) turned about `axis` by `angle` (N0,) radians, with the jaw's corrective.
+    Only vertices lower than `below` mm at rest move.
     """
     edges = struts(quads)
     edges = edges[(rest[:, 1] < below)[edges].all(axis=1)]

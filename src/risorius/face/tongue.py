@@ -1,7 +1,7 @@
 """The tongue: raised, put out or drawn back, and carried by the jaw.
 
-A rigid tongue would fill the open mouth like a wall. As the jaw opens it lies down behind the lower teeth and
-draws back a little, unless it is raised or put out; the back of the mouth comes into view above it.
+A rigid tongue would fill the open mouth like a wall. As the jaw opens, the tongue lies down behind the lower
+teeth and draws back a little, unless it is raised or put out, so that the back of the mouth is visible.
 """
 
 from __future__ import annotations
@@ -18,17 +18,19 @@ from .head import TONGUE_FIELDS, Head
 from .jaw import Jaw
 
 LYING = 0.62  # share of its height above its floor that the tongue loses with the jaw wide open
-SUNK, DRAWN_BACK = 12.0, 6.0  # mm that its back sinks and its tip draws back then
-STANDS_UP_TO = 0.1  # opening of the jaw up to which it keeps its height: consonants are made there
+SUNK, DRAWN_BACK = 12.0, 6.0  # mm by which its back sinks and its tip draws back with the jaw wide open
+STANDS_UP_TO = 0.1  # opening of the jaw up to which it keeps its height: consonants need no more
 _OUT = TONGUE_FIELDS.index("tongue_out")
-OVER = 5.0  # mm that the tip is raised halfway out: it passes over the lower teeth, not through them
-COLUMNS = 12  # along its length at which its floor is measured
+OVER = 5.0  # mm that the tip rises halfway out, so that it passes over the lower teeth, not through them
+COLUMNS = 12  # places along its length at which its floor is measured
 
 
 @dataclass(frozen=True, slots=True)
 class TongueShapes:
-    """The tongue at level 1: `rest` (n1, 3) mm, `shapes` (3, n1, 3), its displacements at activation 1,
-    `over` (n1,) how far it is raised halfway out, and `lying` (n1, 3), that in the wide open mouth.
+    """The tongue at level 1: `rest` (n1, 3) mm, and its displacements in mm.
+
+    `shapes` (3, n1, 3): at activation 1; `over` (n1,): upwards, halfway out; `lying` (n1, 3): in the wide
+    open mouth. `columns` (3,): the parameters of the shapes.
     """
 
     rest: Array
@@ -52,13 +54,13 @@ class TongueShapes:
         return cls(rest, fine, OVER * forward / max(forward.max(), 1e-9), _lying(rest), columns)
 
     def place(self, values: Array, jaw: Jaw, opening: float, out: Array | None = None) -> Array:
-        """Return the tongue (n1, 3) mm for `values` (46,), the jaw at `opening` 0..1, in `out` if given."""
+        """Return the tongue (n1, 3) mm for `values` (46,) with the jaw at `opening`, perhaps in `out`."""
         moved = np.empty_like(self.rest) if out is None else out
         active = values[self.columns]
         opened = min(max((opening - STANDS_UP_TO) / (1.0 - STANDS_UP_TO), 0.0), 1.0)
-        lies = opened * (2.0 - opened) * (1.0 - float(active.max()))
+        lying = opened * (2.0 - opened) * (1.0 - float(active.max()))
         way = float(active[_OUT])
-        _shape(self.rest, self.shapes, active, self.lying, lies, self.over, 4.0 * way * (1.0 - way), moved)
+        _shape(self.rest, self.shapes, active, self.lying, lying, self.over, 4.0 * way * (1.0 - way), moved)
         jaw.carry_to(moved, opening, moved)
         return moved
 
@@ -86,7 +88,7 @@ def _shape(
 
 
 def _lying(rest: Array) -> Array:
-    """Return how the tongue `rest` (n, 3) lies down (n, 3) mm."""
+    """Return the displacement (n, 3) mm with which the tongue `rest` (n, 3) lies down."""
     y, z = rest[:, 1], rest[:, 2]
     places = np.linspace(z.min(), z.max(), COLUMNS)
     width = places[1] - places[0]

@@ -1,4 +1,4 @@
-"""A row of teeth as tables over the angle about the middle of its arch and the height."""
+"""A row of teeth as tables over the height and the angle around the middle of its arch."""
 
 from __future__ import annotations
 
@@ -12,23 +12,25 @@ from ..core.arrays import Array, IndexArray
 from ..core.kernels.jit import device, inlined
 from .head import Mesh
 
-ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians to either side of the middle they span
+ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians that they span on either side
 ROW = 0.8  # mm of height of a row of the tables
 BORDER = 3  # rows beyond the teeth
-ROUNDING = 3.0  # mm by which a row recedes with each row beyond its edge: no step for skin to fall over
-WIDENED = 5  # columns over which the front is widened: faces of skin lie between their corners
+ROUNDING = 3.0  # mm by which each row beyond the edge recedes, so that skin meets no step
+WIDENED = 5  # columns by which the front is widened, because faces of skin lie between their corners
 SAMPLES = 6  # along each side of a triangle
-AHEAD = 6.0  # mm from the hindmost tooth to the middle: the last tooth has a back to go round
+AHEAD = 6.0  # mm from the hindmost tooth to the middle, so that the last tooth has a back
 SECTORS = 24  # of a full turn
-NONE = 1e3  # mm: where a row has no back
+NONE = 1e3  # mm: the back of a row without teeth
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
-    """A row of teeth as tables: `middle` (z, lowest y), `front` and `back` (ANGLES, rows) mm from the middle,
-    and the height `edge` (ANGLES,) of its cutting edge; `up` is 1 for the upper row, −1 for the lower one.
-    `around` (SECTORS, rows, 3) is a coarser table that costs no angle: the least and the largest front and
-    the least back in a sector, beside its row too.
+class ToothRow:
+    """A row of teeth as tables.
+
+    `middle`: z and lowest y; `front` and `back` (ANGLES, rows): mm from the middle; `edge` (ANGLES,): the
+    height of the cutting edge; `up`: 1 for the upper row, −1 for the lower one; `around` (SECTORS, rows, 3):
+    a coarser table that needs no angle, with the least and the largest front and the least back of a sector,
+    neighbouring rows included.
     """
 
     middle: Array
@@ -59,7 +61,7 @@ class Row:
 
 
 def _samples(mesh: Mesh) -> Array:
-    """Return points (n, 3) all over the teeth, not the gums, of `mesh`."""
+    """Return points (n, 3) all over the teeth of `mesh`, without the gums."""
     crowns = mesh.triangles[(mesh.material[mesh.triangles] < 0.5).all(axis=1)]
     share = np.linspace(0.0, 1.0, SAMPLES)
     first, second = (w.ravel() for w in np.meshgrid(share, share))
@@ -69,14 +71,14 @@ def _samples(mesh: Mesh) -> Array:
 
 
 def _polar(points: Array, middle: float) -> tuple[IndexArray, Array]:
-    """Return the column (n,) and the distance (n,) of points (n, 3) about the `middle` z of an arch."""
+    """Return the column (n,) and the distance (n,) of points (n, 3) around the `middle` z of an arch."""
     out = points[:, 2] - middle
     column = np.rint((np.arctan2(points[:, 0], out) / HALF_TURN + 1.0) * 0.5 * (ANGLES - 1)).astype(int)
     return np.clip(column, 0, ANGLES - 1), np.hypot(points[:, 0], out)
 
 
 def _rounded(front: Array) -> Array:
-    """Return the table with rows that recede evenly where there is nothing."""
+    """Return the table, with rows that recede evenly beyond the teeth."""
     result = front.copy()
     for way in (1, -1):
         for row in range(1, front.shape[1]):
@@ -91,7 +93,7 @@ def _around(front: Array, back: Array) -> Array:
     x, out = np.sin(angle), np.cos(angle)
     sector = np.array([sector_of(*place) for place in zip(x, out, strict=True)])
     column = _polar(np.stack([x, np.zeros_like(x), out], axis=1), 0.0)[0]
-    # With a column to either side: the outermost places are looked up between two columns.
+    # One more column on either side, because places are interpolated between two columns.
     inside = [
         np.unique(np.clip(column[sector == s, None] + (-1, 0, 1), 0, ANGLES - 1)) for s in range(SECTORS)
     ]

@@ -1,7 +1,7 @@
-"""Expressive wrinkles (paper B, section 6.2): folds of skin that keeps its length while its ground shortens.
+"""Expressive wrinkles (paper B, section 6.2): the skin keeps its length and folds while its ground shortens.
 
-Paper B looks the tangents of a spline surface up in a table, by age and by the distance between two isolines;
-a fold of a known shape has its height in closed form instead (docs/wrinkles.md says why).
+Paper B reads the tangents of a spline surface from a table, by age and by the distance between two isolines.
+Here the height of a fold has a closed form, because its shape is known (docs/wrinkles.md gives the reasons).
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from .compression import Compression
 from .head import Head
 from .layouts import Fold
 from .marks import Marks
-from .regions import Placed, check_factors, place_regions
+from .regions import PlacedRegion, check_factors, place_regions
 
-# Excess length that lies flat before a fold rises: a square root alone would start infinitely steep, and the
-# least tremor would show.
+# Excess length that stays flat before a fold rises: a square root alone would start infinitely steep and show
+# every tremor.
 FLAT = 0.012
-OPENED = 0.25  # stretch, beyond 1, that opens a crease kept at rest
+OPENED = 0.25  # stretch beyond 1 that opens a crease that shows at rest
 
 
 class Wrinkles:
     """The wrinkles and bulges of one head at one age; keeps a workspace.
 
-    `factors` are by region name, 0 to 2, 1 where none is given: which wrinkles a speaker shows. Raises
-    InputError for an age or factor out of range, and for a region that does not exist.
+    `factors` by region name, 0 to 2, else 1: how much of its wrinkles a speaker shows. Raises InputError for
+    an age or factor out of range, and for a region that does not exist.
     """
 
     def __init__(
@@ -53,8 +53,8 @@ class Wrinkles:
     def fold(self, skin: Array, fine: Array, heights: Float32Array) -> None:
         """Write the `heights` (N1, R) in mm of folds on the level-0 skin (N0, 3), and raise `fine` (N1, 3).
 
-        `fine` is moved along its normals by the bulges and by the part of the folds that the mesh can carry.
-        Of `heights`, 0 to begin with, only those are written that can be others: a tenth of a large array.
+        `fine` moves along its normals by the bulges and by the part of the folds that the mesh can show. The
+        caller passes `heights` of 0 once; only the tenth of them that can differ from 0 is written.
         """
         self._lift[:] = 0.0
         rows = self._compression
@@ -93,7 +93,7 @@ class _Raised:
         _step(self._vertices, self._step, fine)
 
 
-def _law(placed: list[Placed], skin: SkinAge, factor: Array, unit: float) -> Array:
+def _law(placed: list[PlacedRegion], skin: SkinAge, factor: Array, unit: float) -> Array:
     """Return one row per region: width, give, gain, depth at rest, cap."""
     return np.array(
         [
@@ -109,8 +109,8 @@ def _law(placed: list[Placed], skin: SkinAge, factor: Array, unit: float) -> Arr
     )
 
 
-def _relief(placed: Placed) -> Array:
-    """Return the share (N1,) of a region's height by which the mesh moves: creases down, shoulders up."""
+def _relief(placed: PlacedRegion) -> Array:
+    """Return the share (N1,) of a region's height that the mesh moves by: creases down, shoulders up."""
     phase, share = placed.phase, placed.region.sizes.relief
     if isinstance(placed.region.layout, Fold):
         beyond = np.maximum(phase, 0.0) / 0.35
@@ -122,9 +122,9 @@ def _relief(placed: Placed) -> Array:
 def fold_height(width: float, stretch: float, give: float) -> float:
     """Return the height in mm of the fold in which skin keeps its length.
 
-    Skin `width` mm long gives way to the share 1 − `give` of its length; its ground shortens to `stretch` of
-    it, d mm, and a raised cosine over d keeps the length at h = (2d/π)·√e, e = (1 − give)/stretch − 1, to
-    second order in h/d; √e is taken as e/√(e + FLAT).
+    Skin `width` mm long shortens without a fold to the share 1 − `give` of its length. Its ground shortens to
+    the share `stretch`, d mm. A raised cosine over d has the skin's length if its height is h = (2d/π)·√e,
+    with e = (1 − give)/stretch − 1, to second order in h/d; √e is computed as e/√(e + FLAT).
     """
     chord = width * stretch
     excess = (1.0 - give) / stretch - 1.0
@@ -148,8 +148,8 @@ def _fold(
         z, v = zone[r], vertex[r]
         static, cap = law[z, 3], law[z, 4]
         moving = law[z, 2] * fold_height(law[z, 0], stretch[r], law[z, 1])
-        kept = static * min(1.0, max(0.0, 1.0 - (stretch[r] - 1.0) / OPENED))
-        heights[v, z] = mask[r] * cap * np.tanh((moving + kept) / cap) if moving + kept > 0.0 else 0.0
+        resting = static * min(1.0, max(0.0, 1.0 - (stretch[r] - 1.0) / OPENED))
+        heights[v, z] = mask[r] * cap * np.tanh((moving + resting) / cap) if moving + resting > 0.0 else 0.0
         if moving > 0.0 and relief[r] != 0.0:
             lift[v] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
 

@@ -6,21 +6,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..face.identity import Colour, Looks
+from ..face.identity import ByteColour, Looks
 from ..settings import Look
 
 # Skin, lips and mouth's lining of five complexions, evenly spaced from 0 to 1 on the scale.
-_TONES: tuple[tuple[Colour, Colour, Colour], ...] = (
+_TONES: tuple[tuple[ByteColour, ByteColour, ByteColour], ...] = (
     ((236, 196, 176), (200, 120, 114), (168, 88, 84)),
     ((222, 174, 146), (186, 106, 97), (162, 85, 80)),
     ((196, 146, 112), (164, 92, 84), (156, 80, 76)),
     ((142, 96, 71), (122, 72, 66), (142, 68, 65)),
     ((92, 60, 46), (96, 57, 53), (128, 60, 58)),
 )
-_CLAY: Colour = (176, 172, 168)
-_BONE: Colour = (186, 178, 170)
-_SLATE: Colour = (74, 84, 98)
-_PLAIN: dict[str, tuple[Colour, Colour]] = {
+_CLAY: ByteColour = (176, 172, 168)
+_BONE: ByteColour = (186, 178, 170)
+_SLATE: ByteColour = (74, 84, 98)
+_PLAIN: dict[str, tuple[ByteColour, ByteColour]] = {
     "clay": (_CLAY, (120, 116, 112)),
     "muscles": (_BONE, (120, 104, 96)),
     "wireframe": (_SLATE, (150, 176, 200)),
@@ -41,7 +41,7 @@ def apply_look(looks: Looks, look: Look) -> Looks:
     return looks
 
 
-def _between(tone: float, column: int) -> Colour:
+def _between(tone: float, column: int) -> ByteColour:
     scale = np.linspace(0.0, 1.0, len(_TONES))
     colours = np.array([row[column] for row in _TONES])
     red, green, blue = (round(float(np.interp(tone, scale, channel))) for channel in colours.T)

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
 from ..core.kernels.jit import f4
-from ..face.identity import Colour
+from ..face.identity import ByteColour
 from .noise import noise_at
 from .srgb import linear, srgb_decode, srgb_encode
 
@@ -39,7 +39,7 @@ def cap() -> tuple[Array, Int32Array]:
     return vertices, np.concatenate([fan, first, second]).astype(np.int32)
 
 
-def iris_image(inner: Colour, outer: Colour) -> Float32Array:
+def iris_image(inner: ByteColour, outer: ByteColour) -> Float32Array:
     """Return the iris' albedo (rings, angles, 3) from the pupil outwards, between two sRGB colours.
 
     Radial fibres, a ruff about the pupil, a few furrows, and the dark limbus.
@@ -58,7 +58,7 @@ def iris_image(inner: Colour, outer: Colour) -> Float32Array:
     return np.asarray(colour * np.clip(light, 0.08, 2.2)[..., None], np.float32)
 
 
-def iris_picture(inner: Colour, outer: Colour, side: int = 256) -> ByteArray:
+def iris_picture(inner: ByteColour, outer: ByteColour, side: int = 256) -> ByteArray:
     """Return the front of an eye seen straight on, sRGB (side, side, 3), as wide as the eyeball.
 
     `inner` and `outer` are the iris' sRGB colours at the pupil and at the rim.

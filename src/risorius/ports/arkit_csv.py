@@ -20,8 +20,8 @@ from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
 from ..core.arrays import Array
 from ..core.parameters import INDEX as PARAMETER
 from ..errors import InputError, unknown
+from ..face.arkit_direct import gaze_of
 from ..face.arkit_fit import ArkitFit, ArkitTrack
-from ..face.arkit_given import gaze_of
 from ..face.response import Responses
 from ..face.solve import FaceSolver
 from .capture import (
@@ -115,7 +115,7 @@ def read_arkit_capture(path: Path, options: ReadOptions) -> ScoreFile:
     apart = take.weights.copy()
     apart[:, INDEX["mouthClose"]] = 0.0
     responses = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin))
-    values = responses.of_shapes(apart, fit.seen_displacement(np.eye(len(INDEX))))
+    values = responses.of_shapes(apart, fit.visible_displacement(np.eye(len(INDEX))))
     values[:, PARAMETER["lip_seal"]] = np.where(
         open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0
     )

@@ -12,7 +12,7 @@ from ..core.kernels.jit import f4, i4, lean_kernel
 from ..face.head import Head
 from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
-from ..face.regions import Placed, place_regions
+from ..face.regions import PlacedRegion, place_regions
 from ..looks.noise import noise_at
 
 LINES, FOLD, DIMPLES = 0, 1, 2
@@ -82,7 +82,7 @@ def _find_raised(creases: Creases, triangles: Int32Array) -> None:
         creases.raised[t] = raised
 
 
-def _style(placed: Placed, unit: float) -> tuple[float, float, float, float]:
+def _style(placed: PlacedRegion, unit: float) -> tuple[float, float, float, float]:
     sizes, layout = placed.region.sizes, placed.region.layout
     kind = FOLD if isinstance(layout, Fold) else DIMPLES if isinstance(layout, Dimples) else LINES
     furrow = layout.spacing * unit if isinstance(layout, Dimples) else sizes.furrow * unit

@@ -44,7 +44,7 @@ class Dial:
         self._now = np.array(values)
         self._left = 0.0
         if self._springs is not None:
-            self._springs.settle(self._now)
+            self._springs.come_to_rest(self._now)
         return self.solver.solve(values)
 
     def moved(self, values: Array, seconds: float) -> FaceFrame:
@@ -52,7 +52,7 @@ class Dial:
         springs = self._springs
         if springs is None:
             self._springs = springs = self.solver.springs()
-            springs.settle(self._now)
+            springs.come_to_rest(self._now)
         self._left += min(seconds, LONGEST) * RATE
         while self._left >= 1.0:
             self._now = self._now + np.clip(values - self._now, -_STEP, _STEP)

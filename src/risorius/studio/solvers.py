@@ -66,7 +66,7 @@ class Solvers:
         with self.lent(Settings()) as solver, self.lent(Settings()):
             solver.solve(NEUTRAL)
             springs = solver.springs()
-            springs.settle(NEUTRAL)
+            springs.come_to_rest(NEUTRAL)
             springs.step(NEUTRAL)
 
 

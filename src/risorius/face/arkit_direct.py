@@ -1,4 +1,4 @@
-"""The ARKit weights that are angles, not shapes of the skin: where the eyes look, and the tongue."""
+"""The ARKit weights that follow directly from a frame without a fit: the eyes' directions and the tongue."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from ..core.parameters import PARAMETERS
 from .eyes import pitch_and_yaw
 from .frame import FaceFrame
 
-GIVEN = np.array([name.startswith("eyeLook") or name == "tongueOut" for name in SHAPES])
-"""Which of the shapes (52,) these are."""
+DIRECT = np.array([name.startswith("eyeLook") or name == "tongueOut" for name in SHAPES])
+"""Which of the shapes (52,) follow directly from a frame."""
 
 _PITCH, _YAW = (PARAMETERS[PARAMETER[name]].high for name in ("gaze_pitch", "gaze_yaw"))
 _SIDES = (("Left", 1.0), ("Right", -1.0))
 
 
-def given_weights(frame: FaceFrame) -> Array:
-    """Return the weights (52,) that are not fitted: where the eyes look, and the tongue."""
+def direct_weights(frame: FaceFrame) -> Array:
+    """Return the weights (52,) of the eyes' directions and of the tongue, 0 for all others."""
     result = np.zeros(len(SHAPES))
     for (side, outwards), rotation in zip(_SIDES, frame.eye_rotation, strict=True):
         pitch, yaw = pitch_and_yaw(rotation)
