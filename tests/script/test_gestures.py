@@ -34,22 +34,22 @@ def test_a_shake_goes_both_ways() -> None:
 
 
 @pytest.mark.parametrize("attributes", ['nod="1"', 'nod="4"', 'shake="2"', 'shake="3" duration="2"'])
-def test_each_stroke_starts_where_the_one_before_is_fully_out(attributes: str) -> None:
-    strokes = movements(attributes)
-    for before, after in pairwise(strokes):
+def test_each_part_starts_where_the_one_before_is_fully_out(attributes: str) -> None:
+    parts = movements(attributes)
+    for before, after in pairwise(parts):
         assert after.start == pytest.approx(before.start + before.onset)
         assert after.start < before.end < after.end
-    assert all(m.onset + m.offset == pytest.approx(m.end - m.start) for m in strokes)
+    assert all(m.onset + m.offset == pytest.approx(m.end - m.start) for m in parts)
 
 
 def test_a_gesture_fills_its_span() -> None:
-    strokes = movements('nod="2" duration="1.5"')
-    assert (strokes[0].start, strokes[-1].end) == (1.0, 2.5)
+    parts = movements('nod="2" duration="1.5"')
+    assert (parts[0].start, parts[-1].end) == (1.0, 2.5)
     assert movements('nod="2"')[-1].end == pytest.approx(1.0 + 5 * 0.17)
     assert movements('nod="2" end="end"')[-1].end == 9.0
 
 
-def test_strokes_have_names_of_their_own_and_one_cause() -> None:
-    strokes = movements('nod="2"')
-    assert [m.id for m in strokes] == [f"head@1.21.{n}" for n in (1, 2, 3, 4)]
-    assert {m.cause.trigger for m in strokes} == {'HEAD nod="2"'}
+def test_parts_have_names_of_their_own_and_one_cause() -> None:
+    parts = movements('nod="2"')
+    assert [m.id for m in parts] == [f"head@1.21.{n}" for n in (1, 2, 3, 4)]
+    assert {m.cause.trigger for m in parts} == {'HEAD nod="2"'}

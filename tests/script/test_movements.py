@@ -35,7 +35,7 @@ BAD = [
         "f:3:1: BLINK starts together with BLINK at f:2:1, both at 0.5 in channel manipulators",
     ),
     (
-        "together with a nod's second stroke",
+        "together with a nod's second part",
         '<HEAD time="1" nod="1"/>\n<HEAD time="1.17" yaw="5"/>',
         'f:3:1: HEAD yaw="5" starts together with HEAD nod="1" at f:2:1, both at 1.17 in channel head',
     ),

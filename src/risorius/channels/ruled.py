@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ..core.channels import channel_timing
 from ..core.movement import Cause, Movement
+from ..rules.gestures import gesture_parts, gesture_seconds
 from ..rules.markup import markup_table
 from ..rules.match import Event
 from ..rules.settle import APART
-from ..script.gestures import strokes_of
 from .blinks import blink
 from .registry import Brief, Context
 
@@ -89,23 +89,23 @@ def _following_gestures(events: Sequence[Event]) -> list[float]:
 
 
 def _gesture(event: Event, until: float) -> Iterator[Movement]:
-    """Yield a gesture's strokes up to the time at which another gesture takes over."""
+    """Yield a gesture's parts up to the time at which another gesture takes over."""
     rule = event.rule
     gesture = markup_table().head[str(rule.effect.gesture)]
-    strokes = strokes_of(gesture, rule.effect.times)
-    seconds = gesture.seconds * (len(strokes) + 1)
+    parts = gesture_parts(gesture, rule.effect.times)
+    seconds = gesture_seconds(gesture, parts)
     amplitude = gesture.amplitude * rule.effect.size * event.size
-    for number, stroke in enumerate(strokes, 1):
-        start = event.span.start + stroke.start * seconds
+    for number, part in enumerate(parts, 1):
+        start = event.span.start + part.start * seconds
         if start > until - APART:
             return
         yield Movement(
             rule.channel,
             start,
-            event.span.start + stroke.end * seconds,
-            (stroke.onset or 0.0) * seconds,
-            (stroke.offset or 0.0) * seconds,
-            with_eyes({gesture.parameter: stroke.scale * amplitude}),
+            event.span.start + part.end * seconds,
+            (part.onset or 0.0) * seconds,
+            (part.offset or 0.0) * seconds,
+            with_eyes({gesture.parameter: part.scale * amplitude}),
             id=f"{rule.id}@{event.span.start:.3f}.{number}",
             layer=f"{rule.part}.gesture",
             function=rule.timing.function or "minimum_jerk",

@@ -129,9 +129,9 @@ def _gaze_shift(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
 
 
 def _head(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
-    strokes, targets, _ = gesture_of(node)
+    parts, targets, _ = gesture_of(node)
     mark = _mark(node, times, MarkKind.HEAD, "head", targets)
-    yield replace(mark, strokes=strokes, layer="gesture")
+    yield replace(mark, parts=parts, layer="gesture")
 
 
 def _head_shift(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
@@ -139,7 +139,7 @@ def _head_shift(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     targets = limited({"head_pitch": pitch, "head_yaw": yaw})
     mark = _mark(node, times, MarkKind.HEAD, "head", targets)
     onset = times.between("start", "end", SHIFT_SECONDS)
-    yield replace(_lasting(mark), onset=onset, strokes=WHOLE)
+    yield replace(_lasting(mark), onset=onset, parts=WHOLE)
 
 
 Performer = Callable[[Node, Times, Unknowns], Iterator[Mark]]

@@ -11,9 +11,9 @@ from types import MappingProxyType
 from ..core.channels import channel_timing
 from ..core.parameters import INDEX, PARAMETERS
 from ..rules.bml import bml_table
+from ..rules.gestures import GesturePart, gesture_parts, gesture_seconds
 from ..rules.markup import markup_table
-from .gestures import MOST_REPETITIONS, strokes_of
-from .model import Stroke
+from .gestures import MOST_REPETITIONS
 from .tree import Node
 
 NAMESPACE = "http://www.bml-initiative.org/bml/bml-1.0"
@@ -44,15 +44,15 @@ def limited(values: Mapping[str, float]) -> dict[str, float]:
     }
 
 
-def gesture_of(node: Node) -> tuple[tuple[Stroke, ...], dict[str, float], float]:
-    """Return the strokes, targets and seconds of a head's lexeme."""
+def gesture_of(node: Node) -> tuple[tuple[GesturePart, ...], dict[str, float], float]:
+    """Return the parts, targets and seconds of a head's lexeme."""
     gestures = markup_table().head
     node.required("lexeme", 'lexeme="NOD"')
     gesture = gestures[node.choice("lexeme", tuple(gestures), "nod")]
     times = int(node.number("repetition", 1, MOST_REPETITIONS, 1))
     size = gesture.amplitude * node.number("amount", 0.0, 1.0, USUAL_AMOUNT) / USUAL_AMOUNT
-    strokes = strokes_of(gesture, times)
-    return strokes, limited({gesture.parameter: size}), gesture.seconds * (len(strokes) + 1)
+    parts = gesture_parts(gesture, times)
+    return parts, limited({gesture.parameter: size}), gesture_seconds(gesture, parts)
 
 
 def _face_shape(node: Node) -> Mapping[str, float]:
@@ -71,7 +71,7 @@ def _shift_shape(node: Node) -> Mapping[str, float]:
 
 def _head_shape(node: Node) -> Mapping[str, float]:
     _, _, seconds = gesture_of(node)
-    # Ready at the start; the strokes lie in the middle, and the last swing leads back to rest.
+    # Ready at the start; the parts lie in the middle, and the last swing leads back to rest.
     shares = (0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0)
     return {point: share * seconds for point, share in zip(_HEAD_POINTS, shares, strict=True)}
 

@@ -1,24 +1,24 @@
-"""Nods and shakes: one mark that consists of several strokes."""
+"""Nods and shakes: one mark that consists of several parts."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from ..core.parameters import INDEX, PARAMETERS
+from ..rules.gestures import GesturePart, gesture_parts, gesture_seconds
 from ..rules.markup import Gesture, markup_table
 from .attributes import Attributes
-from .model import Stroke
 
 MOST_REPETITIONS = 10
 
 
 @dataclass(frozen=True, slots=True)
 class TakenGesture:
-    """A gesture as an element asks for it: its strokes, and how many seconds it lasts by default."""
+    """A gesture as an element asks for it: its parts, and how many seconds it lasts by default."""
 
     name: str
     targets: dict[str, float]
-    strokes: tuple[Stroke, ...]
+    parts: tuple[GesturePart, ...]
     seconds: float
 
 
@@ -48,17 +48,6 @@ def _taken(name: str, gesture: Gesture, value: float, amplitude: float | None) -
     degrees = (gesture.amplitude if amplitude is None else amplitude) * min(value, 1.0)
     parameter = PARAMETERS[INDEX[gesture.parameter]]
     times = max(1, int(value))
-    strokes = strokes_of(gesture, times)
-    seconds = gesture.seconds * (len(strokes) + 1)
-    return TakenGesture(name, {gesture.parameter: min(degrees, parameter.high)}, strokes, seconds)
-
-
-def strokes_of(gesture: Gesture, times: int) -> tuple[Stroke, ...]:
-    """Return the strokes of a gesture made `times` times.
-
-    Each stroke spans two swings, one out and one back, and the next begins when it is fully out: the head
-    goes from peak to peak, and after the last back to rest.
-    """
-    scales = [swing * gesture.decay**time for time in range(times) for swing in gesture.swings]
-    unit = 1.0 / (len(scales) + 1)
-    return tuple(Stroke(i * unit, (i + 2) * unit, scale, unit, unit) for i, scale in enumerate(scales))
+    parts = gesture_parts(gesture, times)
+    targets = {gesture.parameter: min(degrees, parameter.high)}
+    return TakenGesture(name, targets, parts, gesture_seconds(gesture, parts))

@@ -201,7 +201,7 @@ def _head(attributes: Attributes) -> tuple[Mark, ...]:
         raise attributes.error(f"{gesture.name} and an angle are both given; expected an element for each")
     if gesture:
         mark = common.mark(MarkKind.HEAD, "head", gesture.targets, common.lasting(gesture.seconds))
-        return (replace(mark, strokes=gesture.strokes),)
+        return (replace(mark, parts=gesture.parts),)
     if not pose:
         raise attributes.error("nothing is given; expected nod, shake, tilt, pitch, yaw or roll")
     return (common.mark(MarkKind.HEAD, "head", pose, common.lasting(seconds)),)

@@ -9,6 +9,7 @@ from enum import StrEnum
 from ..core.directions import UNDIRECTED, Directions
 from ..core.utterance import Word
 from ..errors import Place
+from ..rules.gestures import GesturePart
 from .anchor import Anchor, Base
 
 # Seconds that a mark to the end is held at least, where it has no onset of its own.
@@ -29,21 +30,7 @@ class MarkKind(StrEnum):
     LISTEN = "listen"
 
 
-@dataclass(frozen=True, slots=True)
-class Stroke:
-    """A part of a mark: its span, onset and offset as shares of the mark's, and what scales the targets.
-
-    `onset` and `offset` are None where they do not depend on the mark's length.
-    """
-
-    start: float = 0.0
-    end: float = 1.0
-    scale: float = 1.0
-    onset: float | None = None
-    offset: float | None = None
-
-
-WHOLE = (Stroke(),)
+WHOLE = (GesturePart(),)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +38,7 @@ class Mark:
     """Something to show on one channel.
 
     `targets` maps parameter names to values. `onset`, `offset` in seconds and `function` are None where the
-    channel's own holds, `priority` and `release_priority` likewise. `strokes`: the movements that the mark
+    channel's own holds, `priority` and `release_priority` likewise. `parts`: the movements that the mark
     consists of, one for all but gestures of the head. `label`: how the user wrote it. `emotions`: those felt,
     by name, with their intensities 0..1.
     """
@@ -69,7 +56,7 @@ class Mark:
     release_priority: float | None = None
     layer: str = ""
     function: str | None = None
-    strokes: tuple[Stroke, ...] = WHOLE
+    parts: tuple[GesturePart, ...] = WHOLE
     emotions: Mapping[str, float] = field(default_factory=dict)
 
 

@@ -10,9 +10,10 @@ from ..core.channels import ChannelTiming, channel_timing
 from ..core.movement import Cause, Movement
 from ..core.utterance import Word
 from ..errors import InputError
+from ..rules.gestures import GesturePart
 from ..rules.saccade import saccade_duration
 from .apart import check_apart
-from .model import Mark, Script, Stroke
+from .model import Mark, Script
 
 _GAZE = ("gaze_pitch", "gaze_yaw")
 # Digits of a second that are kept: below them two times are the same, however they were added up.
@@ -21,10 +22,10 @@ _DIGITS = 9
 
 @dataclass(frozen=True, slots=True)
 class _Timed:
-    """A mark, or a stroke of one, with its span in seconds."""
+    """A mark, or a part of one, with its span in seconds."""
 
     mark: Mark
-    stroke: Stroke
+    part: GesturePart
     number: int
     start: float
     end: float
@@ -32,7 +33,7 @@ class _Timed:
 
     @property
     def targets(self) -> dict[str, float]:
-        return {name: self.stroke.scale * value for name, value in self.mark.targets.items()}
+        return {name: self.part.scale * value for name, value in self.mark.targets.items()}
 
 
 def movements_of(script: Script, words: Sequence[Word], duration: float) -> tuple[Movement, ...]:
@@ -42,14 +43,14 @@ def movements_of(script: Script, words: Sequence[Word], duration: float) -> tupl
     InputError, with the place, for a word that does not exist, for an end before its start, and for two
     marks that start together in one layer of a channel.
     """
-    timed = [part for mark in script.marks for part in _strokes(mark, words, duration)]
+    timed = [part for mark in script.marks for part in _parts(mark, words, duration)]
     timed.sort(key=lambda t: (t.start, t.mark.channel, t.mark.layer, t.end, t.mark.label))
     check_apart((t.mark, t.start) for t in timed)
     eyes = _Eyes()
     return tuple(_movement(t, eyes) for t in timed)
 
 
-def _strokes(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[_Timed]:
+def _parts(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[_Timed]:
     start, end = (round(a.resolve(words, duration), _DIGITS) for a in (mark.start, mark.end))
     if not start < end:
         raise InputError(
@@ -57,9 +58,9 @@ def _strokes(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[_Ti
             mark.place,
         )
     length = end - start
-    for number, stroke in enumerate(mark.strokes, 1):
-        begin, stop = (round(start + share * length, _DIGITS) for share in (stroke.start, stroke.end))
-        yield _Timed(mark, stroke, number, begin, stop, length)
+    for number, part in enumerate(mark.parts, 1):
+        begin, stop = (round(start + share * length, _DIGITS) for share in (part.start, part.end))
+        yield _Timed(mark, part, number, begin, stop, length)
 
 
 def _movement(timed: _Timed, eyes: _Eyes) -> Movement:
@@ -86,7 +87,7 @@ def _id(timed: _Timed) -> str:
     mark = timed.mark
     where = ".".join(str(n) for n in (mark.place.line, mark.place.column) if n is not None)
     name = f"{mark.channel}@{where}"
-    return name if len(mark.strokes) == 1 else f"{name}.{timed.number}"
+    return name if len(mark.parts) == 1 else f"{name}.{timed.number}"
 
 
 def _function(mark: Mark, timing: ChannelTiming) -> str:
@@ -94,12 +95,12 @@ def _function(mark: Mark, timing: ChannelTiming) -> str:
 
 
 def _default_timing(timed: _Timed, timing: ChannelTiming, eyes: _Eyes) -> tuple[float, float]:
-    """Return seconds of onset and offset: by the eyes' angle, the stroke's length, or the channel."""
+    """Return seconds of onset and offset: by the eyes' angle, the part's length, or the channel."""
     if _moves_eyes_alone(timed.mark):
         return eyes.turn(timed)
-    stroke = timed.stroke
-    onset = timing.onset if stroke.onset is None else round(stroke.onset * timed.length, _DIGITS)
-    offset = timing.offset if stroke.offset is None else round(stroke.offset * timed.length, _DIGITS)
+    part = timed.part
+    onset = timing.onset if part.onset is None else round(part.onset * timed.length, _DIGITS)
+    offset = timing.offset if part.offset is None else round(part.offset * timed.length, _DIGITS)
     return onset, offset
 
 
