@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..errors import ParameterError, unknown
-from .parameters import PARAMETERS, Kind, Parameter, check_value, parameters_named
+from .parameters import PARAMETERS, Parameter, check_value, parameters_named
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,8 +150,3 @@ def resolve_targets(targets: Mapping[str, float]) -> dict[str, float]:
         for p, weight in _parameters_of(unit, side):
             total[p.name] = total.get(p.name, 0.0) + weight * intensity
     return {p.name: min(max(total[p.name], p.low), p.high) for p in PARAMETERS if p.name in total}
-
-
-def muscle_bases() -> tuple[str, ...]:
-    """Return the 19 muscle names of paper A, Table 1, in its order."""
-    return tuple(dict.fromkeys(p.base for p in PARAMETERS if p.kind is Kind.MUSCLE))

@@ -14,7 +14,7 @@ from ..core.toml import parse, read_text
 from ..errors import ParameterError, Place, unknown
 from .conduct import is_under
 from .load import DATA
-from .rule import Level, Rule
+from .rule import Rule
 
 FOLDER = "rules"
 _RULE = re.compile(r"^\[\[\s*rule\s*\]\][^\n]*\n", re.MULTILINE)
@@ -45,14 +45,6 @@ class Book:
 
     def __iter__(self) -> Iterator[Rule]:
         return (entry.rule for entry in self.entries.values())
-
-    def of_channel(self, channel: str) -> tuple[Rule, ...]:
-        """Return a channel's rules."""
-        return tuple(rule for rule in self if rule.channel == channel)
-
-    def levels(self) -> frozenset[Level]:
-        """Return the levels that rules look at."""
-        return frozenset(rule.level for rule in self)
 
     def get(self, name: str) -> Entry:
         """Return the rule `name`; raise ParameterError naming the nearest one if there is none."""
