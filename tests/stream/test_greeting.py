@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import socket
 import threading
-import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -44,17 +45,24 @@ def sleeping(monkeypatch: pytest.MonkeyPatch) -> SleepingClock:
     return found
 
 
-def greet(port: int, *said: bytes, seconds: float = 2.0) -> None:
+@contextmanager
+def greeting(port: int, *said: bytes) -> Iterator[None]:
     """Say it again and again, as receivers do until they are answered."""
+    answered = threading.Event()
 
     def run() -> None:
         with udp(PC) as line:
-            for _ in range(int(50 * seconds)):
+            while not answered.wait(0.02):
                 for words in said:
                     line.sendto(words, (PHONE, port))
-                time.sleep(0.02)
 
-    threading.Thread(target=run, daemon=True).start()
+    thread = threading.Thread(target=run)
+    thread.start()
+    try:
+        yield
+    finally:
+        answered.set()
+        thread.join()
 
 
 def test_nobody_greets() -> None:
@@ -87,8 +95,8 @@ def test_a_protocol_without_a_greeting(clip: Take) -> None:
 )
 def test_who_greets_is_known_with_what_they_ask_for(said: bytes, protocol: str, dialect: str) -> None:
     at = Address(PHONE, free_port(PHONE))
-    greet(at.port, b"hello", b"", said[:20], said)
-    assert wait_for_greeting(at, GREETINGS, 10.0) == (PC, Asked(protocol, dialect))
+    with greeting(at.port, b"hello", b"", said[:20], said):
+        assert wait_for_greeting(at, GREETINGS, 10.0) == (PC, Asked(protocol, dialect))
 
 
 @pytest.mark.parametrize(("said", "joint"), [(GREETING, "-"), (GREETING + b"|sendDataVersion=v2", "&")])
@@ -100,8 +108,7 @@ def test_a_receiver_greets_and_is_sent_the_performance(
     assert port == 49983
     clip.arkit  # noqa: B018  (fitted before anyone waits)
     sent: list[Sent] = []
-    with udp(PC, port) as receiver:
-        greet(port, said, seconds=0.5)
+    with udp(PC, port) as receiver, greeting(port, said):
         thread = threading.Thread(target=lambda: sent.append(send_take(clip, "ifacialmocap", listen=PHONE)))
         thread.start()
         thread.join(60.0)
@@ -125,8 +132,8 @@ def test_a_receiver_greets_and_is_sent_a_stream(clip: Take, sleeping: SleepingCl
         receiver.settimeout(20.0)
         thread = threading.Thread(target=lambda: sent.append(send_take(clip, "ifacialmocap", listen=PHONE)))
         thread.start()
-        greet(49983, OVER_TCP + b"|sendDataVersion=v2", seconds=0.5)
-        line, _ = receiver.accept()
+        with greeting(49983, OVER_TCP + b"|sendDataVersion=v2"):
+            line, _ = receiver.accept()
         data = b""
         with line:
             while more := line.recv(100):
