@@ -27,6 +27,7 @@ from risorius.speech.structure.phrases import with_phrases
 from risorius.take import Take
 
 from . import profiles  # noqa: F401  (registers them)
+from .schedule import FilesInOrder, in_order
 
 VOWELS = frozenset({"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"})
 UtteranceMaker = Callable[..., Utterance]
@@ -41,13 +42,17 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out what is marked `full`, unless it is asked for."""
-    if config.getoption("full"):
-        return
-    left_out = [item for item in items if item.get_closest_marker("full")]
+    """Leave out what is marked `full`, unless it is asked for, and put what takes longest first."""
+    left_out = [] if config.getoption("full") else [i for i in items if i.get_closest_marker("full")]
     if left_out:
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if not item.get_closest_marker("full")]
+    items[:] = in_order(items)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> FilesInOrder:
+    return FilesInOrder(config, log)
 
 
 @pytest.fixture
