@@ -12,7 +12,7 @@ from .arrays import Array
 from .parameters import BASES, INDEX, MUSCLES
 
 _BASES = tuple(dict.fromkeys(muscle.base for muscle in MUSCLES))
-# Of two units that the same muscles perform the smaller sum of intensities is taken.
+# Of several units with the same muscles, the fit prefers the smallest sum of intensities.
 _RIDGE = 0.02
 
 
@@ -23,11 +23,11 @@ class ActionUnitFit:
         self.numbers = tuple(numbers)
         units = [ACTION_UNITS[number] for number in numbers]
         self._matrix = np.array([[unit.weights.get(base, 0.0) for unit in units] for base in _BASES])
-        self._held = np.vstack([self._matrix, _RIDGE * np.ones(len(units))])
+        self._regularized = np.vstack([self._matrix, _RIDGE * np.ones(len(units))])
 
     def intensities(self, values: Array) -> Array:
         """Return (frames, units) for values (frames, 46) in the parameter table's order."""
         columns = [[INDEX[p.name] for p in BASES[base]] for base in _BASES]
         muscles = np.stack([values[:, sides].mean(axis=1) for sides in columns], axis=1)
-        found = [nnls(self._held, np.append(row, 0.0))[0] for row in muscles]
-        return np.asarray(np.minimum(np.reshape(found, (len(values), -1)), 1.0))
+        intensities = [nnls(self._regularized, np.append(row, 0.0))[0] for row in muscles]
+        return np.asarray(np.minimum(np.reshape(intensities, (len(values), -1)), 1.0))

@@ -1,7 +1,7 @@
 """Action units (FACS) as weighted muscles, and the resolution of targets to parameters.
 
-Sources: DESIGN section 2; facts science/05, sections 5.1 and 5.2 (which muscle performs which unit);
-the weights of the units that 35 muscles only approximate are ours and marked so.
+Sources: DESIGN section 2; facts science/05, sections 5.1 and 5.2 (the muscles of each unit). The weights of
+units that 35 muscles only approximate are our own and marked as approximate.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ _UNITS = (
 
 ACTION_UNITS: dict[int, ActionUnit] = {unit.number: unit for unit in _UNITS}
 
-# Units of FACS that 35 muscles cannot show; named so that they are reported rather than ignored.
+# Units of FACS that 35 muscles cannot show: they are reported by name, not ignored.
 NOT_SHOWN: dict[int, str] = {
     8: "lips toward each other",
     21: "neck tightener",
@@ -100,7 +100,7 @@ _AU_SIDES = {"l": "left", "r": "right"}
 
 
 def action_unit(name: str) -> tuple[ActionUnit, str] | None:
-    """Return the unit and side ("" for both) that a name such as `AU12.left` means, None if it is no AU.
+    """Return the unit and side ("" for both) of a name such as `AU12.left`, None if it is not an AU.
 
     Raises ParameterError for a unit that is unknown or that the muscles cannot show, with its FACS name.
     """
@@ -133,10 +133,10 @@ def check_intensity(name: str, value: float) -> float:
 
 
 def resolve_targets(targets: Mapping[str, float]) -> dict[str, float]:
-    """Turn targets by action unit, muscle or alias into values of parameters, in the table's order.
+    """Return the parameters' values, in the table's order, for targets by action unit, muscle or alias.
 
-    Units add up and are clipped to the parameter's range (paper B, section 6.4); a name without a side
-    means both. Raises ParameterError for unknown names and for values out of range.
+    Units add up and are clipped to the parameter's range (paper B, section 6.4); a name without a side means
+    both sides. Raises ParameterError for unknown names and for values out of range.
     """
     total: dict[str, float] = {}
     for name, value in targets.items():

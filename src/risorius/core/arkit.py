@@ -1,7 +1,7 @@
-"""The names of ARKit's 52 face shapes, and of what the Live Link Face app adds to them.
+"""The names of ARKit's 52 face shapes, and of the rotations that the Live Link Face app adds.
 
 Names and order: Apple, ARFaceAnchor.BlendShapeLocation; column order: Epic Games, Live Link Face (recorded
-takes), which puts the right before the left for the jaw and the mouth. Always map by name.
+takes), which puts right before left for the jaw and the mouth. Always map by name.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ EXCLUSIVE: tuple[tuple[str, str], ...] = (
     ("eyeBlinkLeft", "eyeWideLeft"),
     ("eyeBlinkRight", "eyeWideRight"),
 )
-"""Shapes of which only one can be at a time: one way of a movement and the other."""
+"""Pairs of shapes of which only one can act at a time: a movement in opposite directions."""
 
 OPPOSED: tuple[tuple[str, str], ...] = (
     *EXCLUSIVE,
@@ -66,7 +66,7 @@ OPPOSED: tuple[tuple[str, str], ...] = (
         for side in ("Left", "Right")
     ),
 )
-"""Shapes that pull against each other."""
+"""Pairs of shapes that act against each other."""
 
 
 def column_of(shape: str) -> str:

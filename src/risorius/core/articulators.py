@@ -1,6 +1,6 @@
 """The lips' articulators: what speech moves, in millimetres that can be measured on any head.
 
-Unlike muscles they mean the same on every face. A head's own fit (`lip_rig`) says which muscles perform them.
+Unlike muscles they mean the same on every face. Each head has a fit (`lip_rig`) that turns them into muscles.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ UPPER, CORNERS = "upper_lip", "lip_corners"
 class Articulator:
     """One articulator: its range in mm, and the muscles (without side) that follow it.
 
-    All are 0 at rest. The lower lip's tuck and the tongue are parameters themselves (`lip_tuck`,
-    `tongue_up` its tip, `tongue_out`, `tongue_back` its body) and need no fit.
+    All are 0 at rest. The lower lip's tuck (`lip_tuck`) and the tongue (`tongue_up` its tip, `tongue_out`,
+    `tongue_back` its body) are parameters and need no fit.
     """
 
     name: str
@@ -61,17 +61,17 @@ CONTROLS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "open": {"depressor_labii": 1.0, "levator_labii_superioris": 0.14},
         "upper": {"levator_labii_superioris": 1.0},
         "round": {"orbicularis_oris_funneler": 1.0},
-        # Not the risorius: beside a triangularis, which pulls nearly the same way, it widens nothing, so that
-        # vowels lost their width in sadness. And no smile is a rival of this one.
+        # Not the risorius: beside a triangularis, which pulls in nearly the same direction, it does not widen
+        # the mouth, so that vowels were too narrow in sadness. The zygomatic major is no rival of a smile.
         "spread": {"zygomatic_major": 1.0},
         "lift": {"zygomatic_major": 1.0},
         "lower": {"triangularis": 1.0},
     }
 )
-"""What a head's fit is made in: each control moves the muscles named, both sides, by the factors given."""
+"""The variables of a head's fit: each control moves some muscles, on both sides, by their factors."""
 
 PRESSING: Mapping[str, float] = MappingProxyType({"orbicularis_oris_presser": 0.1, "mentalis": 0.03})
-"""Per millimetre of aperture below zero: it presses, which no gap measures."""
+"""Activation per millimetre of aperture below zero: the lips press, which no gap shows."""
 
 
 def leader(parameter: str) -> str:
@@ -98,6 +98,6 @@ def check_lip_target(name: str, value: float) -> None:
 
 
 def within_range(name: str, value: float) -> float:
-    """Return the value that an articulator or parameter can have which is nearest to `value`."""
+    """Return the nearest value to `value` in the range of an articulator or parameter."""
     limits = ARTICULATORS.get(name) or PARAMETERS[INDEX[name]]
     return min(max(value, limits.low), limits.high)

@@ -1,4 +1,4 @@
-"""Sound kept on disk, so that memory does not grow with the clip's length."""
+"""Sound on disk, so that memory does not grow with the clip's length."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Audio:
     keeper: object = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # A temporary file does not outlive this process, nor reach another machine: its samples do.
+        # Pickle the samples: the temporary file is deleted with this process and is not on other machines.
         return _written, (self.read(), self.sample_rate)
 
     @property
@@ -53,7 +53,7 @@ class Audio:
 
 
 class _Folder:
-    """A temporary folder that goes when nothing refers to it any more, or at exit."""
+    """A temporary folder that is deleted with the last reference to it, or at exit."""
 
     def __init__(self) -> None:
         self.path = Path(tempfile.mkdtemp(prefix="risorius-"))
@@ -61,7 +61,7 @@ class _Folder:
 
 
 class AudioWriter:
-    """Collects sound into a temporary WAV file, deleted when the Audio made from it is no longer used."""
+    """Writes sound to a temporary WAV file, which is deleted with the last reference to its Audio."""
 
     def __init__(self, sample_rate: int) -> None:
         self.sample_rate = sample_rate

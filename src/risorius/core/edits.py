@@ -1,8 +1,8 @@
 """Changes of a score by hand: blocks moved, stretched, retargeted, added and deleted, curves drawn.
 
-An edit is data, and `edited` a function from a score to a score: scores are frozen, so that to undo is to
-take the one before, and edits can be made again on a score that was planned anew. A movement keeps its id
-through all changes, and its cause, which then says that it was changed by hand.
+An edit is data, and `edited` is a function from a score to a score. Scores are frozen, so undo returns to the
+earlier score, and the same edits can be applied to a score that was planned again. A movement keeps its id
+through all edits, and its cause, which then says that it was changed by hand.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """Give a block other times; those left out stay. Onset and offset are seconds of rise and fall."""
+    """Change the times of a block; None leaves a time as it is. Onset, offset: seconds of rise and fall."""
 
     movement: str
     start: Seconds | None = None
@@ -47,7 +47,7 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Retarget:
-    """Give a block other targets, by parameter, action unit or alias, or another priority."""
+    """Change the targets of a block, by parameter, action unit or alias, or its priority."""
 
     movement: str
     targets: Mapping[str, float] | None = None
@@ -58,8 +58,8 @@ class Retarget:
 class Add:
     """Add a block. Targets are parameters, action units or aliases.
 
-    Without `layer` it has one of its own, so that it takes nothing over from other blocks of its channel;
-    without `id` it gets the next free one.
+    Without `layer` it gets a layer of its own, so that no other block of its channel interrupts it; without
+    `id` it gets the next free one.
     """
 
     channel: str
@@ -82,12 +82,10 @@ class Delete:
 
 @dataclass(frozen=True, slots=True)
 class Keys:
-    """Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before.
+    """Draw a parameter's curve by hand: keys [time, value] with increasing times replace earlier keys.
 
-    A name without its side means both sides.
-
-    `replaces`: from the first key to the last the curve stands in place of what all channels ask; else the
-    highest shows.
+    A name without its side means both sides. `replaces`: from the first key to the last, the curve replaces
+    all other channels; else the highest value shows.
     """
 
     parameter: str
@@ -97,7 +95,7 @@ class Keys:
 
 @dataclass(frozen=True, slots=True)
 class ClearKeys:
-    """Take back what was drawn by hand for a parameter; a name without its side means both sides."""
+    """Delete the curves drawn by hand for a parameter; a name without its side means both sides."""
 
     parameter: str
 
@@ -106,9 +104,9 @@ Edit = Move | Stretch | Retarget | Add | Delete | Keys | ClearKeys
 
 
 def edited(score: Score, edit: Edit) -> Score:
-    """Return the score with an edit made, checked as any score.
+    """Return the score after an edit, checked like any score.
 
-    Raises InputError or ParameterError, naming the block, where there is none of that id or the result cannot
+    Raises InputError or ParameterError, with the block's name, if there is no such block or the result cannot
     be performed.
     """
     changed = _MAKE[type(edit)](score, edit)
@@ -117,7 +115,7 @@ def edited(score: Score, edit: Edit) -> Score:
 
 
 def named(score: Score, edit: Edit) -> Edit:
-    """Return an edit that means the same on other scores: a block that it adds gets its id now."""
+    """Return an edit that has the same effect on other scores: a new block gets its id now."""
     if not isinstance(edit, Add) or edit.id is not None:
         return edit
     taken = {m.id for m in score.movements}
@@ -128,12 +126,12 @@ def named(score: Score, edit: Edit) -> Edit:
 
 
 def is_edited(movement: Movement) -> bool:
-    """Tell whether a movement was changed or made by hand."""
+    """Return whether a movement was changed or added by hand."""
     return movement.cause.rule == BY_HAND or movement.cause.place.endswith(CHANGED)
 
 
 def _changed(m: Movement, **values: Any) -> Movement:
-    """Return a movement with other values, its cause saying so once."""
+    """Return a movement with other values; its cause says once that it was changed."""
     cause = m.cause
     if not is_edited(m):
         cause = replace(cause, place=f"{cause.place}, {CHANGED}" if cause.place else CHANGED)
@@ -141,7 +139,7 @@ def _changed(m: Movement, **values: Any) -> Movement:
 
 
 def _with(score: Score, name: str, change: Callable[[Movement], Movement | None]) -> Score:
-    """Return the score with one movement changed, or without it where `change` returns None."""
+    """Return the score with one movement changed, or without it if `change` returns None."""
     if all(m.id != name for m in score.movements):
         raise InputError(unknown("block", name, (m.id for m in score.movements)))
     changed = (change(m) if m.id == name else m for m in score.movements)
@@ -157,8 +155,8 @@ def _move(score: Score, edit: Move) -> Score:
 
 def _stretch(score: Score, edit: Stretch) -> Score:
     times = {name: getattr(edit, name) for name in ("start", "end", "onset", "offset")}
-    given = {name: value for name, value in times.items() if value is not None}
-    return _with(score, edit.movement, lambda m: _placed(score, _changed(m, **given)))
+    values = {name: value for name, value in times.items() if value is not None}
+    return _with(score, edit.movement, lambda m: _placed(score, _changed(m, **values)))
 
 
 def _placed(score: Score, m: Movement) -> Movement:
@@ -170,12 +168,12 @@ def _placed(score: Score, m: Movement) -> Movement:
 
 
 def _retarget(score: Score, edit: Retarget) -> Score:
-    given: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     if edit.targets is not None:
-        given["targets"] = resolve_targets(edit.targets)
+        values["targets"] = resolve_targets(edit.targets)
     if edit.priority is not None:
-        given["priority"] = edit.priority
-    return _with(score, edit.movement, lambda m: _changed(m, **given))
+        values["priority"] = edit.priority
+    return _with(score, edit.movement, lambda m: _changed(m, **values))
 
 
 def _add(score: Score, edit: Add) -> Score:
@@ -228,12 +226,12 @@ def _clear(score: Score, edit: ClearKeys) -> Score:
 
 def _undrawn(score: Score, names: Collection[str]) -> tuple[ManualCurve, ...]:
     """Return the drawn curves without those of some parameters."""
-    kept = []
+    curves = []
     for curve in score.manual:
         keys = {name: keys for name, keys in curve.keys.items() if name not in names}
         if keys:
-            kept.append(curve if len(keys) == len(curve.keys) else replace(curve, keys=keys))
-    return tuple(kept)
+            curves.append(curve if len(keys) == len(curve.keys) else replace(curve, keys=keys))
+    return tuple(curves)
 
 
 _MAKE: dict[type, Callable[[Score, Any], Score]] = {
@@ -248,9 +246,9 @@ _MAKE: dict[type, Callable[[Score, Any], Score]] = {
 
 
 def identified(score: Score) -> Score:
-    """Return the score with an id for every movement, each its own: what has one keeps it, if it is first.
+    """Return the score with a unique id for every movement; the first movement with an id keeps it.
 
-    Others are called by channel, layer and start, or by their id with a number.
+    Other movements are named by channel, layer and start, or by their id and a number.
     """
     wanted = [m.id or _by_place(m) for m in score.movements]
     names = _distinct(wanted, {m.id for m in score.movements if m.id})
@@ -262,9 +260,9 @@ def _by_place(m: Movement) -> str:
     return ".".join(part for part in (m.channel, m.layer) if part) + f"@{m.start:.3f}"
 
 
-def _distinct(wanted: list[str], given: set[str]) -> Iterator[str]:
+def _distinct(wanted: list[str], existing: set[str]) -> Iterator[str]:
     seen: Counter[str] = Counter()
-    taken = set(given)
+    taken = set(existing)
     for name in wanted:
         seen[name] += 1
         number, own = seen[name], name

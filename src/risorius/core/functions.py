@@ -1,7 +1,7 @@
-"""Onset/offset functions: how a movement rises. Each is a pure function of x = t/D in [0, 1].
+"""Onset functions: how a movement rises. Each is a pure, monotone function of x = t/D in [0, 1].
 
-f(0) = 0 and f(1) = 1, monotone. The offset is the mirror image, f(1 - x): paper A's phi_- is the mirror of
-its phi_+ (facts: science/errata, A0). Arrays of any shape, values outside [0, 1] are the caller's to clip.
+f(0) = 0 and f(1) = 1. The offset is the mirror image, f(1 - x): paper A's phi_- is the mirror of its phi_+
+(facts: science/errata, A0). Arrays have any shape; the caller clips x to [0, 1].
 """
 
 from __future__ import annotations

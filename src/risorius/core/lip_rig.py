@@ -1,15 +1,15 @@
 """From the lips' articulators, in millimetres, to the muscles of one head.
 
-A head's fit holds polynomials of what its mesh measures when the controls (`articulators.CONTROLS`) act:
-chin, gap, width, protrusion, height of the upper lip and of the corners. The rig inverts them one after the
-other, so that each control answers to one measure:
+A head's fit holds its mesh's measures as polynomials in the controls (`articulators.CONTROLS`): chin, gap,
+width, protrusion, height of the upper lip and of the corners. The rig inverts them one after the other, so
+that each control is determined by one measure:
 
-    jaw from the chin's drop; round from the protrusion; spread (or, where the mouth is to be narrower than
-    its rounding makes it, more round) from the width; lift or lower from the corners; upper from the upper
-    lip; open from what gap is then missing. A gap that is too wide is closed by contact (`lip_seal`).
+    jaw by the chin's drop; round by the protrusion; spread by the width (or more round, if the mouth must be
+    narrower than its rounding makes it); lift or lower by the corners; upper by the upper lip; open by the
+    gap that is then missing. Contact (`lip_seal`) closes a gap that is too wide.
 
-Width, protrusion and corners are blended as what is *added* to what the jaw and the opening lips do by
-themselves: so phones that ask for none leave these muscles at exactly 0.
+Width, protrusion and corners are blended as *additions* to the effects of the jaw and the opening lips, so
+that phones without such targets leave these muscles at exactly 0.
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ from .articulators import (
 from .parameters import BASES, DEFAULT_THRESHOLD
 
 Averages = Callable[[str], Array]
+"""Returns the blended values (n,) of a target, by name."""
 
 _CONTROLS_OF: Mapping[str, tuple[str, ...]] = {
     JAW: ("jaw",),
@@ -47,62 +48,62 @@ _CONTROLS_OF: Mapping[str, tuple[str, ...]] = {
 _OPENED_BY: Mapping[str, tuple[str, ...]] = {
     "jaw": ("masseter",),
     "open": ("depressor_labii",),
-    # The second is not in the fit: it raises the lip from the wing of the nose, by about as much.
+    # The second muscle is not in the fit: it raises the lip from the wing of the nose, by about as much.
     "upper": ("levator_labii_superioris", "levator_labii_nasi"),
     "round": ("orbicularis_oris_funneler",),
 }
 OPENING = frozenset(p.name for bases in _OPENED_BY.values() for base in bases for p in BASES[base])
 """The muscles that part the lips."""
 MEASURES = (JAW, APERTURE, WIDTH, PROTRUSION, UPPER, CORNERS)
-"""What a fit measures, against rest, mm."""
+"""The measures of a fit, mm from rest."""
 NONE = len(CONTROLS)
-"""Stands for 1 in a term: a control that is not there."""
+"""Fills a term that has fewer controls: a factor of 1."""
 DEGREE = 3
 SEAL = "lip_seal"
 _OPENING = ("jaw", "open", "upper")
 _STEPS = 6
 _ROUNDS = 4
 _LEAST_GAP = 0.5
-"""mm; a gap that is closed by contact counts as at least so wide."""
+"""mm; a gap that contact closes counts as at least this wide."""
 
 
 @dataclass(frozen=True, eq=False)
 class LipRig:
     """The fit of one head: measure = Σ coefficients · the product of each term's controls.
 
-    `terms` (k, 3): indices into the controls, `NONE` where a term has fewer; `coefficients` (k, 6), mm, one
-    column per measure.
+    `terms` (k, 3): indices into the controls, filled up with `NONE`; `coefficients` (k, 6), mm, one column
+    per measure.
     """
 
     terms: Int64Array
     coefficients: Array
 
     def passive(self, measure: str, controls: Mapping[str, Array]) -> Array:
-        """Return what the controls measure, mm; those left out are 0."""
+        """Return a measure in mm for some controls; the others are 0."""
         return self._along(measure, "", controls)[0]
 
     def actives(self, targets: Mapping[str, float]) -> dict[str, float]:
-        """Return the articulators of `targets` (mm on the mesh) as they are blended.
+        """Return the articulators of `targets` (mm on the mesh) in the form in which they are blended.
 
-        Width, protrusion and corners without what the jaw and the opening do by themselves; an aperture that
-        is not asked for is what the jaw opens. Other targets are left out.
+        Width, protrusion and corners are reduced by the effects of the jaw and the opening; a missing
+        aperture is what the jaw opens. Other targets are left out.
         """
-        asked = {name: value for name, value in targets.items() if name in ARTICULATORS}
-        if not asked:
+        wanted = {name: value for name, value in targets.items() if name in ARTICULATORS}
+        if not wanted:
             return {}
-        jaw = self._jaw(np.array([asked.get(JAW, 0.0)]))
-        asked.setdefault(APERTURE, float(max(self.passive(APERTURE, {"jaw": jaw})[0], 0.0)))
-        found = {name: asked[name] for name in (JAW, APERTURE, UPPER) if name in asked}
-        added = [name for name in (WIDTH, PROTRUSION, CORNERS) if name in asked]
+        jaw = self._jaw(np.array([wanted.get(JAW, 0.0)]))
+        wanted.setdefault(APERTURE, float(max(self.passive(APERTURE, {"jaw": jaw})[0], 0.0)))
+        blended = {name: wanted[name] for name in (JAW, APERTURE, UPPER) if name in wanted}
+        added = [name for name in (WIDTH, PROTRUSION, CORNERS) if name in wanted]
         for _ in range(_ROUNDS if added else 0):
-            controls = self.controls(_constants(found), found)
+            controls = self.controls(_constants(blended), blended)
             alone = {name: controls[name] for name in controls if name in _OPENING}
             for name in added:
-                found[name] = asked[name] - float(self.passive(name, alone)[0])
-            if PROTRUSION not in asked:
-                # A mouth narrows by rounding alone, and a phone that asks for none is not rounded.
-                found[WIDTH] = max(found.get(WIDTH, 0.0), 0.0)
-        return found
+                blended[name] = wanted[name] - float(self.passive(name, alone)[0])
+            if PROTRUSION not in wanted:
+                # Only rounding narrows a mouth, and a phone without a protrusion is not rounded.
+                blended[WIDTH] = max(blended.get(WIDTH, 0.0), 0.0)
+        return blended
 
     def moved(self, articulators: Collection[str]) -> frozenset[str]:
         """Return the parameters that targets of some articulators may move."""
@@ -112,14 +113,14 @@ class LipRig:
         return frozenset(p.name for base in bases for p in BASES[base]) | ({SEAL} if articulators else set())
 
     def parameters(self, average: Averages, articulators: Collection[str]) -> dict[str, Array]:
-        """Return the parameters that move for blended articulators (mm) that `average` gives by name."""
+        """Return the parameters that move, by name, for blended articulators (mm) from `average`."""
         controls = self.controls(average, articulators)
         seal = controls.pop(SEAL)
         pressed = np.maximum(-average(APERTURE), 0.0)
         values: dict[str, Array] = {}
         for moved, amount in [*((CONTROLS[n], controls[n]) for n in controls), (PRESSING, pressed)]:
             for number, (base, factor) in enumerate(moved.items()):
-                # What goes along with a first muscle stays at its threshold: above, it would be a rival.
+                # A control's further muscles stay at the threshold, above which they would inhibit rivals.
                 moves = factor * amount if number == 0 else np.minimum(factor * amount, DEFAULT_THRESHOLD)
                 values[base] = values.get(base, 0.0) + moves
         most = {base: np.minimum(value, 1.0) for base, value in values.items()}
@@ -128,55 +129,57 @@ class LipRig:
     def controls(self, average: Averages, articulators: Collection[str]) -> dict[str, Array]:
         """Return the controls of some articulators, and the seal, all of the shape of `average`'s arrays."""
         jaw = self._jaw(average(JAW))
-        found = {"jaw": jaw}
+        controls = {"jaw": jaw}
         if WIDTH in articulators or PROTRUSION in articulators:
-            found["round"], found["spread"] = self._rounded(found, average(WIDTH), average(PROTRUSION))
+            controls["round"], controls["spread"] = self._rounded(
+                controls, average(WIDTH), average(PROTRUSION)
+            )
         if CORNERS in articulators:
             corners = average(CORNERS)
             for name, sign in (("lift", 1.0), ("lower", -1.0)):
                 powers = self._along(CORNERS, name, {"jaw": jaw})
-                found[name] = _solve(powers, np.maximum(sign * corners, 0.0) * sign)
+                controls[name] = _solve(powers, np.maximum(sign * corners, 0.0) * sign)
         if UPPER in articulators:
-            found["upper"] = _solve(self._along(UPPER, "upper", {"jaw": jaw}), average(UPPER))
-        powers = self._along(APERTURE, "open", found)
+            controls["upper"] = _solve(self._along(UPPER, "upper", {"jaw": jaw}), average(UPPER))
+        powers = self._along(APERTURE, "open", controls)
         missing = average(APERTURE) - powers[0]
-        found["open"] = _solve(powers, np.maximum(missing, 0.0))
-        found[SEAL] = np.clip(-missing / np.maximum(powers[0], _LEAST_GAP), 0.0, 1.0)
-        return found
+        controls["open"] = _solve(powers, np.maximum(missing, 0.0))
+        controls[SEAL] = np.clip(-missing / np.maximum(powers[0], _LEAST_GAP), 0.0, 1.0)
+        return controls
 
     def gap(self, values: Mapping[str, Array]) -> Array:
-        """Return the gap in mm that parameters of any channel make where nothing seals it, shape (n,).
+        """Return the gap in mm, shape (n,), that the muscles of all channels open if no seal closes it.
 
-        `values` by the names of `OPENING`, shape (n,) each.
+        `values`: by the names of `OPENING`, shape (n,) each.
         """
-        found = {
+        controls = {
             control: np.add.reduce([values[p.name] / len(BASES[b]) for b in bases for p in BASES[b]])
             for control, bases in _OPENED_BY.items()
         }
-        raised = found["upper"] - CONTROLS["open"]["levator_labii_superioris"] * found["open"]
-        found["upper"] = np.clip(raised, 0.0, 1.0)
-        return self.passive(APERTURE, found)
+        raised = controls["upper"] - CONTROLS["open"]["levator_labii_superioris"] * controls["open"]
+        controls["upper"] = np.clip(raised, 0.0, 1.0)
+        return self.passive(APERTURE, controls)
 
     def _jaw(self, drop: Array) -> Array:
         return _solve(self._along(JAW, "jaw", {}), drop)
 
-    def _rounded(self, found: Mapping[str, Array], width: Array, protrusion: Array) -> tuple[Array, Array]:
-        """Return `round` and `spread`: the one from the protrusion, the other from the width left over.
+    def _rounded(self, controls: Mapping[str, Array], width: Array, protrusion: Array) -> tuple[Array, Array]:
+        """Return `round` and `spread`: the first from the protrusion, the second from the remaining width.
 
-        Where the mouth is to be narrower than that, `round` comes as near to both as it can.
+        If the mouth must be narrower than that, `round` is the nearest to both targets.
         """
-        forward, narrower = self._along(PROTRUSION, "round", found), self._along(WIDTH, "round", found)
+        forward, narrower = self._along(PROTRUSION, "round", controls), self._along(WIDTH, "round", controls)
         rounding = _solve(forward, protrusion)
-        spreading = self._along(WIDTH, "spread", {**found, "round": rounding})
-        left = width - (spreading[0] - narrower[0])
+        spreading = self._along(WIDTH, "spread", {**controls, "round": rounding})
+        remaining = width - (spreading[0] - narrower[0])
         both = forward[1] ** 2 + narrower[1] ** 2
         nearest = (forward[1] * protrusion + narrower[1] * width) / both
-        return np.where(left < 0.0, np.clip(nearest, 0.0, 1.0), rounding), _solve(
-            spreading, np.maximum(left, 0.0)
+        return np.where(remaining < 0.0, np.clip(nearest, 0.0, 1.0), rounding), _solve(
+            spreading, np.maximum(remaining, 0.0)
         )
 
     def _along(self, measure: str, control: str, others: Mapping[str, Array]) -> list[Array]:
-        """Return a measure as a polynomial in one control, given others: the factor of each power."""
+        """Return a measure as a polynomial in one control for values of others: the factor of each power."""
         powers: list[Array] = [np.zeros(()) for _ in range(DEGREE + 1)]
         for power, factor, rest in _plan(self, measure, control, tuple(others)):
             value: Array = np.asarray(factor)
@@ -195,29 +198,29 @@ def _plan(
     known = {control, *others} - {""}
     plan = []
     for term, factor in zip(rig.terms.tolist(), rig.coefficients[:, MEASURES.index(measure)], strict=True):
-        held = [names[i] for i in term if i != NONE]
-        if factor != 0.0 and known.issuperset(held):
-            rest = tuple(name for name in held if name != control)
-            plan.append((len(held) - len(rest), float(factor), rest))
+        factors = [names[i] for i in term if i != NONE]
+        if factor != 0.0 and known.issuperset(factors):
+            rest = tuple(name for name in factors if name != control)
+            plan.append((len(factors) - len(rest), float(factor), rest))
     return tuple(plan)
 
 
 def _solve(powers: Sequence[Array], wanted: Array) -> Array:
-    """Return x in 0..1 with Σ powers[k] x^k = wanted over k >= 1: the nearest end where there is none.
+    """Return x in 0..1 with Σ powers[k] x^k = wanted over k >= 1, or the nearest end if there is none.
 
-    Newton's method within a bracket, for a muscle beside a stronger one hardly moves anything at first.
-    Exactly 0 where nothing is wanted.
+    Newton's method within a bracket, because a muscle beside a stronger one hardly moves anything at first.
+    The solution for `wanted` 0 is exactly 0.
     """
-    found = np.zeros(np.shape(wanted))
-    asked = np.flatnonzero(wanted)
-    if len(asked):
-        first, second, third = (np.broadcast_to(p, wanted.shape)[asked] for p in powers[1:])
-        found[asked] = _newton(first, second, third, wanted[asked])
-    return found
+    solution = np.zeros(np.shape(wanted))
+    places = np.flatnonzero(wanted)
+    if len(places):
+        first, second, third = (np.broadcast_to(p, wanted.shape)[places] for p in powers[1:])
+        solution[places] = _newton(first, second, third, wanted[places])
+    return solution
 
 
 def _newton(first: Array, second: Array, third: Array, wanted: Array) -> Array:
-    """Return the solution of `_solve` for what is wanted and not 0, shape (n,)."""
+    """Return the solution of `_solve` for `wanted` (n,), none of them 0."""
     low, high = np.zeros(len(wanted)), np.ones(len(wanted))
     whole = first + second + third
     rising = np.sign(whole)

@@ -1,4 +1,4 @@
-"""How a performance is pictured: the choices by name, and the texts that give them."""
+"""How a performance is drawn: the choices by name, and the parsers of their texts."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ def parse_complexion(text: str) -> float:
 
 
 def parse_overlay(text: str) -> tuple[str, ...]:
-    """Return the overlays named in a text such as "caption,bars", in their own order; raise InputError."""
-    asked = [name.strip() for name in text.split(",")]
-    for name in asked:
+    """Return the overlays of a text such as "caption,bars", in the order of `OVERLAYS`; raise InputError."""
+    wanted = [name.strip() for name in text.split(",")]
+    for name in wanted:
         if name not in OVERLAYS:
             raise InputError(unknown("overlay", name, OVERLAYS))
-    return tuple(name for name in OVERLAYS if name in asked)
+    return tuple(name for name in OVERLAYS if name in wanted)

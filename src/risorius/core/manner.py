@@ -1,4 +1,4 @@
-"""How a stretch of speech differs from a voice's usual manner."""
+"""How a stretch of speech differs from the usual manner of its voice."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Movements: the atoms of a performance, each with the cause that it goes back to."""
+"""Movements: the atoms of a performance, each with its cause."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Movement:
     """An atomic movement (paper A, section 4): targets reached in `onset` and left in `offset` seconds.
 
     Times in seconds. `targets` maps parameter names to values. `priority` and `release_priority` (in the
-    offset phase) are None where the channel's own holds.
+    offset phase): None for the priority of the channel.
     """
 
     channel: str
@@ -49,7 +49,7 @@ class Movement:
 
 
 def fitted(onset: float, offset: float, length: float) -> tuple[float, float]:
-    """Return an onset and offset, shrunk in proportion where they are too long for a movement's length."""
+    """Return onset and offset, shrunk in proportion if they are longer than the movement."""
     if onset + offset <= length:
         return onset, offset
     factor = length / (onset + offset)
@@ -60,9 +60,9 @@ def fitted(onset: float, offset: float, length: float) -> tuple[float, float]:
 class Dominance:
     """How strongly a lip segment holds one parameter (Cohen and Massaro; facts: science/01, section 1.1).
 
-    `magnitude` against the neighbours' (1 is a vowel's); `before`, `after`: time constants in seconds of
-    the fall on either side of the plateau; `exponent` of the fall; `plateau`: the share of the segment
-    around its centre in which dominance is full.
+    `magnitude`: in comparison with the neighbours (1 for a vowel); `before`, `after`: time constants in
+    seconds of the fall on either side of the plateau; `exponent`: of the fall; `plateau`: the share of the
+    segment around its centre with full dominance.
     """
 
     magnitude: float = 1.0
@@ -80,11 +80,11 @@ class LipSegment:
     """One phone's lips: targets, how dominant each is, and the limits it sets on the other channels.
 
     `phone` is "" for silence. Targets are articulators in mm (`articulators`), which mean the same on every
-    head, or parameters. `dominance` maps either, or "*" for all others, to its Dominance.
-    Targets of contact parameters (`lip_seal`, `lip_tuck`) are goals: reached during [start, end] whatever
-    else happens (DESIGN section 3). `limits` maps parameters to (low, high). `yields`, for the model that
-    looks ahead, maps a target ("*": all others) to the rate of speech, in phones a second, from which on the
-    phone takes its neighbours' shape in it.
+    head, or parameters. `dominance` maps either, or "*" for all others, to its Dominance. Targets of contact
+    parameters (`lip_seal`, `lip_tuck`) are goals, which the lips reach during [start, end] in any case
+    (DESIGN section 3). `limits` maps parameters to (low, high). `yields`, for the model `lookahead`, maps a
+    target ("*": all others) to a rate of speech in phones a second, above which the phone takes its
+    neighbours' shape.
     """
 
     phone: str
@@ -98,16 +98,18 @@ class LipSegment:
 
     def dominance_of(self, name: str) -> Dominance:
         """Return the dominance over a target: its own, its articulator's, that of "*", or the default."""
-        held = self.dominance
-        return held.get(name) or held.get(leader(name)) or held.get("*") or DEFAULT_DOMINANCE
+        dominances = self.dominance
+        return (
+            dominances.get(name) or dominances.get(leader(name)) or dominances.get("*") or DEFAULT_DOMINANCE
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class ManualCurve:
     """Curves drawn by hand: for each parameter its keys (time, value), joined by straight lines.
 
-    `replaces`: from its first to its last key a curve stands in place of what every other channel asks of the
-    parameter, so that it can be drawn lower, too; else the highest of all shows.
+    `replaces`: from its first to its last key a curve replaces every other channel in its parameter, so that
+    it can also be lower; else the highest value shows.
     """
 
     keys: Mapping[str, tuple[tuple[float, float], ...]]

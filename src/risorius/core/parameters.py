@@ -1,6 +1,6 @@
 """The one table of parameters: 35 muscles (paper A, Table 1), contact, tongue, head and gaze.
 
-Everything that depends on a parameter's name, side, range, threshold or rivals is derived from here.
+Everything else that depends on a parameter's name, side, range, threshold or rivals derives from this table.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .arrays import Array
 
 
 class Kind(StrEnum):
-    """What a parameter moves, and so how it is combined."""
+    """What a parameter moves, which determines how channels are combined in it."""
 
     MUSCLE = "muscle"
     CONTACT = "contact"
@@ -166,25 +166,25 @@ def _rivals() -> dict[str, tuple[str, ...]]:
 
 
 RIVALS: dict[str, tuple[str, ...]] = _rivals()
-"""For each parameter those that conflict with it: paper A, Table 2, tested per side."""
+"""The parameters that conflict with each one: paper A, Table 2, tested per side."""
 
 
 def parameters_named(name: str) -> tuple[Parameter, ...]:
-    """Return the parameters that `name` means: both sides where none is given.
+    """Return the parameters of `name`: both sides if it names none.
 
     `name` is in any case, an alias of `ALIASES` or a name of the table, with or without `.left`/`.right`.
     Raises ParameterError for an unknown name or for a side that the parameter does not have.
     """
     stem, dot, side = name.strip().lower().replace("-", "_").replace(" ", "_").partition(".")
     base = ALIASES.get(stem, stem)
-    found = BASES.get(base)
-    if found is None:
+    parameters = BASES.get(base)
+    if parameters is None:
         raise ParameterError(unknown("muscle or parameter", name, (*BASES, *ALIASES)))
     if not dot:
-        return found
-    one_side = tuple(p for p in found if p.side == side)
+        return parameters
+    one_side = tuple(p for p in parameters if p.side == side)
     if not one_side:
-        sides = " or ".join(f".{p.side}" for p in found if p.side) or "no side"
+        sides = " or ".join(f".{p.side}" for p in parameters if p.side) or "no side"
         raise ParameterError(f"'{base}' has no side '.{side}'; expected {sides}")
     return one_side
 

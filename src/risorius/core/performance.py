@@ -13,7 +13,7 @@ from .score import Score
 
 
 def frame_count(duration: float, fps: Fraction) -> int:
-    """Return how many frames lie at k/fps for k = 0 … round(duration·fps)."""
+    """Return the number of frames at k/fps, k = 0 … round(duration·fps)."""
     return round(duration * fps) + 1
 
 
@@ -29,7 +29,7 @@ def sample_times(count: int, fps: Fraction) -> Array:
 
 @dataclass(frozen=True, slots=True)
 class Performance:
-    """Curves with the score they were made from.
+    """Curves, with their score.
 
     `values`: shape (frames, 46), one column per parameter in the table's order; muscles 0..1, degrees, m.
     """

@@ -15,9 +15,9 @@ from .movement import LipSegment, ManualCurve, Movement, check_movement, check_s
 class BlendSettings:
     """How movements are combined.
 
-    `activation_threshold`, `min_onset` and `min_offset` override the parameter table for all muscles where
-    not None. `onset_function` overrides the movements' own where not None. `contact`: whether the lips'
-    contact goals hold. `lips`: the coarticulation model.
+    `activation_threshold`, `min_onset` and `min_offset` override the parameter table for all muscles, and
+    `onset_function` overrides the movements' own, unless None. `contact`: whether the lips' contact goals
+    hold. `lips`: the coarticulation model.
     """
 
     conflict: str = "inhibit"
@@ -43,7 +43,7 @@ class Score:
 
 
 def check_score(score: Score) -> None:
-    """Raise InputError or ParameterError, naming the movement, if a score cannot be performed."""
+    """Raise InputError or ParameterError, with the movement's name, if a score cannot be performed."""
     if not (score.duration > 0.0 and math.isfinite(score.duration)):
         raise InputError(f"duration = {score.duration} must be more than 0 seconds")
     for m in score.movements:

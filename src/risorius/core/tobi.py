@@ -12,7 +12,7 @@ BOUNDARY_TONES = (*PHRASE_ACCENTS, "L-L%", "L-H%", "H-H%", "H-L%", "!H-L%", "!H-
 
 
 def pitch_accent(text: str) -> str:
-    """Return a pitch accent's label, "*" included; raise ParameterError, naming the nearest, for others."""
+    """Return a pitch accent's label, or "*"; raise ParameterError with the nearest label for others."""
     label = text.strip().upper()
     if label not in (*PITCH_ACCENTS, UNKNOWN_ACCENT):
         raise ParameterError(unknown("pitch accent", text, PITCH_ACCENTS))
@@ -20,9 +20,10 @@ def pitch_accent(text: str) -> str:
 
 
 def boundary_tone(text: str) -> str:
-    """Return a boundary's label; raise ParameterError, naming the nearest, for others.
+    """Return a boundary's label; raise ParameterError with the nearest label for others.
 
-    Pierrehumbert and Hirschberg's spelling, used in paper B, lacks the hyphen: "LH%" is ToBI's "L-H%".
+    The spelling of Pierrehumbert and Hirschberg, which paper B uses, lacks the hyphen: "LH%" is ToBI's
+    "L-H%".
     """
     label = text.strip().upper()
     label = next((known for known in BOUNDARY_TONES if label == known.replace("-", "", 1)), label)
@@ -32,5 +33,5 @@ def boundary_tone(text: str) -> str:
 
 
 def is_intonational(label: str) -> bool:
-    """Tell whether a boundary ends an intonational phrase, not only an intermediate one."""
+    """Return whether a boundary ends an intonational phrase, not only an intermediate one."""
     return label.endswith("%")

@@ -1,4 +1,4 @@
-"""What is said: phones, syllables, words, phrases, pauses and accents with their times, and the sound."""
+"""An utterance: phones, syllables, words, phrases, pauses and accents with their times, and the sound."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SILENCE = ""
 
 
 class PauseKind(StrEnum):
-    """What a pause stands for (paper B, section 2.1: punctuators)."""
+    """The function of a pause (paper B, section 2.1: punctuators)."""
 
     INITIAL = "initial"
     COMMA = "comma"
@@ -30,7 +30,7 @@ SENTENCE_ENDS = (PauseKind.FULL_STOP, PauseKind.QUESTION, PauseKind.EXCLAMATION,
 
 
 class Question(StrEnum):
-    """How a sentence asks. UNMARKED: only the question mark tells (paper B, section 5.2)."""
+    """The type of a question. UNMARKED: only the question mark shows it (paper B, section 5.2)."""
 
     NONE = "none"
     WH = "wh"
@@ -42,8 +42,8 @@ class Question(StrEnum):
 class Ending(StrEnum):
     """How a phrase ends.
 
-    PAUSE: in silence that no punctuation asks for. CLAUSE: without silence. OPEN: with the text, which has no
-    punctuation there.
+    PAUSE: in a silence without punctuation. CLAUSE: without a silence. OPEN: with the text, without
+    punctuation.
     """
 
     STATEMENT = "statement"
@@ -82,9 +82,9 @@ class Phone:
 class Syllable:
     """Phones [first_phone, last_phone) around one vowel. `stress` as in Phone. Seconds.
 
-    `loudness`: dB above the mean syllable of the utterance. `prominence`: how far it stands out by pitch,
-    loudness and length together, and `pitch`: how high its vowel is, both in standard deviations of the
-    utterance's syllables. All are 0 where the sound was not measured.
+    `loudness`: dB above the mean syllable of the utterance. `prominence`: by pitch, loudness and length
+    together, and `pitch`: of its vowel, both in standard deviations of the utterance's syllables. All are 0
+    if the sound was not measured.
     """
 
     first_phone: int
@@ -113,7 +113,7 @@ class Word:
 
 @dataclass(frozen=True, slots=True)
 class Pause:
-    """A silence and what it stands for. Seconds."""
+    """A silence and its function. Seconds."""
 
     start: float
     end: float
@@ -122,9 +122,9 @@ class Pause:
 
 @dataclass(frozen=True, slots=True)
 class Accent:
-    """A pitch accent on a syllable; `label` is ToBI's, "*" where only its place is known. Seconds.
+    """A pitch accent on a syllable; `label` is ToBI's, "*" if only its place is known. Seconds.
 
-    `confidence` 0..1 in that there is an accent with this label.
+    `confidence`: 0..1, that there is an accent with this label.
     """
 
     time: float
@@ -137,9 +137,9 @@ class Accent:
 
 @dataclass(frozen=True, slots=True)
 class Boundary:
-    """The tones that end a phrase after `word`; `label` is ToBI's ("L-L%", "H-"), "%" where unknown. Seconds.
+    """The tones that end a phrase after `word`; `label` is ToBI's ("L-L%", "H-"), "%" if unknown. Seconds.
 
-    `confidence` 0..1 in that a phrase ends here with this label.
+    `confidence`: 0..1, that a phrase ends here with this label.
     """
 
     time: float
@@ -152,7 +152,7 @@ class Boundary:
 class Phrase:
     """Words [first_word, last_word) up to a pause, a boundary or the end of a sentence. Seconds.
 
-    `sentence`: the number of its sentence, from 0 on, and `question`: how that asks.
+    `sentence`: the number of its sentence, from 0 on; `question`: the type of that sentence.
     """
 
     first_word: int
@@ -166,7 +166,7 @@ class Phrase:
 
 @dataclass(frozen=True, slots=True)
 class Sentence:
-    """Words [first_word, last_word), which are whole phrases, and how they ask. Seconds."""
+    """Words [first_word, last_word), which are whole phrases, and their type of question. Seconds."""
 
     first_word: int
     last_word: int
@@ -177,7 +177,7 @@ class Sentence:
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """Everything known about what is said.
+    """All that is known about an utterance.
 
     `phones` cover [0, duration] without a gap, silences included; `phrases` cover all words, in order.
     """

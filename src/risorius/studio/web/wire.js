@@ -2,8 +2,8 @@
 
 /**
  * Add a block. Targets are parameters, action units or aliases.
- * Without `layer` it has one of its own, so that it takes nothing over from other blocks of its channel;
- * without `id` it gets the next free one.
+ * Without `layer` it gets a layer of its own, so that no other block of its channel interrupts it; without
+ * `id` it gets the next free one.
  * @typedef {Object} Add
  * @property {"edit"} do
  * @property {"add"} kind
@@ -18,7 +18,7 @@
  * @property {string|null} [id]
  */
 /**
- * Take back what was drawn by hand for a parameter; a name without its side means both sides.
+ * Delete the curves drawn by hand for a parameter; a name without its side means both sides.
  * @typedef {Object} ClearKeys
  * @property {"edit"} do
  * @property {"clear_keys"} kind
@@ -32,10 +32,9 @@
  * @property {string} movement
  */
 /**
- * Draw a parameter's curve by hand: keys [time, value] of rising time, in place of those drawn before.
- * A name without its side means both sides.
- * `replaces`: from the first key to the last the curve stands in place of what all channels ask; else the
- * highest shows.
+ * Draw a parameter's curve by hand: keys [time, value] with increasing times replace earlier keys.
+ * A name without its side means both sides. `replaces`: from the first key to the last, the curve replaces
+ * all other channels; else the highest value shows.
  * @typedef {Object} Keys
  * @property {"edit"} do
  * @property {"keys"} kind
@@ -52,7 +51,7 @@
  * @property {number} start
  */
 /**
- * Give a block other targets, by parameter, action unit or alias, or another priority.
+ * Change the targets of a block, by parameter, action unit or alias, or its priority.
  * @typedef {Object} Retarget
  * @property {"edit"} do
  * @property {"retarget"} kind
@@ -61,7 +60,7 @@
  * @property {number|null} [priority]
  */
 /**
- * Give a block other times; those left out stay. Onset and offset are seconds of rise and fall.
+ * Change the times of a block; None leaves a time as it is. Onset, offset: seconds of rise and fall.
  * @typedef {Object} Stretch
  * @property {"edit"} do
  * @property {"stretch"} kind
