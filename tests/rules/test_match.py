@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 
 from risorius.core.counted import Counted
 from risorius.core.utterance import Question, Utterance
-from risorius.rules.book import extended, shipped
 from risorius.rules.conduct import Conduct, rate_of, size_of
 from risorius.rules.emotions import Display
 from risorius.rules.match import Event, events_of
 from risorius.rules.rule import Level, Rule
+from risorius.rules.rule_set import extended, shipped
 from risorius.rules.settle import settle
 from risorius.rules.situation import Situation
 from risorius.rules.synchrony import Span, nearest, snapped, synchrony

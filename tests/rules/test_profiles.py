@@ -3,11 +3,11 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import InputError, ParameterError
-from risorius.rules.book import shipped
 from risorius.rules.conduct import is_under
 from risorius.rules.emotions import emotion, emotion_key, emotions, parse_display
 from risorius.rules.load import DATA
 from risorius.rules.profiles import attitude, attitudes, profile, profile_from, profile_of, profiles
+from risorius.rules.rule_set import shipped
 
 SMALL = 'name = "mine"\nbase = "neutral"\ndescription = "d"\nsource = "s"\n'
 BASES = {"neutral": (DATA / "profiles" / "neutral.toml").read_text()}

@@ -75,6 +75,8 @@ def proposed(brief: Brief, seed: int) -> tuple[Event, ...]:
     """Return the events of the rules that happen; a still face has none."""
     if not brief.lively:
         return ()
-    events = events_of(brief.book, brief.units, Counted(seed), conduct=brief.conduct, side=brief.profile.side)
+    events = events_of(
+        brief.rules, brief.units, Counted(seed), conduct=brief.conduct, side=brief.profile.side
+    )
     exclusive = [m for m in brief.marks if CHANNELS.get(m.channel).exclusive]
     return tuple(settle(events, [(m.start, m.end, frozenset(m.targets)) for m in exclusive]))
