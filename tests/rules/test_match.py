@@ -11,9 +11,9 @@ from risorius.core.utterance import Question, Utterance
 from risorius.rules.conduct import Conduct, rate_of, size_of
 from risorius.rules.emotions import Display
 from risorius.rules.match import Event, events_of
+from risorius.rules.resolve import resolve
 from risorius.rules.rule import Level, Rule
 from risorius.rules.rule_set import extended, shipped
-from risorius.rules.settle import settle
 from risorius.rules.situation import Situation
 from risorius.rules.synchrony import Span, nearest, snapped, synchrony
 from risorius.rules.unit import Unit
@@ -222,7 +222,7 @@ def test_what_pauses_others_keeps_them_away(sentence_of: Maker) -> None:
         'level = "word"\nwhen = { accent = ["any"] }\neffect = { targets = { head_pitch = -4.0 } }',
         "signals.nod.mine",
     )
-    kept = settle(events([shake, nod], said))
+    kept = resolve(events([shake, nod], said))
     assert [(e.rule.id, e.unit.text) for e in kept] == [
         ("head.verbal.mine", '"No"'),
         ("signals.nod.mine", '"do"'),
@@ -232,14 +232,16 @@ def test_what_pauses_others_keeps_them_away(sentence_of: Maker) -> None:
 def test_events_give_way_to_what_the_script_moves(sentence_of: Maker) -> None:
     found = events([rule_of('level = "word"')], sentence_of("One two three four."))
     brow = frozenset({"frontalis_medialis.left"})
-    assert settle(found, [(0.0, 99.0, brow)]) == []
-    assert settle(found, [(0.0, 99.0, frozenset({"head_yaw"}))]) == found
+    assert resolve(found, [(0.0, 99.0, brow)]) == []
+    assert resolve(found, [(0.0, 99.0, frozenset({"head_yaw"}))]) == found
 
 
 def test_of_two_that_start_together_the_larger_stays(sentence_of: Maker) -> None:
     small = rule_of('level = "word"', "signals.brows.a")
     large = rule_of('level = "word"\neffect = { targets = { AU1 = 0.9 } }', "signals.brows.b")
-    assert {e.rule.id for e in settle(events([small, large], sentence_of("One two.")))} == {"signals.brows.b"}
+    assert {e.rule.id for e in resolve(events([small, large], sentence_of("One two.")))} == {
+        "signals.brows.b"
+    }
 
 
 def test_units_know_where_they_stand(sentence_of: Maker) -> None:

@@ -1,4 +1,4 @@
-"""The matcher: rules × units → events. Rules propose; `settle` decides which of rival events happen."""
+"""The matcher: rules × units → events. Rules propose; `resolve` decides which of rival events happen."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .conduct import Conduct, rate_of, size_of
 from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .rule import ANY, NOTHING_FELT, Anchor, Rule, When
-from .synchrony import Span, settled, snapped, synchrony
+from .synchrony import Span, ended_in_pause, snapped, synchrony
 from .unit import Unit
 from .units import Units
 
@@ -136,7 +136,7 @@ def _event(rule: Rule, unit: Unit, units: Units, span: Span, size: float, *, mir
         size *= synchrony().size_at(unit.rate)
     targets = _targets(rule, size, mirrored)
     if rule.timing.at is Anchor.ACCENT and not targets.keys().isdisjoint(HEAD):
-        span = settled(span, units.endings)
+        span = ended_in_pause(span, units.endings)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
     return Event(rule, unit, _inside(span, units.situation.duration), targets, size)

@@ -13,7 +13,9 @@ from .match import Event
 APART = 0.05
 
 
-def settle(events: Iterable[Event], taken: Iterable[tuple[float, float, frozenset[str]]] = ()) -> list[Event]:
+def resolve(
+    events: Iterable[Event], taken: Iterable[tuple[float, float, frozenset[str]]] = ()
+) -> list[Event]:
     """Return the events that happen, in order.
 
     Those that another's rule pauses do not; nor, regulators apart, those that move what the script moves at
