@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 
 from risorius.core.counted import Counted
 from risorius.core.utterance import Question, Utterance
-from risorius.rules.conduct import Conduct, rate_of, size_of
 from risorius.rules.emotions import Display
 from risorius.rules.match import Event, events_of
+from risorius.rules.modulation import Modulation, rate_of, size_of
 from risorius.rules.resolve import resolve
 from risorius.rules.rule import Level, Rule
 from risorius.rules.rule_set import extended, shipped
@@ -123,26 +123,28 @@ def test_a_probability_is_the_share_of_units(sentence_of: Maker) -> None:
     assert len(found) / len(said.words) == pytest.approx(0.3, abs=0.1)
 
 
-def test_conduct_thins_or_adds_and_leaves_the_rest(sentence_of: Maker) -> None:
+def test_modulation_thins_or_adds_and_leaves_the_rest(sentence_of: Maker) -> None:
     units = units_of(sentence_of(LONG))
     rules = [rule_of('level = "item"\nwhen = { accent = ["any"] }\nprobability = 0.5')]
     spans = {
-        factor: {e.span for e in events_of(rules, units, NUMBERS, conduct=[Conduct({"signals": factor})])}
+        factor: {
+            e.span for e in events_of(rules, units, NUMBERS, modulations=[Modulation({"signals": factor})])
+        }
         for factor in (0.5, 1.0, 1.5)
     }
     assert spans[0.5] < spans[1.0] < spans[1.5]
 
 
 def test_factors_of_all_beginnings_multiply() -> None:
-    conducts = [
-        Conduct({"signals": 2.0, "signals.brows": 0.5}, {"signals.brows.a": 3.0}),
-        Conduct({"signals": 4.0}),
+    modulations = [
+        Modulation({"signals": 2.0, "signals.brows": 0.5}, {"signals.brows.a": 3.0}),
+        Modulation({"signals": 4.0}),
     ]
-    assert rate_of("signals.brows.a", conducts) == 4.0
-    assert rate_of("signals.nod.a", conducts) == 8.0
-    assert rate_of("signalsbrows", conducts) == 1.0
-    assert size_of("signals.brows.a", conducts) == 3.0
-    assert conducts[0].at(0.5).rates == {"signals": 1.5, "signals.brows": 0.75}
+    assert rate_of("signals.brows.a", modulations) == 4.0
+    assert rate_of("signals.nod.a", modulations) == 8.0
+    assert rate_of("signalsbrows", modulations) == 1.0
+    assert size_of("signals.brows.a", modulations) == 3.0
+    assert modulations[0].at(0.5).rates == {"signals": 1.5, "signals.brows": 0.75}
 
 
 def test_another_rule_changes_no_event_of_the_first(sentence_of: Maker) -> None:

@@ -76,7 +76,7 @@ def proposed(brief: Brief, seed: int) -> tuple[Event, ...]:
     if not brief.lively:
         return ()
     events = events_of(
-        brief.rules, brief.units, Counted(seed), conduct=brief.conduct, side=brief.profile.side
+        brief.rules, brief.units, Counted(seed), modulations=brief.modulations, side=brief.profile.side
     )
     exclusive = [m for m in brief.marks if CHANNELS.get(m.channel).exclusive]
     return tuple(resolve(events, [(m.start, m.end, frozenset(m.targets)) for m in exclusive]))

@@ -108,7 +108,7 @@ def attitudes() -> Listing:
 
 def rule_rows(file: Path | None, prefix: str | None) -> Listing:
     """The rules that hold, or those whose id is `prefix` or begins with it; ParameterError if none does."""
-    from ..rules.conduct import is_under
+    from ..rules.modulation import is_under
     from ..rules.rule_set import rule_set_of
 
     rule_set = rule_set_of(file)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ..core.utterance import PauseKind, Question
 from ..errors import Place
-from .conduct import is_under
+from .modulation import is_under
 from .rule import NOTHING_FELT, Level, Rule
 from .rule_set import Entry, RuleSet, shipped
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from .conduct import is_under
 from .markup import markup_table
 from .match import Event
+from .modulation import is_under
 
 # Events of one part of the face closer than this would be one movement, seconds.
 APART = 0.05

@@ -12,8 +12,8 @@ from ..core.frozen import FrozenDict
 from ..core.schema import Source
 from ..core.toml import parse, read_text
 from ..errors import ParameterError, Place, unknown
-from .conduct import is_under
 from .load import DATA
+from .modulation import is_under
 from .rule import Rule
 
 FOLDER = "rules"
