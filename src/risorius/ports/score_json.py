@@ -124,7 +124,7 @@ def _settings(node: Node) -> BlendSettings:
 register(
     ".score.json",
     "all movements with their causes",
-    {"curves"},
+    {"movements"},
     write_score_json,
     read_score_json,
     also_read=(".json",),
