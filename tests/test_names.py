@@ -45,6 +45,7 @@ TO_MEND = {
     "Spoken",
     "Stretch",
     "Timed",
+    "Tone",
     "Whole",
     "Word",
     "Writer",

@@ -7,7 +7,9 @@ from dataclasses import make_dataclass
 import pytest
 
 from risorius.core import units
-from risorius.core.schema import Range, Source, build
+from risorius.core.hints import Range
+from risorius.core.schema import build
+from risorius.core.source_text import SourceText
 from risorius.errors import InputError
 
 UNITS = {name: unit for name, unit in vars(units).items() if typing.get_origin(unit) is typing.Annotated}
@@ -15,7 +17,7 @@ UNITS = {name: unit for name, unit in vars(units).items() if typing.get_origin(u
 
 def _read(unit: object, value: float) -> float:
     table = make_dataclass("Table", [("number", unit)])
-    row: float = build(table, {"number": value}, Source("table.toml", f"number = {value}")).number
+    row: float = build(table, {"number": value}, SourceText("table.toml", f"number = {value}")).number
     return row
 
 
@@ -32,7 +34,7 @@ def test_numbers_outside_of_the_range_are_errors(name: str) -> None:
         math.nextafter(limits.high, math.inf),
         limits.low - 1,
     ):
-        with pytest.raises(InputError, match=r"^table\.toml:1: number = .* is out of range"):
+        with pytest.raises(InputError, match=r"^table\.toml:1:1: number = .* is out of range"):
             _read(UNITS[name], value)
 
 

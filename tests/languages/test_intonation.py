@@ -18,7 +18,7 @@ PLAIN = Candidate(True, False, False, False, False, Ending.STATEMENT)
     [
         ('label = "X*"', "unknown pitch accent 'X\\*'"),
         ('labl = "H*"', "unknown key 'labl'; did you mean 'label'"),
-        ('label = "H*"\nconfidence = 2', "confidence = 2.0 is out of range"),
+        ('label = "H*"\nconfidence = 2', "confidence = 2 is out of range"),
         ('ends = ["coma"]', "ends"),
     ],
 )

@@ -33,10 +33,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     ("text", "message"),
     [
         ("fillers = []", r"xx/language\.toml: key 'name' is missing"),
-        ('name = "X"\nfilers = []', r"xx/language\.toml:2: unknown key 'filers'; did you mean 'fillers'"),
-        ('name = "X"\n[questions]\notherwise = "maybe"', r"language\.toml:3: .* expected one of none, wh"),
-        ('name = "X"\n[clauses]\nleast = 0', r"language\.toml:3: .* is out of range"),
-        ('name = "X"\n[function_words]\narticles = "the"', r"language\.toml:3: .* expected a list"),
+        ('name = "X"\nfilers = []', r"xx/language\.toml:2:1: unknown key 'filers'; did you mean 'fillers'"),
+        ('name = "X"\n[questions]\notherwise = "maybe"', r"language\.toml:3:1: .* expected one of none, wh"),
+        ('name = "X"\n[clauses]\nleast = 0', r"language\.toml:3:1: .* is out of range"),
+        ('name = "X"\n[function_words]\narticles = "the"', r"language\.toml:3:1: .* expected a list"),
     ],
 )
 def test_files_that_do_not_fit_are_refused(text: str, message: str, folder: Path) -> None:

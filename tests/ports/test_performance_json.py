@@ -11,7 +11,7 @@ from risorius.core.movement import Movement
 from risorius.core.score import Score
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError
-from risorius.ports.performance_json import read_performance, read_performance_file, write_performance_json
+from risorius.ports.performance_json import read_performance_file, write_performance_json
 from risorius.ports.writable import WritableTake, WriteOptions
 
 SMILE = Movement("emotion", 0.0, 0.5, 0.1, 0.1, {"zygomatic_major.left": 1 / 3})
@@ -28,42 +28,57 @@ def _without_masseter(document: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("change", "at", "message"),
     [
-        (lambda d: d.update(fps="0"), "fps: fps = 0 is out of range"),
-        (lambda d: d.update(fps=[]), "fps: expected a number, found a list of 0"),
-        (lambda d: d.update(risorius=9), "risorius: version 9 is not known; expected 1"),
-        (lambda d: d.pop("score"), "'score' is missing"),
-        (lambda d: d["score"].update(durations=1), "score.durations: unknown key 'durations'; did you mean"),
-        (lambda d: d["score"]["movements"][0].update(end=-1), "score.movements[0].end: -1 is out of range"),
-        (_without_masseter, "curves: the curve of masseter is missing"),
+        (lambda d: d.update(fps="0"), '"fps"', "fps = 0 is out of range"),
+        (lambda d: d.update(fps="1e10000000"), '"fps"', "fps '1e10000000' is not a number; expected e.g. 30"),
+        (lambda d: d.update(fps=[]), '"fps"', "fps = [] cannot be used; expected a text or a number"),
+        (lambda d: d.update(risorius=9), '"risorius"', "version 9 is not known; expected 1"),
+        (lambda d: d.pop("score"), "", "key 'score' is missing; expected an object"),
+        (
+            lambda d: d["score"].update(durations=1),
+            '"durations"',
+            "unknown key 'score.durations'; did you mean 'duration'?",
+        ),
+        (
+            lambda d: d["score"]["movements"][0].update(end=-1),
+            '"end"',
+            "score.movements[0].end = -1 is out of range",
+        ),
+        (
+            _without_masseter,
+            '"curves"',
+            "the curve of masseter is missing; expected one for each parameter",
+        ),
         (
             lambda d: d["curves"].update(masetter=[]),
-            "curves.masetter: unknown parameter 'masetter'; did you mean",
+            '"masetter"',
+            "unknown parameter 'masetter'; did you mean",
         ),
-        (
-            lambda d: d["curves"]["masseter"].pop(),
-            "curves.masseter: expected a list of 31, found a list of 30",
-        ),
+        (lambda d: d["curves"]["masseter"].pop(), '"masseter"', "masseter has 30 values; expected 31"),
         (
             lambda d: d["curves"]["masseter"].__setitem__(3, 1.5),
-            "curves.masseter[3]: 1.5 is out of range; expected 0 to 1",
+            "1.5",
+            "masseter[3] = 1.5 is out of range; expected 0 to 1",
         ),
         (
             lambda d: d["curves"]["masseter"].__setitem__(3, "a"),
-            'curves.masseter[3]: expected a number, found "a"',
+            '"a"',
+            'curves.masseter[3] = "a" cannot be used; expected a number',
         ),
     ],
 )
-def test_a_faulty_performance_is_refused_with_its_path(
-    written: Path, change: Callable[[Any], object], message: str
+def test_a_faulty_performance_is_refused_with_its_place(
+    written: Path, change: Callable[[Any], object], at: str, message: str
 ) -> None:
     document = json.loads(written.read_text())
     change(document)
-    written.write_text(json.dumps(document))
+    text = json.dumps(document)
+    written.write_text(text)
     with pytest.raises(InputError) as caught:
-        read_performance(written)
-    assert str(caught.value).startswith(f"{written}: {message}")
+        read_performance_file(written)
+    place = f"{written}:1:{text.index(at) + 1}" if at else str(written)
+    assert str(caught.value).startswith(f"{place}: {message}")
 
 
 @pytest.mark.parametrize("fps", [Fraction(30), Fraction(24000, 1001)])
@@ -88,4 +103,4 @@ def test_a_performance_is_read_back_exactly(
 def test_fps_may_be_a_number(written: Path) -> None:
     document = json.loads(written.read_text())
     written.write_text(json.dumps(document | {"fps": 30}))
-    assert read_performance(written).fps == 30
+    assert read_performance_file(written).performance.fps == 30

@@ -135,13 +135,13 @@ def test_a_character_that_shows_only_the_tongue(tmp_path: Path) -> None:
 def test_wrong_maps_are_named(tmp_path: Path) -> None:
     path = character(tmp_path / "x.glb", ["Jaw"])
     for text, message in (
-        ('[shapes]\njawOpne = "Jaw"', ":2: unknown ARKit shape 'jawOpne'; did you mean 'jawOpen'"),
+        ('[shapes]\njawOpne = "Jaw"', ":2:1: unknown ARKit shape 'jawOpne'; did you mean 'jawOpen'"),
         ("", r"\[shapes\] is empty"),
         (
             '[shapes]\njawOpen = "Jaw"\nmouthClose = "Jaw"',
-            ":3: morph target 'Jaw' is given for jawOpen and for",
+            ":3:1: morph target 'Jaw' is given for jawOpen and for",
         ),
-        ('[shapes]\njawOpen = "Jwa"', ":2: unknown morph target 'Jwa'; did you mean 'Jaw'"),
+        ('[shapes]\njawOpen = "Jwa"', ":2:1: unknown morph target 'Jwa'; did you mean 'Jaw'"),
         ('[shape]\njawOpen = "Jaw"', "shape"),
     ):
         (tmp_path / "map.toml").write_text(text)

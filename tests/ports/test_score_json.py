@@ -15,7 +15,7 @@ from risorius.core.movement import Cause, Dominance, LipSegment, ManualCurve, Mo
 from risorius.core.parameters import PARAMETERS
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError
-from risorius.ports.score_json import read_score, read_score_file, score_to_json, write_score_json
+from risorius.ports.score_json import read_score_file, score_to_json, write_score_json
 from risorius.ports.writable import WritableTake, WriteOptions
 from tests.profiles import examples
 
@@ -110,51 +110,69 @@ def _changed(**change: Any) -> str:
 
 
 @pytest.mark.parametrize(
-    ("text", "message"),
+    ("text", "at", "message"),
     [
-        ("[]", "expected an object {…}, found a list of 0"),
-        (_changed(risorius=...), "'risorius' is missing"),
-        (_changed(risorius=2), "risorius: version 2 is not known; expected 1"),
-        (_changed(duration=0), "duration = 0.0 must be more than 0 seconds"),
-        (_changed(duration=1e12), "duration: 1e+12 is out of range; expected 0 to 86400"),
-        (_changed(duratoin=7), "duratoin: unknown key 'duratoin'; did you mean 'duration'?"),
-        (_changed(movements={}), "movements: expected a list […], found an object"),
-        (_changed(movements=[1]), "movements[0]: expected an object {…}, found 1"),
+        ("[]", "", "holds []; expected an object"),
+        (_changed(risorius=...), "", "key 'risorius' is missing; expected a whole number"),
+        (_changed(risorius=2), '"risorius"', "version 2 is not known; expected 1"),
+        (_changed(duration=0), "", "duration = 0.0 must be more than 0 seconds"),
+        (
+            _changed(duration=1e12),
+            '"duration"',
+            "duration = 1000000000000.0 is out of range; expected a number from 0 to 86400",
+        ),
+        (_changed(duratoin=7), '"duratoin"', "unknown key 'duratoin'; did you mean 'duration'?"),
+        (
+            _changed(movements={}),
+            '"movements"',
+            "movements = an object cannot be used; expected a list, each an object",
+        ),
+        (_changed(movements=[1]), "1]", "movements[0] = 1 cannot be used; expected an object"),
         (
             _changed(
                 movements=[
                     {"channel": "lips", "phone": "AA", "start": 0, "end": 1, "targets": {"lip_width": 30}}
                 ]
             ),
-            "movements[0].targets: lip_width = 30.0 is out of range; expected -16 to 10 mm",
+            '"lip_width"',
+            "lip_width = 30.0 is out of range; expected -16 to 10 mm",
         ),
-        (_changed(seed=1.5), "seed: expected a whole number, found 1.5"),
+        (_changed(seed=1.5), '"seed"', "seed = 1.5 cannot be used; expected a whole number"),
         (
             _changed(settings={"conflit": "sum"}),
-            "settings.conflit: unknown key 'conflit'; did you mean 'conflict'?",
+            '"conflit"',
+            "unknown key 'settings.conflit'; did you mean 'conflict'?",
         ),
-        (_changed(settings={"min_onset": -1}), "settings.min_onset: -1 is out of range; expected 0 or more"),
+        (
+            _changed(settings={"min_onset": -1}),
+            '"min_onset"',
+            "settings.min_onset = -1 is out of range; expected a number of at least 0",
+        ),
         (
             _changed(settings={"activation_threshold": 2}),
-            "settings.activation_threshold: 2 is out of range; expected 0 to 1",
+            '"activation_threshold"',
+            "settings.activation_threshold = 2 is out of range; expected a number from 0 to 1",
         ),
         (
             _changed(settings={"onset_function": "liner"}),
-            "settings.onset_function: unknown onset function 'liner'; did you mean 'linear'?",
+            '"onset_function"',
+            "unknown onset function 'liner'; did you mean 'linear'?",
         ),
         (
             _changed(movements=json.loads(MINIMAL)["movements"] * 2),
+            "",
             "movements 'emotion@0' and 'emotion@0' both start at 0 s in channel emotion; "
             "movements of one channel follow one another",
         ),
     ],
 )
-def test_a_faulty_score_is_refused_with_file_and_path(tmp_path: Path, text: str, message: str) -> None:
+def test_a_faulty_score_is_refused_with_its_place(tmp_path: Path, text: str, at: str, message: str) -> None:
     path = tmp_path / "x.score.json"
     path.write_text(text)
     with pytest.raises(InputError) as caught:
-        read_score(path)
-    assert str(caught.value) == f"{path}: {message}"
+        read_score_file(path)
+    place = f"{path}:1:{text.index(at) + 1}" if at else str(path)
+    assert str(caught.value) == f"{place}: {message}"
 
 
 def test_the_smallest_score_of_the_documentation_is_read(tmp_path: Path) -> None:
@@ -175,7 +193,7 @@ def test_a_score_is_read_back_exactly(
     take = take_of()
     take = replace(take, performance=replace(take.performance, score=score))
     write_score_json(take, path, WriteOptions())
-    assert read_score(path) == score
+    assert read_score_file(path).score == score
     first = path.read_bytes()
     write_score_json(take, path, WriteOptions())
     assert path.read_bytes() == first

@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 from risorius.core.audio import Audio
+from risorius.core.json_text import parse_json
+from risorius.core.schema import placed
 from risorius.core.score import Score
 from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError
-from risorius.ports.node import Node
-from risorius.ports.score_json import read_score, read_score_file
-from risorius.ports.speech_json import speech_from_json
+from risorius.ports.score_json import read_score_file
+from risorius.ports.speech_json import SpeechDocument
 from risorius.ports.targets import check_targets, write_targets
 from risorius.ports.writable import WritableTake
 
@@ -29,52 +30,90 @@ WORD = {
 }  # fmt: skip
 
 
+def speech_from_json(speech: dict[str, Any], folder: Path, duration: float) -> Utterance:
+    """Return what is said by the speech of a document, as a score's file is read."""
+    document = parse_json(json.dumps(speech), "x")
+    with placed(document.source):
+        return document.read(SpeechDocument).utterance(folder, duration)
+
+
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("change", "at", "message"),
     [
-        ({"language": 1}, "language: expected a text, found 1"),
-        ({"phones": []}, "phones: the phones do not end within the duration, 1 s"),
+        ({"language": 1}, '"language"', "language = 1 cannot be used; expected a text"),
         (
-            {"phones": [{"symbol": "", "start": 0, "end": 1e9}]},
-            "phones: the phones do not end within the duration",
+            {"phones": []},
+            '"phones"',
+            "the phones do not end within the duration; expected an end up to 1 s",
         ),
-        ({"phones": [{"symbol": "", "start": 0.2, "end": 1}]}, "phones: phones do not cover the sound"),
+        (
+            {"phones": [{"symbol": "", "start": 0, "end": 80_000}]},
+            '"phones"',
+            "the phones do not end within the duration",
+        ),
+        ({"phones": [{"symbol": "", "start": 0.2, "end": 1}]}, '"phones"', "phones do not cover the sound"),
         (
             {"phones": [{"symbol": "", "start": 0, "end": 1, "stress": 3}]},
-            "phones[0]: stress 3 is out of range",
+            '"stress"',
+            "phones[0].stress = 3 is out of range; expected a whole number from -1 to 2",
         ),
-        ({"phones": [{"symbol": "", "start": 0, "end": 1, "word": 0}]}, "phones[0]: refers to a phone, word"),
+        (
+            {"phones": [{"symbol": "", "start": 0, "end": 1, "word": 0}]},
+            '{"symbol"',
+            "refers to a phone, word or syllable that is not there",
+        ),
         (
             {"phones": [{"symbol": "", "start": 0, "end": 1, "wrd": 0}]},
-            "phones[0].wrd: unknown key 'wrd'; did you",
+            '"wrd"',
+            "unknown key 'phones[0].wrd'; did you mean 'word'?",
         ),
         (
             {"words": [WORD | {"last_phone": 3}]},
-            "words[0]: refers to a phone, word or syllable that is not there",
+            '{"text"',
+            "refers to a phone, word or syllable that is not there",
         ),
+        ({"words": [WORD | {"end": -9}]}, '"end": -9', "words[0].end = -9 is out of range"),
+        ({"words": [WORD | {"start": 9}]}, '{"text"', "ends at 1 s, before it starts at 9 s"),
+        (
+            {"words": [WORD | {"source_start": -5}]},
+            '"source_start"',
+            "words[0].source_start = -5 is out of range",
+        ),
+        ({"pauses": [{"start": 5, "end": 1, "kind": "comma"}]}, '{"start": 5', "ends at 1 s, before it"),
         (
             {"pauses": [{"start": 0, "end": 1, "kind": "coma"}]},
-            "pauses[0].kind: unknown value 'coma'; did you mean",
+            '"kind"',
+            'pauses[0].kind = "coma" cannot be used; expected one of initial, comma',
         ),
-        ({"sample_rate": 0}, "sample_rate: 0 is out of range"),
-        ({"audio": "/x.wav"}, "audio: '/x.wav' is an absolute path"),
+        ({"sample_rate": 0}, '"sample_rate"', "sample_rate = 0 is out of range"),
+        ({"audio": "/x.wav"}, '"audio"', "'/x.wav' is an absolute path"),
         (
             {"audio": "none.wav"},
-            "audio: 'none.wav' cannot be read (No such file or directory); expected a 16-bit",
+            '"audio"',
+            "'none.wav' cannot be read (No such file or directory); expected a 16-bit",
         ),
-        ({"audio": "text.wav"}, "audio: 'text.wav' cannot be read (file does not start with RIFF id)"),
-        ({"audio": "short.wav"}, "phones: phones do not cover the sound"),
+        ({"audio": "a\0b.wav"}, '"audio"', "'a\ufffdb.wav' cannot be read (embedded null byte)"),
+        (
+            {"audio": "text.wav"},
+            '"audio"',
+            "'text.wav' cannot be read (file does not start with RIFF id)",
+        ),
+        ({"audio": "rate.wav"}, '"audio"', "'rate.wav' is not 16-bit mono"),
+        ({"audio": "short.wav"}, '"phones"', "phones do not cover the sound"),
     ],
 )
-def test_faulty_speech_is_refused_with_its_path(
-    tmp_path: Path, sound_of: Callable[..., Audio], change: dict[str, Any], message: str
+def test_faulty_speech_is_refused_with_its_place(
+    tmp_path: Path, sound_of: Callable[..., Audio], change: dict[str, Any], at: str, message: str
 ) -> None:
     (tmp_path / "text.wav").write_text("not a sound")
-    short = sound_of(np.zeros(100, np.int16))
-    (tmp_path / "short.wav").write_bytes(short.path.read_bytes())
+    sound = sound_of(np.zeros(100, np.int16))
+    short = sound.path.read_bytes()
+    (tmp_path / "short.wav").write_bytes(short)
+    (tmp_path / "rate.wav").write_bytes(short[:24] + bytes(4) + short[28:])
     with pytest.raises(InputError) as caught:
-        speech_from_json(Node(SPEECH | change), tmp_path, 1.0)
-    assert str(caught.value).startswith(message)
+        speech_from_json(SPEECH | change, tmp_path, 1.0)
+    column = json.dumps(SPEECH | change).index(at) + 1
+    assert str(caught.value).startswith(f"x:1:{column}: {message}")
 
 
 @pytest.fixture
@@ -96,8 +135,6 @@ def test_speech_is_read_back_with_its_sound(
     assert held is not None
     assert replace(held, audio=spoken.audio) == spoken
     np.testing.assert_array_equal(held.audio.read(), spoken.audio.read())
-    (tmp_path / "x.wav").unlink()
-    assert read_score(folder / "x.score.json").duration == spoken.duration
 
 
 def test_without_a_sound_file_speech_is_silent_and_as_long(
@@ -114,4 +151,4 @@ def test_without_a_sound_file_speech_is_silent_and_as_long(
 
 def test_phones_of_any_length_may_be_silent(tmp_path: Path) -> None:
     speech = SPEECH | {"phones": [{"symbol": "", "start": 0, "end": 0.9999}]}
-    assert speech_from_json(Node(speech), tmp_path, 1.0).duration == pytest.approx(0.9999, abs=1e-4)
+    assert speech_from_json(speech, tmp_path, 1.0).duration == pytest.approx(0.9999, abs=1e-4)

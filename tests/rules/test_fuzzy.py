@@ -25,7 +25,7 @@ def test_centres_that_do_not_rise_are_refused(centres: list[float]) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('one = "anger"', 'one = "angst"', r"fuzzy.toml:\d+: unknown emotion 'angst'"),
+        ('one = "anger"', 'one = "angst"', r"fuzzy.toml:\d+:1: unknown emotion 'angst'"),
         ('other = "fear"', 'other = "surprise"', "surprise is paired with itself"),
         ("upper = [0.2, 0.45, 0.8, 1.0, 1.0]", "upper = [0.2]", "expected a list of 5"),
         ("upper = [0.2, 0.45", "upper = [1.2, 0.45", "out of range"),

@@ -3,11 +3,11 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import InputError, ParameterError
+from risorius.rules.book import shipped
+from risorius.rules.conduct import is_under
 from risorius.rules.emotions import emotion, emotion_key, emotions, parse_display
 from risorius.rules.load import DATA
-from risorius.rules.modulation import is_under
 from risorius.rules.profiles import attitude, attitudes, profile, profile_from, profile_of, profiles
-from risorius.rules.rule_set import shipped
 
 SMALL = 'name = "mine"\nbase = "neutral"\ndescription = "d"\nsource = "s"\n'
 BASES = {"neutral": (DATA / "profiles" / "neutral.toml").read_text()}
@@ -20,12 +20,12 @@ HABITS = ("gaze.aversion", "head", "head.noise.idle", "head.melody.pitch")
     [
         (
             'name = "mine"\nbase = "neutrl"\n',
-            "mine.toml:2: unknown profile 'neutrl'; did you mean 'neutral'?",
+            "mine.toml:2:1: unknown profile 'neutrl'; did you mean 'neutral'?",
         ),
-        (SMALL + "[blink]\nwait = 2.0\n", "mine.toml:5: unknown key 'blink'; did you mean 'blinks'?"),
-        (SMALL + "[blinks]\nwiat = 2.0\n", "mine.toml:6: unknown key 'blinks.wiat'"),
-        (SMALL + "side = 2.0\n", "mine.toml:5: side = 2.0 is out of range"),
-        (SMALL + "[rates]\nsignals = -1.0\n", "mine.toml:6: rates.signals = -1.0 is out of range"),
+        (SMALL + "[blink]\nwait = 2.0\n", "mine.toml:5:1: unknown key 'blink'; did you mean 'blinks'?"),
+        (SMALL + "[blinks]\nwiat = 2.0\n", "mine.toml:6:1: unknown key 'blinks.wiat'"),
+        (SMALL + "side = 2.0\n", "mine.toml:5:1: side = 2.0 is out of range"),
+        (SMALL + "[rates]\nsignals = -1.0\n", "mine.toml:6:1: rates.signals = -1.0 is out of range"),
         (SMALL + "[posture]\nAU99 = 0.1\n", "unknown action unit 'AU99'"),
         (SMALL + "[posture]\ngaze_yaw = 5.0\n", "gaze_yaw cannot be held as a posture"),
         (SMALL + '[blinks]\nmanner = "often"\n', "expected one of random, periodic, both, none"),
@@ -75,7 +75,7 @@ def test_a_profile_may_be_a_file(tmp_path: Path) -> None:
 def test_factors_name_rules_that_exist() -> None:
     ids = [*(rule.id for rule in shipped()), *HABITS]
     for who in (*profiles().values(), *attitudes().values(), *emotions().values()):
-        for prefix in who.modulation.prefixes():
+        for prefix in who.conduct.prefixes():
             assert any(is_under(name, prefix) for name in ids), f"{who.name}: {prefix}"
 
 

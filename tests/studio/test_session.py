@@ -274,9 +274,12 @@ BROKEN = [
     (b"", "not JSON"),
     (b"[]", "an object"),
     (b'{"risorius_project": 2, "made": {}, "edits": [], "score": {}}', "version 2 is not known"),
-    (b'{"risorius_project": 1, "made": {}, "edits": []}', "'score' is missing"),
+    (b'{"risorius_project": 1, "made": {}, "edits": []}', "key 'score' is missing"),
     (b'{"risorius_project": 1, "made": {}, "edits": [], "score": {}, "x": 1}', "unknown key 'x'"),
-    (b'{"risorius_project": 1, "made": {"sauce": 1}, "edits": [], "score": {}}', "unknown key 'sauce'"),
+    (
+        b'{"risorius_project": 1, "made": {"sauce": 1}, "edits": [], "score": {}}',
+        "unknown key 'made.sauce'; did you mean 'source'",
+    ),
 ]
 
 
@@ -295,7 +298,7 @@ def test_a_project_s_own_path_to_a_sound_is_not_followed(session, tmp_path):
     opened = open_project(json.dumps(document).encode(), session.files)
     assert not opened.version.utterance.audio.read().any()
     document["edits"] = [{"kind": "format", "disk": "c"}]
-    with pytest.raises(RisoriusError, match="is no kind of edit"):
+    with pytest.raises(RisoriusError, match="unknown kind of edit"):
         open_project(json.dumps(document).encode(), session.files)
     document["edits"], document["sound"] = [], "AAAA"
     with pytest.raises(RisoriusError, match="sound"):

@@ -7,7 +7,7 @@ from functools import lru_cache
 from importlib import resources
 from typing import Annotated
 
-from ..core.schema import Range
+from ..core.hints import Range
 from ..core.toml import parse
 from ..core.units import ContactSeconds, GapMillimetres, Share
 from ..errors import InputError, unknown

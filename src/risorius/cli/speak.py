@@ -14,7 +14,6 @@ from .console import Console
 from .options import (
     SHOWN,
     Command,
-    check_outputs,
     displays,
     emotion_option,
     option,
@@ -69,8 +68,9 @@ def speak(
             console.say(f"Writing {DEFAULT_OUTPUT} (choose with -o)")
         source, name = (source, "text") if source != "-" else (_standard_input(), "stdin")
         from ..api import speak as perform
+        from ..ports.targets import check_targets as check_outputs
 
-        check_outputs(targets, settings)
+        check_outputs(targets, alpha=settings.look.transparent)
         take = perform(
             source,
             audio=audio,

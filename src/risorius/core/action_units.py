@@ -9,9 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Annotated
 
 from ..errors import ParameterError, unknown
+from .hints import Then
 from .parameters import PARAMETERS, Parameter, check_value, parameters_named
+from .schema import MisfitError
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +110,8 @@ def action_unit(name: str) -> tuple[ActionUnit, str] | None:
     match = _AU_NAME.fullmatch(name.strip())
     if match is None:
         return None
-    number, side = int(match[1]), (match[2] or "").lower()
+    # Nine digits are enough for any unit, and Python refuses to read thousands.
+    number, side = int(match[1][:9]), (match[2] or "").lower()
     unit = ACTION_UNITS.get(number)
     if unit is None and number in NOT_SHOWN:
         raise ParameterError(f"AU{number} ({NOT_SHOWN[number]}) cannot be shown by the 35 muscles")
@@ -150,3 +154,20 @@ def resolve_targets(targets: Mapping[str, float]) -> dict[str, float]:
         for p, weight in _parameters_of(unit, side):
             total[p.name] = total.get(p.name, 0.0) + weight * intensity
     return {p.name: min(max(total[p.name], p.low), p.high) for p in PARAMETERS if p.name in total}
+
+
+def read_targets(targets: Mapping[str, float]) -> dict[str, float]:
+    """Return what `resolve_targets` does; for the strict reader: MisfitError names the target at fault."""
+    try:
+        return resolve_targets(targets)
+    except ParameterError:
+        for name, value in targets.items():
+            try:
+                resolve_targets({name: value})
+            except ParameterError as error:
+                raise MisfitError(error.message, name, kind=ParameterError) from None
+        raise
+
+
+Targets = Annotated[Mapping[str, float], Then(read_targets)]
+"""Targets by action unit, muscle or alias, as files hold them; read, they are those of parameters."""

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 from ..errors import InputError
 
 MAX_FPS = 1000
+# What Fraction reads, but short: it works out 1e10000000 to the last digit.
+_RATE = re.compile(r"[+-]?(?:\d{1,12}(?:/\d{1,12}|(?:\.\d{0,12})?(?:[eE][+-]?\d{1,2})?)|\.\d{1,12})")
 
 
 def parse_fps(text: str | float | Fraction) -> Fraction:
     """Return a frame rate such as 30, "29.97" or "24000/1001"; raise InputError unless in (0, 1000]."""
     try:
+        if isinstance(text, str) and not _RATE.fullmatch(text.strip()):
+            raise ValueError
         fps = Fraction(text) if not isinstance(text, float) else Fraction(text).limit_denominator(100_000)
     except (ValueError, ZeroDivisionError, OverflowError):
-        raise InputError(f"fps '{text}' is not a number; expected e.g. 30, 25 or 24000/1001") from None
+        shown = str(text)[:40]
+        raise InputError(f"fps '{shown}' is not a number; expected e.g. 30, 25 or 24000/1001") from None
     if not 0 < fps <= MAX_FPS:
         raise InputError(f"fps = {text} is out of range; expected more than 0 and at most {MAX_FPS}")
     return fps

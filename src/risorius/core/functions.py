@@ -7,16 +7,28 @@ f(0) = 0 and f(1) = 1. The offset is the mirror image, f(1 - x): paper A's phi_-
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Annotated
 
 import numpy as np
 
 from .arrays import Array
+from .hints import Then
 from .registry import Registry
 
 OnsetFunction = Callable[[Array], Array]
 
 ONSET_FUNCTIONS: Registry[OnsetFunction] = Registry("onset function")
 DEFAULT_FUNCTION = "exponential"
+
+
+def known_function(name: str) -> str:
+    """Return the name of an onset function; raise ParameterError, with the nearest, if there is none."""
+    ONSET_FUNCTIONS.get(name)
+    return name
+
+
+FunctionName = Annotated[str, Then(known_function)]
+"""The name of an onset function, as files hold it."""
 
 
 @ONSET_FUNCTIONS.register("exponential")

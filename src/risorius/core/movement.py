@@ -6,10 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..errors import InputError, ParameterError, unknown
+from .action_units import Targets
 from .articulators import leader
 from .channels import CHANNELS
-from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
+from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS, FunctionName
 from .parameters import INDEX, PARAMETERS, check_value
+from .units import Seconds
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,16 +32,16 @@ class Movement:
     """
 
     channel: str
-    start: float
-    end: float
-    onset: float
-    offset: float
-    targets: Mapping[str, float]
+    start: Seconds
+    end: Seconds
+    onset: Seconds
+    offset: Seconds
+    targets: Targets
     id: str = ""
     layer: str = ""
     priority: float | None = None
     release_priority: float | None = None
-    function: str = DEFAULT_FUNCTION
+    function: FunctionName = DEFAULT_FUNCTION
     cause: Cause = field(default_factory=Cause)
 
     @property

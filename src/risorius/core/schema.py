@@ -1,200 +1,371 @@
-"""Strict reading of tables into frozen dataclasses: the dataclass is the schema.
+"""Strict reading of TOML and JSON into frozen dataclasses: the dataclass is the schema.
 
 A key that the dataclass does not have, one that is missing, or a value of another type or out of range is an
-InputError that names the file, the line and the key. Understood types: str, bool, int, float, Literal, enums
-of strings, `tuple[T, ...]`, `tuple[A, B]`, `Mapping[str, T]` (free keys), dataclasses, `T | None` (for keys
-that may be left out) and `Annotated[T, Range(low, high)]`. A field is read from the key of its own name, or
-from `field(metadata={"key": …})`. What a dataclass raises in `__post_init__` is given its place.
+InputError that names file, line, column and key. Understood types: str, bool, int, float, Literal, enums of
+strings, `tuple[T, ...]`, `tuple[A, B]`, `Numbers` (long lists of them), `Mapping[str, T]` (free keys, or the
+keys of a Literal), dataclasses, `T | None`, `A | B` for plain types, `object` (anything), and these with
+`Annotated`: `Range(low, high)`, `Then(function)` and `Choice(function)`. A field is read from the key of its
+own name, or from `field(metadata={"key": …})`. What a dataclass or a function raises is given its place.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import math
-import re
 import types
 import typing
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from array import array
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from enum import StrEnum
+from functools import cache
 from typing import Annotated, Any, Literal, TypeVar
 
-from ..errors import InputError, Place, RisoriusError, unknown
-from .frozen import FrozenDict
+from ..errors import InputError, RisoriusError, unknown
+from .hints import MOST_DIGITS, Choice, Range, Then, describe, shown
+from .positions import KeyPath
+from .source_text import SourceText, Syntax
 
 T = TypeVar("T")
-KeyPath = tuple[str | int, ...]
+Converter = Callable[[object], object]
+"""Turns a value as it was parsed into what a type says; raises MisfitError."""
+_LONGEST_KEY = 60  # characters of a key that are shown
 
 
-@dataclass(frozen=True, slots=True)
-class Range:
-    """The least and greatest value of a number."""
+class MisfitError(Exception):
+    """What is wrong with a value, or with the part of it at `path`; `build` makes it a RisoriusError.
 
-    low: float = -math.inf
-    high: float = math.inf
+    `message` is a text, or a function that makes it of the value's dotted path and the file's syntax.
+    """
 
+    def __init__(
+        self,
+        message: str | Callable[[str, Syntax], str],
+        *path: str | int,
+        kind: type[RisoriusError] = InputError,
+    ) -> None:
+        super().__init__(message, path)
+        self.message, self.path, self.kind = message, path, kind
 
-@dataclass(frozen=True, slots=True)
-class Source:
-    """A table's file name and text, to say where something stands."""
-
-    name: str
-    text: str = ""
-
-    def error(self, path: KeyPath, message: str) -> InputError:
-        """Return an error about the value at `path`."""
-        return InputError(message, self.place(path))
-
-    def place(self, path: KeyPath) -> Place:
-        """Return where the value at `path` stands."""
-        return Place(self.name, line_of(self.text, path))
+    def error(self, source: SourceText, path: KeyPath) -> RisoriusError:
+        """Return the error to raise for a value that stands at `path`."""
+        path = (*path, *self.path)
+        text = self.message if isinstance(self.message, str) else self.message(dotted(path), source.syntax)
+        return source.error(path, text, self.kind)
 
 
-def build(cls: type[T], data: Mapping[str, object], source: Source, path: KeyPath = ()) -> T:
-    """Return the dataclass `cls` made from `data`; raise InputError where they do not agree."""
-    hints = typing.get_type_hints(cls, include_extras=True)
-    fields = {str(f.metadata.get("key", f.name)): f for f in dataclasses.fields(cls)}  # type: ignore[arg-type]
-    for key in data:
-        if key not in fields:
-            raise source.error((*path, key), unknown("key", _dotted((*path, key)), _keys(path, fields)))
-    values: dict[str, object] = {}
-    for key, f in fields.items():
-        if key in data:
-            values[f.name] = _convert(hints[f.name], data[key], source, (*path, key))
-        elif f.default is dataclasses.MISSING and f.default_factory is dataclasses.MISSING:
-            expected = _describe(hints[f.name])
-            raise source.error(path, f"key '{_dotted((*path, key))}' is missing; expected {expected}")
+class WrongTypeError(MisfitError):
+    """A value is of another type."""
+
+
+def build(cls: type[T], data: object, source: SourceText, path: KeyPath = ()) -> T:
+    """Return the `cls` that `data`, which stands at `path` of a text, describes.
+
+    Raises InputError, or what a dataclass or a function raises, with its place.
+    """
     try:
-        return cls(**values)
+        return typing.cast(T, converter(cls)(data))
+    except MisfitError as misfit:
+        raise misfit.error(source, path) from None
+
+
+@contextmanager
+def placed(source: SourceText, path: KeyPath = ()) -> Iterator[None]:
+    """Give errors of the block the place of the value at `path`, or of the part of it that they name."""
+    try:
+        yield
+    except MisfitError as misfit:
+        raise misfit.error(source, path) from None
     except RisoriusError as error:
-        raise error.at(source.place(path)) from None
+        raise error if error.place is not None else source.error(path, error.message, type(error)) from None
 
 
-def _keys(path: KeyPath, fields: Mapping[str, object]) -> list[str]:
-    return [_dotted((*path, key)) for key in fields]
+@contextmanager
+def within(*path: str | int) -> Iterator[None]:
+    """Let errors of the block name a part of the value: the one at `path`."""
+    try:
+        yield
+    except MisfitError as misfit:
+        misfit.path = (*path, *misfit.path)
+        raise
+    except RisoriusError as error:
+        raise (
+            error if error.place is not None else MisfitError(error.message, *path, kind=type(error))
+        ) from None
 
 
-def _dotted(path: KeyPath) -> str:
-    text = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in path)
+def dotted(path: KeyPath) -> str:
+    """Return a path as `rule[1].size`."""
+    text = "".join(f"[{part}]" if isinstance(part, int) else f".{part[:_LONGEST_KEY]}" for part in path)
     return text.removeprefix(".")
 
 
-def _convert(hint: Any, value: object, source: Source, path: KeyPath) -> object:
+def converter(hint: Any) -> Converter:
+    """Return what reads values of a type; made once for each type."""
+    return _made(hint)
+
+
+@cache
+def _made(hint: Any) -> Converter:
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin is Annotated:
-        return _in_range(_convert(arguments[0], value, source, path), arguments[1], source, path)
+        return _annotated(arguments[0], arguments[1:])
     if origin in (types.UnionType, typing.Union):
-        (inner,) = (a for a in arguments if a is not types.NoneType)
-        return _convert(inner, value, source, path)
-    if dataclasses.is_dataclass(hint) and isinstance(value, Mapping):
-        return build(typing.cast(type, hint), value, source, path)
-    convert = _CONTAINERS.get(origin)
-    converted = convert(arguments, value, source, path) if convert else _scalar(hint, value)
-    if converted is None:
-        found = f"{_dotted(path)} = {_shown(value)}"
-        raise source.error(path, f"{found} cannot be used; expected {_describe(hint)}")
-    return converted
+        return _union(hint, arguments)
+    if dataclasses.is_dataclass(hint):
+        return _table(typing.cast(type, hint))
+    if origin in (Mapping, dict):
+        return _mapping(hint, *arguments)
+    if origin is tuple:
+        return _tuple(hint, arguments)
+    if origin is Literal or (isinstance(hint, type) and issubclass(hint, StrEnum)):
+        return _one_of(hint)
+    return _PLAIN[origin or hint]
 
 
-def _scalar(hint: Any, value: object) -> object:
-    """Return `value` as the plain type `hint`, None if it is none."""
-    if hint is float:
-        number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
-        return float(typing.cast(float, value)) if number else None
-    if hint is int:
-        return value if isinstance(value, int) and not isinstance(value, bool) else None
-    if typing.get_origin(hint) is Literal:
-        return value if value in typing.get_args(hint) else None
-    if issubclass(hint, StrEnum):
-        return hint(value) if value in tuple(hint) else None
-    return value if isinstance(value, hint) else None
+def _annotated(hint: Any, rules: tuple[Any, ...]) -> Converter:
+    first = rules[0]
+    if isinstance(first, Choice):
+        convert = _chosen(hint, first)
+    else:
+        convert = converter(first.of if isinstance(first, Then) and first.of else hint)
+    for rule in rules:
+        if isinstance(rule, Range):
+            convert = _ranged(hint, convert, rule)
+        elif isinstance(rule, Then):
+            convert = _continued(convert, rule.convert)
+    return convert
 
 
-def _mapping(arguments: tuple[Any, ...], value: object, source: Source, path: KeyPath) -> object:
-    if not isinstance(value, Mapping):
-        return None
-    return FrozenDict({key: _convert(arguments[1], v, source, (*path, key)) for key, v in value.items()})
+def _ranged(hint: Any, convert: Converter, limits: Range) -> Converter:
+    low, high = limits.low, limits.high
+
+    def read(value: object) -> object:
+        try:
+            number: Any = convert(value)
+        except WrongTypeError as wrong:
+            raise wrong if wrong.path else _wrong(value, Annotated[hint, limits]) from None
+        if type(number) is not tuple:
+            if low <= number <= high:
+                return number
+            raise _out_of_range(value, Annotated[hint, limits])
+        for index, item in enumerate(number):
+            if not low <= item <= high:
+                raise _out_of_range(item, Annotated[float, limits], index)
+        return number
+
+    return read
 
 
-def _tuple(arguments: tuple[Any, ...], value: object, source: Source, path: KeyPath) -> object:
-    if not isinstance(value, list | tuple):
-        return None
-    hints = (arguments[0],) * len(value) if arguments[-1] is Ellipsis else arguments
-    if len(hints) != len(value):
-        return None
-    pairs = zip(hints, value, strict=True)
-    return tuple(_convert(hint, item, source, (*path, i)) for i, (hint, item) in enumerate(pairs))
+def _out_of_range(value: object, hint: Any, *path: int) -> MisfitError:
+    def tell(at: str, syntax: Syntax) -> str:
+        return f"{at} = {shown(value, syntax)} is out of range; expected {describe(hint, syntax)}"
+
+    return MisfitError(tell, *path)
 
 
-_CONTAINERS: dict[Any, Callable[[tuple[Any, ...], object, Source, KeyPath], object]] = {
-    Mapping: _mapping,
-    dict: _mapping,
-    tuple: _tuple,
-}
+def _continued(convert: Converter, then: Callable[[Any], object]) -> Converter:
+    def read(value: object) -> object:
+        converted = convert(value)
+        try:
+            return then(converted)
+        except RisoriusError as error:
+            raise _refused(error) from None
+
+    return read
 
 
-def _in_range(value: object, limits: Range, source: Source, path: KeyPath) -> object:
-    for number in value if isinstance(value, tuple) else (value,):
-        if not limits.low <= typing.cast(float, number) <= limits.high:
-            expected = _describe(Annotated[float, limits])
-            raise source.error(path, f"{_dotted(path)} = {number} is out of range; expected {expected}")
+def _refused(error: RisoriusError) -> Exception:
+    """Return what to raise for an error of a dataclass or a function: as it is if it knows its place."""
+    return error if error.place is not None else MisfitError(error.message, kind=type(error))
+
+
+def _chosen(hint: Any, choice: Choice) -> Converter:
+    def read(value: object) -> object:
+        if not isinstance(value, Mapping):
+            raise _wrong(value, hint)
+        try:
+            kind = choice.choose(value)
+        except RisoriusError as error:
+            raise _refused(error) from None
+        return converter(kind)(value)
+
+    return read
+
+
+def _union(hint: Any, arguments: tuple[Any, ...]) -> Converter:
+    converters = [converter(argument) for argument in arguments if argument is not types.NoneType]
+    optional = len(converters) < len(arguments)
+
+    def read(value: object) -> object:
+        if value is None and optional:
+            return None
+        if len(converters) == 1:
+            return converters[0](value)
+        for convert in converters:
+            try:
+                return convert(value)
+            except MisfitError:
+                continue
+        raise _wrong(value, hint)
+
+    return read
+
+
+def _table(cls: type) -> Converter:
+    hints = typing.get_type_hints(cls, include_extras=True)
+    fields = {str(f.metadata.get("key", f.name)): f for f in dataclasses.fields(cls) if f.init}
+    known = {key: (f.name, converter(hints[f.name])) for key, f in fields.items()}
+    missing, made = dataclasses.MISSING, dataclasses.MISSING
+    required = [key for key, f in fields.items() if f.default is missing and f.default_factory is made]
+
+    def read(value: object) -> object:
+        if not isinstance(value, Mapping):
+            raise _wrong(value, cls)
+        if not value.keys() <= known.keys():
+            raise _unknown_key(next(key for key in value if key not in known), fields)
+        for key in required:
+            if key not in value:
+                raise _missing_key(key, hints[fields[key].name])
+        values = {}
+        for key, item in value.items():
+            name, convert = known[key]
+            try:
+                values[name] = convert(item)
+            except MisfitError as misfit:
+                misfit.path = (key, *misfit.path)
+                raise
+        try:
+            return cls(**values)
+        except RisoriusError as error:
+            raise _refused(error) from None
+
+    return read
+
+
+def _unknown_key(key: str, known: Iterable[str]) -> MisfitError:
+    def tell(at: str, _syntax: Syntax) -> str:
+        # The nearest is that of the key alone: what stands before it is alike in all.
+        return unknown("key", key, known).replace(f"'{key}'", f"'{at}'", 1)
+
+    return MisfitError(tell, key)
+
+
+def _missing_key(key: str, hint: Any) -> MisfitError:
+    def tell(at: str, syntax: Syntax) -> str:
+        name = f"{at}.{key}" if at else key
+        return f"key '{name}' is missing; expected {describe(hint, syntax)}"
+
+    return MisfitError(tell)
+
+
+def _mapping(hint: Any, keys: Any, inner: Any) -> Converter:
+    convert = converter(inner)
+    known = typing.get_args(keys) if typing.get_origin(keys) is Literal else None
+
+    def read(value: object) -> object:
+        if not isinstance(value, Mapping):
+            raise _wrong(value, hint)
+        items = {}
+        for key, item in value.items():
+            if known is not None and key not in known:
+                raise _unknown_key(key, known)
+            try:
+                items[key] = convert(item)
+            except MisfitError as misfit:
+                misfit.path = (key, *misfit.path)
+                raise
+        return items
+
+    return read
+
+
+def _tuple(hint: Any, arguments: tuple[Any, ...]) -> Converter:
+    endless = arguments[-1] is Ellipsis
+    converters = [converter(argument) for argument in arguments if argument is not Ellipsis]
+
+    def read(value: object) -> object:
+        if not isinstance(value, list | tuple) or not (endless or len(value) == len(converters)):
+            raise _wrong(value, hint)
+        items = []
+        for index, item in enumerate(value):
+            try:
+                items.append(converters[0 if endless else index](item))
+            except MisfitError as misfit:
+                misfit.path = (index, *misfit.path)
+                raise
+        return tuple(items)
+
+    return read
+
+
+def _one_of(hint: Any) -> Converter:
+    allowed = {value: value for value in typing.get_args(hint)} or {str(member): member for member in hint}
+
+    def read(value: object) -> object:
+        # A flag is no choice, though Python takes True for 1.
+        if type(value) not in (str, int) or value not in allowed:
+            raise _wrong(value, hint)
+        return allowed[value]
+
+    return read
+
+
+def _number(value: object) -> object:
+    if isinstance(value, bool) or not isinstance(value, int | float) or value != value:
+        raise _wrong(value, float)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if math.isinf(number):
+        raise MisfitError(lambda at, _: f"{at} is too large; expected a number")
+    return number
+
+
+def _whole(value: object) -> object:
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise _wrong(value, int)
+    if abs(value) >= 10**MOST_DIGITS:
+        raise MisfitError(lambda at, _: f"{at} is too large; expected at most {MOST_DIGITS} digits")
     return value
 
 
-_NAMES = {
-    str: "a text", bool: "true or false", int: "a whole number", float: "a number",
-    tuple: "a list", Mapping: "a table", dict: "a table",
-}  # fmt: skip
+def _numbers(value: object) -> object:
+    if not isinstance(value, list):
+        raise _wrong(value, array)
+    if set(map(type, value)) <= {float, int}:
+        with suppress(OverflowError):
+            numbers = array("d", value)
+            if all(map(math.isfinite, numbers)):
+                return numbers
+    # One of them is not a number: this says which.
+    return array("d", typing.cast(tuple[float, ...], converter(tuple[float, ...])(value)))
 
 
-def _describe(hint: Any) -> str:
-    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
-    if origin is Annotated:
-        low, high = arguments[1].low, arguments[1].high
-        bounds = f"at least {low:g}" if math.isinf(high) else f"from {low:g} to {high:g}"
-        return f"{_describe(arguments[0])} {bounds}"
-    if origin is Literal:
-        return "one of " + ", ".join(map(str, arguments))
-    if origin in (types.UnionType, typing.Union):
-        return _describe(arguments[0])
-    if isinstance(hint, type) and issubclass(hint, StrEnum):
-        return "one of " + ", ".join(hint)
-    if origin is tuple and arguments[-1] is not Ellipsis:
-        return f"a list of {len(arguments)}"
-    if origin is tuple:
-        return f"a list, each {_describe(arguments[0])}"
-    return _NAMES.get(origin or hint, "a table")
+def _same(kind: type) -> Converter:
+    def read(value: object) -> object:
+        if not isinstance(value, kind):
+            raise _wrong(value, kind)
+        return value
+
+    return read
 
 
-def _shown(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= 40 else text[:39] + "…"
+_PLAIN: dict[Any, Converter] = {
+    str: _same(str),
+    bool: _same(bool),
+    int: _whole,
+    float: _number,
+    object: lambda value: value,
+    Any: lambda value: value,
+    array: _numbers,
+}
 
 
-_HEADER = re.compile(r"\s*(\[\[?)\s*([^\]]+?)\s*\]")
-_KEY = re.compile(r"""\s*((?:"[^"]*"|'[^']*'|[\w-]+)(?:\s*\.\s*(?:"[^"]*"|'[^']*'|[\w-]+))*)\s*=""")
-_PART = re.compile(r""""([^"]*)"|'([^']*)'|([\w-]+)""")
+def _wrong(value: object, hint: Any) -> WrongTypeError:
+    def tell(at: str, syntax: Syntax) -> str:
+        found = f"{at} = {shown(value, syntax)} cannot be used" if at else f"holds {shown(value, syntax)}"
+        return f"{found}; expected {describe(hint, syntax)}"
 
-
-def line_of(text: str, path: KeyPath) -> int | None:
-    """Return the line, from 1, of the TOML `text` where `path` or the nearest table above it stands."""
-    best: tuple[int, int | None] = (0, None)
-    table: KeyPath = ()
-    counts: dict[KeyPath, int] = {}
-    for number, line in enumerate(text.split("\n"), 1):
-        here: KeyPath = ()
-        if header := _HEADER.match(line):
-            table = _parts(header[2])
-            if header[1] == "[[":
-                counts[table] = counts.get(table, -1) + 1
-                table = (*table, counts[table])
-            here = table
-        elif key := _KEY.match(line):
-            here = (*table, *_parts(key[1]))
-        if len(here) > best[0] and path[: len(here)] == here:
-            best = (len(here), number)
-    return best[1]
-
-
-def _parts(dotted: str) -> KeyPath:
-    return tuple(next(filter(None, m.groups()), "") for m in _PART.finditer(dotted))
+    return WrongTypeError(tell)

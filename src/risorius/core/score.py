@@ -5,10 +5,18 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from itertools import pairwise
+from typing import Annotated
 
 from ..errors import InputError
 from .articulators import check_lip_target
+from .functions import FunctionName
+from .hints import Range
 from .movement import LipSegment, ManualCurve, Movement, check_movement, check_span, check_target
+from .units import Share
+
+MAX_SECONDS = 86_400.0
+"""A day: a longer score is a slip of the pen, and would only fail later."""
+NotNegative = Annotated[float, Range(0.0)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,10 +29,10 @@ class BlendSettings:
     """
 
     conflict: str = "inhibit"
-    activation_threshold: float | None = None
-    min_onset: float | None = None
-    min_offset: float | None = None
-    onset_function: str | None = None
+    activation_threshold: Share | None = None
+    min_onset: NotNegative | None = None
+    min_offset: NotNegative | None = None
+    onset_function: FunctionName | None = None
     contact: bool = True
     lips: str = "dominance"
 

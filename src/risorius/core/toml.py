@@ -6,13 +6,19 @@ import json
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
+from importlib import resources
 from pathlib import Path
 from typing import Any, TypeVar
 
 from ..errors import InputError, Place
-from .schema import Source, build
+from .positions import KeyPath
+from .schema import build
+from .source_text import SourceText, Syntax, read_file
 
 T = TypeVar("T")
+MAX_BYTES = 4_000_000
+MAX_DEPTH = 32  # tables and lists in one another
+_TOO_DEEP = f"is nested too deeply; expected at most {MAX_DEPTH} levels"
 
 _TOML_POSITION = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)$", re.DOTALL)
 
@@ -29,44 +35,53 @@ def load_rows(cls: type[T], path: Path) -> dict[str, T]:
 
 def parse_rows(cls: type[T], text: str, name: str) -> dict[str, T]:
     """Return TOML text whose tables are all a `cls`, by their names; raise InputError as `parse`."""
-    source = Source(name, text)
-    rows = {}
-    for key, entry in read_tables(text, name).items():
-        if not isinstance(entry, dict):
-            raise source.error((key,), f"{key} = {entry!r} cannot be used; expected a table")
-        rows[key] = build(cls, entry, source, (key,))
-    return rows
+    return build(dict[str, cls], read_tables(text, name), SourceText(name, text))  # type: ignore[valid-type]
 
 
 def read_text(path: Path) -> str:
-    """Return a file's text; raise InputError, with its name, if it cannot be read or is not UTF-8."""
-    try:
-        return path.read_bytes().decode("utf-8-sig")
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", Place(str(path))) from None
-    except UnicodeDecodeError:
-        raise InputError("is not UTF-8 text; expected a TOML file", Place(str(path))) from None
+    """Return a TOML file's text; raise InputError, with its name, if it is not readable or too large."""
+    return read_file(path, MAX_BYTES, Syntax.TOML)
+
+
+def package_text(package: str, name: str) -> str:
+    """Return the text of a table `name` in a package's folder `data`."""
+    return (resources.files(package) / "data" / name).read_text(encoding="utf-8")
 
 
 def parse(cls: type[T], text: str, name: str) -> T:
     """Return TOML text as a `cls`; raise InputError, with its place in file `name`, if it does not fit."""
-    return build(cls, read_tables(text, name), Source(name, text))
+    return build(cls, read_tables(text, name), SourceText(name, text))
 
 
 def read_tables(text: str, name: str) -> dict[str, Any]:
-    """Return what TOML text says; raise InputError, with its place in file `name`, if it is none."""
+    """Return what TOML text says; raise InputError, with its place in file `name`, if it is not TOML."""
     try:
-        return tomllib.loads(text)
+        tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _toml_error(str(error), name) from None
+    except RecursionError:
+        raise InputError(_TOO_DEEP, Place(name)) from None
+    except ValueError:
+        # The only other fault: digits beyond what Python turns into an integer.
+        raise InputError("holds a number with too many digits; expected fewer", Place(name)) from None
+    _check_depth(tables, SourceText(name, text), ())
+    return tables
+
+
+def _check_depth(value: object, source: SourceText, path: KeyPath) -> None:
+    if len(path) > MAX_DEPTH:
+        raise source.error(path[:1], _TOO_DEEP)
+    if isinstance(value, dict | list):
+        for key, item in value.items() if isinstance(value, dict) else enumerate(value):
+            _check_depth(item, source, (*path, key))
 
 
 def _toml_error(message: str, name: str) -> InputError:
     position = _TOML_POSITION.match(message)
     if position is None:
-        return InputError(f"not a TOML file: {message}", Place(name))
+        return InputError(f"is not a TOML file: {message}", Place(name))
     line, column = (int(n) if n else None for n in position.group(2, 3))
-    return InputError(f"not a TOML file: {position[1]}", Place(name, line, column))
+    return InputError(f"is not a TOML file: {position[1]}", Place(name, line, column))
 
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")

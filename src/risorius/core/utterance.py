@@ -7,10 +7,16 @@ from bisect import bisect_left
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import groupby, pairwise
+from typing import Annotated
 
 from .audio import Audio
+from .hints import Range
+from .units import Seconds, Share
 
 SILENCE = ""
+Stress = Annotated[int, Range(-1, 2)]
+SourceIndex = Annotated[int, Range(0, 2**31)]
+"""A place in the text that was spoken, in characters."""
 
 
 class PauseKind(StrEnum):
@@ -67,9 +73,9 @@ class Phone:
     """
 
     symbol: str
-    start: float
-    end: float
-    stress: int = -1
+    start: Seconds
+    end: Seconds
+    stress: Stress = -1
     word: int = -1
 
     @property
@@ -89,9 +95,9 @@ class Syllable:
 
     first_phone: int
     last_phone: int
-    start: float
-    end: float
-    stress: int
+    start: Seconds
+    end: Seconds
+    stress: Stress
     word: int
     loudness: float = 0.0
     prominence: float = 0.0
@@ -103,20 +109,20 @@ class Word:
     """A word: phones [first_phone, last_phone), characters [source_start, source_end). Seconds."""
 
     text: str
-    start: float
-    end: float
+    start: Seconds
+    end: Seconds
     first_phone: int
     last_phone: int
-    source_start: int
-    source_end: int
+    source_start: SourceIndex
+    source_end: SourceIndex
 
 
 @dataclass(frozen=True, slots=True)
 class Pause:
     """A silence and its function. Seconds."""
 
-    start: float
-    end: float
+    start: Seconds
+    end: Seconds
     kind: PauseKind
 
 
@@ -127,12 +133,12 @@ class Accent:
     `confidence`: 0..1, that there is an accent with this label.
     """
 
-    time: float
+    time: Seconds
     word: int
     syllable: int
     label: str = "*"
     nuclear: bool = False
-    confidence: float = 1.0
+    confidence: Share = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,10 +148,10 @@ class Boundary:
     `confidence`: 0..1, that a phrase ends here with this label.
     """
 
-    time: float
+    time: Seconds
     word: int
     label: str = "%"
-    confidence: float = 1.0
+    confidence: Share = 1.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,12 +15,13 @@ import numpy as np
 from ..core.arrays import Array, UInt32Array
 from ..core.frozen import FrozenDict
 from ..core.kernels.jit import device, kernel
+from ..core.toml import package_text, parse_rows
 from .compression import Compression, Zone
 from .head import Head
-from .layouts import spot
+from .layouts import Landmarks, Spacing, Vector, spot
 from .marks import Marks
-from .tables import build, read_table
 
+TABLE = "bulges.toml"
 # Loss of area that does not show yet: without it a bulge would begin abruptly.
 TAKEN_UP = 0.02
 _HIDDEN = ("lips", "inner_mouth", "lids", "ears", "garment")
@@ -31,19 +32,18 @@ class Bulge:
     """A place at which flesh swells, in mm of the tables; see `bulges.toml`."""
 
     source: str
-    anchor: tuple[int, ...]
+    anchor: Landmarks
     offset: tuple[float, float]
-    size: tuple[float, float]
-    compression: tuple[float, float, float]
-    depth: float
-    cap: float
+    size: tuple[Spacing, Spacing]
+    compression: Vector
+    depth: Spacing
+    cap: Spacing
 
 
 @lru_cache(maxsize=1)
 def bulges() -> Mapping[str, Bulge]:
     """Return all bulges by name."""
-    table = read_table("bulges.toml")
-    return FrozenDict({name: build(Bulge, values, f"bulges.toml: {name}") for name, values in table.items()})
+    return FrozenDict(parse_rows(Bulge, package_text(str(__package__), TABLE), TABLE))
 
 
 class Bulges:

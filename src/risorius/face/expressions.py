@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib import resources
+from typing import Annotated
 
 import numpy as np
 
 from ..core.arkit import INDEX
 from ..core.arrays import Array
 from ..core.frozen import FrozenDict
-from ..core.toml import parse_rows
+from ..core.hints import Range
+from ..core.toml import package_text, parse_rows
 from ..errors import InputError, unknown
 
 FILE = "expressions.toml"
@@ -23,19 +24,18 @@ class Expression:
     """A preset: its name in VRM 0, and its ARKit shapes with their weights."""
 
     vrm0: str
-    shapes: Mapping[str, float]
+    shapes: Mapping[str, Annotated[float, Range(-2.0, 2.0)]]
+
+    def __post_init__(self) -> None:
+        for name in self.shapes:
+            if name not in INDEX:
+                raise InputError(unknown("shape", name, INDEX))
 
 
 @lru_cache(maxsize=1)
 def expressions() -> Mapping[str, Expression]:
     """Return the presets by their name in VRM 1; raise InputError if the table names an unknown shape."""
-    text = (resources.files(__package__) / "data" / FILE).read_text(encoding="utf-8")
-    presets = parse_rows(Expression, text, FILE)
-    for expression in presets.values():
-        for name in expression.shapes:
-            if name not in INDEX:
-                raise InputError(f"{FILE}: {unknown('shape', name, INDEX)}")
-    return FrozenDict(presets)
+    return FrozenDict(parse_rows(Expression, package_text(str(__package__), FILE), FILE))
 
 
 def preset_weights(weights: Array) -> Array:

@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Literal
 
+from ..core.hints import Range, Then
 from ..core.look import HAIR_STYLES
-from ..errors import HeadError, Place, unknown
+from ..core.source_text import SourceText
+from ..core.toml import parse, read_text
+from ..core.units import Share, SignedShare
+from ..errors import HeadError, InputError, unknown
 
-ByteColour = tuple[int, int, int]
-"""A colour in sRGB, 0 to 255."""
-
-SEXES = ("female", "male")
-ORIGINS = ("african", "asian", "caucasian")
-BUILDS = ("weight", "muscle")
+Byte = Annotated[int, Range(0, 255)]
+ByteColour = tuple[Byte, Byte, Byte]
+"""A colour in sRGB."""
 YOUNG, OLD = 25.0, 90.0  # years at which the source's young and old shapes stand
 FILE = "identity.toml"
+
+
+def _known_style(name: str) -> str:
+    if name not in HAIR_STYLES:
+        raise InputError(unknown("hair style", name, HAIR_STYLES))
+    return name
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,15 +42,12 @@ class Looks:
     lining: ByteColour = (160, 84, 80)
     cloth: ByteColour = (52, 62, 78)
     hair: ByteColour = (58, 42, 32)
-    hair_style: str = HAIR_STYLES[0]
+    hair_style: Annotated[str, Then(_known_style)] = HAIR_STYLES[0]
     brows: ByteColour | None = None
     iris: tuple[ByteColour, ByteColour] = ((132, 112, 74), (74, 94, 104))
-    flush: float = 1.0
-    hairs: int = 8500
-    brow_hairs: int = 360
-
-
-_HAIRS = {"hairs": (100, 40_000), "brow_hairs": (20, 2000)}
+    flush: Annotated[float, Range(0.0, 2.0)] = 1.0
+    hairs: Annotated[int, Range(100, 40_000)] = 8500
+    brow_hairs: Annotated[int, Range(20, 2000)] = 360
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,11 +60,11 @@ class Identity:
     """
 
     title: str = ""
-    age: float = YOUNG
-    sex: Mapping[str, float] = field(default_factory=dict)
-    origin: Mapping[str, float] = field(default_factory=dict)
-    build: Mapping[str, float] = field(default_factory=dict)
-    sliders: Mapping[str, float] = field(default_factory=dict)
+    age: Annotated[float, Range(YOUNG, OLD)] = YOUNG
+    sex: Mapping[Literal["female", "male"], Share] = field(default_factory=dict)
+    origin: Mapping[Literal["african", "asian", "caucasian"], Share] = field(default_factory=dict)
+    build: Mapping[Literal["weight", "muscle"], SignedShare] = field(default_factory=dict)
+    sliders: Mapping[str, SignedShare] = field(default_factory=dict)
     looks: Looks = Looks()
 
     def at(self, age: float) -> Identity:
@@ -79,87 +82,17 @@ def read_identity(path: Path) -> Identity:
     kind or out of range.
     """
     try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-        return _identity(table)
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise HeadError(f"not an identity: {error}", Place(str(path))) from error
-    except HeadError as error:
-        raise error.at(Place(str(path))) from None
+        text = read_text(path)
+        identity = parse(Identity, text, str(path))
+        for name in ("sex", "origin"):
+            _check_shares(name, getattr(identity, name), SourceText(str(path), text))
+    except InputError as error:
+        raise HeadError(error.message, error.place) from None
+    return identity
 
 
-def _identity(table: dict[str, Any]) -> Identity:
-    _check_keys("key", table, [f.name for f in fields(Identity)])
-    title = table.get("title", "")
-    if not isinstance(title, str):
-        raise HeadError(f"title is {title!r}; expected text")
-    return Identity(
-        title=title,
-        age=_number("age", table.get("age", YOUNG), YOUNG, OLD),
-        sex=_shares("sex", table, SEXES),
-        origin=_shares("origin", table, ORIGINS),
-        build=_numbers("build", table, BUILDS),
-        sliders=_numbers("sliders", table),
-        looks=_looks(_section("looks", table)),
-    )
-
-
-def _check_keys(kind: str, table: Mapping[str, Any], known: list[str] | tuple[str, ...]) -> None:
-    for key in table:
-        if key not in known:
-            raise HeadError(unknown(kind, key, known))
-
-
-def _section(name: str, table: dict[str, Any]) -> dict[str, Any]:
-    section = table.get(name, {})
-    if not isinstance(section, dict):
-        raise HeadError(f"{name} is {section!r}; expected a table")
-    return section
-
-
-def _number(name: str, value: Any, low: float, high: float) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
-        raise HeadError(f"{name} is {value!r}; expected a number from {low:g} to {high:g}")
-    return float(value)
-
-
-def _numbers(name: str, table: dict[str, Any], known: tuple[str, ...] | None = None) -> dict[str, float]:
-    section = _section(name, table)
-    if known is not None:
-        _check_keys(f"key of {name}", section, known)
-    return {key: _number(f"{name}.{key}", value, -1.0, 1.0) for key, value in section.items()}
-
-
-def _shares(name: str, table: dict[str, Any], known: tuple[str, ...]) -> dict[str, float]:
-    shares = _numbers(name, table, known)
+def _check_shares(name: str, shares: Mapping[str, float], source: SourceText) -> None:
     total = sum(shares.values())
-    if min(shares.values(), default=0.0) < 0.0 or abs(total - 1.0) > 1e-6:
-        raise HeadError(f"{name} adds up to {total:g}; expected shares of 0 and more that add up to 1")
-    return shares
-
-
-def _looks(table: dict[str, Any]) -> Looks:
-    _check_keys("key of looks", table, [f.name for f in fields(Looks)])
-    chosen: dict[str, Any] = {}
-    for key, value in table.items():
-        if key in _HAIRS:
-            chosen[key] = int(_number(f"looks.{key}", value, *_HAIRS[key]))
-        elif key == "flush":
-            chosen[key] = _number("looks.flush", value, 0.0, 2.0)
-        elif key == "hair_style":
-            if value not in HAIR_STYLES:
-                raise HeadError(unknown("hair style", str(value), HAIR_STYLES))
-            chosen[key] = value
-        elif key == "iris":
-            if not isinstance(value, list) or len(value) != 2:
-                raise HeadError(f"looks.iris is {value!r}; expected two colours")
-            chosen[key] = tuple(_colour("looks.iris", part) for part in value)
-        else:
-            chosen[key] = _colour(f"looks.{key}", value)
-    return Looks(**chosen)
-
-
-def _colour(name: str, value: Any) -> ByteColour:
-    whole = isinstance(value, list) and all(isinstance(part, int) and 0 <= part <= 255 for part in value)
-    if not whole or len(value) != 3:
-        raise HeadError(f"{name} is {value!r}; expected a colour [red, green, blue] of 0 to 255")
-    return (value[0], value[1], value[2])
+    if abs(total - 1.0) > 1e-6:
+        message = f"{name} adds up to {total:g}; expected shares of 0 and more that add up to 1"
+        raise source.error((name,), message)

@@ -7,16 +7,38 @@ and the direction in which the skin must shorten to fold.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import Annotated, NamedTuple, Protocol
 
 import numpy as np
 
 from ..core.arrays import Array, Int64Array
+from ..core.hints import Range, Then
 from ..core.kernels.jit import kernel
+from ..core.units import Share
+from ..errors import InputError
 from .marks import Marks, plateau, ripple, smooth
+
+
+def _some(anchor: tuple[int, ...]) -> tuple[int, ...]:
+    if not anchor:
+        raise InputError("there is no landmark; expected at least one")
+    return anchor
+
+
+def _knots(points: tuple[tuple[float, float, float], ...]) -> tuple[tuple[float, float, float], ...]:
+    if len(points) < 2 or any(point[0] not in range(68) for point in points):
+        raise InputError("expected at least two points [landmark 0 to 67, dx, dy]")
+    return points
+
 
 PlateauEdges = tuple[float, float, float, float]
 """Where a plateau begins, is full, is still full and ends (`marks.plateau`)."""
+Landmark = Annotated[int, Range(0, 67)]
+"""A number of the 68 landmarks of iBUG."""
+Landmarks = Annotated[tuple[Landmark, ...], Then(_some)]
+Vector = tuple[float, float, float]
+Millimetres = Annotated[float, Range(0.0, 200.0)]
+Spacing = Annotated[float, Range(0.1, 200.0)]
 
 _BREAK_LENGTH = 15.0  # mm along a crease over which it fades and returns
 _BEHIND = (-55.0, -40.0)  # mm behind the anchor, between which the front of the face ends
@@ -43,17 +65,17 @@ class Layout(Protocol):
 class Lines:
     """Parallel creases, each with a strength; keys as in `wrinkles.toml`."""
 
-    anchor: tuple[int, ...]
-    across: tuple[float, float, float]
-    along: tuple[float, float, float]
+    anchor: Landmarks
+    across: Vector
+    along: Vector
     first: float
-    spacing: float
-    strengths: tuple[float, ...]
+    spacing: Spacing
+    strengths: tuple[Share, ...]
     across_range: PlateauEdges
     along_range: PlateauEdges
     bow: float
     wave: float
-    breaks: float
+    breaks: Share
 
     def chart(self, marks: Marks, places: Array) -> Chart:
         """Return the region on `places` (n, 3)."""
@@ -71,16 +93,16 @@ class Lines:
 class Fan:
     """Creases that radiate from a point, `spacing` degrees apart; keys as in `wrinkles.toml`."""
 
-    anchor: tuple[int, ...]
-    outward: tuple[float, float, float]
-    upward: tuple[float, float, float]
+    anchor: Landmarks
+    outward: Vector
+    upward: Vector
     first: float
-    spacing: float
-    strengths: tuple[float, ...]
+    spacing: Spacing
+    strengths: tuple[Share, ...]
     angle_range: PlateauEdges
     radius_range: PlateauEdges
     wave: float
-    breaks: float
+    breaks: Share
 
     def chart(self, marks: Marks, places: Array) -> Chart:
         """Return the region on `places` (n, 3)."""
@@ -103,10 +125,10 @@ class Fan:
 class Fold:
     """One crease along a curve, with the fuller side beyond it; keys as in `wrinkles.toml`."""
 
-    points: tuple[tuple[float, float, float], ...]
+    points: Annotated[tuple[Vector, ...], Then(_knots)]
     sides: tuple[float, float]
     ends: PlateauEdges
-    compression: tuple[float, float, float]
+    compression: Vector
 
     def chart(self, marks: Marks, places: Array) -> Chart:
         """Return the region on `places` (n, 3); its phase is 0 on the crease, 1 where the far side ends."""
@@ -122,11 +144,11 @@ class Fold:
 class Dimples:
     """Pits in an ellipse; keys as in `wrinkles.toml`."""
 
-    anchor: tuple[int, ...]
+    anchor: Landmarks
     offset: float
-    spacing: float
-    size: tuple[float, float]
-    compression: tuple[float, float, float]
+    spacing: Spacing
+    size: tuple[Spacing, Spacing]
+    compression: Vector
 
     def chart(self, marks: Marks, places: Array) -> Chart:
         """Return the region on `places` (n, 3); its phase is 0."""
@@ -136,14 +158,6 @@ class Dimples:
             spot(places, centre, self.size),
             np.tile(_unit(self.compression), (len(places), 1)),
         )
-
-
-LAYOUTS: dict[str, type[Lines] | type[Fan] | type[Fold] | type[Dimples]] = {
-    "lines": Lines,
-    "fan": Fan,
-    "fold": Fold,
-    "dimples": Dimples,
-}
 
 
 def spot(places: Array, centre: Array, size: tuple[float, float]) -> Array:

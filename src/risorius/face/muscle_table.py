@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Literal
 
+from ..core.hints import Range
 from ..core.parameters import MUSCLES
-from ..core.schema import Range
 from ..core.toml import load_rows
 from ..errors import HeadError, ParameterError, Place, unknown
 from .links import Link

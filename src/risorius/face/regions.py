@@ -5,19 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from ..core.arrays import Array
+from ..core.toml import package_text, parse_rows
+from ..core.units import Share
 from ..errors import InputError, unknown
 from .compression import Zone
 from .head import Head
-from .layouts import LAYOUTS, Dimples, Fan, Fold, Layout, Lines
+from .layouts import Dimples, Fan, Fold, Layout, Lines, Millimetres, Spacing
 from .marks import Marks
-from .tables import build, parse_table, read_table
 
 TABLE = "wrinkles.toml"
+_LAYOUTS = ("lines", "fan", "fold", "dimples")
 _HIDDEN = ("lips", "inner_mouth", "lids", "ears", "garment")
 
 
@@ -26,12 +28,35 @@ class Sizes:
     """The sizes of a region in mm, beside its layout; see `wrinkles.toml`."""
 
     source: str
-    cap: float
-    static: float
-    width: float
-    furrow: float
-    shadow: float
-    relief: float
+    cap: Spacing
+    static: Millimetres
+    width: Spacing
+    furrow: Spacing
+    shadow: Share
+    relief: Share
+
+
+@dataclass(frozen=True, slots=True)
+class RegionRow(Sizes):
+    """A region's table: its sizes, and one layout."""
+
+    lines: Lines | None = None
+    fan: Fan | None = None
+    fold: Fold | None = None
+    dimples: Dimples | None = None
+
+    def __post_init__(self) -> None:
+        if len(self._layouts()) != 1:
+            found = ", ".join(self._layouts()) or "none"
+            raise InputError(f"has the layouts {found}; expected one of {', '.join(_LAYOUTS)}")
+
+    def _layouts(self) -> dict[str, Lines | Fan | Fold | Dimples]:
+        return {name: getattr(self, name) for name in _LAYOUTS if getattr(self, name) is not None}
+
+    def region(self, name: str) -> Region:
+        """Return the region that the row describes."""
+        (layout,) = self._layouts().values()
+        return Region(name, self, layout)
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,12 +79,12 @@ class PlacedRegion(NamedTuple):
 @lru_cache(maxsize=1)
 def regions() -> tuple[Region, ...]:
     """Return the regions in the order of `FaceFrame.wrinkles`."""
-    return _regions(read_table(TABLE), TABLE)
+    return parse_regions(package_text(str(__package__), TABLE), TABLE)
 
 
 def parse_regions(text: str, name: str) -> tuple[Region, ...]:
-    """Return the regions of a table's text; raise InputError with the file's name if it does not fit."""
-    return _regions(parse_table(text, name), name)
+    """Return the regions of a table's text; raise InputError, with its place, if it does not fit."""
+    return tuple(row.region(key) for key, row in parse_rows(RegionRow, text, name).items())
 
 
 def region_names() -> tuple[str, ...]:
@@ -102,18 +127,3 @@ def _place(region: Region, marks: Marks, fine: Array, middles: Array, seen: Arra
     mask = chart.mask * seen
     mask[mask < 1e-3] = 0.0
     return PlacedRegion(region, chart.phase, Zone(mask, pull))
-
-
-def _regions(table: Mapping[str, Any], name: str) -> tuple[Region, ...]:
-    return tuple(_region(key, values, f"{name}: {key}") for key, values in table.items())
-
-
-def _region(name: str, values: Any, what: str) -> Region:
-    if not isinstance(values, dict):
-        raise InputError(f"{what} is not a table; expected one per region")
-    layouts = [key for key in values if key in LAYOUTS]
-    if len(layouts) != 1:
-        raise InputError(f"{what} has {len(layouts)} layouts; expected one of {', '.join(LAYOUTS)}")
-    rest = {key: value for key, value in values.items() if key != layouts[0]}
-    sizes = build(Sizes, rest, what)
-    return Region(name, sizes, build(LAYOUTS[layouts[0]], values[layouts[0]], f"{what}.{layouts[0]}"))

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from ..core.schema import Range
+from ..core.hints import Range
 from ..core.tobi import boundary_tone, pitch_accent
 from ..core.units import Share
 from ..core.utterance import Ending

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
-from ..core.schema import Range
+from ..core.hints import Range
 from ..core.utterance import Question
 from .abbreviations import Abbreviations
 from .intonation import IntonationTable

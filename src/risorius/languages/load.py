@@ -9,7 +9,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-from ..core.schema import Source, build
+from ..core.schema import build
+from ..core.source_text import SourceText
 from ..core.toml import read_tables, read_text
 from .abbreviations import Abbreviations
 from .intonation import IntonationTable
@@ -66,7 +67,7 @@ def _read(cls: type[T], code: str, name: str) -> T:
         # Each language has a name of its own.
         base = {key: value for key, value in _tables(UNDETERMINED, name)[1].items() if key != "name"}
         tables = _laid_over(base, tables)
-    return build(cls, tables, Source(f"{code}/{name}", text))
+    return build(cls, tables, SourceText(f"{code}/{name}", text))
 
 
 def _tables(code: str, name: str) -> tuple[str, dict[str, Any]]:

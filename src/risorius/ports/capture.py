@@ -19,10 +19,9 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.movement import Cause, ManualCurve
 from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
-from ..core.score import BlendSettings, Score
+from ..core.score import MAX_SECONDS, BlendSettings, Score
 from ..errors import InputError, Place
 from .readable import ScoreFile
-from .score_json import MAX_SECONDS
 
 Parse = Callable[[str], Sequence[float]]
 """Reads a cell; raises ValueError saying what was expected."""

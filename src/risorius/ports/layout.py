@@ -5,12 +5,19 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 # Lists of numbers longer than this get a line of their own.
 _LONG = 32
 _SURROGATE = re.compile("[\ud800-\udfff]")
+
+
+def to_record(item: Any) -> dict[str, Any]:
+    """Return a dataclass of texts, numbers and flags as an object; what has its default is left out."""
+    values = {f.name: (getattr(item, f.name), f.default) for f in fields(item)}
+    return {name: value for name, (value, default) in values.items() if value != default}
 
 
 def write_json(path: Path, document: dict[str, Any]) -> None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Annotated, Any, Literal, TypeVar
 
-from ..core.action_units import resolve_targets
+from ..core.action_units import read_targets
 from ..core.articulators import ARTICULATORS, check_lip_target
 from ..core.channels import CHANNELS
-from ..core.functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS
+from ..core.functions import DEFAULT_FUNCTION
+from ..core.hints import Choice, Range, Then
 from ..core.movement import (
     Cause,
     Dominance,
@@ -20,26 +22,156 @@ from ..core.movement import (
     check_target,
 )
 from ..core.parameters import parameters_named
-from ..errors import ParameterError, unknown
-from .node import Node
-from .records import from_record, to_record
+from ..core.schema import MisfitError
+from ..core.score import MAX_SECONDS
+from ..core.units import Seconds
+from ..errors import InputError, ParameterError, RisoriusError, unknown
+from .layout import to_record
 
-Entry = Movement | LipSegment | ManualCurve
+V = TypeVar("V")
 Json = dict[str, Any]
-
-_MOVEMENT_REQUIRED = ("channel", "start", "end", "onset", "offset", "targets")
-_MOVEMENT_KEYS = (
-    "id", "channel", "layer", "start", "end", "onset", "offset",
-    "priority", "release_priority", "function", "targets", "cause",
-)  # fmt: skip
-_LIPS_REQUIRED = ("channel", "phone", "start", "end", "targets")
-_LIPS_KEYS = (*_LIPS_REQUIRED, "limits", "dominance", "yields", "cause")
-_LIP_NAMES = {"*", *ARTICULATORS}
-_MANUAL_REQUIRED = ("channel", "keys")
-_MANUAL_KEYS = (*_MANUAL_REQUIRED, "replaces", "cause")
+Pair = tuple[float, float]
+KeyTime = Annotated[float, Range(-MAX_SECONDS, MAX_SECONDS)]
+Rate = Annotated[float, Range(0.0)]
+"""Phones a second."""
+_ANY = "*"  # for all targets that are not named
 
 
-def entry_to_json(entry: Entry) -> Json:
+def _checked(movement: Movement) -> Movement:
+    check_movement(movement)
+    return movement
+
+
+def _by_parameter(values: Mapping[str, V], check: Callable[[str, V], object]) -> dict[str, V]:
+    """Replace aliases and names without a side by the parameters that they mean, each checked."""
+    found: dict[str, V] = {}
+    for name, value in values.items():
+        try:
+            for parameter in parameters_named(name):
+                if parameter.name in found:
+                    raise InputError(f"{parameter.name} is given twice; expected it once")
+                check(parameter.name, value)
+                found[parameter.name] = value
+        except RisoriusError as error:
+            raise MisfitError(error.message, name, kind=type(error)) from None
+        except MisfitError as misfit:
+            misfit.path = (name, *misfit.path)
+            raise
+    return found
+
+
+def _lip_targets(targets: Mapping[str, float]) -> dict[str, float]:
+    """Return targets that are articulators, in mm, as they stand; others as those of a movement."""
+    found = {name: value for name, value in targets.items() if name in ARTICULATORS}
+    for name, value in found.items():
+        try:
+            check_lip_target(name, value)
+        except RisoriusError as error:
+            raise MisfitError(error.message, name, kind=type(error)) from None
+    return found | read_targets({name: value for name, value in targets.items() if name not in found})
+
+
+def _limits(limits: Mapping[str, Pair]) -> dict[str, Pair]:
+    return _by_parameter(limits, _check_limits)
+
+
+def _check_limits(parameter: str, pair: Pair) -> None:
+    low, high = pair
+    check_target(parameter, low)
+    check_target(parameter, high)
+    if low > high:
+        raise InputError(f"the limits are reversed: {low:g} > {high:g}; expected the lower one first")
+
+
+def _by_lip_target(values: Mapping[str, V]) -> dict[str, V]:
+    """Return values by articulator, by "*" and by parameter."""
+    named = {name: value for name, value in values.items() if name == _ANY or name in ARTICULATORS}
+    others = {name: value for name, value in values.items() if name not in named}
+    return named | _by_parameter(others, lambda _name, _value: None)
+
+
+def _rising(keys: tuple[Pair, ...]) -> tuple[Pair, ...]:
+    if not keys:
+        raise InputError("there are no keys; expected [[time, value], …]")
+    for number, (key, before) in enumerate(zip(keys[1:], keys, strict=False), 1):
+        if key[0] <= before[0]:
+            message = f"time {key[0]:g} does not come after {before[0]:g}; expected rising times"
+            raise MisfitError(message, number)
+    return keys
+
+
+def _curves(curves: Mapping[str, tuple[Pair, ...]]) -> dict[str, tuple[Pair, ...]]:
+    return _by_parameter(curves, _check_keys)
+
+
+def _check_keys(parameter: str, keys: tuple[Pair, ...]) -> None:
+    for number, (_, value) in enumerate(keys):
+        try:
+            check_target(parameter, value)
+        except RisoriusError as error:
+            raise MisfitError(error.message, number, kind=type(error)) from None
+
+
+@dataclass(frozen=True, slots=True)
+class LipsEntry:
+    """A lip segment as a file has it."""
+
+    channel: Literal["lips"]
+    phone: str
+    start: Seconds
+    end: Seconds
+    targets: Annotated[Mapping[str, float], Then(_lip_targets)]
+    limits: Annotated[Mapping[str, Pair], Then(_limits)] = field(default_factory=dict)
+    dominance: Annotated[Mapping[str, Dominance], Then(_by_lip_target)] = field(default_factory=dict)
+    yields: Annotated[Mapping[str, Rate], Then(_by_lip_target)] = field(default_factory=dict)
+    cause: Cause = field(default_factory=Cause)
+
+    def segment(self) -> LipSegment:
+        """Return the segment; raise InputError if it does not end after its start."""
+        check_span(f"phone {self.phone or 'silence'}", self.start, self.end)
+        return LipSegment(
+            self.phone,
+            self.start,
+            self.end,
+            self.targets,
+            self.limits,
+            self.dominance,
+            self.cause,
+            self.yields,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class ManualEntry:
+    """Curves drawn by hand as a file has them."""
+
+    channel: Literal["manual"]
+    keys: Annotated[Mapping[str, Annotated[tuple[tuple[KeyTime, float], ...], Then(_rising)]], Then(_curves)]
+    replaces: bool = False
+    cause: Cause = field(default_factory=Cause)
+
+    def curve(self) -> ManualCurve:
+        """Return the curves."""
+        return ManualCurve(self.keys, self.cause, self.replaces)
+
+
+def _kind_of(members: Mapping[str, Any]) -> Any:
+    """Return what an entry's keys say that it is: with `phone` a lip segment, with `keys` a manual curve."""
+    channel = members.get("channel")
+    if isinstance(channel, str) and channel not in CHANNELS:
+        raise MisfitError(unknown("channel", channel, CHANNELS), "channel", kind=ParameterError)
+    if channel == "lips" and ("phone" in members or "onset" not in members):
+        return Annotated[LipSegment, Then(LipsEntry.segment, of=LipsEntry)]
+    if channel == "manual" and ("keys" in members or "onset" not in members):
+        return Annotated[ManualCurve, Then(ManualEntry.curve, of=ManualEntry)]
+    return Annotated[Movement, Then(_checked)]
+
+
+Entry = Annotated[Movement | LipSegment | ManualCurve, Choice(_kind_of)]
+"""Targets may be action units, aliases and names without side."""
+
+
+def entry_to_json(entry: Movement | LipSegment | ManualCurve) -> Json:
     """Return a movement, lip segment or manual curve as an object; what has its default is left out."""
     if isinstance(entry, Movement):
         return _movement_to_json(entry)
@@ -48,23 +180,6 @@ def entry_to_json(entry: Entry) -> Json:
     keys = {name: [list(key) for key in keys] for name, keys in entry.keys.items()}
     replaces = {"replaces": True} if entry.replaces else {}
     return {"channel": "manual", "keys": keys} | replaces | _cause_to_json(entry.cause)
-
-
-def entry_from_json(node: Node) -> Entry:
-    """Return what an object describes: with `phone` a lip segment, with `keys` a manual curve.
-
-    Targets may be action units, aliases and names without side. Raises InputError with the place.
-    """
-    members = node.members()
-    channel = members.get("channel")
-    if channel is not None and channel.text() not in CHANNELS:
-        raise ParameterError(f"{channel.path}: {unknown('channel', channel.text(), CHANNELS)}")
-    name = None if channel is None else channel.value
-    if name == "lips" and ("phone" in members or "onset" not in members):
-        return _lips_from_json(node)
-    if name == "manual" and ("keys" in members or "onset" not in members):
-        return _manual_from_json(node)
-    return _movement_from_json(node)
 
 
 def _movement_to_json(m: Movement) -> Json:
@@ -87,30 +202,6 @@ def _movement_to_json(m: Movement) -> Json:
     }
 
 
-def _movement_from_json(node: Node) -> Movement:
-    entries = node.entries(_MOVEMENT_KEYS, _MOVEMENT_REQUIRED)
-    known: Json = {
-        "channel": entries["channel"].text(),
-        "targets": _targets(entries["targets"]),
-        "cause": _cause(entries),
-    }
-    for name in ("start", "end", "onset", "offset"):
-        known[name] = entries[name].number(low=0.0)
-    for name in ("priority", "release_priority"):
-        if name in entries and entries[name].value is not None:
-            known[name] = entries[name].number()
-    for name in ("id", "layer", "function"):
-        if name in entries:
-            known[name] = entries[name].text()
-    if "function" in entries:
-        with entries["function"].located():
-            ONSET_FUNCTIONS.get(known["function"])
-    movement = Movement(**known)
-    with node.located():
-        check_movement(movement)
-    return movement
-
-
 def _lips_to_json(segment: LipSegment) -> Json:
     limits = {name: list(pair) for name, pair in segment.limits.items()}
     dominance = {name: to_record(value) for name, value in segment.dominance.items()}
@@ -125,97 +216,6 @@ def _lips_to_json(segment: LipSegment) -> Json:
         **({"yields": dict(segment.yields)} if segment.yields else {}),
         **_cause_to_json(segment.cause),
     }
-
-
-def _lips_from_json(node: Node) -> LipSegment:
-    entries = node.entries(_LIPS_KEYS, _LIPS_REQUIRED)
-    phone, start, end = entries["phone"].text(), entries["start"].number(low=0.0), entries["end"].number()
-    with node.located():
-        check_span(f"phone {phone or 'silence'}", start, end)
-    limits = entries.get("limits", Node({})).members()
-    dominance = entries.get("dominance", Node({})).members()
-    held = {name: from_record(Dominance, dominance.pop(name)) for name in _LIP_NAMES & dominance.keys()}
-    return LipSegment(
-        phone,
-        start,
-        end,
-        _lip_targets(entries["targets"]),
-        {name: _limit(name, pair) for name, pair in _by_parameter(limits).items()},
-        held | {name: from_record(Dominance, value) for name, value in _by_parameter(dominance).items()},
-        _cause(entries),
-        _yields(entries),
-    )
-
-
-def _yields(entries: Mapping[str, Node]) -> dict[str, float]:
-    members = entries.get("yields", Node({})).members()
-    found = {name: members.pop(name).number(low=0.0) for name in sorted(_LIP_NAMES & members.keys())}
-    return found | {name: node.number(low=0.0) for name, node in _by_parameter(members).items()}
-
-
-def _lip_targets(node: Node) -> dict[str, float]:
-    """Return targets that are articulators, in mm, as they stand; others as those of a movement."""
-    members = node.members()
-    found = {name: members.pop(name).number() for name in ARTICULATORS if name in members}
-    with node.located():
-        for name, value in found.items():
-            check_lip_target(name, value)
-    others = Node({name: value.value for name, value in members.items()}, node.path)
-    return found | _targets(others)
-
-
-def _limit(parameter: str, node: Node) -> tuple[float, float]:
-    low, high = (item.number() for item in node.items(2))
-    with node.located():
-        check_target(parameter, low)
-        check_target(parameter, high)
-    if low > high:
-        raise node.fault(f"the limits are reversed: {low:g} > {high:g}")
-    return low, high
-
-
-def _manual_from_json(node: Node) -> ManualCurve:
-    entries = node.entries(_MANUAL_KEYS, _MANUAL_REQUIRED)
-    curves = _by_parameter(entries["keys"].members())
-    keys = {name: _keys(name, curve) for name, curve in curves.items()}
-    return ManualCurve(keys, _cause(entries), "replaces" in entries and entries["replaces"].flag())
-
-
-def _keys(parameter: str, node: Node) -> tuple[tuple[float, float], ...]:
-    keys: list[tuple[float, float]] = []
-    for item in node.items():
-        time, value = (part.number() for part in item.items(2))
-        if keys and time <= keys[-1][0]:
-            raise item.fault(f"time {time:g} does not come after {keys[-1][0]:g}")
-        with item.located():
-            check_target(parameter, value)
-        keys.append((time, value))
-    if not keys:
-        raise node.fault("there are no keys; expected [[time, value], …]")
-    return tuple(keys)
-
-
-def _targets(node: Node) -> dict[str, float]:
-    values = {name: value.number() for name, value in node.members().items()}
-    with node.located():
-        return resolve_targets(values)
-
-
-def _by_parameter(members: Mapping[str, Node]) -> dict[str, Node]:
-    """Replace aliases and names without side by the parameters that they mean."""
-    found: dict[str, Node] = {}
-    for name, node in members.items():
-        with node.located():
-            parameters = parameters_named(name)
-        for parameter in parameters:
-            if parameter.name in found:
-                raise node.fault(f"{parameter.name} is given twice")
-            found[parameter.name] = node
-    return found
-
-
-def _cause(entries: Mapping[str, Node]) -> Cause:
-    return from_record(Cause, entries["cause"]) if "cause" in entries else Cause()
 
 
 def _cause_to_json(cause: Cause) -> Json:

@@ -42,6 +42,4 @@ def _rows(held: list[Cue], times: Array) -> Iterator[Array]:
         yield np.concatenate([[time], weights])
 
 
-register(
-    ".oculus.csv", "weights of the 15 visemes of OVRLipSync", {"speech"}, write_oculus_csv, reads=("fps",)
-)
+register(".oculus.csv", "weights of the 15 visemes of OVRLipSync", {"speech"}, write_oculus_csv)

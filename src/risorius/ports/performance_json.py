@@ -2,25 +2,78 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
 
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
-from ..core.parameters import NAMES, PARAMETERS, Parameter
+from ..core.hints import Numbers, Then
+from ..core.json_text import load_json
+from ..core.parameters import NAMES, PARAMETERS
 from ..core.performance import Performance, frame_count
+from ..core.schema import MisfitError, placed, within
 from ..errors import unknown
 from .formats import register
 from .layout import write_json
-from .node import Node
 from .readable import PerformanceFile, ReadOptions
-from .score_json import VERSION, check_version, reading, score_from_json, score_to_json
+from .score_json import VERSION, ScoreDocument, Version, score_to_json
 from .writable import WritableTake, WriteOptions
 
-_KEYS = ("risorius", "fps", "curves", "score")
 # Curves that were added up may miss their limits by rounding.
 _SLACK = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class PerformanceDocument:
+    """A performance's file, as it is written: curves by parameter, one number a frame."""
+
+    risorius: Version
+    fps: Annotated[Fraction, Then(parse_fps, of=str | float)]
+    curves: Mapping[str, Numbers]
+    score: ScoreDocument
+
+    def performance_file(self, folder: Path = Path()) -> PerformanceFile:
+        """Return the performance, and what is said in it; its sound is looked for from `folder` on.
+
+        Raises as `ScoreDocument.score_file`, and MisfitError if a curve is missing, of another length or out
+        of range.
+        """
+        with within("score"):
+            held = self.score.score_file(folder)
+        with within("curves"):
+            values = self._values(frame_count(held.score.duration, self.fps))
+        return PerformanceFile(Performance(held.score, self.fps, values), held.utterance)
+
+    def _values(self, count: int) -> Array:
+        for name in self.curves:
+            if name not in NAMES:
+                raise MisfitError(unknown("parameter", name, NAMES), name)
+        values = np.empty((count, len(NAMES)))
+        for column, name in enumerate(NAMES):
+            if name not in self.curves:
+                raise MisfitError(f"the curve of {name} is missing; expected one for each parameter")
+            curve = self.curves[name]
+            if len(curve) != count:
+                raise MisfitError(f"{name} has {len(curve)} values; expected {count}", name)
+            values[:, column] = curve
+        _check_ranges(values)
+        return values
+
+
+def _check_ranges(values: Array) -> None:
+    low, high = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
+    wrong = np.argwhere((values < low - _SLACK) | (values > high + _SLACK))
+    if len(wrong):
+        frame, column = map(int, wrong[0])
+        parameter = PARAMETERS[column]
+        found = f"{parameter.name}[{frame}] = {values[frame, column]:g} is out of range"
+        message = f"{found}; expected {parameter.low:g} to {parameter.high:g}"
+        raise MisfitError(message, parameter.name, frame)
 
 
 def write_performance_json(take: WritableTake, path: Path, options: WriteOptions) -> None:
@@ -35,59 +88,21 @@ def write_performance_json(take: WritableTake, path: Path, options: WriteOptions
     write_json(path, document)
 
 
-def read_performance(path: Path) -> Performance:
-    """Return the performance in a file, equal to the one that was written; speech is not looked at.
-
-    Raises InputError or ParameterError, with the file and the path in it, as `score_json.read_score`, and
-    if a curve is missing, of another length or out of range.
-    """
-    return reading(path, lambda node: _performance(node, path.parent, speech=False)).performance
-
-
 def read_performance_file(path: Path) -> PerformanceFile:
-    """Return the performance in a file and what is said in it. Raises as `read_performance`."""
-    return reading(path, lambda node: _performance(node, path.parent, speech=True))
+    """Return the performance in a file, equal to the one that was written, and what is said in it.
+
+    Raises InputError or ParameterError, with the place in the file, as `score_json.read_score_file`, and if a
+    curve is missing, of another length or out of range.
+    """
+    document = load_json(path)
+    held = document.read(PerformanceDocument)
+    with placed(document.source):
+        return held.performance_file(path.parent)
 
 
 def read_performance_json(path: Path, _options: ReadOptions) -> PerformanceFile:
     """Return what `read_performance_file` does: the table of formats calls this."""
     return read_performance_file(path)
-
-
-def _performance(node: Node, folder: Path, *, speech: bool) -> PerformanceFile:
-    entries = node.entries(_KEYS, _KEYS)
-    check_version(entries["risorius"])
-    rate = _rate(entries["fps"])
-    with entries["fps"].located():
-        fps = parse_fps(rate)
-    held = score_from_json(entries["score"], folder, speech=speech)
-    values = _curves(entries["curves"], frame_count(held.score.duration, fps))
-    return PerformanceFile(Performance(held.score, fps, values), held.utterance)
-
-
-def _rate(node: Node) -> str | float:
-    return node.text() if isinstance(node.value, str) else node.number()
-
-
-def _curves(node: Node, count: int) -> Array:
-    curves = node.members()
-    for name, curve in curves.items():
-        if name not in NAMES:
-            raise curve.fault(unknown("parameter", name, NAMES))
-    missing = [name for name in NAMES if name not in curves]
-    if missing:
-        raise node.fault(f"the curve of {missing[0]} is missing")
-    values = np.empty((count, len(NAMES)))
-    for column, parameter in enumerate(PARAMETERS):
-        values[:, column] = [_value(item, parameter) for item in curves[parameter.name].items(count)]
-    return values
-
-
-def _value(node: Node, parameter: Parameter) -> float:
-    number = node.number()
-    if not parameter.low - _SLACK <= number <= parameter.high + _SLACK:
-        raise node.fault(f"{number:g} is out of range; expected {parameter.low:g} to {parameter.high:g}")
-    return number
 
 
 register(

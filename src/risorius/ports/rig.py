@@ -14,7 +14,7 @@ from ..core.arkit import INDEX, SHAPES
 from ..core.arrays import Array, Float32Array
 from ..core.parameters import INDEX as PARAMETER
 from ..core.parameters import NEUTRAL
-from ..core.schema import Source
+from ..core.source_text import SourceText
 from ..core.toml import parse, read_text
 from ..errors import InputError, Place, unknown
 from ..face.arkit_fit import ArkitFit, ArkitTrack
@@ -91,7 +91,7 @@ def read_rig(path: Path, map_file: Path | None = None) -> Rig:
 
 def _read_map(path: Path, names: Sequence[str]) -> dict[str, str]:
     """Return a map; InputError where it is empty, or a name is unknown or a target given twice."""
-    source = Source(str(path), read_text(path))
+    source = SourceText(str(path), read_text(path))
     shapes = parse(ShapeMap, source.text, source.name).shapes
     if not shapes:
         example = 'jawOpen = "Mouth_Open"'

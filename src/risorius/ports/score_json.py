@@ -2,32 +2,68 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import asdict, fields
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Annotated, Any
 
-from ..core.functions import ONSET_FUNCTIONS
+from ..core.hints import Range, Then
+from ..core.json_text import load_json
 from ..core.movement import LipSegment, ManualCurve, Movement
-from ..core.score import BlendSettings, Score, check_score
+from ..core.schema import placed, within
+from ..core.score import MAX_SECONDS, BlendSettings, Score, check_score
 from ..core.utterance import Utterance
-from ..errors import Place, RisoriusError
+from ..errors import InputError
 from .formats import register
 from .layout import write_json
-from .movement_json import Entry, entry_from_json, entry_to_json
-from .node import Node, load
+from .movement_json import Entry, entry_to_json
 from .readable import ReadOptions, ScoreFile
-from .records import from_record
-from .speech_json import speech_from_json, speech_to_json
+from .speech_json import SpeechDocument, speech_to_json
 from .writable import WritableTake, WriteOptions
 
-T = TypeVar("T")
-
 VERSION = 1
-# A day; longer is a slip of the pen, and would only fail later.
-MAX_SECONDS = 86_400.0
-_KEYS = ("risorius", "duration", "text", "seed", "settings", "movements", "speech")
-_REQUIRED = ("risorius", "duration", "movements")
+
+
+def _known_version(version: int) -> int:
+    if version != VERSION:
+        raise InputError(f"version {version} is not known; expected {VERSION}")
+    return version
+
+
+Version = Annotated[int, Then(_known_version)]
+"""The version of a file; only the one that we write is read."""
+
+
+@dataclass(frozen=True, slots=True)
+class ScoreDocument:
+    """A score's file, as it is written."""
+
+    risorius: Version
+    duration: Annotated[float, Range(0.0, MAX_SECONDS)]
+    movements: tuple[Entry, ...]
+    text: str = ""
+    seed: int = 0
+    settings: BlendSettings = field(default_factory=BlendSettings)
+    speech: SpeechDocument | None = None
+
+    def score_file(self, folder: Path = Path()) -> ScoreFile:
+        """Return the score, and what is said in it; its sound is looked for from `folder` on.
+
+        Raises InputError, ParameterError or MisfitError for what is contradictory, and for a missing sound.
+        """
+        score = Score(
+            duration=self.duration,
+            movements=tuple(entry for entry in self.movements if isinstance(entry, Movement)),
+            lips=tuple(entry for entry in self.movements if isinstance(entry, LipSegment)),
+            manual=tuple(entry for entry in self.movements if isinstance(entry, ManualCurve)),
+            settings=self.settings,
+            text=self.text,
+            seed=self.seed,
+        )
+        check_score(score)
+        if self.speech is None:
+            return ScoreFile(score)
+        with within("speech"):
+            return ScoreFile(score, self.speech.utterance(folder, self.duration))
 
 
 def write_score_json(take: WritableTake, path: Path, options: WriteOptions) -> None:
@@ -36,18 +72,16 @@ def write_score_json(take: WritableTake, path: Path, options: WriteOptions) -> N
     write_json(path, score_to_json(score, take.utterance, options.voice, path.parent))
 
 
-def read_score(path: Path) -> Score:
-    """Return the score in a file, equal to the one that was written; what is said is not looked at.
-
-    Raises InputError or ParameterError, with the file and the path in it, for anything unknown, missing, of
-    another type, out of range or contradictory.
-    """
-    return reading(path, lambda node: score_from_json(node, path.parent, speech=False)).score
-
-
 def read_score_file(path: Path) -> ScoreFile:
-    """Return the score and what is said in it. Raises as `read_score`, also if a sound is missing."""
-    return reading(path, lambda node: score_from_json(node, path.parent))
+    """Return the score in a file, equal to the one that was written, and what is said in it.
+
+    Raises InputError or ParameterError, with the place in the file, for anything unknown, missing, of another
+    type, out of range or contradictory, and for a sound that is missing.
+    """
+    document = load_json(path)
+    held = document.read(ScoreDocument)
+    with placed(document.source):
+        return held.score_file(path.parent)
 
 
 def read_score_json(path: Path, _options: ReadOptions) -> ScoreFile:
@@ -55,21 +89,13 @@ def read_score_json(path: Path, _options: ReadOptions) -> ScoreFile:
     return read_score_file(path)
 
 
-def reading(path: Path, make: Callable[[Node], T]) -> T:
-    """Return `make` of the document in a file; errors get the file's name."""
-    node = load(path)
-    try:
-        return make(node)
-    except RisoriusError as error:
-        raise error.at(Place(str(path))) from None
-
-
 def score_to_json(
     score: Score, utterance: Utterance | None = None, voice: Path | None = None, folder: Path = Path()
 ) -> dict[str, Any]:
     """Return a score as a JSON document; sound is referred to from `folder` on."""
     settings = {name: value for name, value in asdict(score.settings).items() if value is not None}
-    entries: tuple[Entry, ...] = (*score.movements, *score.lips, *score.manual)
+    entries: tuple[Movement | LipSegment | ManualCurve, ...]
+    entries = (*score.movements, *score.lips, *score.manual)
     document: dict[str, Any] = {
         "risorius": VERSION,
         "duration": score.duration,
@@ -83,48 +109,10 @@ def score_to_json(
     return document
 
 
-def score_from_json(node: Node, folder: Path = Path(), *, speech: bool = True) -> ScoreFile:
-    """Return what a JSON document describes. Raises as `read_score`, without the file's name."""
-    entries = node.entries(_KEYS, _REQUIRED)
-    check_version(entries["risorius"])
-    made = [entry_from_json(item) for item in entries["movements"].items()]
-    score = Score(
-        duration=entries["duration"].number(0.0, MAX_SECONDS),
-        movements=tuple(entry for entry in made if isinstance(entry, Movement)),
-        lips=tuple(entry for entry in made if isinstance(entry, LipSegment)),
-        manual=tuple(entry for entry in made if isinstance(entry, ManualCurve)),
-        settings=_settings(entries["settings"]) if "settings" in entries else BlendSettings(),
-        text=entries["text"].text() if "text" in entries else "",
-        seed=entries["seed"].integer() if "seed" in entries else 0,
-    )
-    check_score(score)
-    spoken = entries.get("speech") if speech else None
-    utterance = None if spoken is None else speech_from_json(spoken, folder, score.duration)
-    return ScoreFile(score, utterance)
-
-
-def check_version(node: Node) -> None:
-    """Raise InputError unless a document is of the version that we write."""
-    if node.integer() != VERSION:
-        raise node.fault(f"version {node.value} is not known; expected {VERSION}")
-
-
-def _settings(node: Node) -> BlendSettings:
-    settings = from_record(BlendSettings, node)
-    entries = node.entries([f.name for f in fields(BlendSettings)])
-    for name in ("activation_threshold", "min_onset", "min_offset"):
-        if getattr(settings, name) is not None:
-            entries[name].number(0.0, 1.0 if name == "activation_threshold" else float("inf"))
-    if settings.onset_function is not None:
-        with entries["onset_function"].located():
-            ONSET_FUNCTIONS.get(settings.onset_function)
-    return settings
-
-
 register(
     ".score.json",
     "all movements with their causes",
-    {"movements"},
+    {"curves"},
     write_score_json,
     read_score_json,
     also_read=(".json",),

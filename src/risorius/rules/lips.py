@@ -9,9 +9,9 @@ from typing import Annotated
 
 from ..core.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
 from ..core.frozen import FrozenDict
+from ..core.hints import Range
 from ..core.movement import Dominance
 from ..core.parameters import INDEX, parameters_named
-from ..core.schema import Range
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
 from .load import load

@@ -8,8 +8,8 @@ from functools import cache
 from typing import Annotated
 
 from ..core.action_units import resolve_targets
+from ..core.hints import Range
 from ..core.movement import check_target
-from ..core.schema import Range
 from ..core.units import MarkSeconds, Share, SignedShare
 from .load import load
 

@@ -16,7 +16,7 @@ from ..core.action_units import resolve_targets
 from ..core.channels import CHANNELS
 from ..core.frozen import FrozenDict
 from ..core.functions import ONSET_FUNCTIONS
-from ..core.schema import Range
+from ..core.hints import Range
 from ..core.tobi import boundary_tone, pitch_accent
 from ..core.units import RiseSeconds, Share
 from ..core.utterance import PauseKind, Question

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Annotated
 
-from ..core.schema import Range
+from ..core.hints import Range
 from ..core.units import Share
 from .load import load
 
@@ -68,7 +68,7 @@ class Span:
     end: float
 
 
-def ended_in_pause(span: Span, pauses: Sequence[float]) -> Span:
+def settled(span: Span, pauses: Sequence[float]) -> Span:
     """Return a span that has ended soon after the first pause that it runs into.
 
     `pauses` are the starts of those in which the head stands still, in order.

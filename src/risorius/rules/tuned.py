@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..core.schema import Range
+from ..core.hints import Range
 from ..core.toml import written
 from ..errors import ParameterError, unknown
 from .profiles import profile, profile_from, profile_texts

@@ -4,24 +4,36 @@ from __future__ import annotations
 
 import json
 import shutil
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..core.audio import AudioWriter
 from ..errors import RisoriusError
 from ..ports.atomic import replacing
 from ..ports.layout import write_json
-from ..ports.node import Node
 from ..ports.readable import ScoreFile
 from ..ports.score_json import score_to_json
-from .project import Opened, check_version, header, made_from, version_of, view_of
-from .scores import parsed, score_file
+from .project import Opened, ProjectVersion, SavedEdits, SavedMade, header, version_of
+from .scores import parsed, read_score
 from .session import Session
 from .session_files import SessionFiles, digest, write_text
 from .version import Version
 
 FILE = "project.json"
-_KEYS = ("risorius_project", "made", "edits", "view", "score", "sound", "take")
+
+
+@dataclass(frozen=True, slots=True)
+class AutosaveDocument:
+    """What is saved of a session: `score` and `sound` are the names of files beside it."""
+
+    risorius_project: ProjectVersion
+    made: SavedMade
+    edits: SavedEdits
+    view: Mapping[str, object]
+    score: str
+    sound: str | None = None
+    take: int = 0
 
 
 class Autosave:
@@ -80,17 +92,11 @@ class Autosave:
         return ()
 
     def _read(self, path: Path, files: SessionFiles) -> tuple[Opened, int]:
-        entries = parsed(path.read_bytes()).entries(_KEYS, _KEYS[:-2])
-        check_version(entries["risorius_project"])
-        score = parsed(self._named(entries["score"]).read_bytes())
-        named = entries.get("sound")
-        sound = None if named is None or named.value is None else self._named(named)
-        held = _with_own_sound(score_file(score, sound))
-        version = version_of(made_from(entries["made"]), held, entries, files)
-        return Opened(version, view_of(entries)), entries["take"].integer() if "take" in entries else 0
-
-    def _named(self, node: Node) -> Path:
-        return self._folder / Path(node.text()).name
+        saved = parsed(path.read_bytes(), FILE).read(AutosaveDocument)
+        score = self._folder / Path(saved.score).name
+        sound = None if saved.sound is None else self._folder / Path(saved.sound).name
+        held = _with_own_sound(read_score(parsed(score.read_bytes(), score.name), sound))
+        return Opened(version_of(saved.made, held, saved.edits, files), dict(saved.view)), saved.take
 
 
 def _with_own_sound(held: ScoreFile) -> ScoreFile:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
-from typing import Any
+from typing import Any, TypeVar, cast
 
-from ..core.schema import Source as Schema
-from ..core.schema import build
+from ..core.schema import build, converter
+from ..core.source_text import SourceText, Syntax
 from ..core.units import Seconds
 from ..errors import InputError, RisoriusError, unknown
 from .wire import EDITS, EVENTS, VERBS, Preview
 
+T = TypeVar("T")
 MOST_ID = 2**53
 _EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}
 
@@ -78,9 +80,13 @@ def _asked(data: dict[str, Any]) -> Any:
             unknown(kind, str(verb)[:40], (*kinds, "edit", "preview") if kinds is VERBS else kinds)
         )
     if done != "preview":
-        return build(kinds[verb], without_nulls(data), Schema(verb))
-    beside = build(_Beside, without_nulls({"face": data.pop("face", None)}), Schema("preview"))
-    return Preview(build(kinds[verb], without_nulls(data), Schema(verb)), beside.face)
+        return build(kinds[verb], without_nulls(data), _message(verb))
+    beside = build(_Beside, without_nulls({"face": data.pop("face", None)}), _message("preview"))
+    return Preview(build(kinds[verb], without_nulls(data), _message(verb)), beside.face)
+
+
+def _message(verb: str) -> SourceText:
+    return SourceText(verb, syntax=Syntax.JSON)
 
 
 def without_nulls(data: Any) -> Any:
@@ -90,6 +96,11 @@ def without_nulls(data: Any) -> Any:
     if isinstance(data, list):
         return [without_nulls(value) for value in data]
     return data
+
+
+def read_message(kind: type[T], data: Mapping[str, object]) -> T:
+    """Return a dataclass of `wire` from what JSON holds; raises MisfitError for what does not fit."""
+    return cast(T, converter(kind)(without_nulls(data)))
 
 
 def encoded(item: Any) -> Any:

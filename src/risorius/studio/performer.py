@@ -21,7 +21,7 @@ from ..speech.recordings.recording import read_recording
 from ..unread import values_read
 from . import limits
 from .choices import blend_of, settings_of
-from .scores import adopted, parsed, score_file
+from .scores import adopted, parsed, read_score
 from .session_files import SessionFiles
 from .stage_cache import StageCache
 from .version import Version
@@ -73,9 +73,9 @@ class Performer:
     def _read(self, source: Source) -> ScoreFile:
         name = source.recording
         if name is None:
-            return score_file(parsed(source.script), None)
+            return read_score(parsed(source.script, "score"), None)
         sound = read_recording(self._files.recording(name))
-        held = score_file(parsed(source.script), sound.path)
+        held = read_score(parsed(source.script, "score"), sound.path)
         if held.utterance is None:
             return held
         # The file is there as long as this Audio of it.

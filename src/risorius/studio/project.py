@@ -12,33 +12,77 @@ import binascii
 import io
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass, field, replace
+from typing import Annotated, Any
 
 import numpy as np
 import soundfile
 
 from ..core.audio import Audio, AudioWriter
-from ..core.schema import Source, build
+from ..core.hints import Then
+from ..core.schema import placed, within
 from ..core.utterance import Utterance
-from ..errors import InputError
+from ..errors import InputError, unknown
 from ..pipeline import with_profile
-from ..ports.node import Node
 from ..ports.readable import ScoreFile
-from ..ports.score_json import score_to_json
+from ..ports.score_json import ScoreDocument, score_to_json
 from . import wire
 from .choices import settings_of
-from .messages import encoded, without_nulls
+from .messages import encoded, read_message
 from .scores import parsed, score_file
 from .session import Session
 from .session_files import SessionFiles
 from .version import Version
 
 VERSION = 1
-_KEYS = ("risorius_project", "made", "edits", "score", "view", "sound", "recording", "emotions", "poses")
-_REQUIRED = ("risorius_project", "made", "edits", "score")
 _PLACE = "project"
 _KINDS = {cls: kind for kind, cls in wire.EDITS.items()}
+
+
+def _known_version(version: int) -> int:
+    if version != VERSION:
+        raise InputError(f"version {version} is not known; expected {VERSION}")
+    return version
+
+
+def _made(members: Mapping[str, object]) -> wire.Made:
+    return read_message(wire.Made, members)
+
+
+def _edit(members: Mapping[str, object]) -> wire.Edit:
+    kind = members.get("kind")
+    if not isinstance(kind, str) or kind not in wire.EDITS:
+        raise InputError(unknown("kind of edit", str(kind), wire.EDITS))
+    edit: wire.Edit = read_message(wire.EDITS[kind], {k: v for k, v in members.items() if k != "kind"})
+    return edit
+
+
+ProjectVersion = Annotated[int, Then(_known_version)]
+SavedMade = Annotated[wire.Made, Then(_made, of=Mapping[str, object])]
+SavedEdits = tuple[Annotated[wire.Edit, Then(_edit, of=Mapping[str, object])], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingEntry:
+    """A recording's name, and its file in base64."""
+
+    name: str
+    data: str
+
+
+@dataclass(frozen=True, slots=True)
+class ProjectDocument:
+    """A project's file, as it is written; `sound` is a FLAC file in base64."""
+
+    risorius_project: ProjectVersion
+    made: SavedMade
+    edits: SavedEdits
+    score: ScoreDocument
+    view: Mapping[str, object] = field(default_factory=dict)
+    sound: str | None = None
+    recording: RecordingEntry | None = None
+    emotions: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    poses: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,94 +124,53 @@ def open_project(data: bytes, files: SessionFiles) -> Opened:
 
     Raises InputError or ParameterError, with the path in the file, for what does not fit.
     """
-    entries = _entries(data)
-    for name, values in _members(entries, "emotions"):
+    document = parsed(data, _PLACE)
+    held = document.read(ProjectDocument)
+    with placed(document.source):
+        return _opened(held, files)
+
+
+def _opened(held: ProjectDocument, files: SessionFiles) -> Opened:
+    """Return what a project holds; raises MisfitError for a sound or a recording that cannot be used."""
+    for name, values in held.emotions.items():
         if name not in files.emotions():
-            files.save_emotion(name, values)
-    for name, values in _members(entries, "poses"):
-        files.save_pose(name, values)
-    made = made_from(entries["made"])
-    if "recording" in entries:
-        made = _with_recording(made, entries["recording"], files)
-    sound = _sound(entries["sound"]) if "sound" in entries else None
-    held = score_file(entries["score"], None)
-    utterance = held.utterance
-    if utterance is not None and sound is not None:
-        with entries["sound"].located():
-            utterance = _sounding(utterance, sound)
-    return Opened(version_of(made, ScoreFile(held.score, utterance), entries, files), view_of(entries))
+            files.save_emotion(name, dict(values))
+    for name, values in held.poses.items():
+        files.save_pose(name, dict(values))
+    made = held.made
+    if held.recording is not None:
+        with within("recording"):
+            made = _with_recording(made, held.recording, files)
+    with within("score"):
+        file = score_file(held.score, None)
+    with within("sound"):
+        utterance = _sounding(file.utterance, held.sound)
+    version = version_of(made, ScoreFile(file.score, utterance), held.edits, files)
+    return Opened(version, dict(held.view))
 
 
-def _entries(data: bytes) -> dict[str, Node]:
-    entries = parsed(data).entries(_KEYS, _REQUIRED)
-    check_version(entries["risorius_project"])
-    return entries
-
-
-def check_version(node: Node) -> None:
-    """Raise InputError unless a project is of the version that we write."""
-    if node.integer() != VERSION:
-        raise node.fault(f"version {node.value} is not known; expected {VERSION}")
-
-
-def made_from(node: Node) -> wire.Made:
-    """Return how a take came about; raise InputError for what does not fit."""
-    members = {name: member.value for name, member in node.members().items()}
-    return build(wire.Made, without_nulls(members), Source(_PLACE))
-
-
-def edits_from(node: Node) -> tuple[wire.Edit, ...]:
-    """Return edits; raise InputError for one that is none."""
-    return tuple(_edit(item) for item in node.items())
-
-
-def _edit(node: Node) -> wire.Edit:
-    members = {name: member.value for name, member in node.members().items()}
-    kind = members.pop("kind", None)
-    if not isinstance(kind, str) or kind not in wire.EDITS:
-        raise node.fault(f"'{kind}' is no kind of edit; expected one of {', '.join(wire.EDITS)}")
-    with node.located():
-        edit: wire.Edit = build(wire.EDITS[kind], without_nulls(members), Source(_PLACE))
-        return edit
-
-
-def version_of(made: wire.Made, held: ScoreFile, entries: Mapping[str, Node], files: SessionFiles) -> Version:
-    """Return the version that a project describes."""
-    settings = settings_of(made.choices, files.folder)
-    settings = with_profile(settings)
-    edits = edits_from(entries["edits"])
+def version_of(
+    made: wire.Made, held: ScoreFile, edits: tuple[wire.Edit, ...], files: SessionFiles
+) -> Version:
+    """Return the version of a session that a score and its edits are."""
+    settings = with_profile(settings_of(made.choices, files.folder))
     return Version(made, held.score, held.score, settings, held.utterance, edits)
 
 
-def view_of(entries: Mapping[str, Node]) -> dict[str, object]:
-    """Return what the page kept of itself."""
-    view = entries["view"].value if "view" in entries else {}
-    return view if isinstance(view, dict) else {}
-
-
-def _members(entries: Mapping[str, Node], name: str) -> list[tuple[str, dict[str, float]]]:
-    if name not in entries:
-        return []
-    rows = entries[name].members()
-    return [(key, {n: v.number() for n, v in row.members().items()}) for key, row in rows.items()]
-
-
-def _with_recording(made: wire.Made, node: Node, files: SessionFiles) -> wire.Made:
-    entries = node.entries(("name", "data"), ("name", "data"))
-    with node.located():
-        uploaded = files.temporary(_bytes(entries["data"]))
-        try:
-            name = files.add_recording(entries["name"].text(), uploaded)
-        finally:
-            uploaded.unlink(missing_ok=True)
+def _with_recording(made: wire.Made, recording: RecordingEntry, files: SessionFiles) -> wire.Made:
+    uploaded = files.temporary(_bytes(recording.data))
+    try:
+        name = files.add_recording(recording.name, uploaded)
+    finally:
+        uploaded.unlink(missing_ok=True)
     return replace(made, source=replace(made.source, recording=name))
 
 
-def _bytes(node: Node) -> bytes:
+def _bytes(text: str) -> bytes:
     try:
-        return base64.b64decode(node.text(), validate=True)
+        return base64.b64decode(text, validate=True)
     except (binascii.Error, ValueError):
-        raise node.fault("is not base64") from None
+        raise InputError("is not base64; expected a file in base64") from None
 
 
 def _flac(audio: Audio) -> str:
@@ -176,20 +179,23 @@ def _flac(audio: Audio) -> str:
     return base64.b64encode(buffer.getvalue()).decode()
 
 
-def _sound(node: Node) -> Audio:
+def _sounding(utterance: Utterance | None, sound: str | None) -> Utterance | None:
+    """Return what is said with its sound, base64 of a FLAC file; silent where there is none."""
+    if utterance is None or sound is None:
+        return utterance
     try:
-        samples, rate = soundfile.read(io.BytesIO(_bytes(node)), dtype="int16")
+        return replace(utterance, audio=_sound(sound))
+    except ValueError as error:
+        raise InputError(f"the sound does not fit what is said: {error}; expected one as long") from None
+
+
+def _sound(text: str) -> Audio:
+    try:
+        samples, rate = soundfile.read(io.BytesIO(_bytes(text)), dtype="int16")
     except (RuntimeError, OSError) as error:
-        raise node.fault(f"is no sound: {error}") from None
+        raise InputError(f"is not a sound: {error}; expected a FLAC file") from None
     if samples.ndim != 1:
-        raise node.fault("has several channels; expected one")
+        raise InputError("has several channels; expected one")
     with AudioWriter(rate) as writer:
         writer.append(np.asarray(samples, np.int16))
         return writer.finish()
-
-
-def _sounding(utterance: Utterance, sound: Audio) -> Utterance:
-    try:
-        return replace(utterance, audio=sound)
-    except ValueError as error:
-        raise InputError(f"the sound does not fit what is said: {error}") from None

@@ -2,39 +2,47 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 
+from ..core.json_text import JsonDocument, parse_json
+from ..core.schema import placed
 from ..core.score import BlendSettings
 from ..core.setting import rows
-from ..errors import InputError
-from ..ports.node import Node
+from ..errors import InputError, Place
 from ..ports.readable import ScoreFile
-from ..ports.score_json import score_from_json
+from ..ports.score_json import ScoreDocument
 from ..settings import BlendChoices
 from .wire import Choices
 
 
-def parsed(data: bytes | str) -> Node:
-    """Return a JSON document; raise InputError if it is none."""
+def parsed(data: bytes | str, name: str) -> JsonDocument:
+    """Return a JSON document, `name` being that of its file; raise InputError if it is none."""
     try:
-        return Node(json.loads(data))
-    except (ValueError, RecursionError):
-        raise InputError("is not JSON") from None
+        text = data if isinstance(data, str) else data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(
+            f"is not UTF-8 text (byte {error.start}); expected a JSON file", Place(name)
+        ) from None
+    return parse_json(text, name)
 
 
-def score_file(node: Node, sound: Path | None) -> ScoreFile:
+def read_score(document: JsonDocument, sound: Path | None) -> ScoreFile:
+    """Return a score and what is said; `sound` as in `score_file`. Raises InputError or ParameterError."""
+    held = document.read(ScoreDocument)
+    with placed(document.source):
+        return score_file(held, sound)
+
+
+def score_file(held: ScoreDocument, sound: Path | None) -> ScoreFile:
     """Return a score and what is said, sounding as the file `sound` of ours (silent where None).
 
-    The way to a sound that the score names itself is not followed. Raises InputError or ParameterError with
-    the path in the document.
+    The way to a sound that the score names itself is not followed. Raises as `ScoreDocument.score_file`.
     """
-    document = dict(node.value) if isinstance(node.value, dict) else node.value
-    if isinstance(document, dict) and isinstance(document.get("speech"), dict):
-        speech = {name: value for name, value in document["speech"].items() if name != "audio"}
-        document["speech"] = speech if sound is None else {**speech, "audio": sound.name}
-    return score_from_json(Node(document, node.path), Path() if sound is None else sound.parent)
+    if held.speech is not None:
+        named = None if sound is None else sound.name
+        held = replace(held, speech=replace(held.speech, audio=named))
+    return held.score_file(Path() if sound is None else sound.parent)
 
 
 def adopted(choices: Choices, blend: BlendSettings) -> Choices:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from ..core.edits import Add, ClearKeys, Delete, Keys, Move, Retarget, Stretch
-from ..core.schema import Range
+from ..core.hints import Range
 from ..core.units import Seconds, Share
 from .wire_settings import choices_class, export_class
 

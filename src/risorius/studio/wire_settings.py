@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import field, make_dataclass
 from typing import Annotated, Any
 
-from ..core.schema import Range
+from ..core.hints import Range
 from ..core.setting import Row, Stage, ValueKind, rows
 from ..settings import Settings
 

@@ -3,8 +3,8 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import InputError
+from risorius.rules.book import Book, book_of, extended, shipped
 from risorius.rules.doctor import examine
-from risorius.rules.rule_set import RuleSet, extended, rule_set_of, shipped
 
 RULE = """
 [[rule]]
@@ -25,9 +25,9 @@ def mine(*lines: str) -> str:
 @pytest.mark.parametrize(
     ("lines", "line", "message"),
     [
-        (["wen = {}"], 7, "unknown key 'rule[0].wen'; did you mean 'rule[0].when'?"),
+        (["wen = {}"], 7, "unknown key 'rule[0].wen'; did you mean 'when'?"),
         (["comment"], 1, "key 'rule[0].comment' is missing"),
-        (['level = "sentence"'], 3, "rule[0].level = 'sentence' cannot be used; expected one of phoneme"),
+        (['level = "sentence"'], 3, 'rule[0].level = "sentence" cannot be used; expected one of phoneme'),
         (["effect = { targets = { AU99 = 0.5 } }"], 4, "unknown action unit 'AU99'"),
         (["effect = { targets = { AU8 = 0.5 } }"], 4, "AU8 (lips toward each other) cannot be shown"),
         (["effect = { targets = { AU1 = 1.5 } }"], 4, "AU1 = 1.5 is out of range"),
@@ -63,7 +63,7 @@ def test_bad_rules_are_refused_with_their_place(lines: list[str], line: int, mes
 
 
 def test_a_rule_given_twice_is_refused() -> None:
-    with pytest.raises(InputError, match=r"my.toml:\d+: rule 'signals.brows.mine' is given twice"):
+    with pytest.raises(InputError, match=r"my.toml:\d+:1: rule 'signals.brows.mine' is given twice"):
         extended(shipped(), mine() + "\n" + mine(), "my.toml")
 
 
@@ -78,17 +78,17 @@ def test_replacements_in_a_circle_are_refused() -> None:
 
 
 def test_an_unknown_rule_to_delete_is_refused() -> None:
-    with pytest.raises(InputError, match=r"my.toml:1: unknown rule 'signals.brwos'"):
+    with pytest.raises(InputError, match=r"my.toml:1:11: unknown rule 'signals.brwos'"):
         extended(shipped(), 'delete = ["signals.brwos"]', "my.toml")
 
 
 def test_a_missing_file_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot be read"):
-        rule_set_of(tmp_path / "none.toml")
+        book_of(tmp_path / "none.toml")
 
 
-def ids(rule_set: RuleSet) -> set[str]:
-    return {rule.id for rule in rule_set}
+def ids(book: Book) -> set[str]:
+    return {rule.id for rule in book}
 
 
 def test_a_file_adds_replaces_and_deletes_without_touching_ours() -> None:
@@ -101,15 +101,15 @@ def test_a_file_adds_replaces_and_deletes_without_touching_ours() -> None:
         + "\n"
         + mine('id = "signals.swing.mine"', 'replaces = ["signals.swing.accent"]')
     )
-    rule_set = extended(shipped(), text, "my.toml")
-    assert ids(rule_set) - before == {"signals.brows.mine", "signals.swing.mine"}
-    gone = before - ids(rule_set)
+    book = extended(shipped(), text, "my.toml")
+    assert ids(book) - before == {"signals.brows.mine", "signals.swing.mine"}
+    gone = before - ids(book)
     assert {"signals.lids.blink", "signals.swing.accent", "punctuators.brows.comma"} <= gone
     assert all(
         name.startswith("punctuators.brows.") or name in ("signals.lids.blink", "signals.swing.accent")
         for name in gone
     )
-    assert rule_set.get("signals.nod.accent").rule.probability == 0.01
+    assert book.get("signals.nod.accent").rule.probability == 0.01
     assert ids(shipped()) == before
 
 
@@ -146,7 +146,7 @@ def test_our_rules_are_well() -> None:
 )
 def test_the_doctor_names_the_ill(lines: list[str], message: str) -> None:
     (finding,) = examine(extended(shipped(), mine(*lines), "my.toml"))
-    assert str(finding).startswith("my.toml:1: rule 'signals.brows.mine' ")
+    assert str(finding).startswith("my.toml:1:1: rule 'signals.brows.mine' ")
     assert message in str(finding)
 
 

@@ -1,0 +1,71 @@
+"""Reading of strict JSON from texts and files."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+from ..errors import InputError, Place
+from .positions import KeyPath
+from .schema import build
+from .source_text import SourceText, Syntax, read_file
+
+T = TypeVar("T")
+MAX_BYTES = 200_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class JsonDocument:
+    """A parsed document, and the text that says where its values stand."""
+
+    data: object
+    source: SourceText
+
+    def read(self, cls: type[T], path: KeyPath = ()) -> T:
+        """Return the document as a `cls`; raise InputError, with its place, if it does not fit.
+
+        `path`: where `data` stands if it is part of a larger text.
+        """
+        return build(cls, self.data, self.source, path)
+
+
+def load_json(path: Path) -> JsonDocument:
+    """Return the document in a file.
+
+    Raises InputError, with line and column for a fault of syntax: not readable, over MAX_BYTES, not UTF-8,
+    not JSON, a key given twice, nested too deeply, a number that no program reads.
+    """
+    return parse_json(read_file(path, MAX_BYTES, Syntax.JSON), str(path))
+
+
+def parse_json(text: str, name: str) -> JsonDocument:
+    """Return the document in a JSON text; `name` is that of its file. Raises InputError as `load_json`."""
+    place = Place(name)
+    try:
+        data = json.loads(text, object_pairs_hook=_object, parse_constant=_no_constant)
+    except json.JSONDecodeError as error:
+        message = f"is not JSON: {error.msg[:1].lower()}{error.msg[1:]}"
+        raise InputError(message, Place(name, error.lineno, error.colno)) from None
+    except RecursionError:
+        raise InputError("is nested too deeply; expected fewer levels", place) from None
+    except InputError as error:
+        raise error.at(place) from None
+    except ValueError:
+        # The only other fault: digits beyond what Python turns into an integer.
+        raise InputError("holds a number with too many digits; expected fewer", place) from None
+    return JsonDocument(data, SourceText(name, text, Syntax.JSON))
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    members = dict(pairs)
+    if len(members) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for i, name in enumerate(names) if name in names[:i])
+        raise InputError(f"the key '{twice}' is given twice in one object; expected it once")
+    return members
+
+
+def _no_constant(name: str) -> float:
+    raise InputError(f"{name} is not a number; expected a finite one")
