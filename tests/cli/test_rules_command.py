@@ -55,7 +55,7 @@ def test_the_doctor_names_what_is_ill_and_fails(ill: Path, capsys) -> None:
     assert run(["rules", "doctor"]) == 0
     assert run(["rules", "doctor", "--rules", str(ill)]) == 2
     shown = capsys.readouterr()
-    assert f"{ill}:2: rule 'signals.brows.ill' can never fire: its probability is 0" in shown.out
+    assert f"{ill}:2:1: rule 'signals.brows.ill' can never fire: its probability is 0" in shown.out
     assert f"1 problem in {len(shipped().entries) + 1} rules" in shown.err
 
 
@@ -64,7 +64,7 @@ def test_all_rules_are_listed_and_each_shown_as_it_stands(ill: Path, capsys) -> 
     listed = capsys.readouterr().out
     assert all(rule.id in listed for rule in shipped())
     assert run(["rules", "show", "signals.brows.ill", "--rules", str(ill)]) == 0
-    assert capsys.readouterr().out == f"# {ill}:2\n{ILL.lstrip()}"
+    assert capsys.readouterr().out == f"# {ill}:2:1\n{ILL.lstrip()}"
     assert run(["rules", "list", "regulators.eyes"]) == 0
     assert "signals" not in capsys.readouterr().out
 
