@@ -7,7 +7,7 @@ from pathlib import Path
 
 from risorius.core.setting import Group, Row, Stage, ValueKind, rows
 from risorius.settings import Settings
-from risorius.unread import INPUTS, InputKind
+from risorius.unread import INPUTS, NEEDED, InputKind
 
 PAGE = Path(__file__).parent / "settings.md"
 HEAD = """# Settings
@@ -22,9 +22,18 @@ equals its default is never refused.
 """
 
 
+WRITTEN = """
+On the command line, a setting that changes none of the outputs is refused as well.
+
+| output made of | reads settings of |
+|---|---|
+"""
+
+
 def page() -> str:
     """Return the page."""
-    return HEAD + "".join(map(_refusal, INPUTS)) + "".join(map(_section, Group))
+    needs = "".join(f"| {need} | {', '.join(stages)} |\n" for need, stages in NEEDED.items())
+    return "".join((HEAD, *map(_refusal, INPUTS), WRITTEN, needs, *map(_section, Group)))
 
 
 def _refusal(source: InputKind) -> str:

@@ -43,7 +43,7 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "looks": {"core", "face", "settings"},
     "render": {"core", "face", "settings", "looks"},
     "ports": {"core", "languages", "script", "face", "looks", "render"},
-    "unread": {"core", "script", "speech", "settings"},
+    "unread": {"core", "script", "speech", "ports", "settings"},
     "take": TAKE,
     "pipeline": PIPELINE - {"face", "looks", "render", "ports"},
     "api": PIPELINE | {"pipeline"},

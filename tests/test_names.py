@@ -45,7 +45,6 @@ TO_MEND = {
     "Spoken",
     "Stretch",
     "Timed",
-    "Tone",
     "Whole",
     "Word",
     "Writer",

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from risorius.channels import emotion, gaze, head, manipulators
-from risorius.rules.book import shipped
 from risorius.rules.rule import RULED_CHANNELS
+from risorius.rules.rule_set import shipped
 
 ROOT = Path(__file__).parent
 PAGE = ROOT.parent / "docs" / "paper-b.md"

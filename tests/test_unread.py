@@ -13,8 +13,9 @@ import pytest
 import risorius
 from risorius.cli import EXIT_FAULT, run
 from risorius.errors import Place, UnreadError
+from risorius.ports.formats import format_for
 from risorius.settings import BlendChoices, Look, Settings
-from risorius.unread import chosen
+from risorius.unread import chosen, refuse_unwritten
 
 SMILE = "zygomatic_major.left"
 GRIN = {"channel": "emotion", "start": 0.0, "end": 1.0, "onset": 0.4, "offset": 0.4, "targets": {SMILE: 0.6}}
@@ -171,6 +172,44 @@ def test_options_of_other_commands(
 ) -> None:
     assert run(options) == EXIT_FAULT
     assert expected in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "outputs", "expected"),
+    [
+        (["--size", "64x64"], ["x.wav"], "--size has no effect: no output is a picture or a video"),
+        (["--at", "1"], ["x.mp4"], "--at has no effect: no output is a single picture"),
+        (["--every", "2"], ["x.obj"], "--every has no effect: no output is a single picture"),
+        (
+            ["--age", "60", "--skin", "static"],
+            ["x.muscles.csv"],
+            "--age, --skin have no effect: no output depends",
+        ),
+        (["--fps", "24"], ["x.score.json", "x.TextGrid"], "--fps has no effect: no output has frames"),
+        (["--hair", "bald"], ["x.arkit.csv"], "--hair has no effect: no output shows hair"),
+        (["--seed", "3"], ["x.visemes.json"], "--seed has no effect: no output holds movements"),
+    ],
+)
+def test_what_changes_no_output_is_refused(
+    options: list[str], outputs: list[str], expected: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["speak", "Oh.", *options, *(word for name in outputs for word in ("-o", name))]) == EXIT_FAULT
+    assert expected in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("settings", "outputs"),
+    [
+        (Settings(size=(64, 64)), ["x.wav", "x.png"]),
+        (Settings(at=1.0), ["x.obj"]),
+        (Settings(fps=Fraction(24)), ["x.visemes.dat"]),
+        (Settings(look=Look(complexion=0.5)), ["x.glb"]),
+        (Settings(seed=1, blend=BlendChoices(conflict="sum")), ["x.score.json"]),
+        (Settings(), ["x.wav"]),
+    ],
+)
+def test_what_changes_one_output_is_not_refused(settings: Settings, outputs: list[str]) -> None:
+    refuse_unwritten(settings, [format_for(Path(name)) for name in outputs])
 
 
 def test_what_is_chosen_is_what_is_not_the_default() -> None:

@@ -12,9 +12,9 @@ from .blend import Plan, performance_after
 from .core.progress import Progress, quiet
 from .core.score import Score
 from .core.utterance import Utterance
-from .rules.book import book_of
 from .rules.emotions import Displays
 from .rules.profiles import attitude, profile_of
+from .rules.rule_set import rule_set_of
 from .script import Script
 from .settings import Settings
 from .speech import Input, feelings, hear, read, say
@@ -63,7 +63,7 @@ def compose(script: Script, utterance: Utterance | None, emotions: Displays, set
         lively=settings.lively,
         profile=profile_of(settings.profile),
         attitudes=tuple(attitude(name) for name in settings.attitudes),
-        book=book_of(settings.rules),
+        rules=rule_set_of(settings.rules),
     )
     blend = settings.blend.planned()
     return channels.compose(inputs, seed=settings.seed, without=settings.without, settings=blend)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from .core.setting import Row, Stage, rows
 from .errors import Place, UnreadError
+from .ports.formats import FileFormat, Need
 from .script import Script
 from .settings import Settings
 from .speech import LabelledRecording, Recording
@@ -64,12 +65,50 @@ INPUTS = (RECORDING, LABELS, SILENCE, SCORE, PERFORMANCE, CAPTURE, POSE, CHARACT
 SCHEDULED = "the times of this script are absolute; expected them where silence is added around plain text"
 
 
+_SAID = (Stage.VOICE,)
+_MOVED = (*_SAID, Stage.PLAN, Stage.COMBINE)
+_CURVED = (*_MOVED, Stage.FRAMES, Stage.HEAD)
+_SOLVED = (*_CURVED, Stage.SHAPE, Stage.SKIN)
+NEEDED: Mapping[Need, Collection[Stage]] = {
+    Need.SPEECH: _SAID,
+    Need.MOVEMENTS: _MOVED,
+    Need.CURVES: _CURVED,
+    Need.VERTICES: _SOLVED,
+    Need.HEAD: _SOLVED,
+    Need.PIXELS: (*_SOLVED, Stage.APPEARANCE, Stage.PICTURE),
+}
+"""The stages whose settings change a file that needs something."""
+UNWRITTEN: Mapping[Stage, str] = {
+    Stage.VOICE: "no output depends on the voice; expected e.g. -o x.wav",
+    Stage.PLAN: "no output holds movements; expected e.g. -o x.score.json",
+    Stage.COMBINE: "no output holds movements; expected e.g. -o x.muscles.csv",
+    Stage.FRAMES: "no output has frames; expected e.g. -o x.muscles.csv",
+    Stage.HEAD: "no output depends on the head; expected e.g. -o x.glb",
+    Stage.SHAPE: "no output depends on the shape of the head; expected e.g. -o x.glb",
+    Stage.SKIN: "no output shows the skin; expected e.g. -o x.glb",
+    Stage.APPEARANCE: "no output shows hair or complexion; expected e.g. -o x.png",
+    Stage.PICTURE: "no output is a picture or a video; expected e.g. -o x.mp4",
+    Stage.OUTPUT: "no output is a single picture; expected -o x.png",
+}
+
+
 def chosen(settings: Settings) -> Iterator[str]:
     """Yield the names of the settings that are not the default; those of `look` and `blend` by their own."""
     for name, row in rows(Settings).items():
         value = _value(settings, row)
         if value != row.default and not (_is_empty(value) and _is_empty(row.default)):
             yield name
+
+
+def refuse_unwritten(settings: Settings, formats: Iterable[FileFormat]) -> None:
+    """Raise UnreadError for settings that change none of the files that are written."""
+    formats = tuple(formats)
+    stages = {stage for written in formats for need in written.needs for stage in NEEDED[need]}
+    names = {name for written in formats for name in written.reads}
+    table = rows(Settings)
+    unread = [n for n in chosen(settings) if n not in names and table[n].entry.stage not in stages]
+    if unread:
+        raise UnreadError(unread, UNWRITTEN[table[unread[0]].entry.stage])
 
 
 def values_read(settings: Settings, stage: Stage) -> tuple[object, ...]:

@@ -11,8 +11,8 @@ import pytest
 from risorius.channels import Brief, Display, built_channels, compose
 from risorius.core.movement import Movement
 from risorius.core.utterance import Accent, PauseKind, Utterance
-from risorius.rules.book import extended, shipped
 from risorius.rules.profiles import attitude, profile, profiles
+from risorius.rules.rule_set import extended, shipped
 
 Maker = Callable[..., Utterance]
 LID = "orbicularis_oculi_palpebralis.left"
@@ -32,8 +32,8 @@ def movements(said: Utterance, *prefixes: str, seed: int = 0, **brief: object) -
     """Return what is composed with only our rules under the prefixes, which fire wherever they can."""
     others = [r.id for r in shipped() if not r.id.startswith(prefixes)]
     text = f"delete = {json.dumps(others)}\n" + "\n".join(certain(p) for p in prefixes)
-    book = extended(shipped(), text, "my.toml")
-    return compose(Brief(said.duration, said, book=book, **brief), seed=seed).movements  # type: ignore[arg-type]
+    rule_set = extended(shipped(), text, "my.toml")
+    return compose(Brief(said.duration, said, rules=rule_set, **brief), seed=seed).movements  # type: ignore[arg-type]
 
 
 def by_rule(found: Sequence[Movement], rule: str) -> list[Movement]:

@@ -9,7 +9,7 @@ import pytest
 from risorius import speak
 from risorius.cli import run
 from risorius.errors import InputError, ParameterError
-from risorius.rules.book import shipped
+from risorius.rules.rule_set import shipped
 from risorius.settings import Settings
 
 ILL = """

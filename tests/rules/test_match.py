@@ -8,12 +8,12 @@ from hypothesis import strategies as st
 
 from risorius.core.counted import Counted
 from risorius.core.utterance import Question, Utterance
-from risorius.rules.book import extended, shipped
-from risorius.rules.conduct import Conduct, rate_of, size_of
 from risorius.rules.emotions import Display
 from risorius.rules.match import Event, events_of
+from risorius.rules.modulation import Modulation, rate_of, size_of
+from risorius.rules.resolve import resolve
 from risorius.rules.rule import Level, Rule
-from risorius.rules.settle import settle
+from risorius.rules.rule_set import extended, shipped
 from risorius.rules.situation import Situation
 from risorius.rules.synchrony import Span, nearest, snapped, synchrony
 from risorius.rules.unit import Unit
@@ -123,26 +123,28 @@ def test_a_probability_is_the_share_of_units(sentence_of: Maker) -> None:
     assert len(found) / len(said.words) == pytest.approx(0.3, abs=0.1)
 
 
-def test_conduct_thins_or_adds_and_leaves_the_rest(sentence_of: Maker) -> None:
+def test_modulation_thins_or_adds_and_leaves_the_rest(sentence_of: Maker) -> None:
     units = units_of(sentence_of(LONG))
     rules = [rule_of('level = "item"\nwhen = { accent = ["any"] }\nprobability = 0.5')]
     spans = {
-        factor: {e.span for e in events_of(rules, units, NUMBERS, conduct=[Conduct({"signals": factor})])}
+        factor: {
+            e.span for e in events_of(rules, units, NUMBERS, modulations=[Modulation({"signals": factor})])
+        }
         for factor in (0.5, 1.0, 1.5)
     }
     assert spans[0.5] < spans[1.0] < spans[1.5]
 
 
 def test_factors_of_all_beginnings_multiply() -> None:
-    conducts = [
-        Conduct({"signals": 2.0, "signals.brows": 0.5}, {"signals.brows.a": 3.0}),
-        Conduct({"signals": 4.0}),
+    modulations = [
+        Modulation({"signals": 2.0, "signals.brows": 0.5}, {"signals.brows.a": 3.0}),
+        Modulation({"signals": 4.0}),
     ]
-    assert rate_of("signals.brows.a", conducts) == 4.0
-    assert rate_of("signals.nod.a", conducts) == 8.0
-    assert rate_of("signalsbrows", conducts) == 1.0
-    assert size_of("signals.brows.a", conducts) == 3.0
-    assert conducts[0].at(0.5).rates == {"signals": 1.5, "signals.brows": 0.75}
+    assert rate_of("signals.brows.a", modulations) == 4.0
+    assert rate_of("signals.nod.a", modulations) == 8.0
+    assert rate_of("signalsbrows", modulations) == 1.0
+    assert size_of("signals.brows.a", modulations) == 3.0
+    assert modulations[0].at(0.5).rates == {"signals": 1.5, "signals.brows": 0.75}
 
 
 def test_another_rule_changes_no_event_of_the_first(sentence_of: Maker) -> None:
@@ -222,7 +224,7 @@ def test_what_pauses_others_keeps_them_away(sentence_of: Maker) -> None:
         'level = "word"\nwhen = { accent = ["any"] }\neffect = { targets = { head_pitch = -4.0 } }',
         "signals.nod.mine",
     )
-    kept = settle(events([shake, nod], said))
+    kept = resolve(events([shake, nod], said))
     assert [(e.rule.id, e.unit.text) for e in kept] == [
         ("head.verbal.mine", '"No"'),
         ("signals.nod.mine", '"do"'),
@@ -232,14 +234,16 @@ def test_what_pauses_others_keeps_them_away(sentence_of: Maker) -> None:
 def test_events_give_way_to_what_the_script_moves(sentence_of: Maker) -> None:
     found = events([rule_of('level = "word"')], sentence_of("One two three four."))
     brow = frozenset({"frontalis_medialis.left"})
-    assert settle(found, [(0.0, 99.0, brow)]) == []
-    assert settle(found, [(0.0, 99.0, frozenset({"head_yaw"}))]) == found
+    assert resolve(found, [(0.0, 99.0, brow)]) == []
+    assert resolve(found, [(0.0, 99.0, frozenset({"head_yaw"}))]) == found
 
 
 def test_of_two_that_start_together_the_larger_stays(sentence_of: Maker) -> None:
     small = rule_of('level = "word"', "signals.brows.a")
     large = rule_of('level = "word"\neffect = { targets = { AU1 = 0.9 } }', "signals.brows.b")
-    assert {e.rule.id for e in settle(events([small, large], sentence_of("One two.")))} == {"signals.brows.b"}
+    assert {e.rule.id for e in resolve(events([small, large], sentence_of("One two.")))} == {
+        "signals.brows.b"
+    }
 
 
 def test_units_know_where_they_stand(sentence_of: Maker) -> None:

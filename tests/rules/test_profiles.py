@@ -3,11 +3,11 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import InputError, ParameterError
-from risorius.rules.book import shipped
-from risorius.rules.conduct import is_under
 from risorius.rules.emotions import emotion, emotion_key, emotions, parse_display
 from risorius.rules.load import DATA
+from risorius.rules.modulation import is_under
 from risorius.rules.profiles import attitude, attitudes, profile, profile_from, profile_of, profiles
+from risorius.rules.rule_set import shipped
 
 SMALL = 'name = "mine"\nbase = "neutral"\ndescription = "d"\nsource = "s"\n'
 BASES = {"neutral": (DATA / "profiles" / "neutral.toml").read_text()}
@@ -75,7 +75,7 @@ def test_a_profile_may_be_a_file(tmp_path: Path) -> None:
 def test_factors_name_rules_that_exist() -> None:
     ids = [*(rule.id for rule in shipped()), *HABITS]
     for who in (*profiles().values(), *attitudes().values(), *emotions().values()):
-        for prefix in who.conduct.prefixes():
+        for prefix in who.modulation.prefixes():
             assert any(is_under(name, prefix) for name in ids), f"{who.name}: {prefix}"
 
 

@@ -11,7 +11,7 @@ import pytest
 
 import risorius
 from risorius.cli import run
-from risorius.core.directions import Directions, Tone
+from risorius.core.directions import Directions, ToneMark
 from risorius.core.utterance import Utterance
 from risorius.errors import Place
 from risorius.ports.textgrid import utterance_lines
@@ -101,7 +101,8 @@ def test_a_script_keeps_its_marks_with_a_recorded_voice(voice: Path) -> None:
 def test_tones_written_in_the_script_stand(voice: Path) -> None:
     script = read_script(TEXT, text=True)
     tones = Directions(
-        accents=(Tone(TEXT.index("map"), "L+H*", HERE),), boundaries=(Tone(TEXT.index("beam"), "H-H%", HERE),)
+        accents=(ToneMark(TEXT.index("map"), "L+H*", HERE),),
+        boundaries=(ToneMark(TEXT.index("beam"), "H-H%", HERE),),
     )
     line = replace(script.lines[0], directions=tones)
     found = with_written_tones(hear_words("line.wav", TEXT), replace(script, lines=(line,)))

@@ -9,7 +9,7 @@ from risorius.cli.listing import LISTINGS
 from risorius.core.channels import CHANNELS
 from risorius.core.parameters import PARAMETERS
 from risorius.ports.formats import FORMATS
-from risorius.rules.book import shipped
+from risorius.rules.rule_set import shipped
 from risorius.settings import Settings
 from risorius.studio.catalogue import catalogue, catalogue_json
 from risorius.studio.choices import settings_of

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from risorius.errors import RisoriusError
-from risorius.rules.book import book_of
 from risorius.rules.profiles import profile_of
+from risorius.rules.rule_set import rule_set_of
 from risorius.rules.tuned import tuned_text
 from risorius.settings import Settings
 from risorius.studio.choices import settings_of
@@ -29,7 +29,7 @@ WRONG = [
 @pytest.mark.parametrize(("chosen", "message"), WRONG)
 def test_a_wrong_choice_is_named(tmp_path, chosen, message):
     with pytest.raises(RisoriusError) as caught:
-        book_of(settings_of(Choices(**chosen), tmp_path).rules)
+        rule_set_of(settings_of(Choices(**chosen), tmp_path).rules)
     assert message in str(caught.value)
 
 
@@ -41,7 +41,7 @@ def test_the_defaults_are_the_library_s(tmp_path):
 def test_rules_are_switched_off_by_a_file_of_the_session(tmp_path):
     settings = settings_of(Choices(rules_off=("gaze", "head")), tmp_path)
     assert settings.rules.parent == tmp_path
-    assert not any(name.startswith(("gaze.", "head.")) for name in book_of(settings.rules).entries)
+    assert not any(name.startswith(("gaze.", "head.")) for name in rule_set_of(settings.rules).entries)
     assert settings == settings_of(Choices(rules_off=("head", "gaze", "head")), tmp_path)
 
 

@@ -1,4 +1,4 @@
-"""From a brief to the score: rules propose, what happens is settled, every channel builds.
+"""From a brief to the score: rules propose, rivals are resolved, every channel builds.
 
 All channels build, each with random numbers of its own; a channel that is left out is dropped afterwards, so
 that the others are as they were (paper B, section 3.2).
@@ -14,7 +14,7 @@ from ..core.movement import LipSegment, Movement
 from ..core.score import BlendSettings, Score, check_score
 from ..errors import ParameterError, unknown
 from ..rules.match import Event, events_of
-from ..rules.settle import settle
+from ..rules.resolve import resolve
 from .registry import Brief, Context, builder_of
 
 HORIZON = 9.0
@@ -75,6 +75,8 @@ def proposed(brief: Brief, seed: int) -> tuple[Event, ...]:
     """Return the events of the rules that happen; a still face has none."""
     if not brief.lively:
         return ()
-    events = events_of(brief.book, brief.units, Counted(seed), conduct=brief.conduct, side=brief.profile.side)
+    events = events_of(
+        brief.rules, brief.units, Counted(seed), modulations=brief.modulations, side=brief.profile.side
+    )
     exclusive = [m for m in brief.marks if CHANNELS.get(m.channel).exclusive]
-    return tuple(settle(events, [(m.start, m.end, frozenset(m.targets)) for m in exclusive]))
+    return tuple(resolve(events, [(m.start, m.end, frozenset(m.targets)) for m in exclusive]))

@@ -14,9 +14,9 @@ from itertools import count
 
 from ..core.counted import Counted
 from ..core.movement import Cause, Movement
-from ..rules.conduct import rate_of
 from ..rules.markup import markup_table
 from ..rules.match import Event
+from ..rules.modulation import rate_of
 from ..rules.profiles import Aversion
 from ..rules.rule import AWAY, TurnState
 from .eye_head import Angles, GazeShift, head_help, shifts_of
@@ -127,7 +127,7 @@ def _averted(brief: Brief, looks: Sequence[Look], numbers: Counted) -> list[Look
         if rival is not None and rival.direction == LISTENER:
             time = last + _SHORTEST
             continue
-        often = max(rate_of(AVERSION, brief.conduct_at(last)), 1e-3)
+        often = max(rate_of(AVERSION, brief.modulations_at(last)), 1e-3)
         time = last + max(_around(habit.gap, own, "gap"), _SHORTEST) / often
     return sorted(found, key=lambda k: k.start)
 

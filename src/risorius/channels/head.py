@@ -15,8 +15,8 @@ from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..core.utterance import PauseKind
-from ..rules.conduct import size_of
 from ..rules.match import HEAD
+from ..rules.modulation import size_of
 from ..rules.rule import TurnState
 from .registry import Brief, Context, register
 from .ruled import marked_and_ruled, with_eyes
@@ -65,7 +65,7 @@ def _melody(brief: Brief) -> Iterator[Movement]:
         return
     ends = [*(s.start for s in said.syllables[1:]), brief.duration]
     for s, end in zip(said.syllables, ends, strict=True):
-        size = degrees * size_of(MELODY, brief.conduct_at(s.start))
+        size = degrees * size_of(MELODY, brief.modulations_at(s.start))
         targets = {"head_pitch": size * min(max(s.pitch, -2.0), 2.0)}
         cause = Cause(MELODY, f'"{said.words[s.word].text}"')
         link = _link(s.start, end, targets, "melody", cause)
@@ -80,7 +80,7 @@ def _noise(brief: Brief, numbers: Counted) -> Iterator[Movement]:
     targets = dict.fromkeys(HEAD, 0.0)
     steps = _steps(habits.dwell, calm.edges, brief.duration, numbers)
     for number, (start, end, share) in enumerate(steps):
-        left, size = calm.at(start), size_of(NOISE, brief.conduct_at(start))
+        left, size = calm.at(start), size_of(NOISE, brief.modulations_at(start))
         for name, sd in deviations.items():
             drawn = numbers.normal(name, number, deviation=size * sd, limit=2.0)
             kept = 0.0 if calm.rests(start) else (1.0 - left * share) * targets[name]

@@ -11,11 +11,11 @@ from ..core.channels import ChannelDeclaration
 from ..core.counted import Counted
 from ..core.movement import LipSegment, Movement
 from ..core.utterance import Utterance
-from ..rules.book import Book, shipped
-from ..rules.conduct import Conduct
 from ..rules.emotions import Display
-from ..rules.match import Event, felt_conduct
+from ..rules.match import Event, felt_modulations
+from ..rules.modulation import Modulation
 from ..rules.profiles import NEUTRAL, Attitude, Profile, profile
+from ..rules.rule_set import RuleSet, shipped
 from ..rules.situation import Situation
 from ..rules.units import Units
 
@@ -27,7 +27,7 @@ class Brief:
     `utterance` is None where nothing is said. `marks`: the script's movements, of all channels. `emotions`:
     the displays asked for beside the script; `felt`: those that the script marks. `listening`: spans of
     listening, seconds. `opens`: whether the mouth may open before speech and close after it (plain text).
-    `lively`: whether rules, random blinks, small head and eye movements are wanted. `book`: the rules that
+    `lively`: whether rules, random blinks, small head and eye movements are wanted. `rules`: those that
     hold.
     """
 
@@ -43,7 +43,7 @@ class Brief:
     lively: bool = True
     profile: Profile = field(default_factory=lambda: profile(NEUTRAL))
     attitudes: tuple[Attitude, ...] = ()
-    book: Book = field(default_factory=shipped)
+    rules: RuleSet = field(default_factory=shipped)
 
     @cached_property
     def situation(self) -> Situation:
@@ -56,13 +56,13 @@ class Brief:
         return Units(self.situation)
 
     @property
-    def conduct(self) -> tuple[Conduct, ...]:
+    def modulations(self) -> tuple[Modulation, ...]:
         """What the speaker does more or less of, emotions apart."""
-        return (self.profile.conduct, *(a.conduct for a in self.attitudes))
+        return (self.profile.modulation, *(a.modulation for a in self.attitudes))
 
-    def conduct_at(self, time: float) -> tuple[Conduct, ...]:
+    def modulations_at(self, time: float) -> tuple[Modulation, ...]:
         """Return what the speaker does more or less of at a time, emotions included."""
-        return (*self.conduct, *felt_conduct(self.situation.emotions_at(time)))
+        return (*self.modulations, *felt_modulations(self.situation.emotions_at(time)))
 
     def marked(self, channel: str) -> tuple[Movement, ...]:
         """Return the script's movements of a channel."""

@@ -10,7 +10,7 @@ from ..core.movement import Cause, Movement
 from ..rules.gestures import gesture_parts, gesture_seconds
 from ..rules.markup import markup_table
 from ..rules.match import Event
-from ..rules.settle import APART
+from ..rules.resolve import APART
 from .blinks import blink
 from .registry import Brief, Context
 

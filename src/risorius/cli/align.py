@@ -8,7 +8,7 @@ import click
 
 from ..errors import OutputError
 from .console import Console
-from .options import Command, output_option
+from .options import Command, check_outputs, output_option
 
 
 @click.command(cls=Command)
@@ -23,12 +23,11 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None
     """
     with Console() as console:
         from ..api import align as find
-        from ..ports.targets import check_targets as check_outputs
         from ..speech.prosody import speech_rate
 
         if not outputs:
             raise OutputError("no output named; expected -o x.TextGrid")
-        check_outputs(outputs, ("speech",))
+        check_outputs(outputs, available=("speech",))
         take = find(audio, transcript, progress=console.progress)
         take.write(*outputs)
         if said := take.utterance:

@@ -108,22 +108,22 @@ def attitudes() -> Listing:
 
 def rule_rows(file: Path | None, prefix: str | None) -> Listing:
     """The rules that hold, or those whose id is `prefix` or begins with it; ParameterError if none does."""
-    from ..rules.book import book_of
-    from ..rules.conduct import is_under
+    from ..rules.modulation import is_under
+    from ..rules.rule_set import rule_set_of
 
-    book = book_of(file)
-    chosen = [rule for rule in book if prefix is None or is_under(rule.id, prefix)]
+    rule_set = rule_set_of(file)
+    chosen = [rule for rule in rule_set if prefix is None or is_under(rule.id, prefix)]
     if not chosen:
-        raise ParameterError(unknown("rule", str(prefix), book.entries))
+        raise ParameterError(unknown("rule", str(prefix), rule_set.entries))
     rows = [(r.id, str(r.level), f"{r.probability:g}", ", ".join(r.when.asked()), r.comment) for r in chosen]
     return ("rule", "level", "probability", "conditions", "comment"), list(rows)
 
 
 def rule_lines(name: str, file: Path | None) -> list[str]:
     """A rule as it stands in its file, after the place."""
-    from ..rules.book import book_of
+    from ..rules.rule_set import rule_set_of
 
-    entry = book_of(file).get(name)
+    entry = rule_set_of(file).get(name)
     return [f"# {entry.place}", *entry.text.splitlines()]
 
 

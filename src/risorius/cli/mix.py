@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from ..core.setting import Stage
-from .options import SHOWN, Command, output_option, setting_options, settings_from
+from .options import SHOWN, Command, check_outputs, output_option, setting_options, settings_from
 
 
 @click.command(cls=Command)
@@ -21,10 +21,14 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     Without -o the curves go to standard output as CSV. What no option chooses is as the score says.
     """
     from ..api import mix as combine
-    from ..ports.targets import check_targets as check_outputs
+    from ..ports.formats import FORMATS
+    from ..unread import refuse_unwritten
 
     settings = settings_from(chosen)
-    check_outputs(outputs, alpha=settings.look.transparent)
+    if outputs:
+        check_outputs(outputs, settings)
+    else:
+        refuse_unwritten(settings, [FORMATS.get(".muscles.csv")])
     take = combine(score, settings=settings)
     if outputs:
         take.write(*outputs)

@@ -160,6 +160,22 @@ emotion_option = option(
 )
 
 
+def check_outputs(
+    outputs: Collection[Path], settings: Settings | None = None, available: Collection[str] | None = None
+) -> None:
+    """Raise RisoriusError for outputs that cannot be written of what is `available`, and for settings that
+    change none of them.
+    """
+    from ..ports.formats import Need
+    from ..ports.targets import check_targets
+    from ..unread import refuse_unwritten
+
+    alpha = settings is not None and settings.look.transparent
+    targets = check_targets(outputs, tuple(Need) if available is None else available, alpha=alpha)
+    if settings is not None:
+        refuse_unwritten(settings, [target.format for target in targets])
+
+
 def displays(emotions: tuple[str, ...]) -> tuple[Display, ...]:
     """Return the displays of emotions that are given as texts; raise InputError for one that is none."""
     from ..rules.emotions import parse_display

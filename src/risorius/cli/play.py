@@ -9,7 +9,7 @@ import click
 
 from ..errors import OutputError
 from .console import Console
-from .options import SHOWN, Command, option, output_option, setting_options, settings_from
+from .options import SHOWN, Command, check_outputs, option, output_option, setting_options, settings_from
 
 
 @click.command(cls=Command)
@@ -27,9 +27,8 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
     settings = settings_from(chosen)
     with Console() as console:
         from ..api import play as perform
-        from ..ports.targets import check_targets as check_outputs
 
-        check_outputs(outputs, alpha=settings.look.transparent)
+        check_outputs(outputs, settings)
         take = perform(capture, audio=audio, settings=settings, progress=console.progress)
         take.write(*outputs, progress=console.progress)
         console.say(f"Wrote {', '.join(str(output) for output in outputs)}")

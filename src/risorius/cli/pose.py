@@ -9,9 +9,17 @@ import click
 
 from ..core.setting import Stage
 from ..errors import InputError, OutputError
-from .options import Command, displays, emotion_option, output_option, setting_options, settings_from
+from .options import (
+    Command,
+    check_outputs,
+    displays,
+    emotion_option,
+    output_option,
+    setting_options,
+    settings_from,
+)
 
-WITHOUT_SPEECH = ("curves", "vertices", "pixels", "head")
+WITHOUT_SPEECH = ("movements", "curves", "vertices", "pixels", "head")
 
 
 @click.command(cls=Command)
@@ -27,12 +35,11 @@ def pose(
     A name without .left or .right means both sides: risorius pose zygomatic_major=0.7 AU1=0.5 -o face.png
     """
     from ..api import pose as hold
-    from ..ports.targets import check_targets as check_outputs
 
     if not outputs:
         raise OutputError("no output named; expected -o face.png")
     settings = settings_from(chosen)
-    check_outputs(outputs, WITHOUT_SPEECH, alpha=settings.look.transparent)
+    check_outputs(outputs, settings, WITHOUT_SPEECH)
     take = hold(_assignments(targets), emotion=displays(emotions), settings=settings)
     take.write(*outputs)
 

@@ -42,14 +42,14 @@ def show(name: str, rules: Path | None) -> None:
 @rules_option
 def doctor(rules: Path | None) -> None:
     """Check the rules: those that can never fire, name nothing, or stand in each other's way."""
-    from ..rules.book import book_of
     from ..rules.doctor import examine
+    from ..rules.rule_set import rule_set_of
 
-    book = book_of(rules)
-    findings = examine(book)
+    rule_set = rule_set_of(rules)
+    findings = examine(rule_set)
     for finding in findings:
         click.echo(str(finding))
     if findings:
         count = "1 problem" if len(findings) == 1 else f"{len(findings)} problems"
-        raise InputError(f"{count} in {len(book.entries)} rules; expected none")
-    click.echo(f"{len(book.entries)} rules, no problem")
+        raise InputError(f"{count} in {len(rule_set.entries)} rules; expected none")
+    click.echo(f"{len(rule_set.entries)} rules, no problem")

@@ -14,6 +14,7 @@ from .console import Console
 from .options import (
     SHOWN,
     Command,
+    check_outputs,
     displays,
     emotion_option,
     option,
@@ -68,9 +69,8 @@ def speak(
             console.say(f"Writing {DEFAULT_OUTPUT} (choose with -o)")
         source, name = (source, "text") if source != "-" else (_standard_input(), "stdin")
         from ..api import speak as perform
-        from ..ports.targets import check_targets as check_outputs
 
-        check_outputs(targets, alpha=settings.look.transparent)
+        check_outputs(targets, settings)
         take = perform(
             source,
             audio=audio,

@@ -1,4 +1,4 @@
-"""How the words of a line are to be spoken: stretches, breaks, tones and named places, by character."""
+"""How to speak the words of a line: spans, breaks, tones and named places, by character."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ FOCUSED = (Emphasis.STRONG, Emphasis.MODERATE)
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
-    """Characters [start, end) of a line, spoken so.
+class DirectedSpan:
+    """How to speak characters [start, end) of a line.
 
-    `phones`: ARPAbet with stress digits, or IPA with stress marks, that replace the dictionary's, and
-    `seconds`: how long each lasts, none where it is free. `voice`: another voice's name; `language`: one in
-    the language (BCP 47).
+    `phones`: ARPAbet with stress digits, or IPA with stress marks, that replace the dictionary's; `seconds`:
+    how long each lasts, empty if that is free. `voice`: another voice's name; `language`: the language (BCP
+    47) of another voice.
     """
 
     start: int
@@ -52,7 +52,7 @@ class Break:
 
 
 @dataclass(frozen=True, slots=True)
-class Tone:
+class ToneMark:
     """A ToBI label of the word that holds character `at`: an accent, or the boundary after the word."""
 
     at: int
@@ -71,16 +71,16 @@ class Sync:
 
 @dataclass(frozen=True, slots=True)
 class Directions:
-    """All that a line says about its own speaking."""
+    """All directions of a line."""
 
-    spans: tuple[Span, ...] = ()
+    spans: tuple[DirectedSpan, ...] = ()
     breaks: tuple[Break, ...] = ()
-    accents: tuple[Tone, ...] = ()
-    boundaries: tuple[Tone, ...] = ()
+    accents: tuple[ToneMark, ...] = ()
+    boundaries: tuple[ToneMark, ...] = ()
     syncs: tuple[Sync, ...] = ()
 
     def moved(self, characters: int) -> Directions:
-        """Return the same for a text that begins so many characters later."""
+        """Return the same directions for a text that begins so many characters later."""
         return Directions(
             tuple(replace(s, start=s.start + characters, end=s.end + characters) for s in self.spans),
             tuple(replace(b, at=b.at + characters) for b in self.breaks),
@@ -90,7 +90,7 @@ class Directions:
         )
 
     def joined(self, other: Directions) -> Directions:
-        """Return both, those of `other` last."""
+        """Return all directions of both, those of `other` last."""
         return Directions(
             (*self.spans, *other.spans),
             (*self.breaks, *other.breaks),
@@ -100,13 +100,13 @@ class Directions:
         )
 
     def focused(self, start: int, end: int) -> bool:
-        """Tell whether characters [start, end) are emphasised."""
+        """Return whether characters [start, end) are emphasised."""
         return any(s.emphasis in FOCUSED and s.start < end and start < s.end for s in self.spans)
 
-    def between(self, start: int, end: int, *, last: bool = False) -> Iterator[Span | Break]:
-        """Yield the spans, cut to fit, and the breaks that fall among characters [start, end).
+    def between(self, start: int, end: int, *, last: bool = False) -> Iterator[DirectedSpan | Break]:
+        """Yield the spans, cut to characters [start, end), and the breaks among them.
 
-        `last`: breaks after `end` as well.
+        `last`: also the breaks after `end`.
         """
         for span in self.spans:
             if span.start < end and start < span.end:

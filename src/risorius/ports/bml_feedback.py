@@ -54,4 +54,4 @@ def _behaviour(movement: Movement) -> str:
     return "head" if "head" in moved and movement.channel != "gaze" else "gaze"
 
 
-register(".feedback.xml", "the plan as BML feedback", {"curves"}, write_bml_feedback)
+register(".feedback.xml", "the plan as BML feedback", {"movements"}, write_bml_feedback)

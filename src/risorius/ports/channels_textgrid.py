@@ -57,4 +57,4 @@ def label(movement: Movement) -> str:
     return " ".join(f"{base}={value:.2g}" for base, value in values.items())
 
 
-register(".channels.TextGrid", "every channel as a tier, for Praat", {"curves"}, write_channels_textgrid)
+register(".channels.TextGrid", "every channel as a tier, for Praat", {"movements"}, write_channels_textgrid)

@@ -33,6 +33,7 @@ _COLUMNS = ("suffix", "description", "needs")  # what `register` has before its 
 class Need(StrEnum):
     """What a format is made from, and so which stages must run for it."""
 
+    MOVEMENTS = "movements"
     CURVES = "curves"
     VERTICES = "vertices"
     PIXELS = "pixels"
@@ -46,7 +47,8 @@ class FileFormat:
 
     `module`: the name of the module that writes and reads it. `opaque`: it shows pictures and has no place
     for an alpha channel. `read_suffixes`: the suffixes of files that are read as this format; none if it is
-    only written. `order`: its place in lists; those of the same place go by their suffix.
+    only written. `reads`: the settings that it reads beside those of the stages that it needs. `order`: its
+    place in lists; those of the same place go by their suffix.
     """
 
     suffix: str
@@ -55,6 +57,7 @@ class FileFormat:
     module: str
     opaque: bool = False
     read_suffixes: tuple[str, ...] = ()
+    reads: tuple[str, ...] = ()
     order: int = _LAST
 
     def write(self, take: WritableTake, path: Path, options: WriteOptions) -> None:
@@ -87,6 +90,7 @@ def register(
     *,
     also_read: tuple[str, ...] = (),
     opaque: bool = False,
+    reads: tuple[str, ...] = (),
     order: int = _LAST,
 ) -> None:
     """Register a format, at the end of its file; all but the functions are written as literals.
@@ -96,7 +100,7 @@ def register(
     """
     _FUNCTIONS[suffix] = (write, read)
     if suffix not in FORMATS:
-        options = {"also_read": also_read, "opaque": opaque, "order": order}
+        options = {"also_read": also_read, "opaque": opaque, "reads": reads, "order": order}
         columns = (suffix, description, needs)
         FORMATS.register(suffix)(_format(write.__module__, columns, options, readable=read is not None))
 

@@ -155,5 +155,13 @@ def _asset(options: WriteOptions, **extras: object) -> dict[str, object]:
     return {"generator": GENERATOR, "copyright": "Head: CC0 1.0", **({"extras": extras} if extras else {})}
 
 
-register(".glb", "the head in motion, by the clip's own shapes", {"head"}, write_glb)
-register(".rig.glb", "the head with 52 ARKit shapes, driven by their weights", {"head"}, write_rig_glb)
+register(
+    ".glb", "the head in motion, by the clip's own shapes", {"head"}, write_glb, reads=("hair", "complexion")
+)
+register(
+    ".rig.glb",
+    "the head with 52 ARKit shapes, driven by their weights",
+    {"head"},
+    write_rig_glb,
+    reads=("hair", "complexion"),
+)

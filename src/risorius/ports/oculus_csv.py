@@ -42,4 +42,6 @@ def _rows(held: list[Cue], times: Array) -> Iterator[Array]:
         yield np.concatenate([[time], weights])
 
 
-register(".oculus.csv", "weights of the 15 visemes of OVRLipSync", {"speech"}, write_oculus_csv)
+register(
+    ".oculus.csv", "weights of the 15 visemes of OVRLipSync", {"speech"}, write_oculus_csv, reads=("fps",)
+)

@@ -54,4 +54,4 @@ def frame_at(performance: Performance, seconds: float | None) -> int:
     return index
 
 
-register(".png", "one frame, or a sheet of every n-th", {"pixels"}, write_png, order=4)
+register(".png", "one frame, or a sheet of every n-th", {"pixels"}, write_png, reads=("at", "every"), order=4)

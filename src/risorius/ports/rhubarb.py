@@ -83,4 +83,4 @@ def _frame(seconds: float, fps: Fraction) -> int:
 register(".visemes.json", "mouth shapes as Rhubarb Lip Sync writes them", {"speech"}, write_rhubarb_json)
 register(".visemes.tsv", "the same as a table", {"speech"}, write_rhubarb_tsv)
 register(".visemes.xml", "the same as XML", {"speech"}, write_rhubarb_xml)
-register(".visemes.dat", "the same as Moho switch data", {"speech"}, write_moho_dat)
+register(".visemes.dat", "the same as Moho switch data", {"speech"}, write_moho_dat, reads=("fps",))

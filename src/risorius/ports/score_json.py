@@ -112,7 +112,7 @@ def score_to_json(
 register(
     ".score.json",
     "all movements with their causes",
-    {"curves"},
+    {"movements"},
     write_score_json,
     read_score_json,
     also_read=(".json",),

@@ -141,4 +141,4 @@ class _Stage:
             weights.Set([float(weight) for weight in row], frame)
 
 
-register(".usda", "the head with 52 blend shapes as USD", {"head"}, write_usda)
+register(".usda", "the head with 52 blend shapes as USD", {"head"}, write_usda, reads=("hair", "complexion"))

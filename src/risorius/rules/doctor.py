@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from ..core.utterance import PauseKind, Question
 from ..errors import Place
-from .book import Book, Entry, shipped
-from .conduct import is_under
+from .modulation import is_under
 from .rule import NOTHING_FELT, Level, Rule
+from .rule_set import Entry, RuleSet, shipped
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,22 +23,22 @@ class Finding:
         return f"{self.place}: {self.message}"
 
 
-def examine(book: Book) -> tuple[Finding, ...]:
-    """Return all that ails a book of rules, in its order."""
+def examine(rule_set: RuleSet) -> tuple[Finding, ...]:
+    """Return the problems of a set of rules, in its order."""
     return tuple(
         Finding(entry.place, f"rule '{entry.rule.id}' {message}")
-        for entry in book.entries.values()
-        for message in _ailments(entry, book)
+        for entry in rule_set.entries.values()
+        for message in _ailments(entry, rule_set)
     )
 
 
-def _ailments(entry: Entry, book: Book) -> Iterator[str]:
+def _ailments(entry: Entry, rule_set: RuleSet) -> Iterator[str]:
     rule = entry.rule
     if rule.probability == 0.0:
         yield "can never fire: its probability is 0"
     yield from _contradictions(rule)
     for prefix in rule.pauses:
-        if not any(is_under(name, prefix) for name in (*book.entries, *shipped().entries)):
+        if not any(is_under(name, prefix) for name in (*rule_set.entries, *shipped().entries)):
             yield f"pauses '{prefix}', which is no rule"
         if is_under(rule.id, prefix):
             yield "pauses itself"
@@ -46,7 +46,7 @@ def _ailments(entry: Entry, book: Book) -> Iterator[str]:
         yield "has a look and targets; the look alone goes to the eyes, the targets to its own channel"
     if not rule.source.strip() or not rule.comment.strip():
         yield "lacks a source or a comment"
-    twins = [r.id for r in book if r.id < rule.id and _same(r, rule)]
+    twins = [r.id for r in rule_set if r.id < rule.id and _same(r, rule)]
     if twins:
         yield f"does what '{twins[0]}' does at the same time"
 

@@ -16,9 +16,9 @@ from ..core.hints import Range
 from ..core.toml import written
 from ..core.units import RiseSeconds, Share
 from ..errors import InputError, ParameterError, unknown
-from .conduct import Conduct
 from .fuzzy_sets import concluded
 from .load import load_file, load_folder
+from .modulation import Modulation
 
 # What share of its full contraction belongs to each of five intensities.
 Degrees = tuple[Share, Share, Share, Share, Share]
@@ -45,7 +45,7 @@ class Emotion:
     """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds.
 
     `degrees`: for units that do not grow with the intensity in proportion, their shares of full contraction
-    at no, low, medium, high and full intensity. `conduct`: what one who feels it does more or less of.
+    at no, low, medium, high and full intensity. `modulation`: what one who feels it does more or less of.
     """
 
     name: str
@@ -56,7 +56,7 @@ class Emotion:
     offset: RiseSeconds
     units: Mapping[str, float] = field(metadata={"key": "targets"})
     emblem: Emblem
-    conduct: Conduct = field(default_factory=Conduct)
+    modulation: Modulation = field(default_factory=Modulation)
     degrees: Mapping[str, Degrees] = field(default_factory=FrozenDict)
 
     def __post_init__(self) -> None:

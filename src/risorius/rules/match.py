@@ -1,4 +1,4 @@
-"""The matcher: rules × units → events. Rules propose; `settle` decides which of rival events happen."""
+"""The matcher: rules × units → events. Rules propose; `resolve` decides which of rival events happen."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from ..core.action_units import resolve_targets
 from ..core.counted import Counted
 from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
-from .conduct import Conduct, rate_of, size_of
 from .emotions import emotion, emotion_key
 from .markup import markup_table
+from .modulation import Modulation, rate_of, size_of
 from .rule import ANY, NOTHING_FELT, Anchor, Rule, When
-from .synchrony import Span, settled, snapped, synchrony
+from .synchrony import Span, ended_in_pause, snapped, synchrony
 from .unit import Unit
 from .units import Units
 
@@ -53,7 +53,7 @@ def events_of(
     units: Units,
     numbers: Counted,
     *,
-    conduct: Sequence[Conduct] = (),
+    modulations: Sequence[Modulation] = (),
     side: float = 0.0,
 ) -> list[Event]:
     """Return all events that rules propose, in order of time and id.
@@ -62,17 +62,17 @@ def events_of(
     further text changes leaves the other events as they are. `side`: how much the speaker prefers the left,
     -1 to 1.
     """
-    found = [e for rule in rules for e in _matched(rule, units, numbers.under(rule.id), conduct, side)]
+    found = [e for rule in rules for e in _matched(rule, units, numbers.under(rule.id), modulations, side)]
     return sorted(found, key=lambda e: (e.span.start, e.rule.id))
 
 
 def _matched(
-    rule: Rule, units: Units, numbers: Counted, conduct: Sequence[Conduct], side: float
+    rule: Rule, units: Units, numbers: Counted, modulations: Sequence[Modulation], side: float
 ) -> Iterator[Event]:
     for unit in units.of(rule.level):
         if not fits(rule.when, unit):
             continue
-        ways = (*conduct, *felt_conduct(unit.emotions))
+        ways = (*modulations, *felt_modulations(unit.emotions))
         own = numbers.under(unit.phrase, unit.number)
         if own.uniform("chance") >= rule.probability * rate_of(rule.id, ways):
             continue
@@ -88,9 +88,9 @@ def _varied(deviation: float, numbers: Counted) -> float:
     return max(_SMALLEST, numbers.normal("size", mean=1.0, deviation=deviation, limit=2.0))
 
 
-def felt_conduct(felt: Mapping[str, float]) -> tuple[Conduct, ...]:
-    """Return how emotions with their intensities change conduct."""
-    return tuple(emotion(name).conduct.at(intensity) for name, intensity in felt.items())
+def felt_modulations(felt: Mapping[str, float]) -> tuple[Modulation, ...]:
+    """Return how emotions with their intensities modulate the rules."""
+    return tuple(emotion(name).modulation.at(intensity) for name, intensity in felt.items())
 
 
 def fits(when: When, unit: Unit) -> bool:
@@ -136,7 +136,7 @@ def _event(rule: Rule, unit: Unit, units: Units, span: Span, size: float, *, mir
         size *= synchrony().size_at(unit.rate)
     targets = _targets(rule, size, mirrored)
     if rule.timing.at is Anchor.ACCENT and not targets.keys().isdisjoint(HEAD):
-        span = settled(span, units.endings)
+        span = ended_in_pause(span, units.endings)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
     return Event(rule, unit, _inside(span, units.situation.duration), targets, size)

@@ -17,8 +17,8 @@ from ..core.source_text import SourceText
 from ..core.toml import read_tables, read_text
 from ..core.units import DeviationDegrees, HabitSeconds, Share, SignedShare
 from ..errors import InputError, ParameterError, unknown
-from .conduct import Conduct, ModulationFactor
 from .load import DATA, load_folder
+from .modulation import Modulation, ModulationFactor
 
 NEUTRAL = "neutral"
 Normal = tuple[HabitSeconds, HabitSeconds]
@@ -103,8 +103,8 @@ def _check_posture(posture: Mapping[str, float]) -> None:
 class Profile:
     """A speaker. `side`: how much the left is preferred, -1 to 1. `posture`: targets held throughout.
 
-    `rates`, `sizes`: as in `Conduct`. `age`, `wrinkles`: the skin's, where the user does not choose; of the
-    head where None.
+    `rates`, `sizes`: as in `Modulation`. `age`, `wrinkles`: the skin's, unless the user chooses; the
+    head's own if None.
     """
 
     name: str
@@ -129,14 +129,14 @@ class Profile:
             raise InputError("the directions of gaze have no weight; expected one at least above 0")
 
     @property
-    def conduct(self) -> Conduct:
+    def modulation(self) -> Modulation:
         """What the speaker does more or less of."""
-        return Conduct(self.rates, self.sizes)
+        return Modulation(self.rates, self.sizes)
 
 
 @dataclass(frozen=True, slots=True)
 class Attitude:
-    """What the speaker wants to convey: changes of conduct, and targets held throughout."""
+    """What the speaker wants to convey: a modulation of the rules, and targets held throughout."""
 
     name: str
     description: str
@@ -149,9 +149,9 @@ class Attitude:
         _check_posture(self.posture)
 
     @property
-    def conduct(self) -> Conduct:
+    def modulation(self) -> Modulation:
         """What the speaker does more or less of."""
-        return Conduct(self.rates, self.sizes)
+        return Modulation(self.rates, self.sizes)
 
 
 @cache

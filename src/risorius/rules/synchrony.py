@@ -68,7 +68,7 @@ class Span:
     end: float
 
 
-def settled(span: Span, pauses: Sequence[float]) -> Span:
+def ended_in_pause(span: Span, pauses: Sequence[float]) -> Span:
     """Return a span that has ended soon after the first pause that it runs into.
 
     `pauses` are the starts of those in which the head stands still, in order.

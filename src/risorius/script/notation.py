@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate, zip_longest
 
-from ..core.directions import Directions, Span, Tone
+from ..core.directions import DirectedSpan, Directions, ToneMark
 from ..core.manner import PLAIN, Manner
 from ..core.tobi import boundary_tone, pitch_accent
 from ..errors import InputError, ParameterError, Place
@@ -164,9 +164,9 @@ def _phrase(phrase: Bracket, tune: Tune, *, first: bool) -> Written:
         raise InputError("no word in these brackets; expected one", phrase.place)
     accented = list(zip(tune.accents, _accented(placed, tune), strict=True))
     directions = Directions(
-        spans=tuple(Span(*span, where, _sounding(label)) for (label, where), span in accented),
-        accents=tuple(Tone(start, label, where) for (label, where), (start, _) in accented),
-        boundaries=(Tone(placed[-1][0], tune.boundary, tune.place),) if tune.boundary else (),
+        spans=tuple(DirectedSpan(*span, where, _sounding(label)) for (label, where), span in accented),
+        accents=tuple(ToneMark(start, label, where) for (label, where), (start, _) in accented),
+        boundaries=(ToneMark(placed[-1][0], tune.boundary, tune.place),) if tune.boundary else (),
     )
     text = " ".join(spelled) + (phrase.after or _punctuation(tune.boundary, spelled[-1]))
     return Written(text, directions, (tuple((a, b) for a, b, _ in placed),))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ..core.directions import Directions, Emphasis, Span
+from ..core.directions import DirectedSpan, Directions, Emphasis
 from ..errors import Place
 from .model import Script, SpokenLine, script_of
 from .speakable import check_speakable, position
@@ -24,7 +24,7 @@ def read_focus(text: str, source: str) -> Directions:
     """Return the emphasis of the `*words*` of a text."""
     return Directions(
         tuple(
-            Span(m.start(1), m.end(1), position(source, text, m.start()), emphasis=Emphasis.MODERATE)
+            DirectedSpan(m.start(1), m.end(1), position(source, text, m.start()), emphasis=Emphasis.MODERATE)
             for m in _FOCUS.finditer(text)
         )
     )

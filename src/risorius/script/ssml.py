@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from ..core.directions import Break, Directions, Emphasis, Span, Sync
+from ..core.directions import Break, DirectedSpan, Directions, Emphasis, Sync
 from ..core.manner import PLAIN, Manner
 from ..errors import InputError, RisoriusError
 from ..rules.ssml import ssml_table
@@ -47,7 +47,7 @@ class Writer:
 
     unknowns: Unknowns
     text: str = ""
-    spans: list[Span] = field(default_factory=list)
+    spans: list[DirectedSpan] = field(default_factory=list)
     breaks: list[Break] = field(default_factory=list)
     syncs: list[Sync] = field(default_factory=list)
 
@@ -88,7 +88,7 @@ class Writer:
         end = len(self.text.rstrip())
         if end > start:
             # Before those inside it: the later one is the inner one.
-            self.spans.insert(index, Span(start, end, node.place, **asked))  # type: ignore[arg-type]
+            self.spans.insert(index, DirectedSpan(start, end, node.place, **asked))  # type: ignore[arg-type]
 
 
 def _plain(writer: Writer, node: Node) -> None:

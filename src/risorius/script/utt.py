@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
-from ..core.directions import Break, Directions, Span
+from ..core.directions import Break, DirectedSpan, Directions
 from ..errors import InputError, ParameterError, Place, unknown
 from ..rules.emotions import emotion as find_emotion
 from .anchor import Anchor, Base, parse_number
@@ -144,7 +144,7 @@ def _dictated(written: Written, brackets: Sequence[Bracket], place: Place) -> Wr
             message = f"phonemes of {spoken} words for {len(words)} words; expected those of each"
             raise InputError(message, bracket.place)
     _check_timing([phone for items in read for _, phones in items for phone in phones], place)
-    spans: list[Span] = []
+    spans: list[DirectedSpan] = []
     breaks: list[Break] = []
     words = tuple(chain.from_iterable(written.words))
     for item, phones in chain.from_iterable(read):
@@ -154,7 +154,9 @@ def _dictated(written: Written, brackets: Sequence[Bracket], place: Place) -> Wr
         else:
             seconds = tuple(p.seconds for p in phones if p.seconds is not None)
             spans.append(
-                Span(*words[len(spans)], item.place, phones=tuple(p.symbol for p in phones), seconds=seconds)
+                DirectedSpan(
+                    *words[len(spans)], item.place, phones=tuple(p.symbol for p in phones), seconds=seconds
+                )
             )
     given = written.directions
     directions = Directions((*given.spans, *spans), tuple(breaks), given.accents, given.boundaries)

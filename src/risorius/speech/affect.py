@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
-from ..core.directions import Span
+from ..core.directions import DirectedSpan
 from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance, Word
 from ..rules.emotions import Display
@@ -66,13 +66,13 @@ def _coloured_line(line: SpokenLine, words: Sequence[Word], manners: Sequence[Ma
     return replace(line, directions=replace(line.directions, spans=(*spans, *line.directions.spans)))
 
 
-def _spans(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -> Iterator[Span]:
+def _spans(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -> Iterator[DirectedSpan]:
     first, last = line.source_offset, line.source_offset + len(line.text)
     inside = [(w, m) for w, m in zip(words, manners, strict=True) if first <= w.source_start < last]
     for manner, group in groupby(inside, key=lambda pair: pair[1]):
         run = [word for word, _ in group]
         if manner != PLAIN:
-            yield Span(run[0].source_start - first, run[-1].source_end - first, line.place, manner)
+            yield DirectedSpan(run[0].source_start - first, run[-1].source_end - first, line.place, manner)
 
 
 def _manner(found: Sequence[Feeling]) -> Manner:

@@ -17,10 +17,10 @@ from ..core.parameters import ALIASES, PARAMETERS, RIVALS, Parameter
 from ..core.setting import Row, ValueKind
 from ..face.head import load_head, shipped_heads
 from ..ports.formats import FORMATS, FileFormat
-from ..rules.book import shipped
 from ..rules.emotions import Emotion, emotions
 from ..rules.profiles import Profile, attitudes, profile_texts, profiles
 from ..rules.rule import Rule
+from ..rules.rule_set import shipped
 from ..rules.tuned import numbers_of
 from ..speech.engines.voices import voices
 from . import limits, tables

@@ -12,7 +12,7 @@ from ..core.movement import Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..core.progress import Progress
 from ..core.score import Score
-from ..rules.book import book_of
+from ..rules.rule_set import rule_set_of
 from ..rules.tuned import tuned_text
 from ..take import Take
 from . import wire
@@ -65,10 +65,10 @@ def _channel(trace: Trace, take: Take) -> wire.ChannelCurve:
 def rules_fired(session: Session, asked: wire.RulesFired, progress: Progress) -> wire.Fired:
     """Return the rules that fired in a take."""
     live = session.live(asked.take)
-    book = book_of(live.take.settings.rules)
+    rule_set = rule_set_of(live.take.settings.rules)
     rules = []
     for rule, movements in sorted(_by_rule(live.take.score).items()):
-        comment = book.entries[rule].rule.comment if rule in book.entries else ""
+        comment = rule_set.entries[rule].rule.comment if rule in rule_set.entries else ""
         times = tuple(m.start for m in movements)
         rules.append(wire.FiredRule(rule, comment, tuple(m.id for m in movements), times))
     return wire.Fired(tuple(rules))

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.directions import UNDIRECTED, Directions, Emphasis, Span, Tone
+from risorius.core.directions import UNDIRECTED, DirectedSpan, Directions, Emphasis, ToneMark
 from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
 from risorius.errors import Place
 from risorius.rules.voice_emotion import voice_manner
@@ -102,19 +102,19 @@ def test_a_language_of_tones_has_one_accent_per_phrase_of_unknown_kind() -> None
 
 def test_what_follows_the_focus_is_not_accented() -> None:
     text = "Mary gave the red book to Bob."
-    red = Span(text.index("red"), text.index("red") + 3, HERE, emphasis=Emphasis.STRONG)
+    red = DirectedSpan(text.index("red"), text.index("red") + 3, HERE, emphasis=Emphasis.STRONG)
     assert tune(text, Directions((red,))) == "(mary/H* gave the red/L+H* book to bob L-L%)"
 
 
 def test_a_focused_function_word_is_accented() -> None:
-    it = Span(5, 7, HERE, emphasis=Emphasis.MODERATE)
+    it = DirectedSpan(5, 7, HERE, emphasis=Emphasis.MODERATE)
     assert tune("I am it.", Directions((it,))) == "(i am it/L+H* L-L%)"
 
 
 def test_tones_by_hand_stand_and_the_rules_fill_other_phrases() -> None:
     directions = Directions(
-        accents=(Tone(0, "L+H*", HERE), Tone(14, "H*", HERE)),
-        boundaries=(Tone(6, "L-H%", HERE),),
+        accents=(ToneMark(0, "L+H*", HERE), ToneMark(14, "H*", HERE)),
+        boundaries=(ToneMark(6, "L-H%", HERE),),
     )
     assert tune("Julia prefers popcorn. Bob ran.", directions) == (
         "(julia/L+H* prefers L-H%) (popcorn/H* L-L%) (bob/H* ran/H* L-L%)"

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...core.audio import Audio, AudioWriter, Samples
-from ...core.directions import Directions, Span
+from ...core.directions import DirectedSpan, Directions
 from ...core.utterance import SILENCE, Phone, Word
 from ...languages import phonesets
 from ..engines.mnemonics import to_arpabet
@@ -84,11 +84,11 @@ def _pieces(
                 yield _Piece(edges[-1:], -1, ((Phone(SILENCE, 0.0, 1.0), round(seconds * rate)),))
 
 
-def _span_of(word: Word, directions: Directions) -> Span | None:
+def _span_of(word: Word, directions: Directions) -> DirectedSpan | None:
     return next((s for s in directions.spans if s.seconds and s.start <= word.source_start < s.end), None)
 
 
-def _dictated(span: Span, word: int, rate: int) -> Iterator[tuple[Phone, int]]:
+def _dictated(span: DirectedSpan, word: int, rate: int) -> Iterator[tuple[Phone, int]]:
     for symbol, seconds in zip(span.phones, span.seconds, strict=True):
         (phone,) = to_arpabet(symbol)
         vowel = phone[:-1] in phonesets.VOWELS
@@ -100,7 +100,7 @@ def _silence(
     phones: Sequence[Phone],
     index: int,
     words: Sequence[Word],
-    timed: Sequence[Span | None],
+    timed: Sequence[DirectedSpan | None],
     directions: Directions,
     rate: int,
 ) -> int:

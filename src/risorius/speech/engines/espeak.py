@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ...core.directions import Span
+from ...core.directions import DirectedSpan
 from ...errors import SpeechError
 from ...languages import language_of
 from .espeak_events import needs_ipa, read_word, render
@@ -101,7 +101,7 @@ class EspeakEngine:
         }  # fmt: skip
         return self._request(message, len(encoded.text))
 
-    def _voice_of(self, span: Span) -> str:
+    def _voice_of(self, span: DirectedSpan) -> str:
         """Return the attribute by which SSML names the voice that a span asks for."""
         try:
             found = find_voice(span.voice, span.language, self)

@@ -13,7 +13,7 @@ from itertools import groupby, pairwise
 from typing import NamedTuple
 from xml.sax.saxutils import escape, quoteattr
 
-from ...core.directions import Break, Emphasis, Span
+from ...core.directions import Break, DirectedSpan, Emphasis
 from ...core.manner import PLAIN, Manner
 from ...errors import SpeechWarning, warn
 from ...languages import Language
@@ -27,7 +27,7 @@ PITCH_PER_SEMITONE = 6.0
 SLOWEST, FASTEST = 80, 440
 
 # Returns the attribute of the element `voice` for the voice that a span asks for.
-FindVoice = Callable[[Span], str]
+FindVoice = Callable[[DirectedSpan], str]
 
 
 class Encoded(NamedTuple):
@@ -47,8 +47,8 @@ class Encoded(NamedTuple):
 class _Style(NamedTuple):
     manner: Manner
     emphasis: Emphasis | None
-    voice: Span | None
-    dictated: Span | None
+    voice: DirectedSpan | None
+    dictated: DirectedSpan | None
 
 
 def parameters(request: SpeechRequest) -> dict[str, int | None]:
@@ -101,7 +101,7 @@ def encode(request: SpeechRequest, language: Language, find: FindVoice) -> Encod
 
 def _runs(request: SpeechRequest) -> Iterator[tuple[int, int, _Style]]:
     """Yield stretches [start, end) that are spoken alike; breaks begin one."""
-    spans = [d for d in request.directions if isinstance(d, Span)]
+    spans = [d for d in request.directions if isinstance(d, DirectedSpan)]
     breaks = {d.at for d in request.directions if isinstance(d, Break)}
     length = len(request.text)
     edges = sorted(
@@ -113,7 +113,7 @@ def _runs(request: SpeechRequest) -> Iterator[tuple[int, int, _Style]]:
         yield run[0][0], run[-1][1], run[0][2]
 
 
-def _style(spans: Sequence[Span], at: int) -> _Style:
+def _style(spans: Sequence[DirectedSpan], at: int) -> _Style:
     covering = [span for span in spans if span.start <= at < span.end]
     manner = PLAIN
     for span in covering:
@@ -129,7 +129,7 @@ def _silence(pause: Break) -> str:
     return f'<break time="{round(1000 * pause.seconds)}ms"/>'
 
 
-def _dictation(span: Span | None, language: Language) -> str | None:
+def _dictation(span: DirectedSpan | None, language: Language) -> str | None:
     """Return the mnemonics of a span's phones; None where there are none, or the voice takes none."""
     if span is None:
         return None

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 from ...core.audio import Samples
-from ...core.directions import Break, Span
+from ...core.directions import Break, DirectedSpan
 from ...core.manner import PLAIN, Manner
 
 
@@ -46,7 +46,7 @@ class SpeechRequest:
     pitch: int | None = None
     end_pause: bool = False
     manner: Manner = PLAIN
-    directions: tuple[Span | Break, ...] = ()
+    directions: tuple[DirectedSpan | Break, ...] = ()
 
 
 class SpokenPhone(NamedTuple):

@@ -10,7 +10,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 
-from ...core.directions import UNDIRECTED, Directions, Tone
+from ...core.directions import UNDIRECTED, Directions, ToneMark
 from ...core.utterance import Accent, Boundary, Phrase, Utterance, Word
 from ...languages import Language, language_of, phonesets
 from ...languages.intonation import Candidate
@@ -37,7 +37,7 @@ def intone(utterance: Utterance, directions: Directions = UNDIRECTED) -> Utteran
     return replace(utterance, accents=tuple(accents), boundaries=tuple(boundaries), phrases=phrases)
 
 
-def _by_word(words: Sequence[Word], tones: Sequence[Tone]) -> dict[int, str]:
+def _by_word(words: Sequence[Word], tones: Sequence[ToneMark]) -> dict[int, str]:
     """Return each tone's label by the index of the word that holds its character, or of the one before."""
     starts = [word.source_start for word in words]
     return {max(bisect_right(starts, tone.at) - 1, 0): tone.label for tone in tones}

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from ...core.directions import Break, Directions, Span
+from ...core.directions import Break, DirectedSpan, Directions
 from ...languages import Language
 from ...languages.abbreviations import written_out
 from ...languages.language import APOSTROPHES
@@ -55,7 +55,7 @@ def normalise(text: str, start: int, end: int, language: Language) -> Spoken:
 
 def placed(
     directions: Directions, spoken: Spoken, start: int, end: int, *, last: bool = False
-) -> Iterator[Span | Break]:
+) -> Iterator[DirectedSpan | Break]:
     """Yield what `directions` say about characters [start, end) of the source, by characters of `spoken`.
 
     `last`: no text follows, so that breaks at its end belong here.

@@ -2,7 +2,7 @@
 
 Also a shuffle test: where accents are permuted among the words, brows and head meet them by chance alone. Run
 from the repository:
-    PYTHONPATH=src python benchmarks/conduct.py [--minutes 10] [--profile neutral …]
+    PYTHONPATH=src python benchmarks/behaviour.py [--minutes 10] [--profile neutral …]
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from conduct_measures import (
+from behaviour_measures import (
     NEAR,
     STILL,
     Clip,

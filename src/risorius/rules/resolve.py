@@ -5,15 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from .conduct import is_under
 from .markup import markup_table
 from .match import Event
+from .modulation import is_under
 
 # Events of one part of the face closer than this would be one movement, seconds.
 APART = 0.05
 
 
-def settle(events: Iterable[Event], taken: Iterable[tuple[float, float, frozenset[str]]] = ()) -> list[Event]:
+def resolve(
+    events: Iterable[Event], taken: Iterable[tuple[float, float, frozenset[str]]] = ()
+) -> list[Event]:
     """Return the events that happen, in order.
 
     Those that another's rule pauses do not; nor, regulators apart, those that move what the script moves at

@@ -1,4 +1,4 @@
-"""What the conduct benchmark measures on a performance: blinks, gaze, head, brows, as studies do."""
+"""What the benchmark of behaviour measures on a performance: blinks, gaze, head, brows, as studies do."""
 
 from __future__ import annotations
 

@@ -3,8 +3,8 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import InputError
-from risorius.rules.book import Book, book_of, extended, shipped
 from risorius.rules.doctor import examine
+from risorius.rules.rule_set import RuleSet, extended, rule_set_of, shipped
 
 RULE = """
 [[rule]]
@@ -84,11 +84,11 @@ def test_an_unknown_rule_to_delete_is_refused() -> None:
 
 def test_a_missing_file_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot be read"):
-        book_of(tmp_path / "none.toml")
+        rule_set_of(tmp_path / "none.toml")
 
 
-def ids(book: Book) -> set[str]:
-    return {rule.id for rule in book}
+def ids(rule_set: RuleSet) -> set[str]:
+    return {rule.id for rule in rule_set}
 
 
 def test_a_file_adds_replaces_and_deletes_without_touching_ours() -> None:
@@ -101,15 +101,15 @@ def test_a_file_adds_replaces_and_deletes_without_touching_ours() -> None:
         + "\n"
         + mine('id = "signals.swing.mine"', 'replaces = ["signals.swing.accent"]')
     )
-    book = extended(shipped(), text, "my.toml")
-    assert ids(book) - before == {"signals.brows.mine", "signals.swing.mine"}
-    gone = before - ids(book)
+    rule_set = extended(shipped(), text, "my.toml")
+    assert ids(rule_set) - before == {"signals.brows.mine", "signals.swing.mine"}
+    gone = before - ids(rule_set)
     assert {"signals.lids.blink", "signals.swing.accent", "punctuators.brows.comma"} <= gone
     assert all(
         name.startswith("punctuators.brows.") or name in ("signals.lids.blink", "signals.swing.accent")
         for name in gone
     )
-    assert book.get("signals.nod.accent").rule.probability == 0.01
+    assert rule_set.get("signals.nod.accent").rule.probability == 0.01
     assert ids(shipped()) == before
 
 

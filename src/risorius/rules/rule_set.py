@@ -1,4 +1,4 @@
-"""The book of rules: ours, and what a user's file adds, replaces and deletes (paper B, section 3.2)."""
+"""Sets of rules: ours, and what a user's file adds, replaces and deletes (paper B, section 3.2)."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ..core.frozen import FrozenDict
 from ..core.source_text import SourceText
 from ..core.toml import parse, read_text
 from ..errors import ParameterError, Place, unknown
-from .conduct import is_under
 from .load import DATA
+from .modulation import is_under
 from .rule import Rule
 
 FOLDER = "rules"
@@ -38,7 +38,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Book:
+class RuleSet:
     """The rules that hold, by id, in the order of their files."""
 
     entries: Mapping[str, Entry] = field(default_factory=FrozenDict)
@@ -54,30 +54,30 @@ class Book:
 
 
 @cache
-def shipped() -> Book:
+def shipped() -> RuleSet:
     """Return the package's rules."""
-    book = Book()
+    rule_set = RuleSet()
     names = sorted(entry.name for entry in (DATA / FOLDER).iterdir() if entry.name.endswith(".toml"))
     for name in names:
-        book = extended(book, (DATA / FOLDER / name).read_text(encoding="utf-8"), f"{FOLDER}/{name}")
-    return book
+        rule_set = extended(rule_set, (DATA / FOLDER / name).read_text(encoding="utf-8"), f"{FOLDER}/{name}")
+    return rule_set
 
 
-def book_of(path: Path | None) -> Book:
+def rule_set_of(path: Path | None) -> RuleSet:
     """Return the package's rules as a user's file changes them; raise InputError if it cannot be used."""
     return shipped() if path is None else extended(shipped(), read_text(path), str(path))
 
 
-def extended(book: Book, text: str, name: str) -> Book:
-    """Return a book with the rules of TOML `text`, from the file `name`.
+def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
+    """Return a set with the rules of TOML `text`, from the file `name`, added.
 
-    A rule with the id of one in the book replaces it, and so does one that names it in `replaces`. Raises
+    A rule with the id of one in the set replaces it, and so does one that names it in `replaces`. Raises
     InputError, with its place, for rules that do not fit the schema, an id given twice, an unknown rule to
     replace or delete, and replacements that go round in a circle.
     """
     source = SourceText(name, text)
     file = parse(RuleFile, text, name)
-    entries = dict(book.entries)
+    entries = dict(rule_set.entries)
     for index, prefix in enumerate(file.delete):
         found = [known for known in entries if is_under(known, prefix)]
         if not found:
@@ -86,10 +86,10 @@ def extended(book: Book, text: str, name: str) -> Book:
             del entries[known]
     texts = _rule_texts(text)
     own = {rule.id: Entry(rule, source.place(("rule", i)), texts[i]) for i, rule in enumerate(file.rule)}
-    _check_own(file, own, book, source)
+    _check_own(file, own, rule_set, source)
     gone = {old for rule in file.rule for old in rule.replaces}
     kept = {key: entry for key, entry in entries.items() if key not in gone}
-    return Book(FrozenDict({**kept, **{key: entry for key, entry in own.items() if key not in gone}}))
+    return RuleSet(FrozenDict({**kept, **{key: entry for key, entry in own.items() if key not in gone}}))
 
 
 def _rule_texts(text: str) -> list[str]:
@@ -98,7 +98,7 @@ def _rule_texts(text: str) -> list[str]:
     return ["[[rule]]\n" + re.sub(r"(\n\s*(#[^\n]*)?)+\Z", "", part) for part in parts]
 
 
-def _check_own(file: RuleFile, own: Mapping[str, Entry], book: Book, source: SourceText) -> None:
+def _check_own(file: RuleFile, own: Mapping[str, Entry], rule_set: RuleSet, source: SourceText) -> None:
     seen: set[str] = set()
     for index, rule in enumerate(file.rule):
         path = ("rule", index, "replaces")
@@ -106,8 +106,8 @@ def _check_own(file: RuleFile, own: Mapping[str, Entry], book: Book, source: Sou
             raise source.error(("rule", index, "id"), f"rule '{rule.id}' is given twice; expected it once")
         seen.add(rule.id)
         for old in rule.replaces:
-            if old not in own and old not in book.entries:
-                raise source.error(path, unknown("rule", old, (*own, *book.entries)))
+            if old not in own and old not in rule_set.entries:
+                raise source.error(path, unknown("rule", old, (*own, *rule_set.entries)))
         if circle := _circle(rule.id, own):
             raise source.error(path, f"replacements go round in a circle: {' → '.join(circle)}")
 

@@ -1,7 +1,7 @@
 """How much more or less of something somebody does: factors on how often rules fire and how large they are.
 
-Profiles, attitudes and emotions all change conduct so, never where or what the accents are (paper B, 3.2.1,
-4.1 and 4.2).
+Profiles, attitudes and emotions all modulate the rules so, never where or what the accents are (paper B,
+3.2.1, 4.1 and 4.2).
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ ModulationFactor = Annotated[float, Range(0.0, 5.0)]
 
 
 @dataclass(frozen=True, slots=True)
-class Conduct:
+class Modulation:
     """Factors by rule id, or by its beginning up to a dot; those of several beginnings multiply."""
 
     rates: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
     sizes: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
 
-    def at(self, intensity: float) -> Conduct:
-        """Return the conduct at an intensity 0..1: at 0 nothing is changed."""
-        return Conduct(
+    def at(self, intensity: float) -> Modulation:
+        """Return the modulation at an intensity 0..1: at 0 nothing is changed."""
+        return Modulation(
             *({k: 1.0 + intensity * (v - 1.0) for k, v in t.items()} for t in (self.rates, self.sizes))
         )
 
@@ -36,14 +36,14 @@ class Conduct:
         return frozenset((*self.rates, *self.sizes))
 
 
-def rate_of(name: str, conducts: Iterable[Conduct]) -> float:
+def rate_of(name: str, modulations: Iterable[Modulation]) -> float:
     """Return the factor on how often the rule `name` fires."""
-    return math.prod([_factor(name, conduct.rates) for conduct in conducts])
+    return math.prod([_factor(name, modulation.rates) for modulation in modulations])
 
 
-def size_of(name: str, conducts: Iterable[Conduct]) -> float:
+def size_of(name: str, modulations: Iterable[Modulation]) -> float:
     """Return the factor on how large the rule `name`'s movements are."""
-    return math.prod([_factor(name, conduct.sizes) for conduct in conducts])
+    return math.prod([_factor(name, modulation.sizes) for modulation in modulations])
 
 
 def _factor(name: str, factors: Mapping[str, float]) -> float:
