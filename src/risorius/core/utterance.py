@@ -88,9 +88,9 @@ class Phone:
 class Syllable:
     """Phones [first_phone, last_phone) around one vowel. `stress` as in Phone. Seconds.
 
-    `loudness`: dB above the mean syllable of the utterance. `prominence`: by pitch, loudness and length
-    together, and `pitch`: of its vowel, both in standard deviations of the utterance's syllables. All are 0
-    if the sound was not measured.
+    `loudness`: dB above the speaker's mean syllable. `prominence`: by pitch, loudness and length together,
+    and `pitch`: of its vowel, both in standard deviations of the speaker's. The speaker is known from
+    the sound up to the next pause. All are 0 if the sound was not measured.
     """
 
     first_phone: int

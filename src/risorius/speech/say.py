@@ -26,8 +26,9 @@ from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
 from .engines.registry import is_voice_file
 from .prosody.measure import pitched
-from .synthesis import synthesize
+from .synthesis import synthesize, voice_pitch
 
+_SEMITONES = 12.0
 # Seconds between lines where the second has no time of its own.
 LINE_PAUSE = 0.3
 
@@ -69,8 +70,12 @@ def say(
     manner = common_manner(felt)
     try:
         if manner is not None:
-            return pitched(_speak(script, partial(speak, manner=manner)))
-        return pitched(_speak(coloured(script, felt, _speak(script, speak)), speak))
+            said = _speak(script, partial(speak, manner=manner))
+        else:
+            said = _speak(coloured(script, felt, _speak(script, speak)), speak)
+        hertz = voice_pitch(voice, spoken)
+        raised = 0.0 if manner is None else manner.pitch
+        return pitched(said, None if hertz is None else hertz * 2.0 ** (raised / _SEMITONES))
     except SpeechError as error:
         # The script is at fault only where it names the language itself.
         named = spoken is not None and language is None

@@ -81,6 +81,12 @@ def synthesize(
     return intone(said, directions)
 
 
+def voice_pitch(voice: str | None, language: str | None) -> float | None:
+    """Return the mean pitch in Hz of the voice that `synthesize` uses, None if it is not known."""
+    engine, chosen = _voice(voice, language, None)
+    return engine.mean_pitch(chosen)
+
+
 def _voice(name: str | None, language: str | None, engine: SpeechEngine | None) -> tuple[SpeechEngine, Voice]:
     if engine is None and name is not None and is_voice_file(name):
         engine = load_voice_file(name, language)

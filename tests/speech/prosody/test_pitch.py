@@ -8,6 +8,7 @@ import pytest
 from risorius.core.audio import AudioWriter
 from risorius.speech.prosody.contour import contour_of
 from risorius.speech.prosody.pitch import Pitch, measure_pitch
+from risorius.speech.prosody.running import unknown_speaker
 from risorius.speech.recordings.resampled import Resampled
 
 RATE = 16_000
@@ -36,7 +37,8 @@ def voice(hertz: np.ndarray, noise: float = 0.0, rate: int = RATE) -> np.ndarray
 def measured(sound: np.ndarray, rate: int = RATE) -> Pitch:
     with AudioWriter(rate) as writer:
         writer.append(np.round(sound).astype(np.int16))
-        return measure_pitch(Resampled(writer.finish()))
+        audio = writer.finish()
+    return measure_pitch(Resampled(audio), 0.0, audio.duration)
 
 
 @pytest.mark.parametrize(
@@ -47,7 +49,7 @@ def measured(sound: np.ndarray, rate: int = RATE) -> Pitch:
 def test_what_has_no_voice_has_no_pitch(sound: np.ndarray) -> None:
     pitch = measured(sound)
     assert np.isfinite(pitch.hertz).mean() < 0.05
-    assert contour_of(Pitch(np.full(10, np.nan))) is None
+    assert contour_of(Pitch(np.full(10, np.nan)), unknown_speaker().range) is None
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.03])

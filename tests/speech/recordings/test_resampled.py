@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from risorius.core.audio import Audio, AudioWriter
-from risorius.speech.recordings.resampled import RATE, SPEECH_LEVEL, Resampled
+from risorius.speech.recordings.resampled import LEVEL_STEP, RATE, SPEECH_LEVEL, Resampled
 
 
 def recorded(samples: np.ndarray, rate: int) -> Audio:
@@ -49,3 +49,15 @@ def test_levels_are_measured_block_by_block() -> None:
     assert len(levels) == 1_300
     assert levels[:1_200] == pytest.approx(20 * np.log10(8_000 / np.sqrt(2)), abs=0.5)
     assert (levels[1_200:] == -20.0).all()
+
+
+@pytest.mark.parametrize("seconds", [3.0, 130.0])
+def test_the_loud_level_is_that_of_the_sound_so_far(seconds: float) -> None:
+    loud = np.where(np.arange(round(seconds * 16_000)) < 0.5 * seconds * 16_000, 0.1, 1.0)
+    resampled = Resampled(recorded(loud * wave(16_000, seconds), 16_000))
+    for end in (0.2 * seconds, 0.49 * seconds, 0.8 * seconds, 2.0 * seconds):
+        expected = np.percentile(resampled.levels[: round(end / LEVEL_STEP)], 95.0)
+        assert resampled.loud_level(end) == pytest.approx(expected, abs=0.05)
+    assert resampled.loud_level(0.8 * seconds) - resampled.loud_level(0.4 * seconds) == pytest.approx(
+        20.0, abs=0.1
+    )

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.utterance import Boundary, Ending, Phrase, Question, Utterance
@@ -29,7 +29,6 @@ def test_nothing_said_has_no_phrases(utterance_of: Maker) -> None:
     assert with_phrases(utterance_of("")).phrases == ()
 
 
-@settings(deadline=None)
 @given(st.lists(st.sampled_from(["one", "two,", "three.", "four?", "what", "or", "…"]), max_size=12))
 def test_phrases_are_the_words_in_order_and_sentences_are_phrases(tokens: list[str]) -> None:
     if not any(token.strip("…,.?") for token in tokens):

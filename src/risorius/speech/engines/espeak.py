@@ -19,6 +19,7 @@ from ...errors import SpeechError
 from ...languages import language_of
 from .espeak_events import needs_ipa, read_word, render
 from .espeak_text import Encoded, encode, parameters, voice_attribute
+from .espeak_voices import listed_voices, mean_pitch
 from .process import Answer, WorkerError, WorkerProcess
 from .protocol import Rendition, SpeechRequest, Voice
 from .registry import ENGINES
@@ -77,8 +78,14 @@ class EspeakEngine:
         with self._lock:
             if not self._voices:
                 answer, _ = self._request({"op": "voices"}, 0)
-                self._voices = _list_voices(answer)
+                self._voices = listed_voices(answer)
             return self._voices
+
+    def mean_pitch(self, voice: Voice) -> float | None:
+        """Return the mean pitch of a voice in Hz, None for a language whose tones move it."""
+        if language_of(voice.language).tones:
+            return None
+        return mean_pitch(_package() / "espeakng_loader" / "espeak-ng-data", voice.key)
 
     def close(self) -> None:
         """End the worker; a later call starts another."""
@@ -152,26 +159,15 @@ def _speaks_mnemonics(voice: Voice) -> bool:
 
 
 def _default_command() -> list[str]:
-    # Only located: importing is left to the worker.
+    return [sys.executable, "-I", "-S", str(Path(__file__).with_name("worker.py")), str(_package())]
+
+
+def _package() -> Path:
+    """Return the folder that holds espeakng_loader. It is only located: the worker imports it."""
     found = importlib.util.find_spec("espeakng_loader")
     if found is None or found.origin is None:
         raise SpeechError("the package 'espeakng-loader' is not installed; it brings the speech synthesizer")
-    folder = Path(found.origin).parent.parent
-    return [sys.executable, "-I", "-S", str(Path(__file__).with_name("worker.py")), str(folder)]
-
-
-def _list_voices(answer: dict[str, Any]) -> tuple[Voice, ...]:
-    voices: dict[str, Voice] = {}
-    for entry in sorted(answer["voices"], key=lambda v: v["identifier"]):
-        languages = tuple(language.lower() for language in entry["languages"])
-        name = languages[0]
-        if name in voices:
-            name = entry["identifier"].split("/")[-1].lower()
-        voices[name] = Voice(name, languages, entry["gender"], entry["name"].strip(), entry["identifier"])
-    for entry in answer["variants"]:
-        key = entry["identifier"].split("/")[-1]
-        voices[f"+{key}"] = Voice(f"+{key}", (), entry["gender"], entry["name"].strip(), f"+{key}")
-    return tuple(voices[name] for name in sorted(voices, key=str.lower))
+    return Path(found.origin).parent.parent
 
 
 @ENGINES.register("espeak")

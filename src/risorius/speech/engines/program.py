@@ -61,6 +61,10 @@ class ProgramEngine:
         """Return the one voice."""
         return (Voice(self._name, (self._language,), "", f"the program {self._name}", self._name),)
 
+    def mean_pitch(self, voice: Voice) -> float | None:
+        """Return None: what a program's voice is like shows only as it speaks."""
+        return None
+
     def close(self) -> None:
         """Do nothing: no process outlives its answer."""
 

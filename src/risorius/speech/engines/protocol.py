@@ -89,6 +89,10 @@ class SpeechEngine(Protocol):
         """Return all voices, in the order of their names."""
         ...
 
+    def mean_pitch(self, voice: Voice) -> float | None:
+        """Return the mean pitch of a voice in Hz, None if it is not known."""
+        ...
+
     def close(self) -> None:
         """Release what the engine holds; a later call takes it up again."""
         ...

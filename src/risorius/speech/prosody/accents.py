@@ -9,11 +9,11 @@ from ...core.tobi import UNKNOWN_ACCENT
 from ...core.utterance import Accent, Phone, Utterance
 from ...languages import Language, language_of
 from ..structure.accents import PRIMARY
-from ..structure.nuclei import with_nuclei
 from .contour import Contour
 from .cues import Cues, vowel_of
 from .pitch import STEP
 from .rules import TypeRule, probability, prosody_rules
+from .runs import Run
 
 # Semitones by which a shape must pass a rule's threshold for its label to be twice as likely as not.
 _MARGIN = 1.0
@@ -54,9 +54,9 @@ class Shape(NamedTuple):
 
 
 def find_accents(
-    utterance: Utterance, cues: Cues, contour: Contour | None, last_words: Collection[int]
+    utterance: Utterance, run: Run, cues: Cues, contour: Contour | None, last_words: Collection[int]
 ) -> tuple[Accent, ...]:
-    """Return the accents in order; the last of each phrase, which ends with one of `last_words`, is nuclear.
+    """Return the accents of a run in order, whose phrases end with some of `last_words`.
 
     Candidates are the syllables with primary stress, and all of words of one syllable. Without voice their
     type is unknown ("*").
@@ -65,13 +65,14 @@ def find_accents(
     kind = prosody_rules().type_
     language = language_of(utterance.language)
     previous: tuple[int, float] | None = None
-    for index, syllable in enumerate(utterance.syllables):
+    for index in run.syllables:
+        syllable = utterance.syllables[index]
         if previous is not None and any(previous[0] <= word < syllable.word for word in last_words):
             previous = None
         vowel = vowel_of(utterance.phones, syllable)
         voiced = contour is not None and contour.is_voiced(vowel.start, vowel.end)
         shape = shape_of(vowel, contour, kind) if contour is not None and voiced else None
-        sure = _sureness(utterance, language, index, cues, shape)
+        sure = _sureness(utterance, language, index, cues.prominence[index - run.syllables.start], shape)
         if sure < prosody_rules().accent.threshold:
             continue
         label, certain, time = UNKNOWN_ACCENT, 1.0, 0.5 * (vowel.start + vowel.end)
@@ -81,7 +82,7 @@ def find_accents(
             time = min(max(shape.time, vowel.start), vowel.end) if label in _HIGH else time
             previous = (syllable.word, shape.peak) if label in _HIGH else previous
         found.append(Accent(time, syllable.word, index, label, confidence=round(sure * certain, 3)))
-    return with_nuclei(found, last_words)
+    return tuple(found)
 
 
 def shape_of(vowel: Phone, contour: Contour, kind: TypeRule) -> Shape:
@@ -103,7 +104,9 @@ def shape_of(vowel: Phone, contour: Contour, kind: TypeRule) -> Shape:
     )
 
 
-def _sureness(utterance: Utterance, language: Language, index: int, cues: Cues, shape: Shape | None) -> float:
+def _sureness(
+    utterance: Utterance, language: Language, index: int, prominence: float, shape: Shape | None
+) -> float:
     """Return how likely a syllable is to be accented, 0..1."""
     rule = prosody_rules().accent
     syllable = utterance.syllables[index]
@@ -121,7 +124,7 @@ def _sureness(utterance: Utterance, language: Language, index: int, cues: Cues, 
     stressed = syllable.stress >= PRIMARY and content
     # Its low pitch does not speak against a valley.
     hollow = shape is not None and shape.depth >= prosody_rules().type_.valley
-    standing = max(cues.prominence[index], 0.0) if hollow else cues.prominence[index]
+    standing = max(prominence, 0.0) if hollow else prominence
     odds = rule.base + rule.content * stressed + rule.prominence * standing
     return probability(odds + rule.excursion * counted)
 

@@ -1,4 +1,4 @@
-"""The tune of an utterance: pitch in semitones without the voice's gaps and the consonants' ripples."""
+"""The tune of a run: pitch in semitones without the voice's gaps and the consonants' ripples."""
 
 from __future__ import annotations
 
@@ -9,29 +9,32 @@ from scipy.ndimage import median_filter, uniform_filter1d
 
 from ...core.arrays import Array, BoolArray
 from .pitch import STEP, Pitch
+from .running import RunningRange
 
 # Frames: a median against single slips, then a mean.
 _MEDIAN, _MEAN = 5, 5
-# The speaker's floor and ceiling: percentiles of what is voiced, and the least semitones between them.
-_FLOOR, _CEILING, _LEAST_RANGE = 5.0, 95.0, 4.0
+# The least semitones between the speaker's floor and ceiling.
+_LEAST_RANGE = 4.0
 
 
 @dataclass(frozen=True, slots=True)
 class Contour:
-    """Semitones above the speaker's floor every STEP seconds, bridged over what has no voice; shape
-    (frames,).
+    """Semitones above the speaker's floor every STEP seconds from frame `first` on, shape (frames,).
 
-    `voiced` tells where there is. `span`: semitones from floor to ceiling.
+    They are bridged over what has no voice; `voiced` tells where there is. `floor`: semitones above 1 Hz;
+    `span`: semitones from floor to ceiling.
     """
 
+    first: int
     semitones: Array
     voiced: BoolArray
+    floor: float
     span: float
 
     def within(self, start: float, end: float) -> Array:
         """Return the values in [start, end] seconds, at least one."""
-        first = min(max(round(start / STEP), 0), len(self.semitones) - 1)
-        return self.semitones[first : max(round(end / STEP) + 1, first + 1)]
+        first = min(max(round(start / STEP) - self.first, 0), len(self.semitones) - 1)
+        return self.semitones[first : max(round(end / STEP) - self.first + 1, first + 1)]
 
     def at(self, time: float) -> float:
         """Return the value at `time` seconds."""
@@ -41,13 +44,18 @@ class Contour:
         """Return where a value lies between floor (0) and ceiling (1)."""
         return semitones / self.span
 
+    def voiced_within(self, start: float, end: float) -> BoolArray:
+        """Return which frames in [start, end] seconds have voice."""
+        first = max(round(start / STEP) - self.first, 0)
+        return self.voiced[first : max(round(end / STEP) - self.first + 1, 0)]
+
     def is_voiced(self, start: float, end: float) -> bool:
         """Tell whether there is some voice in [start, end] seconds."""
-        return bool(self.voiced[max(round(start / STEP), 0) : round(end / STEP) + 1].any())
+        return bool(self.voiced_within(start, end).any())
 
 
-def contour_of(pitch: Pitch) -> Contour | None:
-    """Return the tune; None where nothing is voiced."""
+def contour_of(pitch: Pitch, speaker: RunningRange) -> Contour | None:
+    """Return the tune, None where nothing is voiced; its frames are added to those of the speaker."""
     raw = pitch.semitones
     voiced = np.isfinite(raw)
     if not voiced.any():
@@ -55,5 +63,7 @@ def contour_of(pitch: Pitch) -> Contour | None:
     frames = np.arange(len(raw))
     bridged = np.interp(frames, frames[voiced], raw[voiced])
     smooth = uniform_filter1d(median_filter(bridged, _MEDIAN, mode="nearest"), _MEAN, mode="nearest")
-    floor, ceiling = np.percentile(smooth[voiced], [_FLOOR, _CEILING])
-    return Contour(smooth - floor, voiced, max(float(ceiling - floor), _LEAST_RANGE))
+    speaker.add(smooth[voiced])
+    known = speaker.range
+    span = max(known.high - known.low, _LEAST_RANGE)
+    return Contour(pitch.first, smooth - known.low, voiced, known.low, span)

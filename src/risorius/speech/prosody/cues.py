@@ -13,53 +13,65 @@ from ...languages import phonesets
 from ..recordings.resampled import LEVEL_STEP, Resampled
 from .contour import Contour
 from .rules import prosody_rules
+from .running import RunningNormal, SpeakerStatistics
+from .runs import Run
 
-# A phrase's pitch and loudness fall along it; cues are measured from a line through this many syllables at
-# least.
+# Pitch and loudness fall along a run; cues are measured from a line through this many syllables at least.
 _FEWEST_FOR_A_LINE = 4
-# Standard deviations that a single cue may count for.
-_MOST = 3.0
 
 
 @dataclass(frozen=True, slots=True)
 class Cues:
-    """Per syllable, (n,) each.
+    """Per syllable of a run, (n,) each, beside what was heard of the speaker up to the run's end.
 
-    `pitch` in semitones above the phrase's line, `height` of the vowel's mean pitch in standard deviations,
-    `loudness` in dB above the mean, `length` as the log of how much longer its vowel is than that vowel's
-    mean, `prominence` in standard deviations.
+    `height` of the vowel's mean pitch in standard deviations, `loudness` in dB above the mean, `length` as
+    the log of how much longer its vowel is than that vowel's mean, `prominence` in standard deviations.
     """
 
-    pitch: Array
     height: Array
     loudness: Array
     length: Array
     prominence: Array
 
 
-def cues_of(utterance: Utterance, resampled: Resampled, contour: Contour | None) -> Cues:
-    """Return the cues of all syllables of an utterance."""
-    vowels = [vowel_of(utterance.phones, syllable) for syllable in utterance.syllables]
-    loudness = np.array([_level(resampled, vowel) for vowel in vowels])
-    length = _relative_lengths(vowels)
-    phrases = _phrases(utterance)
+def cues_of(
+    utterance: Utterance,
+    run: Run,
+    resampled: Resampled,
+    contour: Contour | None,
+    speaker: SpeakerStatistics,
+) -> Cues:
+    """Return the cues of a run's syllables, of which there is at least one; adds them to the speaker's."""
+    vowels = vowels_of(utterance, run)
+    levels = np.array([_level(resampled, vowel) for vowel in vowels]) - resampled.loud_level(run.end)
+    speaker.loudness.add(levels)
     peaks = np.array([contour.within(v.start, v.end).max() if contour else 0.0 for v in vowels])
-    pitch = _above_line(peaks, phrases)
+    length = _relative_lengths(vowels, speaker)
     share = prosody_rules().prominence
     standing = (
-        share.pitch * _standard(pitch)
-        + share.loudness * _standard(_above_line(loudness, phrases))
-        + share.length * _standard(length)
+        share.pitch * _standard(_above_line(peaks), speaker.peak)
+        + share.loudness * _standard(_above_line(levels), speaker.stress)
+        + share.length * _standard(length, speaker.lengthening)
     )
-    louder = loudness - loudness.mean() if len(loudness) else loudness
-    return Cues(pitch, heights_of(vowels, contour), louder, length, _standard(standing))
+    return Cues(
+        heights_of(vowels, contour, speaker),
+        levels - speaker.loudness.mean,
+        length,
+        _standard(standing, speaker.standing),
+    )
 
 
-def heights_of(vowels: Sequence[Phone], contour: Contour | None) -> Array:
-    """Return the mean pitch of each vowel in standard deviations of all, shape (n,)."""
+def heights_of(vowels: Sequence[Phone], contour: Contour | None, speaker: SpeakerStatistics) -> Array:
+    """Return the mean pitch of each vowel in standard deviations of the speaker's, shape (n,)."""
     if contour is None:
         return np.zeros(len(vowels))
-    return _standard(np.array([contour.within(v.start, v.end).mean() for v in vowels]))
+    means = np.array([contour.floor + contour.within(v.start, v.end).mean() for v in vowels])
+    return _standard(means, speaker.pitch)
+
+
+def vowels_of(utterance: Utterance, run: Run) -> list[Phone]:
+    """Return the vowels of a run's syllables."""
+    return [vowel_of(utterance.phones, utterance.syllables[index]) for index in run.syllables]
 
 
 def vowel_of(phones: Sequence[Phone], syllable: Syllable) -> Phone:
@@ -79,47 +91,31 @@ def _level(resampled: Resampled, vowel: Phone) -> float:
     )
 
 
-def _relative_lengths(vowels: Sequence[Phone]) -> Array:
+def _relative_lengths(vowels: Sequence[Phone], speaker: SpeakerStatistics) -> Array:
     """Return the log lengths of vowels above the mean of the same vowel, drawn to the mean of all."""
     logs = np.log(np.array([vowel.duration for vowel in vowels]))
-    if not len(logs):
-        return np.zeros(0)
-    usual = {}
-    for symbol in {vowel.symbol for vowel in vowels}:
-        same = [x for x, vowel in zip(logs, vowels, strict=True) if vowel.symbol == symbol]
-        # Two syllables' weight for the mean of all: a vowel that occurs once says little about its kind.
-        usual[symbol] = (sum(same) + 2.0 * float(logs.mean())) / (len(same) + 2.0)
-    return np.asarray(logs - np.array([usual[vowel.symbol] for vowel in vowels]))
+    speaker.length.add(logs)
+    for log, vowel in zip(logs.tolist(), vowels, strict=True):
+        total, count = speaker.vowels.get(vowel.symbol, (0.0, 0))
+        speaker.vowels[vowel.symbol] = total + log, count + 1
+    return np.asarray(logs - np.array([_usual_length(vowel.symbol, speaker) for vowel in vowels]))
 
 
-def _phrases(utterance: Utterance) -> list[range]:
-    """Return the runs of syllables between pauses."""
-    ends = {pause.start for pause in utterance.pauses}
-    runs: list[range] = []
-    first = 0
-    for index, syllable in enumerate(utterance.syllables):
-        last = index + 1 == len(utterance.syllables)
-        if last or (utterance.syllables[index + 1].word != syllable.word and syllable.end in ends):
-            runs.append(range(first, index + 1))
-            first = index + 1
-    return runs
+def _usual_length(symbol: str, speaker: SpeakerStatistics) -> float:
+    total, count = speaker.vowels[symbol]
+    # Two syllables' weight for the mean of all: a vowel that occurs once says little about its kind.
+    return (total + 2.0 * speaker.length.mean) / (count + 2.0)
 
 
-def _above_line(values: Array, phrases: Sequence[range]) -> Array:
-    """Return the values less the line that falls or rises through each phrase."""
-    found = values.copy()
-    for phrase in phrases:
-        inside = values[phrase.start : phrase.stop]
-        if len(inside) >= _FEWEST_FOR_A_LINE:
-            at = np.arange(len(inside))
-            found[phrase.start : phrase.stop] -= np.polyval(np.polyfit(at, inside, 1), at)
-        else:
-            found[phrase.start : phrase.stop] -= inside.mean()
-    return found
+def _above_line(values: Array) -> Array:
+    """Return the values of a run less the line that falls or rises through it."""
+    if len(values) < _FEWEST_FOR_A_LINE:
+        return np.asarray(values - values.mean())
+    at = np.arange(len(values))
+    return np.asarray(values - np.polyval(np.polyfit(at, values, 1), at))
 
 
-def _standard(values: Array) -> Array:
-    spread = float(values.std()) if len(values) else 0.0
-    if spread < 1e-9:
-        return np.zeros_like(values)
-    return np.asarray(np.clip((values - values.mean()) / spread, -_MOST, _MOST))
+def _standard(values: Array, speaker: RunningNormal) -> Array:
+    """Return values in standard deviations of the speaker's, to which they are added first."""
+    speaker.add(values)
+    return speaker.standard(values)

@@ -2,51 +2,83 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
-from ...core.utterance import Utterance
+from ...core.utterance import Accent, Boundary, Syllable, Utterance
 from ..recordings.resampled import Resampled
+from ..structure.nuclei import with_nuclei
 from ..structure.phrases import with_phrases
 from .accents import find_accents
 from .boundaries import find_boundaries
-from .contour import contour_of
-from .cues import cues_of, heights_of, vowel_of
+from .contour import Contour, contour_of
+from .cues import Cues, cues_of, heights_of, vowels_of
 from .pitch import measure_pitch
+from .running import SpeakerStatistics, known_voice, unknown_speaker
+from .runs import Run, runs_of
 
 
 def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = True) -> Utterance:
     """Return the utterance with its accents and boundaries measured, and how its syllables sound.
 
-    Accents and boundaries that are not asked for stay as they are.
+    Accents and boundaries that are not asked for stay as they are. What is between two pauses is measured
+    from the sound up to its end: what follows changes nothing of it.
     """
     resampled = Resampled(utterance.audio)
-    contour = contour_of(measure_pitch(resampled))
-    cues = cues_of(utterance, resampled, contour)
-    syllables = tuple(
-        replace(
-            syllable,
+    speaker = unknown_speaker()
+    syllables: list[Syllable] = []
+    tones: list[Accent] = []
+    ends: list[Boundary] = []
+    written = {boundary.word for boundary in utterance.boundaries}
+    for run in runs_of(utterance):
+        contour = _contour(resampled, run, speaker)
+        cues = cues_of(utterance, run, resampled, contour, speaker)
+        syllables += _sounding(utterance, run, cues)
+        found = find_boundaries(utterance, run, cues, contour, speaker) if boundaries else ()
+        last_words = {boundary.word for boundary in found} if boundaries else written
+        ends += found
+        if accents:
+            tones += find_accents(utterance, run, cues, contour, last_words)
+    last_words = {boundary.word for boundary in ends} if boundaries else written
+    heard = replace(
+        utterance,
+        syllables=tuple(syllables),
+        accents=with_nuclei(tones, last_words) if accents else utterance.accents,
+        boundaries=tuple(ends) if boundaries else utterance.boundaries,
+    )
+    return with_phrases(heard)
+
+
+def pitched(utterance: Utterance, voice_hertz: float | None = None) -> Utterance:
+    """Return an utterance whose accents are known with the pitch of its syllables measured.
+
+    `voice_hertz`: the mean pitch of the voice, if known.
+    """
+    resampled = Resampled(utterance.audio)
+    speaker = unknown_speaker() if voice_hertz is None else known_voice(voice_hertz)
+    heights: list[float] = []
+    for run in runs_of(utterance):
+        vowels = vowels_of(utterance, run)
+        contour = _contour(resampled, run, speaker) if vowels else None
+        heights += heights_of(vowels, contour, speaker).tolist()
+    syllables = zip(utterance.syllables, heights, strict=True)
+    return replace(utterance, syllables=tuple(replace(s, pitch=round(h, 3)) for s, h in syllables))
+
+
+def _contour(resampled: Resampled, run: Run, speaker: SpeakerStatistics) -> Contour | None:
+    return contour_of(measure_pitch(resampled, run.start, run.end, speaker.range), speaker.range)
+
+
+def _sounding(utterance: Utterance, run: Run, cues: Cues) -> Iterator[Syllable]:
+    """Yield the syllables of a run with how they sound."""
+    values = zip(run.syllables, cues.loudness, cues.prominence, cues.height, strict=True)
+    for index, loudness, prominence, height in values:
+        yield replace(
+            utterance.syllables[index],
             loudness=round(float(loudness), 3),
             prominence=round(float(prominence), 3),
             pitch=round(float(height), 3),
         )
-        for syllable, loudness, prominence, height in zip(
-            utterance.syllables, cues.loudness, cues.prominence, cues.height, strict=True
-        )
-    )
-    ends = find_boundaries(utterance, cues, contour) if boundaries else utterance.boundaries
-    last_words = {boundary.word for boundary in ends}
-    tones = find_accents(utterance, cues, contour, last_words) if accents else utterance.accents
-    return with_phrases(replace(utterance, syllables=syllables, accents=tones, boundaries=ends))
-
-
-def pitched(utterance: Utterance) -> Utterance:
-    """Return an utterance whose accents are known with the pitch of its syllables measured."""
-    contour = contour_of(measure_pitch(Resampled(utterance.audio))) if utterance.syllables else None
-    if contour is None:
-        return utterance
-    vowels = [vowel_of(utterance.phones, syllable) for syllable in utterance.syllables]
-    heights = zip(utterance.syllables, heights_of(vowels, contour).tolist(), strict=True)
-    return replace(utterance, syllables=tuple(replace(s, pitch=round(h, 3)) for s, h in heights))
 
 
 def speech_rate(utterance: Utterance) -> float:

@@ -4,7 +4,7 @@ De Cheveigné and Kawahara (2002): per frame the difference function d(τ) of th
 independent of loudness by its running mean; periods are its minima, their depth the aperiodicity. Up to five
 minima per frame are kept and one path is found through them and "unvoiced" by dynamic programming, as in
 Boersma (1993), which is what spares the octave errors of frame-by-frame choice. A second path keeps to the
-range that the first one found of the speaker (De Looze and Hirst 2008).
+speaker's range, from what was heard before and from the first path (De Looze and Hirst 2008).
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from scipy.signal import firwin
 
 from ...core.arrays import Array, BoolArray, Int64Array
 from ..recordings.resampled import RATE, Resampled
+from .running import RunningRange, unknown_speaker
 
 # Seconds between frames, and of each frame's window.
 STEP, WINDOW = 0.01, 0.03
@@ -29,23 +30,22 @@ UNVOICED_COST, JUMP_COST, VOICING_COST, LOW_COST = 0.55, 1.2, 0.1, 0.03
 SILENCE_BELOW = 35.0
 # The speaker's range: shares of the quartiles of what the first path found, and the cost outside of it.
 FLOOR_OF_LOWER, CEILING_OF_UPPER, OUTSIDE_COST = 0.72, 1.9, 0.15
-_FEWEST_VOICED = 20
 _CHUNK_SECONDS = 10.0
 # What is above 2.5 kHz is mostly noise.
 _LOW_PASS = firwin(31, 2_500.0, fs=RATE)
-_LOUD_PERCENTILE = 95.0
 
 
 @dataclass(frozen=True, slots=True)
 class Pitch:
-    """F0 in Hz every STEP seconds, frame k at k STEP, NaN where there is no voice; shape (frames,)."""
+    """F0 in Hz every STEP seconds from frame `first` on, frame k at k STEP; NaN without voice; (frames,)."""
 
     hertz: Array
+    first: int = 0
 
     @property
     def times(self) -> Array:
         """Seconds."""
-        return np.asarray(STEP * np.arange(len(self.hertz)), dtype=np.float64)
+        return np.asarray(STEP * np.arange(self.first, self.first + len(self.hertz)), dtype=np.float64)
 
     @property
     def semitones(self) -> Array:
@@ -60,23 +60,26 @@ class _Candidates(NamedTuple):
     aperiodicity: Array
 
 
-def measure_pitch(resampled: Resampled) -> Pitch:
-    """Return the pitch of a recording, read chunk by chunk."""
-    duration = resampled.audio.duration
-    frames = int(duration / STEP) + 1
+def measure_pitch(
+    resampled: Resampled, start: float, end: float, speaker: RunningRange | None = None
+) -> Pitch:
+    """Return the pitch in [start, end] seconds of a recording, read chunk by chunk.
+
+    `speaker`: the range of the voice as far as it was heard before.
+    """
+    speaker = speaker or unknown_speaker().range
+    frames = range(round(start / STEP), round(end / STEP) + 1)
     per_chunk = round(_CHUNK_SECONDS / STEP)
-    found = [
-        _candidates(resampled, range(first, min(first + per_chunk, frames)))
-        for first in range(0, frames, per_chunk)
-    ]
-    candidates = _Candidates(*(np.concatenate(parts) for parts in zip(*found, strict=True)))
-    quiet = _quiet(resampled, frames)
+    chunks = [_candidates(resampled, frames[at : at + per_chunk]) for at in range(0, len(frames), per_chunk)]
+    candidates = _Candidates(*(np.concatenate(parts) for parts in zip(*chunks, strict=True)))
+    quiet = _quiet(resampled, frames, end)
     hertz = _path(candidates, quiet, LOWEST, HIGHEST)
     voiced = hertz[np.isfinite(hertz)]
-    if len(voiced) >= _FEWEST_VOICED:
-        low, high = np.percentile(voiced, [25.0, 75.0])
+    if len(voiced):
+        known = speaker.with_frames(12.0 * np.log2(voiced))
+        low, high = 2.0 ** (known.lower / 12.0), 2.0 ** (known.upper / 12.0)
         hertz = _path(candidates, quiet, FLOOR_OF_LOWER * low, CEILING_OF_UPPER * high)
-    return Pitch(_centred(hertz))
+    return Pitch(_centred(hertz), frames.start)
 
 
 def _candidates(resampled: Resampled, frames: range) -> _Candidates:
@@ -143,13 +146,13 @@ def _centred(hertz: Array) -> Array:
     return centred
 
 
-def _quiet(resampled: Resampled, frames: int) -> BoolArray:
-    """Return which frames are too quiet to be voiced."""
+def _quiet(resampled: Resampled, frames: range, end: float) -> BoolArray:
+    """Return which frames are too quiet to be voiced beside the loud ones up to `end` seconds."""
     levels = np.asarray(resampled.levels, dtype=np.float64)
     # A window of three: a frame lies at the edge of two.
-    smooth = np.convolve(np.pad(levels, 1, mode="edge"), np.full(3, 1 / 3), mode="valid")
-    at = np.minimum(np.arange(frames), len(smooth) - 1)
-    return np.asarray(smooth[at] < np.percentile(smooth, _LOUD_PERCENTILE) - SILENCE_BELOW)
+    around = np.clip(np.arange(frames.start - 1, frames.stop + 1), 0, len(levels) - 1)
+    smooth = np.convolve(levels[around], np.full(3, 1 / 3), mode="valid")
+    return np.asarray(smooth < resampled.loud_level(end) - SILENCE_BELOW)
 
 
 def _path(candidates: _Candidates, quiet: BoolArray, floor: float, ceiling: float) -> Array:

@@ -44,7 +44,6 @@ if TYPE_CHECKING:
 PAUSE_BELOW, SHORTEST_PAUSE = 30.0, 0.3
 EARLIEST, LATEST = 6.0, 20.0
 NO_WORD = -1
-_LOUD_PERCENTILE = 95.0
 # How the dictionary marks a word's further readings.
 _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
@@ -94,11 +93,11 @@ def recognize(audio: Audio) -> Utterance:
 def stretches(resampled: Resampled) -> Iterator[tuple[float, float]]:
     """Yield spans of seconds that follow one another over the recording, cut in pauses where possible."""
     levels = np.asarray(resampled.levels, np.float64)
-    quiet = levels < np.percentile(levels, _LOUD_PERCENTILE) - PAUSE_BELOW
     start, count = 0, len(levels)
     while (count - start) * LEVEL_STEP > LATEST:
         first, last = start + round(EARLIEST / LEVEL_STEP), start + round(LATEST / LEVEL_STEP)
-        cut = _longest_run(quiet[first:last], round(SHORTEST_PAUSE / LEVEL_STEP))
+        quiet = levels[first:last] < resampled.loud_level(last * LEVEL_STEP) - PAUSE_BELOW
+        cut = _longest_run(quiet, round(SHORTEST_PAUSE / LEVEL_STEP))
         end = first + (cut if cut is not None else int(levels[first:last].argmin()))
         yield start * LEVEL_STEP, end * LEVEL_STEP
         start = end

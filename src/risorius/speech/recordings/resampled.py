@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from scipy.signal import resample_poly
 
-from ...core.arrays import Array, Float32Array
+from ...core.arrays import Array, Float32Array, Int32Array
 from ...core.audio import Audio
 
 RATE = 16_000
@@ -17,7 +17,10 @@ RATE = 16_000
 SPEECH_LEVEL = 2_500.0
 # Seconds per frame of `levels`.
 LEVEL_STEP = 0.01
-_LOUD_PERCENTILE = 95.0
+_LOUD_SHARE = 0.95
+# Levels are counted in bins (dB), in blocks of frames.
+_LOWEST_LEVEL, _LEVEL_BIN, _LEVELS = -20.0, 0.02, 6000
+_FRAMES_PER_BLOCK = 6_000
 _CHUNK_SECONDS = 10.0
 # The resampling filter reaches ten samples of the slower rate to both sides; taken twice to be safe.
 _MARGIN = 20
@@ -25,7 +28,7 @@ _MARGIN = 20
 
 @dataclass(frozen=True)
 class Resampled:
-    """Access to a recording at 16 kHz; nothing but frame levels is kept in memory."""
+    """Access to a recording at 16 kHz; nothing but frame levels stays in memory."""
 
     audio: Audio
 
@@ -33,16 +36,32 @@ class Resampled:
         """Return the sound of [start, end) in seconds at 16 kHz, shape (n,), in units of 16-bit samples.
 
         The first sample is the one nearest to `start`. What lies outside the recording is silent. The level
-        is that at which loud speech has a root mean square of 2,500.
+        is that at which loud speech up to `end` has a root mean square of 2,500.
         """
         first, count = round(start * RATE), round((end - start) * RATE)
-        return self.gain * _resampled(self.audio, first, max(count, 0))
+        gain = SPEECH_LEVEL / math.exp(math.log(10.0) * self.loud_level(end) / 20.0)
+        return gain * _resampled(self.audio, first, max(count, 0))
+
+    def loud_level(self, end: float) -> float:
+        """Return the level of loud speech up to `end` seconds, in dB: what a frame in twenty exceeds."""
+        count = min(max(round(end / LEVEL_STEP), 1), len(self.levels))
+        blocks = count // _FRAMES_PER_BLOCK
+        counts = self._level_counts[blocks] + _counted(self.levels[blocks * _FRAMES_PER_BLOCK : count])
+        reached = np.cumsum(counts)
+        wanted = _LOUD_SHARE * count
+        index = int(np.searchsorted(reached, wanted))
+        within = (wanted - (reached[index - 1] if index else 0)) / max(int(counts[index]), 1)
+        return _LOWEST_LEVEL + _LEVEL_BIN * float(index + within)
 
     @cached_property
-    def gain(self) -> float:
-        """The factor that brings loud speech to its level."""
-        loud = float(np.percentile(self.levels, _LOUD_PERCENTILE)) if self.levels.size else 0.0
-        return SPEECH_LEVEL / float(10.0 ** (loud / 20.0))
+    def _level_counts(self) -> Int32Array:
+        """How many frames before each block have each level, shape (blocks + 1, levels)."""
+        blocks = len(self.levels) // _FRAMES_PER_BLOCK
+        counts = np.zeros((blocks + 1, _LEVELS), np.int32)
+        for block in range(blocks):
+            first = block * _FRAMES_PER_BLOCK
+            counts[block + 1] = counts[block] + _counted(self.levels[first : first + _FRAMES_PER_BLOCK])
+        return counts
 
     @cached_property
     def levels(self) -> Float32Array:
@@ -55,6 +74,12 @@ class Resampled:
             for first in range(0, total, frames_per_chunk)
         ]
         return np.concatenate(found)
+
+
+def _counted(levels: Float32Array) -> Int32Array:
+    """Return how many levels lie in each bin."""
+    bins = np.clip((levels - _LOWEST_LEVEL) / _LEVEL_BIN, 0, _LEVELS - 1).astype(np.int32)
+    return np.bincount(bins, minlength=_LEVELS).astype(np.int32)
 
 
 def _frame_levels(audio: Audio, frames: range, step: float) -> Float32Array:
