@@ -31,7 +31,7 @@ from behaviour_measures import (
     visits,
 )
 
-from risorius.channels import Brief, compose
+from risorius.channels import ChannelInputs, compose
 from risorius.core.utterance import Utterance
 from risorius.rules.profiles import profile, profiles
 from risorius.script import read_script
@@ -68,8 +68,8 @@ def clips(name: str, minutes: float) -> list[Clip]:
     """Return the performances of a profile."""
     found = []
     for seed, said in speech(minutes):
-        brief = Brief(said.duration, said, profile=profile(name))
-        found.append(sampled(compose(brief, seed=seed, without=("lips",)), said))
+        inputs = ChannelInputs(said.duration, said, profile=profile(name))
+        found.append(sampled(compose(inputs, seed=seed, without=("lips",)), said))
     return found
 
 

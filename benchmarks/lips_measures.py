@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 
 from risorius import blend, pipeline
-from risorius.channels import Brief, Display, compose
+from risorius.channels import ChannelInputs, Display, compose
 from risorius.core.arrays import Array, BoolArray
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, PARAMETERS
@@ -120,7 +120,7 @@ def _movements(display: str, duration: float) -> Iterator[Movement]:
         names = [p.name for p in PARAMETERS if p.base in ("zygomatic_major", "zygomatic_minor")]
         yield Movement("emotion", 0.0, duration, 0.3, 0.3, dict.fromkeys(names, 1.0))
         return
-    yield from compose(Brief(duration, emotions=(Display(display, 1.0),), lively=False)).movements
+    yield from compose(ChannelInputs(duration, emotions=(Display(display, 1.0),), lively=False)).movements
 
 
 @dataclass

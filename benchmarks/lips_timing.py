@@ -18,7 +18,7 @@ from lips_measures import machine
 from timit import GLOTTAL, RATE, Label, sentences
 
 from risorius import blend
-from risorius.channels import Brief, compose
+from risorius.channels import ChannelInputs, compose
 from risorius.core.audio import silence
 from risorius.core.channels import CHANNELS
 from risorius.core.utterance import Phone, Utterance
@@ -54,7 +54,7 @@ def gap(labels: Sequence[Label], seconds: float) -> np.ndarray:
     phones[-1] = Phone(phones[-1].symbol, phones[-1].start, audio.duration, phones[-1].stress)
     utterance = Utterance("", "en-us", audio, tuple(phones), ())
     others = [name for name in CHANNELS if name not in ("lips", "manual")]
-    score = compose(Brief(audio.duration, utterance, lively=False), without=others)
+    score = compose(ChannelInputs(audio.duration, utterance, lively=False), without=others)
     return machine().mouth(blend.at(score, np.arange(0.0, seconds, 1.0 / FPS), load_lip_rig()))[:, 0]
 
 

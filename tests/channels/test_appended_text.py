@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.channels import HORIZON, Brief, Display, compose
+from risorius.channels import HORIZON, ChannelInputs, Display, compose
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.utterance import Utterance
 from risorius.rules.profiles import Profile, profile, profiles
@@ -47,9 +47,9 @@ def speakers(draw: st.DrawFn) -> Profile:
     return replace(speaker, blinks=replace(speaker.blinks, manner=manner))
 
 
-def moved_before(time: float, said: Utterance, seed: int, **brief: object) -> Moved:
+def moved_before(time: float, said: Utterance, seed: int, **inputs: object) -> Moved:
     """Return what is composed for an utterance and ends before a time."""
-    score = compose(Brief(said.duration, said, **brief), seed=seed)  # type: ignore[arg-type]
+    score = compose(ChannelInputs(said.duration, said, **inputs), seed=seed)  # type: ignore[arg-type]
     return [m for m in score.movements if m.end < time], [s for s in score.lips if s.end < time]
 
 
@@ -117,6 +117,6 @@ def test_all_channels_but_the_eyes_keep_to_one_second(seed: int, sentence_of: Ma
 
 
 def test_where_nothing_is_said_a_longer_clip_begins_as_a_shorter_one() -> None:
-    short, long = (compose(Brief(duration), seed=2).movements for duration in (60.0, 90.0))
+    short, long = (compose(ChannelInputs(duration), seed=2).movements for duration in (60.0, 90.0))
     settled = 60.0 - HORIZON
     assert [m for m in short if m.end < settled] == [m for m in long if m.end < settled]

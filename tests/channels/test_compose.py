@@ -3,7 +3,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from risorius.channels import Brief, Display, built_channels, compose
+from risorius.channels import ChannelInputs, Display, built_channels, compose
 from risorius.channels.manipulators import blink_interval
 from risorius.core.channels import CHANNELS
 from risorius.core.counted import Counted
@@ -17,18 +17,18 @@ BLINK = "orbicularis_oculi_palpebralis.left"
 
 
 @pytest.mark.parametrize(
-    ("brief", "without", "error"),
+    ("inputs", "without", "error"),
     [
-        (Brief(4.0), ["blinks"], ParameterError),
-        (Brief(4.0, emotions=(Display("hapiness", 0.5),)), [], ParameterError),
-        (Brief(4.0, emotions=(Display("happiness", 1.5),)), [], ParameterError),
-        (Brief(4.0, emotions=(Display("happiness", 0.5, 2.0, 1.0),)), [], InputError),
-        (Brief(0.0), [], InputError),
+        (ChannelInputs(4.0), ["blinks"], ParameterError),
+        (ChannelInputs(4.0, emotions=(Display("hapiness", 0.5),)), [], ParameterError),
+        (ChannelInputs(4.0, emotions=(Display("happiness", 1.5),)), [], ParameterError),
+        (ChannelInputs(4.0, emotions=(Display("happiness", 0.5, 2.0, 1.0),)), [], InputError),
+        (ChannelInputs(0.0), [], InputError),
     ],
 )
-def test_bad_briefs(brief: Brief, without: list[str], error: type[Exception]) -> None:
+def test_bad_inputs(inputs: ChannelInputs, without: list[str], error: type[Exception]) -> None:
     with pytest.raises(error):
-        compose(brief, without=without)
+        compose(inputs, without=without)
 
 
 def test_every_channel_but_manual_has_a_builder() -> None:
@@ -40,31 +40,31 @@ def _by_channel(score: Score) -> dict[str, list[Movement]]:
 
 
 def test_same_seed_same_score_and_another_seed_another() -> None:
-    assert compose(Brief(60.0), seed=3) == compose(Brief(60.0), seed=3)
-    assert compose(Brief(60.0), seed=3) != compose(Brief(60.0), seed=4)
+    assert compose(ChannelInputs(60.0), seed=3) == compose(ChannelInputs(60.0), seed=3)
+    assert compose(ChannelInputs(60.0), seed=3) != compose(ChannelInputs(60.0), seed=4)
 
 
 @pytest.mark.parametrize("dropped", ["manipulators", "head", "gaze"])
 def test_a_channel_does_not_change_when_another_is_left_out(dropped: str) -> None:
-    whole, less = (_by_channel(compose(Brief(60.0), without=w)) for w in ([], [dropped]))
+    whole, less = (_by_channel(compose(ChannelInputs(60.0), without=w)) for w in ([], [dropped]))
     assert less.pop(dropped) == []
     assert all(whole[name] == movements for name, movements in less.items())
 
 
 def test_every_movement_has_a_cause(utterance_of) -> None:
     utterance = utterance_of("HH AH L OW")
-    score = compose(Brief(20.0, utterance, emotions=(Display("joy", 0.5),)))
+    score = compose(ChannelInputs(20.0, utterance, emotions=(Display("joy", 0.5),)))
     assert all(m.cause != Cause() for m in (*score.movements, *score.lips))
 
 
 def test_emotions_given_separately_have_a_layer_each() -> None:
-    score = compose(Brief(4.0, emotions=(Display("joy", 0.5), Display("surprise", 1.0, 1.0, 2.0))))
+    score = compose(ChannelInputs(4.0, emotions=(Display("joy", 0.5), Display("surprise", 1.0, 1.0, 2.0))))
     layers = [m.layer for m in score.movements if m.channel == "emotion"]
     assert len(set(layers)) == 2
 
 
 def test_both_eyes_blink_at_human_intervals() -> None:
-    blinks = _by_channel(compose(Brief(600.0)))["manipulators"]
+    blinks = _by_channel(compose(ChannelInputs(600.0)))["manipulators"]
     starts = np.array([m.start for m in blinks])
     assert all(m.targets[BLINK] == m.targets[BLINK.replace("left", "right")] for m in blinks)
     assert np.diff(starts).min() > WAIT
@@ -76,7 +76,7 @@ def test_random_blinks_keep_clear_of_marked_ones() -> None:
     marked = tuple(
         Movement("manipulators", t, t + 0.3, 0.1, 0.1, {BLINK: 1.0}) for t in np.arange(0.5, 59, 0.7)
     )
-    blinks = _by_channel(compose(Brief(60.0, marks=marked)))["manipulators"]
+    blinks = _by_channel(compose(ChannelInputs(60.0, marks=marked)))["manipulators"]
     ends = sorted((m.start, m.end) for m in blinks)
     assert len(ends) >= len(marked)
     assert all(a[1] <= b[0] for a, b in pairwise(ends))
@@ -91,4 +91,4 @@ def test_blink_intervals_lie_between_one_and_three_waits() -> None:
 
 
 def test_without_liveliness_nothing_random_is_left() -> None:
-    assert compose(Brief(60.0, lively=False)).movements == ()
+    assert compose(ChannelInputs(60.0, lively=False)).movements == ()

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from risorius.channels import Brief, compose
+from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import LipSegment
 from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError, ParameterError
@@ -12,7 +12,7 @@ ALL = "AA AE AH AO AW AY B CH D DH EH ER EY F G HH IH IY JH K L M N NG OW OY P R
 
 
 def segments(utterance: Utterance, **options: float) -> tuple[LipSegment, ...]:
-    return compose(Brief(utterance.duration, utterance, **options), without=["manipulators"]).lips
+    return compose(ChannelInputs(utterance.duration, utterance, **options), without=["manipulators"]).lips
 
 
 def test_an_unknown_phone_is_named() -> None:
@@ -118,8 +118,8 @@ def test_manners_change_how_far_the_mouth_opens(utterance_of) -> None:
     utterance = utterance_of("AA")
 
     def drop(manner: str) -> float:
-        brief = Brief(utterance.duration, utterance, manner=manner)
-        return max(s.targets.get("jaw_drop", 0.0) for s in compose(brief, without=["manipulators"]).lips)
+        inputs = ChannelInputs(utterance.duration, utterance, manner=manner)
+        return max(s.targets.get("jaw_drop", 0.0) for s in compose(inputs, without=["manipulators"]).lips)
 
     assert drop("murmur") < drop("whisper") < drop("plain") < drop("shout")
 
@@ -127,7 +127,7 @@ def test_manners_change_how_far_the_mouth_opens(utterance_of) -> None:
 def test_an_unknown_manner_is_named(utterance_of) -> None:
     utterance = utterance_of("AA")
     with pytest.raises(ParameterError, match="unknown manner of speech 'shuot'; did you mean 'shout'"):
-        compose(Brief(utterance.duration, utterance, manner="shuot"))
+        compose(ChannelInputs(utterance.duration, utterance, manner="shuot"))
 
 
 def test_accents_open_the_mouth(utterance_of) -> None:

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from risorius.channels import Brief, Display, built_channels, compose
+from risorius.channels import ChannelInputs, Display, built_channels, compose
 from risorius.core.movement import Movement
 from risorius.core.utterance import Accent, PauseKind, Utterance
 from risorius.rules.profiles import attitude, profile, profiles
@@ -28,12 +28,12 @@ def certain(prefix: str) -> str:
     return "\n".join(lines)
 
 
-def movements(said: Utterance, *prefixes: str, seed: int = 0, **brief: object) -> tuple[Movement, ...]:
+def movements(said: Utterance, *prefixes: str, seed: int = 0, **inputs: object) -> tuple[Movement, ...]:
     """Return what is composed with only our rules under the prefixes, which fire wherever they can."""
     others = [r.id for r in shipped() if not r.id.startswith(prefixes)]
     text = f"delete = {json.dumps(others)}\n" + "\n".join(certain(p) for p in prefixes)
     rule_set = extended(shipped(), text, "my.toml")
-    return compose(Brief(said.duration, said, rules=rule_set, **brief), seed=seed).movements  # type: ignore[arg-type]
+    return compose(ChannelInputs(said.duration, said, rules=rule_set, **inputs), seed=seed).movements  # type: ignore[arg-type]
 
 
 def by_rule(found: Sequence[Movement], rule: str) -> list[Movement]:
@@ -167,7 +167,11 @@ def test_an_emblem_is_shown_at_the_word_that_refers_to_it(sentence_of: Maker) ->
 def test_a_sad_speaker_moves_less_and_a_fearful_one_more(felt: str, more: bool, sentence_of: Maker) -> None:
     said = sentence_of(LONG)
     plain, moved = (
-        [m for m in compose(Brief(said.duration, said, emotions=e)).movements if m.channel == "signals"]
+        [
+            m
+            for m in compose(ChannelInputs(said.duration, said, emotions=e)).movements
+            if m.channel == "signals"
+        ]
         for e in ((), (Display(felt, 1.0),))
     )
     assert len(moved) > 1.15 * len(plain) if more else len(moved) < 0.7 * len(plain)
@@ -177,7 +181,7 @@ def test_a_sad_speaker_moves_less_and_a_fearful_one_more(felt: str, more: bool, 
 def test_emotion_changes_neither_place_nor_type_of_accents(felt: str, sentence_of: Maker) -> None:
     said = sentence_of(LONG)
     before = said.accents
-    found = compose(Brief(said.duration, said, emotions=(Display(felt, 1.0),))).movements
+    found = compose(ChannelInputs(said.duration, said, emotions=(Display(felt, 1.0),))).movements
     assert said.accents == before
     texts = {f'"{said.words[a.word].text}"' for a in before}
     on_accents = [m for m in found if m.cause.rule in ("signals.nod.accent", "signals.mouth.accent")]
@@ -209,8 +213,10 @@ def test_blinks_of_paper_b_last_a_quarter_of_a_second_on_phonemes(sentence_of: M
 @pytest.mark.parametrize("dropped", built_channels())
 def test_a_channel_left_out_leaves_the_others_as_they_were(dropped: str, sentence_of: Maker) -> None:
     said = sentence_of(LONG)
-    brief = Brief(said.duration, said, emotions=(Display("joy", 0.5),), attitudes=(attitude("ironic"),))
-    whole, less = (compose(brief, without=w) for w in ((), (dropped,)))
+    inputs = ChannelInputs(
+        said.duration, said, emotions=(Display("joy", 0.5),), attitudes=(attitude("ironic"),)
+    )
+    whole, less = (compose(inputs, without=w) for w in ((), (dropped,)))
     assert [m for m in whole.movements if m.channel != dropped] == list(less.movements)
     assert less.lips == (() if dropped == "lips" else whole.lips)
     assert len(less.movements) + len(less.lips) < len(whole.movements) + len(whole.lips)
@@ -223,7 +229,7 @@ def test_profiles_differ_in_how_much_the_face_moves(pair: tuple[str, str], sente
     said = sentence_of(LONG)
 
     def amount(name: str) -> float:
-        found = compose(Brief(said.duration, said, profile=profile(name))).movements
+        found = compose(ChannelInputs(said.duration, said, profile=profile(name))).movements
         return sum(abs(m.targets.get("head_pitch", 0.0)) for m in found if m.channel in ("signals", "head"))
 
     assert amount(pair[0]) > 1.3 * amount(pair[1])
@@ -231,7 +237,7 @@ def test_profiles_differ_in_how_much_the_face_moves(pair: tuple[str, str], sente
 
 def test_attitudes_hold_their_posture(sentence_of: Maker) -> None:
     said = sentence_of("One two.")
-    found = compose(Brief(said.duration, said, attitudes=(attitude("ironic"),))).movements
+    found = compose(ChannelInputs(said.duration, said, attitudes=(attitude("ironic"),))).movements
     (face,) = by_rule(found, "emotion.posture.speaker")
     assert face.targets["frontalis_lateralis.left"] > face.targets.get("frontalis_lateralis.right", 0.0)
     (held,) = by_rule(found, "head.posture.speaker")
@@ -300,7 +306,7 @@ def test_noise_is_halved_at_commas_and_a_fifth_in_final_pauses(sentence_of: Make
 
     def change(kind: PauseKind | None) -> float:
         spans = [(p.start, p.end) for p in said.pauses if kind in (None, p.kind)]
-        found = by_rule(compose(Brief(said.duration, said)).movements, "head.noise.idle")
+        found = by_rule(compose(ChannelInputs(said.duration, said)).movements, "head.noise.idle")
         steps = pairwise(found)
         return float(
             np.std(
@@ -332,7 +338,7 @@ def test_any_seed_and_speaker_make_a_score_that_can_be_performed(
     speaker = profile(who)
     speaker = replace(speaker, blinks=replace(speaker.blinks, manner=manner))
     for seed in range(25):
-        score = compose(Brief(said.duration, said, profile=speaker), seed=seed)
+        score = compose(ChannelInputs(said.duration, said, profile=speaker), seed=seed)
         assert all(0.0 <= m.start < m.end for m in score.movements)
 
 
@@ -343,7 +349,7 @@ def test_alignment_falls_to_chance_where_accents_are_permuted(sentence_of: Maker
 
     def alignment(accents: tuple[Accent, ...]) -> float:
         """Return the share of the true accents that brows meet, performed from those given."""
-        found = compose(Brief(said.duration, replace(said, accents=accents))).movements
+        found = compose(ChannelInputs(said.duration, replace(said, accents=accents))).movements
         raises = np.array([m.start for m in found if m.cause.rule.startswith("signals.brows")])
         return float(np.mean(np.abs(np.subtract.outer(starts, raises)).min(axis=1) < 0.15))
 
@@ -360,14 +366,16 @@ def test_alignment_falls_to_chance_where_accents_are_permuted(sentence_of: Maker
 
 def test_a_display_shows_less_only_while_another_is_beside_it() -> None:
     joy, grief = Display("happiness", 0.8), Display("sadness", 0.8, 2.0, 3.0)
-    found = compose(Brief(6.0, emotions=(joy, grief), lively=False)).movements
+    found = compose(ChannelInputs(6.0, emotions=(joy, grief), lively=False)).movements
     smile = [m for m in found if m.layer == "1.happiness"]
     assert [m.start for m in smile] == [0.0, 2.0, 3.0]
     cheeks = [m.targets["orbicularis_oculi_orbitalis.left"] for m in smile]
     assert cheeks[0] == cheeks[2] > cheeks[1]
     corners = [m.targets["zygomatic_major.left"] for m in smile]
     assert corners[0] == corners[1] == corners[2]
-    apart = compose(Brief(6.0, emotions=(joy, Display("pride", 0.0, 2.0, 3.0)), lively=False)).movements
+    apart = compose(
+        ChannelInputs(6.0, emotions=(joy, Display("pride", 0.0, 2.0, 3.0)), lively=False)
+    ).movements
     assert [m.start for m in apart if m.layer == "1.happiness"] == [0.0]
 
 

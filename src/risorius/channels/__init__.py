@@ -2,7 +2,7 @@
 
 from ..rules.emotions import Display
 from .compose import HORIZON, built_channels, compose
-from .inputs import inputs_of
-from .registry import Brief
+from .from_script import inputs_of
+from .inputs import ChannelInputs
 
-__all__ = ["HORIZON", "Brief", "Display", "built_channels", "compose", "inputs_of"]
+__all__ = ["HORIZON", "ChannelInputs", "Display", "built_channels", "compose", "inputs_of"]

@@ -1,4 +1,4 @@
-"""From a brief to the score: rules propose, rivals are resolved, every channel builds.
+"""From inputs to the score: rules propose, rivals are resolved, every channel builds.
 
 All channels build, each with random numbers of its own; a channel that is left out is dropped afterwards, so
 that the others are as they were (paper B, section 3.2).
@@ -15,7 +15,8 @@ from ..core.score import BlendSettings, Score, check_score
 from ..errors import ParameterError, unknown
 from ..rules.match import Event, events_of
 from ..rules.resolve import resolve
-from .registry import Brief, Context, builder_of
+from .inputs import ChannelInputs, Context
+from .registry import builder_of
 
 HORIZON = 9.0
 """How far appended text reaches back, seconds: it changes no movement that ends more than this before the end
@@ -30,7 +31,11 @@ own `lead`.
 
 
 def compose(
-    brief: Brief, *, seed: int = 0, without: Collection[str] = (), settings: BlendSettings | None = None
+    inputs: ChannelInputs,
+    *,
+    seed: int = 0,
+    without: Collection[str] = (),
+    settings: BlendSettings | None = None,
 ) -> Score:
     """Return the score that all channels but those in `without` build.
 
@@ -40,12 +45,12 @@ def compose(
     for name in without:
         if name not in channels:
             raise ParameterError(unknown("channel", name, channels))
-    events = proposed(brief, seed)
+    events = proposed(inputs, seed)
     movements: list[Movement] = []
     segments: list[LipSegment] = []
     for name in channels:
         context = Context(name, events, tuple(movements), Counted(seed, name))
-        for built in builder_of(CHANNELS.get(name))(brief, context):
+        for built in builder_of(CHANNELS.get(name))(inputs, context):
             if isinstance(built, LipSegment):
                 segments.append(built)
             else:
@@ -54,11 +59,11 @@ def compose(
         (m for m in movements if m.channel not in without), key=lambda m: (m.start, m.channel, m.layer)
     )
     score = Score(
-        brief.duration,
+        inputs.duration,
         tuple(kept),
         () if "lips" in without else tuple(segments),
         settings=settings or BlendSettings(),
-        text=brief.utterance.text if brief.utterance else "",
+        text=inputs.utterance.text if inputs.utterance else "",
         seed=seed,
     )
     check_score(score)
@@ -71,12 +76,12 @@ def built_channels() -> tuple[str, ...]:
     return tuple(c.name for c in sorted(channels, key=lambda c: (c.order, c.name)))
 
 
-def proposed(brief: Brief, seed: int) -> tuple[Event, ...]:
+def proposed(inputs: ChannelInputs, seed: int) -> tuple[Event, ...]:
     """Return the events of the rules that happen; a still face has none."""
-    if not brief.lively:
+    if not inputs.lively:
         return ()
     events = events_of(
-        brief.rules, brief.units, Counted(seed), modulations=brief.modulations, side=brief.profile.side
+        inputs.rules, inputs.units, Counted(seed), modulations=inputs.modulations, side=inputs.profile.side
     )
-    exclusive = [m for m in brief.marks if CHANNELS.get(m.channel).exclusive]
+    exclusive = [m for m in inputs.marks if CHANNELS.get(m.channel).exclusive]
     return tuple(resolve(events, [(m.start, m.end, frozenset(m.targets)) for m in exclusive]))

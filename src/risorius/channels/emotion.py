@@ -13,29 +13,30 @@ from ..rules.emotions import Display, emotion_key
 from ..rules.emotions import emotion as find_emotion
 from ..rules.fuzzy import blend_targets
 from .head import posture
-from .registry import Brief, Context, register
+from .inputs import ChannelInputs, Context
+from .registry import register
 from .ruled import marked_and_ruled
 
 POSTURE = "emotion.posture.speaker"
 _OVERLAP = 0.05
 
 
-def emotion(brief: Brief, context: Context) -> Iterator[Movement]:
+def emotion(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the marked displays, then the others, each in a layer of its own so that they blend."""
-    yield from marked_and_ruled(brief, context)
-    if brief.lively:
-        yield from _posture(brief)
-    displays = [_placed(display, brief.duration) for display in brief.emotions]
+    yield from marked_and_ruled(inputs, context)
+    if inputs.lively:
+        yield from _posture(inputs)
+    displays = [_placed(display, inputs.duration) for display in inputs.emotions]
     for number, display in enumerate(displays, 1):
         yield from _movements(display, number, displays)
 
 
-def _posture(brief: Brief) -> Iterator[Movement]:
-    face = {n: v for n, v in posture(brief).items() if PARAMETERS[INDEX[n]].kind is Kind.MUSCLE and v > 0.0}
+def _posture(inputs: ChannelInputs) -> Iterator[Movement]:
+    face = {n: v for n, v in posture(inputs).items() if PARAMETERS[INDEX[n]].kind is Kind.MUSCLE and v > 0.0}
     if face:
         yield Movement(
-            "emotion", 0.0, brief.duration, 0.0, 0.0, face,
-            id=POSTURE, layer="posture", cause=Cause(POSTURE, brief.profile.name),
+            "emotion", 0.0, inputs.duration, 0.0, 0.0, face,
+            id=POSTURE, layer="posture", cause=Cause(POSTURE, inputs.profile.name),
         )  # fmt: skip
 
 

@@ -20,7 +20,8 @@ from ..rules.modulation import rate_of
 from ..rules.profiles import Aversion
 from ..rules.rule import AWAY, TurnState
 from .eye_head import Angles, GazeShift, head_help, shifts_of
-from .registry import Brief, Context, register
+from .inputs import ChannelInputs, Context
+from .registry import register
 from .ruled import movements_of_rules
 
 AVERSION, SCAN, REST = "gaze.aversion.habit", "gaze.scan.face", "gaze.rest.listener"
@@ -46,21 +47,21 @@ class Look:
     fixed: bool = False
 
 
-def gaze(brief: Brief, context: Context) -> Iterator[Movement]:
+def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the marked gaze with the head's share of it, and the fixations of the clip, one after another."""
-    marked = brief.marked("gaze")
+    marked = inputs.marked("gaze")
     yield from marked
     yield from (helped for m in marked if (helped := head_help(m)) is not None)
-    yield from movements_of_rules(brief, context)
-    if not brief.lively:
+    yield from movements_of_rules(inputs, context)
+    if not inputs.lively:
         return
     # While listening the eyes are as free as else: only who is looked at is marked.
-    asked = [m for m in marked if (m.start, m.end) not in brief.listening]
+    asked = [m for m in marked if (m.start, m.end) not in inputs.listening]
     looks = [Look(m.start, m.end, LISTENER, m.cause, fixed=True) for m in asked]
     numbers = context.numbers
-    looks = _averted(brief, _commanded(brief, _apart(looks), context), numbers)
-    shifts = list(_fixations(brief, looks, numbers))
-    yield from shifts_of(shifts, brief.duration, brief.profile.blinks, brief.units.boundaries, numbers)
+    looks = _averted(inputs, _commanded(inputs, _apart(looks), context), numbers)
+    shifts = list(_fixations(inputs, looks, numbers))
+    yield from shifts_of(shifts, inputs.duration, inputs.profile.blinks, inputs.units.boundaries, numbers)
 
 
 def _apart(looks: Sequence[Look]) -> list[Look]:
@@ -70,34 +71,34 @@ def _apart(looks: Sequence[Look]) -> list[Look]:
     return [replace(k, end=min(k.end, end)) for k, end in zip(ordered, ends, strict=True) if k.start < end]
 
 
-def _commanded(brief: Brief, marked: Sequence[Look], context: Context) -> list[Look]:
+def _commanded(inputs: ChannelInputs, marked: Sequence[Look], context: Context) -> list[Look]:
     """Return the marked looks, and those of rules where they do not stand against them, one after another."""
     looks = list(marked)
     asked = [e for e in context.events if e.rule.effect.look is not None]
     for event in sorted(asked, key=lambda e: (e.rule.channel != "gaze", -e.span.start, e.rule.id)):
-        direction = _aimed(event, brief, context.numbers)
+        direction = _aimed(event, inputs, context.numbers)
         end = min([event.span.end, *(k.start for k in looks if k.end > event.span.start)])
         if end - event.span.start >= _SHORTEST:
             looks.append(Look(event.span.start, end, direction, Cause(event.rule.id, event.unit.text)))
     return sorted(looks, key=lambda k: k.start)
 
 
-def _aimed(event: Event, brief: Brief, numbers: Counted) -> Angles:
+def _aimed(event: Event, inputs: ChannelInputs, numbers: Counted) -> Angles:
     name = str(event.rule.effect.look)
     if name == AWAY:
-        return _away(brief, numbers.under(event.rule.id, event.unit.phrase, event.unit.number))
+        return _away(inputs, numbers.under(event.rule.id, event.unit.phrase, event.unit.number))
     found = markup_table().gaze[name]
     scale = event.rule.effect.size
     return scale * found.pitch, scale * found.yaw
 
 
-def _away(brief: Brief, numbers: Counted) -> Angles:
+def _away(inputs: ChannelInputs, numbers: Counted) -> Angles:
     """Return a random direction away from the listener."""
-    habits = brief.profile.gaze
+    habits = inputs.profile.gaze
     way = numbers.choice(habits.directions, "way")
     stray = numbers.normal("stray", deviation=_STRAY)
     if way == "side":
-        sign = 1.0 if numbers.uniform("side") < 0.5 * (1.0 + brief.profile.side) else -1.0
+        sign = 1.0 if numbers.uniform("side") < 0.5 * (1.0 + inputs.profile.side) else -1.0
         return stray, sign * _around(habits.yaw, numbers, "angle")
     return (1.0 if way == "up" else -1.0) * _around(habits.pitch, numbers, "angle"), 2.0 * stray
 
@@ -107,53 +108,55 @@ def _around(normal: tuple[float, float], numbers: Counted, what: str) -> float:
     return numbers.normal(what, mean=mean, deviation=deviation, limit=2.0)
 
 
-def _averted(brief: Brief, looks: Sequence[Look], numbers: Counted) -> list[Look]:
+def _averted(inputs: ChannelInputs, looks: Sequence[Look], numbers: Counted) -> list[Look]:
     """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013)."""
     found = list(looks)
-    time = numbers.uniform("first aversion") * _aversion(brief, 0.0).gap[0]
+    time = numbers.uniform("first aversion") * _aversion(inputs, 0.0).gap[0]
     for number in count():
-        if time >= brief.duration:
+        if time >= inputs.duration:
             break
         own = numbers.under("aversion", number)
-        habit = _aversion(brief, time)
+        habit = _aversion(inputs, time)
         end = time + _around(habit.length, own, "length")
-        direction = _away(brief, own)
+        direction = _away(inputs, own)
         foreseen = min(end + _SHORTEST, time + _FORESIGHT)
         rival = next((k for k in looks if k.start < foreseen and time < k.end + _SHORTEST), None)
         end = min([end, *(k.start for k in looks if k.start >= foreseen)])
-        if rival is None and end < brief.duration:
+        if rival is None and end < inputs.duration:
             found.append(Look(time, end, direction, Cause(AVERSION, "habit")))
         last = end if rival is None else rival.end
         if rival is not None and rival.direction == LISTENER:
             time = last + _SHORTEST
             continue
-        often = max(rate_of(AVERSION, brief.modulations_at(last)), 1e-3)
+        often = max(rate_of(AVERSION, inputs.modulations_at(last)), 1e-3)
         time = last + max(_around(habit.gap, own, "gap"), _SHORTEST) / often
     return sorted(found, key=lambda k: k.start)
 
 
-def _aversion(brief: Brief, time: float) -> Aversion:
-    speaking = brief.situation.turn_at(time) is TurnState.SPEAKING and brief.utterance is not None
-    return brief.profile.gaze.speaking if speaking else brief.profile.gaze.listening
+def _aversion(inputs: ChannelInputs, time: float) -> Aversion:
+    speaking = inputs.situation.turn_at(time) is TurnState.SPEAKING and inputs.utterance is not None
+    return inputs.profile.gaze.speaking if speaking else inputs.profile.gaze.listening
 
 
-def _fixations(brief: Brief, looks: Sequence[Look], numbers: Counted) -> Iterator[GazeShift]:
+def _fixations(inputs: ChannelInputs, looks: Sequence[Look], numbers: Counted) -> Iterator[GazeShift]:
     """Yield the shifts of gaze in order: to each look, back, and about what is looked at meanwhile."""
     time = 0.0
     for number, look in enumerate(looks):
-        yield from _scan(brief, time, look.start, LISTENER, numbers.under("scan before", number))
+        yield from _scan(inputs, time, look.start, LISTENER, numbers.under("scan before", number))
         yield GazeShift(look.start, look.direction, look.cause)
         if not look.fixed:
-            yield from _scan(brief, look.start, look.end, look.direction, numbers.under("scan", number))
+            yield from _scan(inputs, look.start, look.end, look.direction, numbers.under("scan", number))
         time = look.end
-        if time < brief.duration:
+        if time < inputs.duration:
             yield GazeShift(time, LISTENER, Cause(REST, "the listener"))
-    yield from _scan(brief, time, brief.duration, LISTENER, numbers.under("scan before", len(looks)))
+    yield from _scan(inputs, time, inputs.duration, LISTENER, numbers.under("scan before", len(looks)))
 
 
-def _scan(brief: Brief, start: float, end: float, centre: Angles, numbers: Counted) -> Iterator[GazeShift]:
+def _scan(
+    inputs: ChannelInputs, start: float, end: float, centre: Angles, numbers: Counted
+) -> Iterator[GazeShift]:
     """Yield saccades about a direction, at random times in (start, end)."""
-    habits = brief.profile.gaze
+    habits = inputs.profile.gaze
     time = start
     for number in count():
         time += _fixation(habits.scan, numbers.under("fixation", number))

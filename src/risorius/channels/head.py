@@ -18,7 +18,8 @@ from ..core.utterance import PauseKind
 from ..rules.match import HEAD
 from ..rules.modulation import size_of
 from ..rules.rule import TurnState
-from .registry import Brief, Context, register
+from .inputs import ChannelInputs, Context
+from .registry import register
 from .ruled import marked_and_ruled, with_eyes
 
 NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.pitch", "head.posture.speaker"
@@ -26,61 +27,61 @@ NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.pitch", "head.posture.s
 _OVERLAP = 0.02
 
 
-def head(brief: Brief, context: Context) -> Iterator[Movement]:
+def head(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the marked movements, those of rules, and a smooth wander about the speaker's posture."""
-    yield from marked_and_ruled(brief, context)
-    if brief.lively:
-        yield from _posture(brief)
-        yield from _melody(brief)
-        yield from _noise(brief, context.numbers)
+    yield from marked_and_ruled(inputs, context)
+    if inputs.lively:
+        yield from _posture(inputs)
+        yield from _melody(inputs)
+        yield from _noise(inputs, context.numbers)
 
 
-def posture(brief: Brief) -> dict[str, float]:
+def posture(inputs: ChannelInputs) -> dict[str, float]:
     """Return what the profile and the attitudes hold throughout, added up within each parameter's range."""
     total: dict[str, float] = {}
-    for held in (brief.profile.posture, *(a.posture for a in brief.attitudes)):
+    for held in (inputs.profile.posture, *(a.posture for a in inputs.attitudes)):
         for name, value in resolve_targets(held).items():
             p = PARAMETERS[INDEX[name]]
             total[name] = min(max(total.get(name, 0.0) + value, p.low), p.high)
     return total
 
 
-def _posture(brief: Brief) -> Iterator[Movement]:
-    targets = {name: value for name, value in posture(brief).items() if name in HEAD}
+def _posture(inputs: ChannelInputs) -> Iterator[Movement]:
+    targets = {name: value for name, value in posture(inputs).items() if name in HEAD}
     if targets:
         yield Movement(
-            "head", 0.0, brief.duration, 0.0, 0.0, with_eyes(targets),
-            id=POSTURE, layer="posture", function="minimum_jerk", cause=Cause(POSTURE, brief.profile.name),
+            "head", 0.0, inputs.duration, 0.0, 0.0, with_eyes(targets),
+            id=POSTURE, layer="posture", function="minimum_jerk", cause=Cause(POSTURE, inputs.profile.name),
         )  # fmt: skip
 
 
-def _melody(brief: Brief) -> Iterator[Movement]:
+def _melody(inputs: ChannelInputs) -> Iterator[Movement]:
     """Yield a chain in which the head rises and falls with the voice's pitch, syllable by syllable.
 
     Head motion explains some 63 % of the variance of F0 (Munhall et al. 2004).
     """
-    degrees = brief.profile.head.melody
-    said = brief.utterance
+    degrees = inputs.profile.head.melody
+    said = inputs.utterance
     if said is None or degrees == 0.0 or not any(s.pitch for s in said.syllables):
         return
-    ends = [*(s.start for s in said.syllables[1:]), brief.duration]
+    ends = [*(s.start for s in said.syllables[1:]), inputs.duration]
     for s, end in zip(said.syllables, ends, strict=True):
-        size = degrees * size_of(MELODY, brief.modulations_at(s.start))
+        size = degrees * size_of(MELODY, inputs.modulations_at(s.start))
         targets = {"head_pitch": size * min(max(s.pitch, -2.0), 2.0)}
         cause = Cause(MELODY, f'"{said.words[s.word].text}"')
         link = _link(s.start, end, targets, "melody", cause)
         yield replace(link, onset=min(s.end, end) - s.start)
 
 
-def _noise(brief: Brief, numbers: Counted) -> Iterator[Movement]:
+def _noise(inputs: ChannelInputs, numbers: Counted) -> Iterator[Movement]:
     """Yield a chain of smooth movements to random targets; in pauses they go only a part of the way."""
-    habits = brief.profile.head
+    habits = inputs.profile.head
     deviations = dict(zip(HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
-    calm = _Calm(brief)
+    calm = _Calm(inputs)
     targets = dict.fromkeys(HEAD, 0.0)
-    steps = _steps(habits.dwell, calm.edges, brief.duration, numbers)
+    steps = _steps(habits.dwell, calm.edges, inputs.duration, numbers)
     for number, (start, end, share) in enumerate(steps):
-        left, size = calm.at(start), size_of(NOISE, brief.modulations_at(start))
+        left, size = calm.at(start), size_of(NOISE, inputs.modulations_at(start))
         for name, sd in deviations.items():
             drawn = numbers.normal(name, number, deviation=size * sd, limit=2.0)
             kept = 0.0 if calm.rests(start) else (1.0 - left * share) * targets[name]
@@ -118,11 +119,11 @@ def _link(start: float, end: float, targets: dict[str, float], layer: str, cause
 class _Calm:
     """How much of the noise is left at a time: all in speech, less in pauses and while listening."""
 
-    def __init__(self, brief: Brief) -> None:
-        habits = brief.profile.head
+    def __init__(self, inputs: ChannelInputs) -> None:
+        habits = inputs.profile.head
         still = {PauseKind.COMMA: habits.comma, PauseKind.HESITATION: habits.comma}
-        self._situation, self._listening = brief.situation, habits.listening
-        pauses = brief.utterance.pauses if brief.utterance else ()
+        self._situation, self._listening = inputs.situation, habits.listening
+        pauses = inputs.utterance.pauses if inputs.utterance else ()
         self._last = [p.start for p in pauses if p.kind is PauseKind.FINAL]
         self._spans = [(p.start, p.end, still.get(p.kind, habits.final)) for p in pauses]
         self.edges = sorted({t for start, end, _ in self._spans for t in (start, end)})

@@ -1,30 +1,78 @@
-"""What channels build from, gathered from a script and what is said of it."""
+"""What channels build from."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from ..core.counted import Counted
+from ..core.movement import Movement
 from ..core.utterance import Utterance
 from ..rules.emotions import Display
-from ..script import Script, felt_in, listening_in, movements_of
-from .registry import Brief
+from ..rules.match import Event, felt_modulations
+from ..rules.modulation import Modulation
+from ..rules.profiles import NEUTRAL, Attitude, Profile, profile
+from ..rules.rule_set import RuleSet, shipped
+from ..rules.situation import Situation
+from ..rules.units import Units
 
-# Seconds that a script without speech lasts at least.
-SILENT_DURATION = 1.0
 
+@dataclass(frozen=True)
+class ChannelInputs:
+    """All that a channel may build from.
 
-def inputs_of(script: Script, utterance: Utterance | None, emotions: tuple[Display, ...] = ()) -> Brief:
-    """Return what channels build from: what is said, if anything is, what the script marks, and `emotions`.
-
-    Who speaks, and in which manner, is as the fields of `Brief` have it by default.
+    `utterance` is None where nothing is said. `marks`: the script's movements, of all channels. `emotions`:
+    the displays asked for beside the script; `felt`: those that the script marks. `listening`: spans of
+    listening, seconds. `opens`: whether the mouth may open before speech and close after it (plain text).
+    `lively`: whether rules, random blinks, small head and eye movements are wanted. `rules`: those that
+    hold.
     """
-    words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
-    duration = script.lasting(words, spoken)
-    marks = movements_of(script, words, duration)
-    return Brief(
-        duration=max([duration, *(m.end for m in marks)]),
-        utterance=utterance,
-        marks=marks,
-        emotions=emotions,
-        felt=felt_in(script, words, duration),
-        listening=listening_in(script, words, duration),
-        opens=not script.timed,
-    )
+
+    duration: float
+    utterance: Utterance | None = None
+    marks: tuple[Movement, ...] = ()
+    emotions: tuple[Display, ...] = ()
+    felt: tuple[Display, ...] = ()
+    listening: tuple[tuple[float, float], ...] = ()
+    opens: bool = True
+    articulation: float = 1.0
+    manner: str = "plain"
+    lively: bool = True
+    profile: Profile = field(default_factory=lambda: profile(NEUTRAL))
+    attitudes: tuple[Attitude, ...] = ()
+    rules: RuleSet = field(default_factory=shipped)
+
+    @cached_property
+    def situation(self) -> Situation:
+        """What rules see."""
+        return Situation(self.duration, self.utterance, (*self.felt, *self.emotions), self.listening)
+
+    @cached_property
+    def units(self) -> Units:
+        """The stretches that rules are tried on."""
+        return Units(self.situation)
+
+    @property
+    def modulations(self) -> tuple[Modulation, ...]:
+        """What the speaker does more or less of, emotions apart."""
+        return (self.profile.modulation, *(a.modulation for a in self.attitudes))
+
+    def modulations_at(self, time: float) -> tuple[Modulation, ...]:
+        """Return what the speaker does more or less of at a time, emotions included."""
+        return (*self.modulations, *felt_modulations(self.situation.emotions_at(time)))
+
+    def marked(self, channel: str) -> tuple[Movement, ...]:
+        """Return the script's movements of a channel."""
+        return tuple(m for m in self.marks if m.channel == channel)
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """What a channel builds beside: its own `name`, the events of all rules, the movements that the channels
+    before it `built`, and its random numbers.
+    """
+
+    name: str
+    events: tuple[Event, ...]
+    built: tuple[Movement, ...]
+    numbers: Counted

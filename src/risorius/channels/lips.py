@@ -16,23 +16,24 @@ from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet
 from ..rules.articulation import is_known, sounds
 from ..rules.lips import OPENING, LipTable, PhoneShape, lip_table
-from .registry import Brief, Context, register
+from .inputs import ChannelInputs, Context
+from .registry import register
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
 
 
-def lips(brief: Brief, context: Context) -> Iterator[LipSegment]:
+def lips(inputs: ChannelInputs, context: Context) -> Iterator[LipSegment]:
     """Yield the segments of all phones and pauses in order, the in-breath before speech included."""
-    if brief.utterance is None:
+    if inputs.utterance is None:
         return
     table = lip_table()
-    shaper = _Shaper(table, brief.utterance, table.factors(brief.manner, brief.articulation))
-    for index, phone in enumerate(brief.utterance.phones):
+    shaper = _Shaper(table, inputs.utterance, table.factors(inputs.manner, inputs.articulation))
+    for index, phone in enumerate(inputs.utterance.phones):
         if phone.symbol != SILENCE:
             yield from shaper.spoken(index, phone)
         elif phone.duration >= table.opening.shortest_pause:
-            yield from shaper.silence(phone, opens=brief.opens and index == 0)
+            yield from shaper.silence(phone, opens=inputs.opens and index == 0)
 
 
 @dataclass

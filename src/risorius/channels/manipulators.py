@@ -11,7 +11,8 @@ from ..rules.match import LIDS
 from ..rules.profiles import Blinks
 from ..rules.synchrony import nearest
 from .blinks import blink
-from .registry import Brief, Context, register
+from .inputs import ChannelInputs, Context
+from .registry import register
 from .ruled import marked_and_ruled
 
 RANDOM, PERIODIC = "manipulators.lids.random", "manipulators.lids.periodic"
@@ -23,15 +24,15 @@ _SHUT, _LONGEST = 0.5, 0.8
 _APART = 0.3
 
 
-def manipulators(brief: Brief, context: Context) -> Iterator[Movement]:
+def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the marked blinks, those of rules, and others where too much time passes without one."""
-    known = list(marked_and_ruled(brief, context))
+    known = list(marked_and_ruled(inputs, context))
     yield from known
-    if not brief.lively:
+    if not inputs.lively:
         return
     voluntary = sorted((m for m in (*known, *context.built) if _is_blink(m)), key=lambda m: m.start)
-    habits, boundaries = brief.profile.blinks, brief.units.boundaries
-    starts = _starts(habits, voluntary, boundaries, brief.duration, context.numbers)
+    habits, boundaries = inputs.profile.blinks, inputs.units.boundaries
+    starts = _starts(habits, voluntary, boundaries, inputs.duration, context.numbers)
     for number, (start, why) in enumerate(starts):
         depth = _depth(habits, context.numbers.under("depth", number))
         yield blink("manipulators", start, depth, habits, boundaries, Cause(why, "eyes to wet"))

@@ -12,7 +12,7 @@ from ..rules.markup import markup_table
 from ..rules.match import Event
 from ..rules.resolve import APART
 from .blinks import blink
-from .registry import Brief, Context
+from .inputs import ChannelInputs, Context
 
 # While the head moves the eyes stay on what they look at: the vestibulo-ocular reflex, of gain 1.
 _COUNTER = {"head_pitch": "gaze_pitch", "head_yaw": "gaze_yaw"}
@@ -24,15 +24,15 @@ def with_eyes(targets: Mapping[str, float]) -> dict[str, float]:
     return {**targets, **counter}
 
 
-def marked_and_ruled(brief: Brief, context: Context) -> Iterator[Movement]:
+def marked_and_ruled(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the movements that the script marks on a channel, then those of its rules: all that many do."""
-    yield from brief.marked(context.name)
-    yield from movements_of_rules(brief, context)
+    yield from inputs.marked(context.name)
+    yield from movements_of_rules(inputs, context)
 
 
-def movements_of_rules(brief: Brief, context: Context) -> Iterator[Movement]:
+def movements_of_rules(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the movements of a channel's events; looks are left to the gaze."""
-    boundaries = brief.units.boundaries
+    boundaries = inputs.units.boundaries
     events = [event for event in context.events if event.rule.channel == context.name]
     for event, following in zip(events, _following_gestures(events), strict=True):
         if event.targets:
@@ -45,7 +45,7 @@ def movements_of_rules(brief: Brief, context: Context) -> Iterator[Movement]:
                 context.name,
                 event.span.start,
                 depth,
-                brief.profile.blinks,
+                inputs.profile.blinks,
                 boundaries,
                 _cause(event),
                 _layer(event),

@@ -1,0 +1,32 @@
+"""What channels build from, gathered from a script and what is said of it."""
+
+from __future__ import annotations
+
+from ..core.utterance import Utterance
+from ..rules.emotions import Display
+from ..script import Script, felt_in, listening_in, movements_of
+from .inputs import ChannelInputs
+
+# Seconds that a script without speech lasts at least.
+SILENT_DURATION = 1.0
+
+
+def inputs_of(
+    script: Script, utterance: Utterance | None, emotions: tuple[Display, ...] = ()
+) -> ChannelInputs:
+    """Return what channels build from: what is said, if anything is, what the script marks, and `emotions`.
+
+    Who speaks, and in which manner, is as the fields of `ChannelInputs` have it by default.
+    """
+    words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
+    duration = script.lasting(words, spoken)
+    marks = movements_of(script, words, duration)
+    return ChannelInputs(
+        duration=max([duration, *(m.end for m in marks)]),
+        utterance=utterance,
+        marks=marks,
+        emotions=emotions,
+        felt=felt_in(script, words, duration),
+        listening=listening_in(script, words, duration),
+        opens=not script.timed,
+    )
