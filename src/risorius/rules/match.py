@@ -11,7 +11,7 @@ from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
 from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .modulation import Modulation, rate_of, size_of
-from .rule import ANY, NOTHING_FELT, Anchor, Rule, When
+from .rule import ANY, NOTHING_FELT, Rule, RuleAnchor, When
 from .synchrony import Span, ended_in_pause, snapped, synchrony
 from .unit import Unit
 from .units import Units
@@ -135,7 +135,7 @@ def _event(rule: Rule, unit: Unit, units: Units, span: Span, size: float, *, mir
     if not rule.effect.grouped:
         size *= synchrony().size_at(unit.rate)
     targets = _targets(rule, size, mirrored)
-    if rule.timing.at is Anchor.ACCENT and not targets.keys().isdisjoint(HEAD):
+    if rule.timing.at is RuleAnchor.ACCENT and not targets.keys().isdisjoint(HEAD):
         span = ended_in_pause(span, units.endings)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
@@ -161,7 +161,7 @@ def _span(rule: Rule, unit: Unit, place: float) -> Span:
     tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
     start = _anchored(timing.at, unit, place) - timing.lead
-    if timing.at is Anchor.WHOLE:
+    if timing.at is RuleAnchor.WHOLE:
         end = max(unit.end, start + 0.1)
         scale = min(1.0, (end - start) / max(onset + offset, 1e-9))
         return Span(start, start + scale * onset, end - scale * offset, end)
@@ -170,13 +170,13 @@ def _span(rule: Rule, unit: Unit, place: float) -> Span:
     return Span(start, start + onset, release, release + offset)
 
 
-def _anchored(at: Anchor, unit: Unit, place: float) -> float:
+def _anchored(at: RuleAnchor, unit: Unit, place: float) -> float:
     """Return the time of an anchor; `place` 0..1 is the one drawn within the unit."""
-    if at is Anchor.ANYWHERE:
+    if at is RuleAnchor.ANYWHERE:
         return unit.start + place * (unit.end - unit.start)
-    if at is Anchor.ACCENT and unit.accented is not None:
+    if at is RuleAnchor.ACCENT and unit.accented is not None:
         return unit.accented
-    return {Anchor.MIDDLE: unit.middle, Anchor.END: unit.end}.get(at, unit.start)
+    return {RuleAnchor.MIDDLE: unit.middle, RuleAnchor.END: unit.end}.get(at, unit.start)
 
 
 def _inside(span: Span, duration: float) -> Span:

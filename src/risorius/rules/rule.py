@@ -65,7 +65,7 @@ class TurnState(StrEnum):
     LISTENING = "listening"
 
 
-class Anchor(StrEnum):
+class RuleAnchor(StrEnum):
     """What of a unit a movement starts from; ANYWHERE is drawn, WHOLE spans it all."""
 
     START = "start"
@@ -167,7 +167,7 @@ class Timing:
     the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's where None.
     """
 
-    at: Anchor = Anchor.START
+    at: RuleAnchor = RuleAnchor.START
     lead: Shift = 0.0
     onset: RiseSeconds = 0.1
     apex: RiseSeconds | None = None
