@@ -13,7 +13,6 @@ TYPE_NAME = re.compile(r"[A-Z][A-Za-z0-9]*[a-z][A-Za-z0-9]*")  # a constant has 
 # Names that still mean several things. The list may only shrink.
 TO_MEND = {
     "AccentRule",
-    "Attitude",
     "BoundaryRule",
     "Colour",
     "Corners",

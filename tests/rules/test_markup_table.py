@@ -3,7 +3,7 @@ import pytest
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.errors import InputError, ParameterError
 from risorius.rules.load import DATA, parse
-from risorius.rules.markup import Attitude, Direction, Gesture, MarkupTable, markup_table
+from risorius.rules.markup import Direction, Gesture, MarkupTable, TurnAttitude, markup_table
 
 GESTURE = 'parameter = "{}"\namplitude = {}\nswings = [{}]\nseconds = 0.2\ndecay = 0.9\n'
 
@@ -32,7 +32,7 @@ def test_directions_and_targets_are_checked() -> None:
     with pytest.raises(InputError, match=r"yaw = 50 is out of range; expected a number from -45 to 45"):
         parse(Direction, "pitch = 0\nyaw = 50", "t.toml")
     with pytest.raises(ParameterError, match=r"AU34 \(cheek puff\) cannot be shown"):
-        parse(Attitude, "gaze = { pitch = 0, yaw = 0 }\n[targets]\nAU34 = 1", "t.toml")
+        parse(TurnAttitude, "gaze = { pitch = 0, yaw = 0 }\n[targets]\nAU34 = 1", "t.toml")
     whole = (DATA / "markup.toml").read_text(encoding="utf-8")
     with pytest.raises(ParameterError, match="expected 0 to 1"):
         parse(MarkupTable, whole.replace("[signal]\nAU1 = 0.6", "[signal]\nAU1 = 6"), "t.toml")

@@ -47,7 +47,7 @@ class Gesture:
 
 
 @dataclass(frozen=True, slots=True)
-class Attitude:
+class TurnAttitude:
     """Where the eyes go, and the other parameters' targets by action unit or name."""
 
     gaze: Direction
@@ -75,8 +75,8 @@ class MarkupTable:
     signal: Mapping[str, float]
     gaze: Mapping[str, Direction]
     head: Mapping[str, Gesture]
-    turn: Mapping[str, Attitude]
-    listen: Attitude
+    turn: Mapping[str, TurnAttitude]
+    listen: TurnAttitude
 
     def __post_init__(self) -> None:
         resolve_targets(self.signal)

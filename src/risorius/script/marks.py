@@ -13,7 +13,7 @@ from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import RisoriusError
-from ..rules.markup import Attitude, markup_table
+from ..rules.markup import TurnAttitude, markup_table
 from .anchor import LATEST, Anchor, Base
 from .attributes import Attributes
 from .gestures import take_gesture
@@ -253,7 +253,7 @@ def _listen(attributes: Attributes) -> tuple[Mark, ...]:
 
 
 def _attitude(
-    common: _Common, kind: MarkKind, attitude: Attitude, span: tuple[Anchor, Anchor]
+    common: _Common, kind: MarkKind, attitude: TurnAttitude, span: tuple[Anchor, Anchor]
 ) -> tuple[Mark, ...]:
     """Return two marks: the eyes go to the channel of gaze, so that they leave where they looked before."""
     face = common.mark(kind, "regulators", resolve_targets(attitude.targets), span)
