@@ -19,7 +19,6 @@ TO_MEND = {
     "Dial",
     "Edit",
     "Ending",
-    "Entry",
     "Head",
     "Json",
     "Lamp",

@@ -9,7 +9,7 @@ from ..core.utterance import PauseKind, Question
 from ..errors import Place
 from .modulation import is_under
 from .rule import NOTHING_FELT, Level, Rule
-from .rule_set import Entry, RuleSet, shipped
+from .rule_set import RuleEntry, RuleSet, shipped
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +32,7 @@ def examine(rule_set: RuleSet) -> tuple[Finding, ...]:
     )
 
 
-def _ailments(entry: Entry, rule_set: RuleSet) -> Iterator[str]:
+def _ailments(entry: RuleEntry, rule_set: RuleSet) -> Iterator[str]:
     rule = entry.rule
     if rule.probability == 0.0:
         yield "can never fire: its probability is 0"

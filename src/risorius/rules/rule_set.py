@@ -29,7 +29,7 @@ class RuleFile:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class RuleEntry:
     """A rule, where it stands, and as what."""
 
     rule: Rule
@@ -41,12 +41,12 @@ class Entry:
 class RuleSet:
     """The rules that hold, by id, in the order of their files."""
 
-    entries: Mapping[str, Entry] = field(default_factory=FrozenDict)
+    entries: Mapping[str, RuleEntry] = field(default_factory=FrozenDict)
 
     def __iter__(self) -> Iterator[Rule]:
         return (entry.rule for entry in self.entries.values())
 
-    def get(self, name: str) -> Entry:
+    def get(self, name: str) -> RuleEntry:
         """Return the rule `name`; raise ParameterError naming the nearest one if there is none."""
         if name not in self.entries:
             raise ParameterError(unknown("rule", name, self.entries))
@@ -85,7 +85,7 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
         for known in found:
             del entries[known]
     texts = _rule_texts(text)
-    own = {rule.id: Entry(rule, source.place(("rule", i)), texts[i]) for i, rule in enumerate(file.rule)}
+    own = {rule.id: RuleEntry(rule, source.place(("rule", i)), texts[i]) for i, rule in enumerate(file.rule)}
     _check_own(file, own, rule_set, source)
     gone = {old for rule in file.rule for old in rule.replaces}
     kept = {key: entry for key, entry in entries.items() if key not in gone}
@@ -98,7 +98,9 @@ def _rule_texts(text: str) -> list[str]:
     return ["[[rule]]\n" + re.sub(r"(\n\s*(#[^\n]*)?)+\Z", "", part) for part in parts]
 
 
-def _check_own(file: RuleFile, own: Mapping[str, Entry], rule_set: RuleSet, source: SourceText) -> None:
+def _check_own(
+    file: RuleFile, own: Mapping[str, RuleEntry], rule_set: RuleSet, source: SourceText
+) -> None:
     seen: set[str] = set()
     for index, rule in enumerate(file.rule):
         path = ("rule", index, "replaces")
@@ -112,7 +114,7 @@ def _check_own(file: RuleFile, own: Mapping[str, Entry], rule_set: RuleSet, sour
             raise source.error(path, f"replacements go round in a circle: {' → '.join(circle)}")
 
 
-def _circle(start: str, own: Mapping[str, Entry]) -> tuple[str, ...]:
+def _circle(start: str, own: Mapping[str, RuleEntry]) -> tuple[str, ...]:
     """Return the replacements that lead from a rule back to itself, nothing where none do."""
     waiting: list[tuple[str, ...]] = [(start,)]
     seen: set[str] = set()
