@@ -24,7 +24,6 @@ TO_MEND = {
     "Lamp",
     "Light",
     "Line",
-    "Look",
     "Mesh",
     "Node",
     "Part",

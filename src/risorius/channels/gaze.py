@@ -37,7 +37,7 @@ _STRAY = 2.5
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class Glance:
     """A direction held over [start, end) seconds; `fixed`: the script's, which the eyes do not scan."""
 
     start: float
@@ -57,21 +57,21 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
         return
     # While listening the eyes are as free as else: only who is looked at is marked.
     asked = [m for m in marked if (m.start, m.end) not in inputs.listening]
-    looks = [Look(m.start, m.end, LISTENER, m.cause, fixed=True) for m in asked]
+    looks = [Glance(m.start, m.end, LISTENER, m.cause, fixed=True) for m in asked]
     numbers = context.numbers
     looks = _averted(inputs, _commanded(inputs, _apart(looks), context), numbers)
     shifts = list(_fixations(inputs, looks, numbers))
     yield from shifts_of(shifts, inputs.duration, inputs.profile.blinks, inputs.units.boundaries, numbers)
 
 
-def _apart(looks: Sequence[Look]) -> list[Look]:
+def _apart(looks: Sequence[Glance]) -> list[Glance]:
     """Return looks in order, each ended where the next begins."""
     ordered = sorted(looks, key=lambda k: k.start)
     ends = [*(k.start for k in ordered[1:]), math.inf][: len(ordered)]
     return [replace(k, end=min(k.end, end)) for k, end in zip(ordered, ends, strict=True) if k.start < end]
 
 
-def _commanded(inputs: ChannelInputs, marked: Sequence[Look], context: Context) -> list[Look]:
+def _commanded(inputs: ChannelInputs, marked: Sequence[Glance], context: Context) -> list[Glance]:
     """Return the marked looks, and those of rules where they do not stand against them, one after another."""
     looks = list(marked)
     asked = [e for e in context.events if e.rule.effect.look is not None]
@@ -79,7 +79,7 @@ def _commanded(inputs: ChannelInputs, marked: Sequence[Look], context: Context) 
         direction = _aimed(event, inputs, context.numbers)
         end = min([event.span.end, *(k.start for k in looks if k.end > event.span.start)])
         if end - event.span.start >= _SHORTEST:
-            looks.append(Look(event.span.start, end, direction, Cause(event.rule.id, event.unit.text)))
+            looks.append(Glance(event.span.start, end, direction, Cause(event.rule.id, event.unit.text)))
     return sorted(looks, key=lambda k: k.start)
 
 
@@ -108,7 +108,7 @@ def _around(normal: tuple[float, float], numbers: Counted, what: str) -> float:
     return numbers.normal(what, mean=mean, deviation=deviation, limit=2.0)
 
 
-def _averted(inputs: ChannelInputs, looks: Sequence[Look], numbers: Counted) -> list[Look]:
+def _averted(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -> list[Glance]:
     """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013)."""
     found = list(looks)
     time = numbers.uniform("first aversion") * _aversion(inputs, 0.0).gap[0]
@@ -123,7 +123,7 @@ def _averted(inputs: ChannelInputs, looks: Sequence[Look], numbers: Counted) -> 
         rival = next((k for k in looks if k.start < foreseen and time < k.end + _SHORTEST), None)
         end = min([end, *(k.start for k in looks if k.start >= foreseen)])
         if rival is None and end < inputs.duration:
-            found.append(Look(time, end, direction, Cause(AVERSION, "habit")))
+            found.append(Glance(time, end, direction, Cause(AVERSION, "habit")))
         last = end if rival is None else rival.end
         if rival is not None and rival.direction == LISTENER:
             time = last + _SHORTEST
@@ -138,7 +138,7 @@ def _aversion(inputs: ChannelInputs, time: float) -> Aversion:
     return inputs.profile.gaze.speaking if speaking else inputs.profile.gaze.listening
 
 
-def _fixations(inputs: ChannelInputs, looks: Sequence[Look], numbers: Counted) -> Iterator[GazeShift]:
+def _fixations(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -> Iterator[GazeShift]:
     """Yield the shifts of gaze in order: to each look, back, and about what is looked at meanwhile."""
     time = 0.0
     for number, look in enumerate(looks):
