@@ -28,7 +28,6 @@ TO_MEND = {
     "Node",
     "Part",
     "Pause",
-    "Performer",
     "Phone",
     "Progress",
     "Reader",

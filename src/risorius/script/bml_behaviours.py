@@ -142,8 +142,8 @@ def _head_shift(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     yield replace(_lasting(mark), onset=onset, parts=WHOLE)
 
 
-Performer = Callable[[Node, Times, Unknowns], Iterator[Mark]]
-BEHAVIOURS: Mapping[str, Performer] = {
+BehaviourMarks = Callable[[Node, Times, Unknowns], Iterator[Mark]]
+BEHAVIOURS: Mapping[str, BehaviourMarks] = {
     "faceLexeme": _face,
     "faceFacs": _face,
     "faceShift": _face_shift,
