@@ -4,7 +4,7 @@ import pytest
 
 from risorius.errors import InputError, ParameterError
 from risorius.languages.phonesets import IPA, is_ipa_vowel
-from risorius.rules.articulation import Row, articulation, is_known, sounds
+from risorius.rules.articulation import ArticulationRow, articulation, is_known, sounds
 from risorius.rules.lips import lip_table
 
 # How far the lips by features may be from the English table (0..1); schwa-like AH and OW differ most.
@@ -21,7 +21,7 @@ def test_what_is_no_sound_is_an_error(symbol: str) -> None:
 @pytest.mark.parametrize("row", [{"place": "velar"}, {"place": "velar", "like": "K", "lip_class": "velar"}])
 def test_a_row_says_like_or_class(row: dict[str, str]) -> None:
     with pytest.raises(InputError, match="either 'like' or 'class'"):
-        Row(**row)
+        ArticulationRow(**row)
 
 
 @pytest.mark.parametrize("phone", sorted(IPA))

@@ -26,7 +26,7 @@ class Consonant:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class ArticulationRow:
     """What the lips do for consonants of a place and, where given, a manner: as an English phone, or so."""
 
     place: str
@@ -77,7 +77,7 @@ class Articulation:
 
     vowel: Mapping[str, tuple[Share, Share, Share]]
     consonant: Mapping[str, Consonant]
-    lips: tuple[Row, ...]
+    lips: tuple[ArticulationRow, ...]
     mark: Mapping[str, Targets]
     unseen: Unseen
     close_front: Corner
@@ -161,7 +161,7 @@ class Articulation:
             return lip_table().shape(row.like)
         return PhoneShape(str(row.lip_class), row.targets)
 
-    def _row(self, consonant: Consonant) -> Row | None:
+    def _row(self, consonant: Consonant) -> ArticulationRow | None:
         fitting = (r for r in self.lips if r.place == consonant.place)
         return next((r for r in fitting if r.manner in (None, consonant.manner)), None)
 
