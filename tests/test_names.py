@@ -34,7 +34,6 @@ TO_MEND = {
     "Row",
     "Send",
     "Sent",
-    "Sound",
     "Source",
     "Span",
     "Spoken",

@@ -63,7 +63,7 @@ class Limits:
     turn: Share
 
 
-class Sound(NamedTuple):
+class SpeechSound(NamedTuple):
     """One sound of a symbol, its lips, and the share (0..1) of the symbol's time."""
 
     symbol: str
@@ -103,13 +103,13 @@ class Articulation:
             if self._row(consonant) is None:
                 raise InputError(f"{letter}: no row of 'lips' fits {consonant.place} {consonant.manner}")
 
-    def sounds(self, symbol: str) -> tuple[Sound, ...]:
+    def sounds(self, symbol: str) -> tuple[SpeechSound, ...]:
         """Return the sounds that an IPA symbol holds, in order; raise ParameterError for unknown letters."""
         parsed = [(letter, self._marked(letter, marks)) for letter, marks in self.letters(symbol)]
         if not parsed:
             raise ParameterError(f"'{symbol}' holds no sound; expected a phone in IPA")
         shares = self._shares([letter for letter, _ in parsed])
-        return tuple(Sound(n, shape, share) for (n, shape), share in zip(parsed, shares, strict=True))
+        return tuple(SpeechSound(n, shape, share) for (n, shape), share in zip(parsed, shares, strict=True))
 
     def letters(self, symbol: str) -> Iterator[tuple[str, str]]:
         """Yield the letters of an IPA symbol, each with the marks after it.
@@ -198,14 +198,14 @@ def articulation() -> Articulation:
 
 
 @cache
-def sounds(symbol: str) -> tuple[Sound, ...]:
+def sounds(symbol: str) -> tuple[SpeechSound, ...]:
     """Return the sounds of a phone: ARPAbet as in the lips' table, IPA by features; share of its time each.
 
     Raises ParameterError for a phone that is neither.
     """
     table = lip_table()
     if symbol in table.phones or symbol in table.diphthongs:
-        return tuple(Sound(*part) for part in table.shapes(symbol))
+        return tuple(SpeechSound(*part) for part in table.shapes(symbol))
     return articulation().sounds(symbol)
 
 
