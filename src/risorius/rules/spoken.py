@@ -42,7 +42,7 @@ class Stretch(Timed, Protocol):
         """The word after its last one."""
 
 
-class Spoken:
+class SpokenUnits:
     """Makes the units of a situation in which something is said."""
 
     def __init__(self, said: Utterance, situation: Situation) -> None:

@@ -8,7 +8,7 @@ from functools import cached_property
 from ..core.utterance import SENTENCE_ENDS
 from .rule import Level
 from .situation import Situation
-from .spoken import Spoken
+from .spoken import SpokenUnits
 from .unit import Unit
 
 # Seconds.
@@ -46,7 +46,7 @@ class Units:
     @cached_property
     def _by_level(self) -> dict[Level, tuple[Unit, ...]]:
         assert self._said is not None
-        spoken = Spoken(self._said, self.situation)
+        spoken = SpokenUnits(self._said, self.situation)
         makers: dict[Level, Callable[[], Iterator[Unit]]] = {
             Level.PHONEME: spoken.phonemes,
             Level.SYLLABLE: spoken.syllables,
