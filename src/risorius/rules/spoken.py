@@ -30,7 +30,7 @@ class Timed(Protocol):
         """When it ends."""
 
 
-class Stretch(Timed, Protocol):
+class WordRange(Timed, Protocol):
     """Words [first_word, last_word): a phrase, a sentence or a turn."""
 
     @property
@@ -47,7 +47,7 @@ class SpokenUnits:
 
     def __init__(self, said: Utterance, situation: Situation) -> None:
         self.said, self.situation = said, situation
-        self._stretches: dict[Level, Sequence[Stretch]] = {
+        self._stretches: dict[Level, Sequence[WordRange]] = {
             Level.PHRASE: said.phrases,
             Level.UTTERANCE: said.sentences,
             Level.TURN: turns_of(said, situation.listening),
@@ -175,13 +175,13 @@ class SpokenUnits:
                 position=position,
             )  # fmt: skip
 
-    def _naming(self, level: Level, stretch: Stretch) -> Stretch:
+    def _naming(self, level: Level, stretch: WordRange) -> WordRange:
         """Return by whose words messages name a stretch: of a turn, which may go on, its first sentence's."""
         if level is not Level.TURN:
             return stretch
         return self._stretches[Level.UTTERANCE][self._index(Level.UTTERANCE, stretch.first_word)]
 
-    def _text(self, stretch: Stretch) -> str:
+    def _text(self, stretch: WordRange) -> str:
         """Return the first words of a stretch, to name it by."""
         words = [word.text for word in self.said.words[stretch.first_word : stretch.last_word]]
         return " ".join(words[:_SHOWN]) + (" …" if len(words) > _SHOWN else "")
