@@ -38,7 +38,6 @@ TO_MEND = {
     "Span",
     "Spoken",
     "Stretch",
-    "Timed",
     "Whole",
     "Word",
     "Writer",

@@ -18,7 +18,7 @@ from .unit import Unit
 _SHOWN = 8
 
 
-class Timed(Protocol):
+class TimeRange(Protocol):
     """What has a start and an end, in seconds."""
 
     @property
@@ -30,7 +30,7 @@ class Timed(Protocol):
         """When it ends."""
 
 
-class WordRange(Timed, Protocol):
+class WordRange(TimeRange, Protocol):
     """Words [first_word, last_word): a phrase, a sentence or a turn."""
 
     @property
@@ -58,7 +58,7 @@ class SpokenUnits:
         self._syllables_of = Counter(s.word for s in said.syllables)
 
     def _unit(
-        self, level: Level, counts: Counter[int], spoken: Timed, text: str, word: int, **more: Any
+        self, level: Level, counts: Counter[int], spoken: TimeRange, text: str, word: int, **more: Any
     ) -> Unit:
         """Return the unit that something spoken is, whose first word is number `word`.
 
