@@ -40,7 +40,6 @@ TO_MEND = {
     "Stretch",
     "Whole",
     "Word",
-    "Writer",
 }
 
 

@@ -7,13 +7,13 @@ from ..errors import InputError
 from .anchor import Anchor, Base
 from .quote import one_line
 from .ssml import ROOT as SSML_ROOT
-from .ssml import Writer
+from .ssml import SsmlWriter
 from .tree import Node, Unknowns
 
 SSML_TYPE = "application/ssml+xml"
 
 
-class _SpeechWriter(Writer):
+class _SpeechWriter(SsmlWriter):
     """Writes a speech's text; `<sync id="tm1"/>` names a place in it."""
 
     def perform(self, node: Node) -> None:

@@ -33,7 +33,7 @@ def parse_ssml(text: str, source: str = "text") -> Script:
     warns (ScriptWarning) of what is not understood.
     """
     root = read_tree(text, source, ROOT)
-    writer = Writer(Unknowns())
+    writer = SsmlWriter(Unknowns())
     writer.write(root)
     spoken, directions = writer.finished()
     check_speakable(spoken, source, root.place)
@@ -42,7 +42,7 @@ def parse_ssml(text: str, source: str = "text") -> Script:
 
 
 @dataclass
-class Writer:
+class SsmlWriter:
     """Writes the words of a document down, one blank between them, and what is said about their speaking."""
 
     unknowns: Unknowns
@@ -91,11 +91,11 @@ class Writer:
             self.spans.insert(index, DirectedSpan(start, end, node.place, **asked))  # type: ignore[arg-type]
 
 
-def _plain(writer: Writer, node: Node) -> None:
+def _plain(writer: SsmlWriter, node: Node) -> None:
     writer.write(node)
 
 
-def _sentence(writer: Writer, node: Node) -> None:
+def _sentence(writer: SsmlWriter, node: Node) -> None:
     language = node.text_of("lang")
     writer.put(" ")
     start = len(writer.text)
@@ -109,7 +109,7 @@ def _sentence(writer: Writer, node: Node) -> None:
     writer.put(" ")
 
 
-def _break(writer: Writer, node: Node) -> None:
+def _break(writer: SsmlWriter, node: Node) -> None:
     time = node.get("time")
     if time is None:
         seconds = ssml_table().breaks[node.choice("strength", tuple(ssml_table().breaks), "medium")]
@@ -120,12 +120,12 @@ def _break(writer: Writer, node: Node) -> None:
         writer.breaks.append(Break(len(writer.text), seconds, node.place))
 
 
-def _emphasis(writer: Writer, node: Node) -> None:
+def _emphasis(writer: SsmlWriter, node: Node) -> None:
     level = node.choice("level", tuple(Emphasis), Emphasis.MODERATE)
     writer.within(node, emphasis=Emphasis(level))
 
 
-def _prosody(writer: Writer, node: Node) -> None:
+def _prosody(writer: SsmlWriter, node: Node) -> None:
     table = ssml_table()
     manner = Manner(
         rate=factor(node, "rate", table.rate),
@@ -136,7 +136,7 @@ def _prosody(writer: Writer, node: Node) -> None:
     writer.within(node, manner=manner) if manner != PLAIN else writer.write(node)
 
 
-def _phoneme(writer: Writer, node: Node) -> None:
+def _phoneme(writer: SsmlWriter, node: Node) -> None:
     alphabet = (node.text_of("alphabet") or "ipa").lower()
     given = node.required("ph", 'ph="həˈləʊ"')
     if alphabet == "ipa":
@@ -148,18 +148,18 @@ def _phoneme(writer: Writer, node: Node) -> None:
         writer.write(node)
 
 
-def _mark(writer: Writer, node: Node) -> None:
+def _mark(writer: SsmlWriter, node: Node) -> None:
     name = node.required("name", 'name="here"').value.strip()
     if any(sync.name == name for sync in writer.syncs):
         raise InputError(f"the mark {quoted(name)} is set twice; expected it once", node.place)
     writer.syncs.append(Sync(name, len(writer.text), node.place))
 
 
-def _sub(writer: Writer, node: Node) -> None:
+def _sub(writer: SsmlWriter, node: Node) -> None:
     writer.put(node.required("alias", 'alias="World Wide Web"').value)
 
 
-def _say_as(writer: Writer, node: Node) -> None:
+def _say_as(writer: SsmlWriter, node: Node) -> None:
     kind = node.required("interpret-as", 'interpret-as="characters"').value.strip().lower()
     words = "".join(child.text for child in node.children if isinstance(child, Text)).strip()
     if kind not in SAY_AS:
@@ -169,11 +169,11 @@ def _say_as(writer: Writer, node: Node) -> None:
         writer.put(SAY_AS[kind](words))
 
 
-def _lang(writer: Writer, node: Node) -> None:
+def _lang(writer: SsmlWriter, node: Node) -> None:
     writer.within(node, language=node.required("lang", 'xml:lang="de"').value.strip())
 
 
-def _voice(writer: Writer, node: Node) -> None:
+def _voice(writer: SsmlWriter, node: Node) -> None:
     voice, language = node.text_of("name"), node.text_of("lang") or node.text_of("languages")
     if voice or language:
         writer.within(node, voice=voice, language=None if voice else language)
@@ -181,11 +181,11 @@ def _voice(writer: Writer, node: Node) -> None:
         writer.write(node)
 
 
-def _silent(writer: Writer, node: Node) -> None:
+def _silent(writer: SsmlWriter, node: Node) -> None:
     """Leave out what is not for speaking."""
 
 
-ELEMENTS: Mapping[str, Callable[[Writer, Node], None]] = {
+ELEMENTS: Mapping[str, Callable[[SsmlWriter, Node], None]] = {
     ROOT: _plain,
     "p": _sentence,
     "s": _sentence,
