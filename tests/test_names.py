@@ -25,7 +25,6 @@ TO_MEND = {
     "Light",
     "Line",
     "Mesh",
-    "Node",
     "Part",
     "Pause",
     "Phone",

@@ -11,7 +11,7 @@ from ..errors import InputError, ParameterError, unknown
 from .anchor import NUMBER
 from .elements import Attribute
 from .quote import one_line, quoted
-from .tree import Node, Unknowns
+from .tree import Unknowns, XmlNode
 
 LONGEST_BREAK = 60.0
 _SECONDS = re.compile(rf"({NUMBER})(ms|s)", re.ASCII)
@@ -42,7 +42,7 @@ class _Amount(NamedTuple):
         return -self.number if self.sign == "-" else self.number
 
 
-def factor(node: Node, name: str, words: Mapping[str, float]) -> float:
+def factor(node: XmlNode, name: str, words: Mapping[str, float]) -> float:
     """Return a factor: a word of the table, `120%` of the usual, or a change such as `+20%`."""
     attribute = node.get(name)
     if attribute is None:
@@ -58,7 +58,7 @@ def factor(node: Node, name: str, words: Mapping[str, float]) -> float:
     return result
 
 
-def semitones(unknowns: Unknowns, node: Node, words: Mapping[str, float]) -> float:
+def semitones(unknowns: Unknowns, node: XmlNode, words: Mapping[str, float]) -> float:
     """Return a pitch in semitones from the usual: a word of the table, `+2st` or `+10%`."""
     attribute = node.get("pitch")
     if attribute is None:
@@ -79,7 +79,7 @@ def semitones(unknowns: Unknowns, node: Node, words: Mapping[str, float]) -> flo
     return amount
 
 
-def decibels(node: Node, words: Mapping[str, float]) -> float:
+def decibels(node: XmlNode, words: Mapping[str, float]) -> float:
     """Return a volume in dB from the usual: a word of the table, or `+6dB`."""
     attribute = node.get("volume")
     if attribute is None:

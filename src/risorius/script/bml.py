@@ -18,7 +18,7 @@ from .model import Mark, Script, SpokenLine, script_of
 from .quote import one_line
 from .speakable import check_speakable
 from .sync import Behaviour, Timetable, read_reference
-from .tree import Node, Unknowns, read_tree
+from .tree import Unknowns, XmlNode, read_tree
 
 ROOT = "bml"
 SPEECH = "speech"
@@ -43,11 +43,11 @@ class _Reading:
     source: str
     unknowns: Unknowns = field(default_factory=Unknowns)
     behaviours: dict[str, Behaviour] = field(default_factory=dict)
-    nodes: dict[str, Node] = field(default_factory=dict)
+    nodes: dict[str, XmlNode] = field(default_factory=dict)
     lines: dict[str, SpokenLine] = field(default_factory=dict)
-    constraints: list[Node] = field(default_factory=list)
+    constraints: list[XmlNode] = field(default_factory=list)
 
-    def add(self, node: Node) -> None:
+    def add(self, node: XmlNode) -> None:
         """Take up a behaviour, a constraint, or what a container holds."""
         if node.name == "required":
             for child in node.elements():
@@ -63,14 +63,14 @@ class _Reading:
         else:
             self.unknowns.tell(f"<{one_line(node.written)}>", node.place)
 
-    def _face(self, node: Node) -> None:
+    def _face(self, node: XmlNode) -> None:
         """Take up what a face holds, or, where it holds nothing, the face itself."""
         held = list(node.elements())
         kind = "faceFacs" if node.get("au") is not None else "faceLexeme"
         for child in held or [replace(node, name=kind)]:
             self.add(child.inheriting(node))
 
-    def _behave(self, node: Node) -> None:
+    def _behave(self, node: XmlNode) -> None:
         name = self._name(node)
         self.unknowns.check(node, (*ANY, *SHAPES[node.name](node), *ATTRIBUTES[node.name]))
         behaviour = Behaviour(name, node.place, SHAPES[node.name](node))
@@ -80,7 +80,7 @@ class _Reading:
         self.behaviours[name] = behaviour
         self.nodes[name] = node
 
-    def _name(self, node: Node) -> str:
+    def _name(self, node: XmlNode) -> str:
         given = node.get("id")
         name = given.value.strip() if given is not None else f"{node.name}.{len(self.behaviours) + 1}"
         if name in self.behaviours:
@@ -88,7 +88,7 @@ class _Reading:
             raise InputError(f"id '{one_line(name)}' is given twice; expected another", place)
         return name
 
-    def _speak(self, node: Node) -> None:
+    def _speak(self, node: XmlNode) -> None:
         name = self._name(node)
         offset = sum(len(line.text) + 1 for line in self.lines.values())
         text, directions = read_words(node, self.unknowns)
@@ -105,7 +105,7 @@ class _Reading:
         given = {"start": reference} if reference is not None else {}
         self.behaviours[name] = Behaviour(name, node.place, {}, given, fixed)
 
-    def _constrain(self, node: Node) -> None:
+    def _constrain(self, node: XmlNode) -> None:
         """Let points of behaviours follow another point."""
         if node.name not in ("synchronize", "after", "before"):
             self.unknowns.tell(f"<{one_line(node.written)}>", node.place)
@@ -119,7 +119,7 @@ class _Reading:
             # "after" and "before" hold at the very moment, too.
             behaviour.given[point] = replace(reference, seconds=reference.seconds - seconds)
 
-    def _point(self, node: Node) -> tuple[Behaviour, str, float]:
+    def _point(self, node: XmlNode) -> tuple[Behaviour, str, float]:
         """Return the point that a constraint's `<sync ref="…">` names, and the seconds it names after it."""
         target = read_reference(node.required("ref", 'ref="gaze1:start"'))
         if node.name != "sync" or target.point is None:

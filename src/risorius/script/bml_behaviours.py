@@ -15,7 +15,7 @@ from .bml_shapes import PEAKS, SHIFT_SECONDS, USUAL_AMOUNT, gesture_of, limited
 from .model import WHOLE, Mark, MarkKind
 from .quote import one_line
 from .sync import Timetable
-from .tree import Node, Unknowns
+from .tree import Unknowns, XmlNode
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Times:
         first, second = self.at(a), self.at(b)
         return max(second.seconds - first.seconds, 0.0) if first.same_base(second) else usual
 
-    def span(self, node: Node) -> tuple[Anchor, Anchor]:
+    def span(self, node: XmlNode) -> tuple[Anchor, Anchor]:
         """Return start and end; raise InputError where they are the wrong way round."""
         start, end = self.at("start"), self.at("end")
         if start.same_base(end) and not start.seconds < end.seconds:
@@ -42,12 +42,12 @@ class Times:
         return start, end
 
 
-def _mark(node: Node, times: Times, kind: MarkKind, channel: str, targets: Mapping[str, float]) -> Mark:
+def _mark(node: XmlNode, times: Times, kind: MarkKind, channel: str, targets: Mapping[str, float]) -> Mark:
     """Return a mark from the behaviour's start to its end."""
     return Mark(kind, channel, *times.span(node), targets, _label(node, times.name), node.place)
 
 
-def _label(node: Node, name: str) -> str:
+def _label(node: XmlNode, name: str) -> str:
     shown = " ".join(f'{a.name}="{a.value}"' for a in node.attributes if a.name in ("lexeme", "au", "target"))
     return one_line(f"{node.name} {name} {shown}".strip(), 80)
 
@@ -60,7 +60,7 @@ def _faded(mark: Mark, times: Times) -> Mark:
     return replace(mark, onset=onset, offset=offset, layer=times.name)
 
 
-def _units(node: Node) -> dict[str, float]:
+def _units(node: XmlNode) -> dict[str, float]:
     """Return the targets of a lexeme or an action unit."""
     amount = node.number("amount", 0.0, 1.0, USUAL_AMOUNT)
     if node.name == "faceFacs" or node.get("au") is not None:
@@ -77,11 +77,11 @@ def _units(node: Node) -> dict[str, float]:
     return resolve_targets({unit: amount * value for unit, value in chosen.items()})
 
 
-def _face(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
+def _face(node: XmlNode, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     yield _faded(_mark(node, times, MarkKind.MOVEMENT, "signals", _units(node)), times)
 
 
-def _face_shift(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
+def _face_shift(node: XmlNode, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     for child in list(node.elements()) or [node]:
         own = child.inheriting(node)
         mark = _mark(node, times, MarkKind.MOVEMENT, "emotion", _units(own))
@@ -93,7 +93,7 @@ def _lasting(mark: Mark) -> Mark:
     return replace(mark, end=Anchor(Base.END, 0.0, place=mark.place))
 
 
-def _direction(node: Node, unknowns: Unknowns) -> tuple[float, float]:
+def _direction(node: XmlNode, unknowns: Unknowns) -> tuple[float, float]:
     """Return pitch and yaw in degrees of a target, its offset included."""
     known = markup_table().gaze
     given = node.required("target", 'target="listener"')
@@ -110,7 +110,7 @@ def _direction(node: Node, unknowns: Unknowns) -> tuple[float, float]:
     return target.pitch + angle * heading.pitch, target.yaw + angle * heading.yaw
 
 
-def _gaze(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
+def _gaze(node: XmlNode, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     influences = bml_table().influence
     influence = node.choice("influence", tuple(influences), "EYES")
     if influence in ("SHOULDER", "WAIST", "WHOLE"):
@@ -124,17 +124,17 @@ def _gaze(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
         yield _mark(node, times, MarkKind.HEAD, "head", limited(head))
 
 
-def _gaze_shift(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
+def _gaze_shift(node: XmlNode, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     yield from (_lasting(mark) for mark in _gaze(node, times, unknowns))
 
 
-def _head(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
+def _head(node: XmlNode, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     parts, targets, _ = gesture_of(node)
     mark = _mark(node, times, MarkKind.HEAD, "head", targets)
     yield replace(mark, parts=parts, layer="gesture")
 
 
-def _head_shift(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
+def _head_shift(node: XmlNode, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     pitch, yaw = _direction(node, unknowns)
     targets = limited({"head_pitch": pitch, "head_yaw": yaw})
     mark = _mark(node, times, MarkKind.HEAD, "head", targets)
@@ -142,7 +142,7 @@ def _head_shift(node: Node, times: Times, unknowns: Unknowns) -> Iterator[Mark]:
     yield replace(_lasting(mark), onset=onset, parts=WHOLE)
 
 
-BehaviourMarks = Callable[[Node, Times, Unknowns], Iterator[Mark]]
+BehaviourMarks = Callable[[XmlNode, Times, Unknowns], Iterator[Mark]]
 BEHAVIOURS: Mapping[str, BehaviourMarks] = {
     "faceLexeme": _face,
     "faceFacs": _face,

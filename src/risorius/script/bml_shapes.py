@@ -14,7 +14,7 @@ from ..rules.bml import bml_table
 from ..rules.gestures import GesturePart, gesture_parts, gesture_seconds
 from ..rules.markup import markup_table
 from .gestures import MOST_REPETITIONS
-from .tree import Node
+from .tree import XmlNode
 
 NAMESPACE = "http://www.bml-initiative.org/bml/bml-1.0"
 PEAKS: Mapping[str, str] = MappingProxyType({"face": "attackPeak", "gaze": "ready", "head": "stroke"})
@@ -44,7 +44,7 @@ def limited(values: Mapping[str, float]) -> dict[str, float]:
     }
 
 
-def gesture_of(node: Node) -> tuple[tuple[GesturePart, ...], dict[str, float], float]:
+def gesture_of(node: XmlNode) -> tuple[tuple[GesturePart, ...], dict[str, float], float]:
     """Return the parts, targets and seconds of a head's lexeme."""
     gestures = markup_table().head
     node.required("lexeme", 'lexeme="NOD"')
@@ -55,28 +55,28 @@ def gesture_of(node: Node) -> tuple[tuple[GesturePart, ...], dict[str, float], f
     return parts, limited({gesture.parameter: size}), gesture_seconds(gesture, parts)
 
 
-def _face_shape(node: Node) -> Mapping[str, float]:
+def _face_shape(node: XmlNode) -> Mapping[str, float]:
     timing, length = channel_timing("signals"), bml_table().duration.face
     return {"start": 0.0, PEAKS["face"]: timing.onset, "relax": length - timing.offset, "end": length}
 
 
-def _gaze_shape(node: Node) -> Mapping[str, float]:
+def _gaze_shape(node: XmlNode) -> Mapping[str, float]:
     timing, length = channel_timing("gaze"), bml_table().duration.gaze
     return {"start": 0.0, PEAKS["gaze"]: timing.onset, "relax": length - timing.offset, "end": length}
 
 
-def _shift_shape(node: Node) -> Mapping[str, float]:
+def _shift_shape(node: XmlNode) -> Mapping[str, float]:
     return {"start": 0.0, "end": SHIFT_SECONDS}
 
 
-def _head_shape(node: Node) -> Mapping[str, float]:
+def _head_shape(node: XmlNode) -> Mapping[str, float]:
     _, _, seconds = gesture_of(node)
     # Ready at the start; the parts lie in the middle, and the last swing leads back to rest.
     shares = (0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0)
     return {point: share * seconds for point, share in zip(_HEAD_POINTS, shares, strict=True)}
 
 
-SHAPES: Mapping[str, Callable[[Node], Mapping[str, float]]] = {
+SHAPES: Mapping[str, Callable[[XmlNode], Mapping[str, float]]] = {
     "faceLexeme": _face_shape,
     "faceFacs": _face_shape,
     "faceShift": _shift_shape,

@@ -8,7 +8,7 @@ from .anchor import Anchor, Base
 from .quote import one_line
 from .ssml import ROOT as SSML_ROOT
 from .ssml import SsmlWriter
-from .tree import Node, Unknowns
+from .tree import Unknowns, XmlNode
 
 SSML_TYPE = "application/ssml+xml"
 
@@ -16,7 +16,7 @@ SSML_TYPE = "application/ssml+xml"
 class _SpeechWriter(SsmlWriter):
     """Writes a speech's text; `<sync id="tm1"/>` names a place in it."""
 
-    def perform(self, node: Node) -> None:
+    def perform(self, node: XmlNode) -> None:
         """Do what an element asks for."""
         if node.name != "sync":
             super().perform(node)
@@ -27,13 +27,13 @@ class _SpeechWriter(SsmlWriter):
         self.syncs.append(Sync(name, len(self.text), node.place))
 
 
-def read_words(node: Node, unknowns: Unknowns) -> tuple[str, Directions]:
+def read_words(node: XmlNode, unknowns: Unknowns) -> tuple[str, Directions]:
     """Return what a speech says: its SSML where it has some, else its text."""
-    parts = [child for child in node.children if isinstance(child, Node)]
+    parts = [child for child in node.children if isinstance(child, XmlNode)]
     writer = _SpeechWriter(unknowns)
     for part in parts:
         if part.name == "description" and (part.text_of("type") or SSML_TYPE) == SSML_TYPE:
-            inner = [c for c in part.children if isinstance(c, Node) and c.name == SSML_ROOT]
+            inner = [c for c in part.children if isinstance(c, XmlNode) and c.name == SSML_ROOT]
             for speak in inner:
                 writer.write(speak)
             if inner:

@@ -19,7 +19,7 @@ from .quote import one_line, quoted
 from .say_as import SAY_AS
 from .speakable import check_speakable
 from .transcription import read_arpabet, read_ipa
-from .tree import Node, Text, Unknowns, read_tree
+from .tree import Text, Unknowns, XmlNode, read_tree
 
 ROOT = "speak"
 _ARPABET_NAMES = ("x-arpabet", "arpabet", "cmu-arpabet", "x-cmu-arpabet")
@@ -55,7 +55,7 @@ class SsmlWriter:
         """Return the text and its directions."""
         return self.text.rstrip(), Directions(tuple(self.spans), tuple(self.breaks), syncs=tuple(self.syncs))
 
-    def write(self, node: Node) -> None:
+    def write(self, node: XmlNode) -> None:
         """Write what stands in a node."""
         for child in node.children:
             if isinstance(child, Text):
@@ -68,7 +68,7 @@ class SsmlWriter:
         flat = re.sub(r"\s+", " ", text)
         self.text += flat.lstrip() if not self.text or self.text.endswith(" ") else flat
 
-    def perform(self, node: Node) -> None:
+    def perform(self, node: XmlNode) -> None:
         """Do what an element asks for."""
         if node.name in ELEMENTS:
             self.unknowns.check(node, ATTRIBUTES.get(node.name, ()))
@@ -80,7 +80,7 @@ class SsmlWriter:
             self.unknowns.tell(f"<{one_line(node.written)}>", node.place, "its words are spoken plainly")
             self.write(node)
 
-    def within(self, node: Node, **asked: object) -> None:
+    def within(self, node: XmlNode, **asked: object) -> None:
         """Write what stands in a node as a span that asks for something."""
         index = len(self.spans)
         start = len(self.text)
@@ -91,11 +91,11 @@ class SsmlWriter:
             self.spans.insert(index, DirectedSpan(start, end, node.place, **asked))  # type: ignore[arg-type]
 
 
-def _plain(writer: SsmlWriter, node: Node) -> None:
+def _plain(writer: SsmlWriter, node: XmlNode) -> None:
     writer.write(node)
 
 
-def _sentence(writer: SsmlWriter, node: Node) -> None:
+def _sentence(writer: SsmlWriter, node: XmlNode) -> None:
     language = node.text_of("lang")
     writer.put(" ")
     start = len(writer.text)
@@ -109,7 +109,7 @@ def _sentence(writer: SsmlWriter, node: Node) -> None:
     writer.put(" ")
 
 
-def _break(writer: SsmlWriter, node: Node) -> None:
+def _break(writer: SsmlWriter, node: XmlNode) -> None:
     time = node.get("time")
     if time is None:
         seconds = ssml_table().breaks[node.choice("strength", tuple(ssml_table().breaks), "medium")]
@@ -120,12 +120,12 @@ def _break(writer: SsmlWriter, node: Node) -> None:
         writer.breaks.append(Break(len(writer.text), seconds, node.place))
 
 
-def _emphasis(writer: SsmlWriter, node: Node) -> None:
+def _emphasis(writer: SsmlWriter, node: XmlNode) -> None:
     level = node.choice("level", tuple(Emphasis), Emphasis.MODERATE)
     writer.within(node, emphasis=Emphasis(level))
 
 
-def _prosody(writer: SsmlWriter, node: Node) -> None:
+def _prosody(writer: SsmlWriter, node: XmlNode) -> None:
     table = ssml_table()
     manner = Manner(
         rate=factor(node, "rate", table.rate),
@@ -136,7 +136,7 @@ def _prosody(writer: SsmlWriter, node: Node) -> None:
     writer.within(node, manner=manner) if manner != PLAIN else writer.write(node)
 
 
-def _phoneme(writer: SsmlWriter, node: Node) -> None:
+def _phoneme(writer: SsmlWriter, node: XmlNode) -> None:
     alphabet = (node.text_of("alphabet") or "ipa").lower()
     given = node.required("ph", 'ph="həˈləʊ"')
     if alphabet == "ipa":
@@ -148,18 +148,18 @@ def _phoneme(writer: SsmlWriter, node: Node) -> None:
         writer.write(node)
 
 
-def _mark(writer: SsmlWriter, node: Node) -> None:
+def _mark(writer: SsmlWriter, node: XmlNode) -> None:
     name = node.required("name", 'name="here"').value.strip()
     if any(sync.name == name for sync in writer.syncs):
         raise InputError(f"the mark {quoted(name)} is set twice; expected it once", node.place)
     writer.syncs.append(Sync(name, len(writer.text), node.place))
 
 
-def _sub(writer: SsmlWriter, node: Node) -> None:
+def _sub(writer: SsmlWriter, node: XmlNode) -> None:
     writer.put(node.required("alias", 'alias="World Wide Web"').value)
 
 
-def _say_as(writer: SsmlWriter, node: Node) -> None:
+def _say_as(writer: SsmlWriter, node: XmlNode) -> None:
     kind = node.required("interpret-as", 'interpret-as="characters"').value.strip().lower()
     words = "".join(child.text for child in node.children if isinstance(child, Text)).strip()
     if kind not in SAY_AS:
@@ -169,11 +169,11 @@ def _say_as(writer: SsmlWriter, node: Node) -> None:
         writer.put(SAY_AS[kind](words))
 
 
-def _lang(writer: SsmlWriter, node: Node) -> None:
+def _lang(writer: SsmlWriter, node: XmlNode) -> None:
     writer.within(node, language=node.required("lang", 'xml:lang="de"').value.strip())
 
 
-def _voice(writer: SsmlWriter, node: Node) -> None:
+def _voice(writer: SsmlWriter, node: XmlNode) -> None:
     voice, language = node.text_of("name"), node.text_of("lang") or node.text_of("languages")
     if voice or language:
         writer.within(node, voice=voice, language=None if voice else language)
@@ -181,11 +181,11 @@ def _voice(writer: SsmlWriter, node: Node) -> None:
         writer.write(node)
 
 
-def _silent(writer: SsmlWriter, node: Node) -> None:
+def _silent(writer: SsmlWriter, node: XmlNode) -> None:
     """Leave out what is not for speaking."""
 
 
-ELEMENTS: Mapping[str, Callable[[SsmlWriter, Node], None]] = {
+ELEMENTS: Mapping[str, Callable[[SsmlWriter, XmlNode], None]] = {
     ROOT: _plain,
     "p": _sentence,
     "s": _sentence,

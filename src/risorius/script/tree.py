@@ -24,7 +24,7 @@ class Text:
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class XmlNode:
     """An element: its name without the namespace's prefix, its attributes, its place, what stands in it.
 
     `written`: the name with its prefix.
@@ -33,7 +33,7 @@ class Node:
     name: str
     attributes: tuple[Attribute, ...]
     place: Place
-    children: list[Node | Text] = field(default_factory=list)
+    children: list[XmlNode | Text] = field(default_factory=list)
     written: str = ""
 
     def get(self, *names: str) -> Attribute | None:
@@ -69,16 +69,16 @@ class Node:
         found = self.get(name)
         return default if found is None else number_of(found, low, high)
 
-    def inheriting(self, container: Node) -> Node:
+    def inheriting(self, container: XmlNode) -> XmlNode:
         """Return the node with the attributes of its container that it does not have itself, but the id."""
         own = {attribute.name for attribute in self.attributes} | {"id"}
         given = (attribute for attribute in container.attributes if attribute.name not in own)
         return replace(self, attributes=(*self.attributes, *given))
 
-    def elements(self) -> Iterator[Node]:
+    def elements(self) -> Iterator[XmlNode]:
         """Yield the elements in it; raise InputError for text between them."""
         for child in self.children:
-            if isinstance(child, Node):
+            if isinstance(child, XmlNode):
                 yield child
             elif child.text.strip():
                 where = f"in <{self.name}>" if self.name else "outside elements"
@@ -97,7 +97,7 @@ class Unknowns:
             self._told.add(what)
             warn(f"{place}: {what} is not understood; {instead}", ScriptWarning)
 
-    def check(self, node: Node, known: Collection[str]) -> None:
+    def check(self, node: XmlNode, known: Collection[str]) -> None:
         """Warn of a node's attributes that are not `known`; those of XML itself are."""
         for attribute in node.attributes:
             prefix, _, bare = attribute.name.rpartition(":")
@@ -105,7 +105,7 @@ class Unknowns:
                 self.tell(f"{one_line(attribute.name)} of <{one_line(node.written)}>", attribute.place)
 
 
-def read_tree(text: str, source: str, root: str) -> Node:
+def read_tree(text: str, source: str, root: str) -> XmlNode:
     """Return the root element, which has to be `root`.
 
     Raises InputError with its place for what is not well-formed, and for document types and entities.
@@ -129,14 +129,14 @@ class _TreeReader(Reader):
 
     def __init__(self, text: str, source: str) -> None:
         super().__init__(text, source)
-        self.top = Node("", (), Place(source, 1))
+        self.top = XmlNode("", (), Place(source, 1))
         self._stack = [self.top]
 
     def _start(self, name: str, values: list[str]) -> None:
         if self.parser.CurrentByteIndex == 0:
             return
         element = self._element(name, values)
-        node = Node(name.rpartition(":")[2], element.attributes, element.place, written=name)
+        node = XmlNode(name.rpartition(":")[2], element.attributes, element.place, written=name)
         self.open.append(element)
         self._stack[-1].children.append(node)
         self._stack.append(node)
