@@ -19,7 +19,6 @@ TO_MEND = {
     "Dial",
     "Edit",
     "Ending",
-    "Head",
     "Json",
     "Lamp",
     "Light",

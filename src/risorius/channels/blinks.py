@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
-from ..rules.profiles import Blinks
+from ..rules.profiles import BlinkHabits
 from ..rules.synchrony import Span, nearest, snapped
 
 # Paper B, section 5.2: an eighth of a second of closure, 1/24 closed, 1/12 of aperture.
@@ -19,7 +19,7 @@ def blink(
     channel: str,
     start: float,
     depth: float,
-    habits: Blinks,
+    habits: BlinkHabits,
     boundaries: Sequence[float],
     cause: Cause,
     layer: str = "",
@@ -52,7 +52,7 @@ def phonemic(start: float, boundaries: Sequence[float]) -> Span:
     return Span(found.start, apex, release, max(found.end, release + FASTEST))
 
 
-def _measured(start: float, habits: Blinks, boundaries: Sequence[float]) -> Span:
+def _measured(start: float, habits: BlinkHabits, boundaries: Sequence[float]) -> Span:
     start = nearest(start, boundaries)
     apex = start + habits.closing
     release = apex + habits.closed

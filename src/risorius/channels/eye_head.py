@@ -17,7 +17,7 @@ from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..rules.match import EYES
-from ..rules.profiles import Blinks
+from ..rules.profiles import BlinkHabits
 from ..rules.saccade import saccade_duration
 from .blinks import blink
 
@@ -140,7 +140,7 @@ class _Pose:
 def shifts_of(
     shifts: Sequence[GazeShift],
     duration: float,
-    habits: Blinks,
+    habits: BlinkHabits,
     boundaries: Sequence[float],
     numbers: Counted,
 ) -> Iterator[Movement]:

@@ -8,7 +8,7 @@ from itertools import count
 from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
-from ..rules.profiles import Blinks
+from ..rules.profiles import BlinkHabits
 from ..rules.synchrony import nearest
 from .blinks import blink
 from .inputs import ChannelInputs, Context
@@ -38,7 +38,7 @@ def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
         yield blink("manipulators", start, depth, habits, boundaries, Cause(why, "eyes to wet"))
 
 
-def _depth(habits: Blinks, numbers: Counted) -> float:
+def _depth(habits: BlinkHabits, numbers: Counted) -> float:
     """Return how far a blink closes the eyes, 0..1."""
     if numbers.uniform("incomplete") >= habits.incomplete:
         return 1.0
@@ -51,7 +51,7 @@ def _is_blink(m: Movement) -> bool:
 
 
 def _starts(
-    habits: Blinks,
+    habits: BlinkHabits,
     voluntary: Sequence[Movement],
     boundaries: Sequence[float],
     duration: float,
@@ -76,7 +76,9 @@ def _starts(
         last = start + length
 
 
-def _next(habits: Blinks, last: float, boundaries: Sequence[float], numbers: Counted) -> tuple[float, str]:
+def _next(
+    habits: BlinkHabits, last: float, boundaries: Sequence[float], numbers: Counted
+) -> tuple[float, str]:
     """Return when the next blink comes after the one that ended at `last`."""
     random = last + blink_interval(numbers, habits.wait), RANDOM
     periodic = max(nearest(last + habits.period, boundaries), last + _APART), PERIODIC

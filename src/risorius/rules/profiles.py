@@ -26,7 +26,7 @@ Normal = tuple[HabitSeconds, HabitSeconds]
 
 
 @dataclass(frozen=True, slots=True)
-class Blinks:
+class BlinkHabits:
     """How the eyes are kept wet.
 
     `manner`: "random" (paper A), "periodic" (paper B), "both" or "none". `wait`: no random blink so soon
@@ -57,7 +57,7 @@ class Aversion:
 
 
 @dataclass(frozen=True, slots=True)
-class Gaze:
+class GazeHabits:
     """Where the eyes go when no rule says.
 
     `speaking`, `listening`: how the eyes leave the listener; `directions`: weights of up, down and side;
@@ -76,7 +76,7 @@ class Gaze:
 
 
 @dataclass(frozen=True, slots=True)
-class Head:
+class HeadHabits:
     """The smooth noise of a living head: deviations in degrees, seconds from one target to the next.
 
     `comma`, `final`: what is left of it in such pauses; `listening`: while another speaks. `melody`: degrees
@@ -110,9 +110,9 @@ class Profile:
     name: str
     description: str
     source: str
-    blinks: Blinks
-    gaze: Gaze
-    head: Head
+    blinks: BlinkHabits
+    gaze: GazeHabits
+    head: HeadHabits
     side: SignedShare = 0.0
     rates: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
     sizes: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
