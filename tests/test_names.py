@@ -33,7 +33,6 @@ TO_MEND = {
     "Send",
     "Sent",
     "Source",
-    "Span",
     "Spoken",
     "Stretch",
     "Whole",

@@ -15,7 +15,7 @@ from risorius.rules.resolve import resolve
 from risorius.rules.rule import Level, Rule
 from risorius.rules.rule_set import extended, shipped
 from risorius.rules.situation import Situation
-from risorius.rules.synchrony import Span, nearest, snapped, synchrony
+from risorius.rules.synchrony import MovementPhases, nearest, snapped, synchrony
 from risorius.rules.unit import Unit
 from risorius.rules.units import Units
 from risorius.speech.synthesis import synthesize
@@ -200,7 +200,7 @@ TIMES = st.floats(0.0, 10.0)
 def test_snapped_spans_stay_in_order(
     boundaries: list[float], start: float, onset: float, apex: float, offset: float
 ) -> None:
-    span = Span(start, start + onset, start + onset + apex, start + onset + apex + offset)
+    span = MovementPhases(start, start + onset, start + onset + apex, start + onset + apex + offset)
     found = snapped(span, boundaries)
     assert found.start < found.apex <= found.release < found.end
     assert abs(found.start - start) <= synchrony().reach

@@ -2,9 +2,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.rules.synchrony import Span, ended_in_pause, synchrony
+from risorius.rules.synchrony import MovementPhases, ended_in_pause, synchrony
 
-SWING = Span(1.0, 1.3, 1.5, 2.0)
+SWING = MovementPhases(1.0, 1.3, 1.5, 2.0)
 
 
 def test_a_movement_far_from_a_pause_stays_as_it_is():

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
 from ..rules.profiles import BlinkHabits
-from ..rules.synchrony import Span, nearest, snapped
+from ..rules.synchrony import MovementPhases, nearest, snapped
 
 # Paper B, section 5.2: an eighth of a second of closure, 1/24 closed, 1/12 of aperture.
 PAPER = (1 / 8, 1 / 24, 1 / 12)
@@ -42,18 +42,20 @@ def blink(
     )
 
 
-def phonemic(start: float, boundaries: Sequence[float]) -> Span:
+def phonemic(start: float, boundaries: Sequence[float]) -> MovementPhases:
     """Return paper B's blink: the phonemes closest to its average speed begin, hold and end it."""
     closing, closed, opening = PAPER
-    plain = Span(start, start + closing, start + closing + closed, start + closing + closed + opening)
+    plain = MovementPhases(
+        start, start + closing, start + closing + closed, start + closing + closed + opening
+    )
     found = snapped(plain, boundaries)
     apex = max(found.apex, found.start + FASTEST)
     release = max(found.release, apex)
-    return Span(found.start, apex, release, max(found.end, release + FASTEST))
+    return MovementPhases(found.start, apex, release, max(found.end, release + FASTEST))
 
 
-def _measured(start: float, habits: BlinkHabits, boundaries: Sequence[float]) -> Span:
+def _measured(start: float, habits: BlinkHabits, boundaries: Sequence[float]) -> MovementPhases:
     start = nearest(start, boundaries)
     apex = start + habits.closing
     release = apex + habits.closed
-    return Span(start, apex, release, release + habits.opening)
+    return MovementPhases(start, apex, release, release + habits.opening)

@@ -12,7 +12,7 @@ from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .modulation import Modulation, rate_of, size_of
 from .rule import ANY, NOTHING_FELT, Rule, RuleAnchor, When
-from .synchrony import Span, ended_in_pause, snapped, synchrony
+from .synchrony import MovementPhases, ended_in_pause, snapped, synchrony
 from .unit import Unit
 from .units import Units
 
@@ -30,7 +30,7 @@ class Event:
 
     rule: Rule
     unit: Unit
-    span: Span
+    span: MovementPhases
     targets: Mapping[str, float]
     size: float
 
@@ -131,7 +131,9 @@ def _canonical(name: str) -> str:
     return name if name == NOTHING_FELT else emotion_key(name)
 
 
-def _event(rule: Rule, unit: Unit, units: Units, span: Span, size: float, *, mirrored: bool) -> Event:
+def _event(
+    rule: Rule, unit: Unit, units: Units, span: MovementPhases, size: float, *, mirrored: bool
+) -> Event:
     if not rule.effect.grouped:
         size *= synchrony().size_at(unit.rate)
     targets = _targets(rule, size, mirrored)
@@ -156,7 +158,7 @@ def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
     return targets
 
 
-def _span(rule: Rule, unit: Unit, place: float) -> Span:
+def _span(rule: Rule, unit: Unit, place: float) -> MovementPhases:
     timing = rule.timing
     tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
@@ -164,10 +166,10 @@ def _span(rule: Rule, unit: Unit, place: float) -> Span:
     if timing.at is RuleAnchor.WHOLE:
         end = max(unit.end, start + 0.1)
         scale = min(1.0, (end - start) / max(onset + offset, 1e-9))
-        return Span(start, start + scale * onset, end - scale * offset, end)
+        return MovementPhases(start, start + scale * onset, end - scale * offset, end)
     held = unit.end if timing.apex is None else start + onset + timing.apex * tempo
     release = max(held, start + onset)
-    return Span(start, start + onset, release, release + offset)
+    return MovementPhases(start, start + onset, release, release + offset)
 
 
 def _anchored(at: RuleAnchor, unit: Unit, place: float) -> float:
@@ -179,8 +181,8 @@ def _anchored(at: RuleAnchor, unit: Unit, place: float) -> float:
     return {RuleAnchor.MIDDLE: unit.middle, RuleAnchor.END: unit.end}.get(at, unit.start)
 
 
-def _inside(span: Span, duration: float) -> Span:
+def _inside(span: MovementPhases, duration: float) -> MovementPhases:
     """Return a span that starts at 0 at the earliest and before the end of the clip."""
     moved = max(-span.start, 0.0)
     start, apex, release, end = (t + moved for t in (span.start, span.apex, span.release, span.end))
-    return Span(start, apex, release, min(end, max(duration, start + 1e-3)))
+    return MovementPhases(start, apex, release, min(end, max(duration, start + 1e-3)))

@@ -59,7 +59,7 @@ def synchrony() -> Synchrony:
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
+class MovementPhases:
     """When a movement starts, is there, begins to leave and has ended, seconds, in that order."""
 
     start: float
@@ -68,7 +68,7 @@ class Span:
     end: float
 
 
-def ended_in_pause(span: Span, pauses: Sequence[float]) -> Span:
+def ended_in_pause(span: MovementPhases, pauses: Sequence[float]) -> MovementPhases:
     """Return a span that has ended soon after the first pause that it runs into.
 
     `pauses` are the starts of those in which the head stands still, in order.
@@ -81,10 +81,10 @@ def ended_in_pause(span: Span, pauses: Sequence[float]) -> Span:
     if share >= 1.0:
         return span
     apex, release, end = (span.start + share * (t - span.start) for t in (span.apex, span.release, span.end))
-    return Span(span.start, apex, release, end)
+    return MovementPhases(span.start, apex, release, end)
 
 
-def snapped(span: Span, boundaries: Sequence[float]) -> Span:
+def snapped(span: MovementPhases, boundaries: Sequence[float]) -> MovementPhases:
     """Return a span with each time moved to the closest phoneme boundary within reach.
 
     The apex is where the time from the new start is closest to the onset, and likewise the end. Onset and
@@ -95,7 +95,7 @@ def snapped(span: Span, boundaries: Sequence[float]) -> Span:
     apex = _after(start, start + onset, boundaries) if onset > 0.0 else start
     release = max(nearest(max(span.release, apex), boundaries), apex)
     end = _after(release, release + offset, boundaries) if offset > 0.0 else release
-    return Span(start, apex, release, end)
+    return MovementPhases(start, apex, release, end)
 
 
 def nearest(time: float, boundaries: Sequence[float], reach: float | None = None) -> float:
