@@ -56,7 +56,7 @@ def read_elements(text: str, source: str) -> list[Element]:
     return _ElementReader(text.replace("\r\n", "\n").replace("\r", "\n"), source).read()
 
 
-class Reader:
+class XmlReader:
     """One reading of XML: how positions are counted, and what is open. What is found is kept by its kinds."""
 
     # What messages give as what was expected.
@@ -163,7 +163,7 @@ class Reader:
         return f"{expat.ErrorString(code)}; expected e.g. {self.example}"
 
 
-class _ElementReader(Reader):
+class _ElementReader(XmlReader):
     """Collects a flat list of elements; only CONTAINER may hold others."""
 
     def __init__(self, text: str, source: str) -> None:

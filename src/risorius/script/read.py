@@ -19,9 +19,9 @@ from .quote import LONGEST_PATH, one_line
 from .ssml import parse_ssml
 from .utt import parse_utterance
 
-Reader = Callable[[str, str], Script]
+ScriptReader = Callable[[str, str], Script]
 
-READERS: Registry[Reader] = Registry("suffix")
+READERS: Registry[ScriptReader] = Registry("suffix")
 READERS.register(".txt")(parse_plain)
 READERS.register(".xml")(parse_markup)
 READERS.register(".utt")(parse_utterance)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from ..errors import InputError, ParameterError, Place, RisoriusWarning, unknown, warn
 from .attributes import number_of
-from .elements import Attribute, Reader
+from .elements import Attribute, XmlReader
 from .quote import one_line, quoted
 
 
@@ -122,7 +122,7 @@ def read_tree(text: str, source: str, root: str) -> XmlNode:
     return roots[0]
 
 
-class _TreeReader(Reader):
+class _TreeReader(XmlReader):
     """Builds the tree."""
 
     example = "one element around everything"
