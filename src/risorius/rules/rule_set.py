@@ -98,9 +98,7 @@ def _rule_texts(text: str) -> list[str]:
     return ["[[rule]]\n" + re.sub(r"(\n\s*(#[^\n]*)?)+\Z", "", part) for part in parts]
 
 
-def _check_own(
-    file: RuleFile, own: Mapping[str, RuleEntry], rule_set: RuleSet, source: SourceText
-) -> None:
+def _check_own(file: RuleFile, own: Mapping[str, RuleEntry], rule_set: RuleSet, source: SourceText) -> None:
     seen: set[str] = set()
     for index, rule in enumerate(file.rule):
         path = ("rule", index, "replaces")
