@@ -10,7 +10,7 @@ from ..core.arrays import Array, Float32Array
 from ..core.parameters import NEUTRAL
 from ..face.head import Head
 from ..looks.muscle_paint import MusclePaint, colours, lay_muscles
-from ..looks.wires import edge_strengths
+from ..looks.wireframe import edge_strengths
 from .inputs import Paint
 
 _NO_LINES, _LINES = (0.0, 0.0, 0.0, 0.0), (0.75, 1.15, 1.5, 0.9)  # linear colour and opacity

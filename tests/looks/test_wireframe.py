@@ -1,6 +1,6 @@
 import numpy as np
 
-from risorius.looks.wires import edge_strengths
+from risorius.looks.wireframe import edge_strengths
 
 
 def test_every_side_of_a_quad_is_drawn_and_no_diagonal(head):
