@@ -23,7 +23,7 @@ def test_a_rig_as_arrays():
     assert np.linalg.norm(lighting.lamps[:, :3], axis=1) == pytest.approx(
         np.ones(len(STUDIO.lamps)), abs=1e-6
     )
-    assert lighting.room[0] == pytest.approx(STUDIO.sky)
+    assert lighting.ambient[0] == pytest.approx(STUDIO.sky)
 
 
 def test_the_backdrop_is_brighter_behind_the_head():

@@ -41,7 +41,7 @@ class Field(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Mesh:
+class RigidMesh:
     """A rigid triangle mesh: vertices (n, 3) mm, triangles (m, 3), material (n,): 0 is tooth, 1 is gum."""
 
     vertices: Array
@@ -94,8 +94,8 @@ class Head:
     lid_pairs: tuple[Int32Array, Int32Array]
     eye_centre: Array
     eye_radius: Array
-    teeth_upper: Mesh
-    teeth_lower: Mesh
+    teeth_upper: RigidMesh
+    teeth_lower: RigidMesh
     tongue: Tongue
     landmark_triangles: Int32Array
     landmark_weights: Array
@@ -184,7 +184,7 @@ def _frozen(values: Array) -> Array:
     return values
 
 
-def _shifted(mesh: Mesh, shift: Array) -> Mesh:
+def _shifted(mesh: RigidMesh, shift: Array) -> RigidMesh:
     return replace(mesh, vertices=_frozen(mesh.vertices + shift))
 
 
@@ -341,10 +341,10 @@ def _fields(file: HeadFile, prefix: str, names: tuple[str, ...], count: int) -> 
     return MappingProxyType(fields)
 
 
-def _mesh(file: HeadFile, name: str) -> Mesh:
+def _mesh(file: HeadFile, name: str) -> RigidMesh:
     vertices = file.array(f"{name}/vertices", ("n", 3))
     count = len(vertices)
-    return Mesh(
+    return RigidMesh(
         vertices,
         file.indices(f"{name}/triangles", ("m", 3), count),
         file.array(f"{name}/material", (count,), low=0.0, high=1.0),
@@ -363,7 +363,7 @@ __all__ = [
     "Field",
     "Head",
     "HeadChoice",
-    "Mesh",
+    "RigidMesh",
     "Tongue",
     "head_of",
     "head_titles",

@@ -40,13 +40,15 @@ class Mesh(NamedTuple):
 
 
 class Light(NamedTuple):
-    """Lamps (n, 7): direction, colour, softness; room (2, 3) from above and below; the key's shadow map.
+    """The light on the head.
 
-    `pupil` is the radius that the pupils take in this light, in radii of the iris.
+    `lamps` (n, 7) are direction, colour and softness, `ambient` (2, 3) the light from above and below;
+    `shadow…` and `bias` are the key lamp's shadow map; `pupil` is the radius of the pupils in this light, in
+    radii of the iris.
     """
 
     lamps: Float32Array
-    room: Float32Array
+    ambient: Float32Array
     shadow: Float32Array
     shadow_low: Float32Array
     shadow_high: Float32Array
@@ -143,7 +145,7 @@ class Batch(NamedTuple):
 
 
 def empty_batch(capacity: int) -> Batch:
-    """Return room for rows of up to `capacity` patches."""
+    """Return empty arrays for rows of up to `capacity` patches."""
     triangle, column, samples = (np.zeros(capacity, np.int32) for _ in range(3))
     weights, colour = (np.zeros((capacity, 3), np.float32) for _ in range(2))
     return Batch(triangle, column, samples, weights, colour, np.zeros(LANES, np.int32), empty_block())

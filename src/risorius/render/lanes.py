@@ -30,7 +30,7 @@ _SIZE = REACH + LAMPS * LANES
 
 
 def empty_block() -> Float32Array:
-    """Return room for one block, full of ones: lanes without a patch are calculated, too."""
+    """Return empty arrays for one block, full of ones: lanes without a patch are calculated, too."""
     return np.ones(_SIZE, np.float32)
 
 

@@ -36,7 +36,7 @@ class Lamp:
 
 @dataclass(frozen=True, slots=True)
 class LightRig:
-    """The lamps, and the light of the room from above and below.
+    """The lamps, and the ambient light from above and below.
 
     The first lamp casts shadows that follow the face; what the head itself keeps from the others is found
     once, at rest. Eyes and mouth are lit by the first two, which should therefore stand in front. `centre`
@@ -60,15 +60,19 @@ class LightRig:
     def lighting(self) -> Lighting:
         """Return the rig as arrays for the kernels."""
         rows = [(*lamp.direction(), *lamp.colour, lamp.softness) for lamp in self.lamps]
-        room = np.array([self.sky, self.ground], np.float32)
-        return Lighting(np.array(rows, np.float32), room, self.pupil)
+        ambient = np.array([self.sky, self.ground], np.float32)
+        return Lighting(np.array(rows, np.float32), ambient, self.pupil)
 
 
 class Lighting(NamedTuple):
-    """Lamps (n, 7) float32: direction, colour, softness; room (2, 3): from above, from below; the pupil."""
+    """A rig as arrays.
+
+    `lamps` (n, 7) float32 are direction, colour and softness; `ambient` (2, 3) float32 the light from above
+    and below; `pupil` the pupils' radius in radii of the iris.
+    """
 
     lamps: Float32Array
-    room: Float32Array
+    ambient: Float32Array
     pupil: float
 
 

@@ -178,7 +178,7 @@ class SoftwareRenderer:
         )
         light = Light(
             self._lights.lamps,
-            self._lights.room,
+            self._lights.ambient,
             shadow.depth,
             shadow.low,
             shadow.high,

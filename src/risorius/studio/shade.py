@@ -15,16 +15,16 @@ HEM_STEPS = 4.0
 
 
 def light() -> Light:
-    """Return the lamps (direction and linear colour each), and the room's light from above and below."""
+    """Return the lamps (direction and linear colour each), and the ambient light from above and below."""
     lamps = tuple(Lamp(lamp.direction(), lamp.colour) for lamp in STUDIO.lamps)
     return Light(lamps, STUDIO.sky, STUDIO.ground)
 
 
 def shade(head: Head) -> bytes:
-    """Return what each vertex of the skin sees at rest of the room and of each lamp, and where cloth is worn.
+    """Return what each vertex of the skin sees at rest of its surroundings and of each lamp, and the cloth.
 
     uint8 (vertices, 1 + lamps + 1): 255 for all of the light; the last is 128 at the neckline, one more
-    for each 1 / HEM_STEPS mm into the cloth.
+    for each 1 / HEM_STEPS mm into the cloth that is worn.
     """
     shares = light_at_rest(head, STUDIO)
     hem = 128.0 + HEM_STEPS * neckline(find_anatomy(head)).astype(np.float32)[:, None]

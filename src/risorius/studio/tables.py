@@ -227,7 +227,7 @@ class Lamp:
 
 @dataclass(frozen=True, slots=True)
 class Light:
-    """The light that a head is drawn in; the room's from above and below, linear."""
+    """The light that a head is drawn in: lamps, and the linear ambient light from above and below."""
 
     lamps: tuple[Lamp, ...]
     sky: tuple[float, float, float]

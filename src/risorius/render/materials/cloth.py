@@ -11,7 +11,7 @@ from ...looks.attributes import CURVATURE, OCCLUSION, SKIN
 from ...looks.garment import COLLAR
 from ..grain import grain
 from ..inputs import Batch, Light, Mesh, Sight, Tables
-from .lit import lamp_colour, lamp_direction, lamp_share, room_light
+from .lit import ambient_light, lamp_colour, lamp_direction, lamp_share
 from .patch import Corners, corners_of, put, towards, weights_of
 from .shadows import shadow_at
 
@@ -46,7 +46,7 @@ def _cloth(
     p = weigh(mesh.positions, corners, weights, 0)
     view, shadow = towards(sight.eye, p), shadow_at(mesh, light, corners, weights, p)
     albedo, normal = _knit(tables.grain, rest, albedo, normal, depth)
-    total = times(albedo, room_light(light.room, normal, free))
+    total = times(albedo, ambient_light(light.ambient, normal, free))
     for k in range(len(light.lamps)):
         lit = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.15)) * f4(1 / 1.15))
         total = along(
@@ -56,7 +56,7 @@ def _cloth(
         )
     fuzz = f4(1) - saturate(dot(normal, view))
     sheen = f4(0.06) * fuzz * fuzz * fuzz
-    return along(total, room_light(light.room, normal, free), sheen)
+    return along(total, ambient_light(light.ambient, normal, free), sheen)
 
 
 @fast_device

@@ -28,7 +28,7 @@ from ...looks.eyeball import IRIS
 from ..brdf import gloss, schlick
 from ..grain import grain
 from ..inputs import Batch, Light, Mesh, Pose, Sight, Tables
-from .lit import key_share, lamp_colour, lamp_direction, room_light
+from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, towards, weights_of
 
 LID_STEPS = 32
@@ -82,7 +82,7 @@ def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec)
         facing = unit(mix(outward, facing, iris_share))
         total = mix(total, _iris(light, pose, tables, side, local, facing, view, shade, shadow), iris_share)
     return add(
-        total, _wet(light.lamps, light.room, facing, outward, view, shade, shadow, below, above, inner)
+        total, _wet(light.lamps, light.ambient, facing, outward, view, shade, shadow, below, above, inner)
     )
 
 
@@ -142,7 +142,7 @@ def _sclera(
     red += f4(0.30) * math.exp(-above * f4(1.1)) + f4(0.42) * vein
     albedo = mix(_WHITE, _PINK, saturate(red))
     albedo = mix(albedo, _FLESH, f4(1) - smooth(f4(0.7), f4(2.5), inner))
-    total = times(albedo, scale(room_light(light.room, normal, shade), f4(0.95)))
+    total = times(albedo, scale(ambient_light(light.ambient, normal, shade), f4(0.95)))
     for k in range(min(len(light.lamps), _FRONT)):
         wrapped = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.4)) * f4(1 / 1.4))
         total = along(
@@ -174,7 +174,7 @@ def _iris(
     distance = math.sqrt(x * x + y * y)
     albedo = _iris_colour(tables.iris, light.pupil, x, y, distance)
     axis = (pose.eye_axes[side, 0, 2], pose.eye_axes[side, 1, 2], pose.eye_axes[side, 2, 2])
-    total = times(albedo, scale(room_light(light.room, axis, shade), f4(1.1)))
+    total = times(albedo, scale(ambient_light(light.ambient, axis, shade), f4(1.1)))
     for k in range(min(len(light.lamps), _FRONT)):
         lamp = unrotate(pose.eye_axes[side], lamp_direction(light.lamps, k))
         gathered = saturate(f4(0.62) - f4(0.75) * (x * lamp[0] + y * lamp[1]) * saturate(distance * f4(1.4)))
@@ -205,7 +205,7 @@ def _texel(image: Float32Array, i: int, j: int) -> Vec:
 @fast_device
 def _wet(
     lamps: Float32Array,
-    room: Float32Array,
+    ambient: Float32Array,
     facing: Vec,
     outward: Vec,
     view: Vec,
@@ -215,10 +215,10 @@ def _wet(
     above: float,
     inner: float,
 ) -> Vec:
-    """Return what the tear film mirrors: lamps and room, and more on the lower lid's rim and the caruncle."""
+    """Return what the tear film mirrors: lamps, ambient light, the lower lid's rim and the caruncle."""
     # A mirror shows the lid above it rather than its shadow.
     free = smooth(f4(0.3), f4(1.6), below) * (f4(0.5) + f4(0.5) * shade)
-    total = scale(room_light(room, facing, f4(1)), schlick(dot(facing, view), f4(0.03)) * free)
+    total = scale(ambient_light(ambient, facing, f4(1)), schlick(dot(facing, view), f4(0.03)) * free)
     back = along(scale(view, f4(-1)), facing, f4(2) * dot(facing, view))
     for k in range(min(len(lamps), _FRONT)):
         direction, colour = lamp_direction(lamps, k), lamp_colour(lamps, k)

@@ -12,7 +12,7 @@ from ...core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel
 from ...core.kernels.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from ...looks.attributes import EXTRA, HAIR, OCCLUSION, SPECULAR
 from ..inputs import Batch, Light, Mesh
-from .lit import key_share, lamp_colour, lamp_direction, room_light
+from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, weights_of
 
 
@@ -56,7 +56,7 @@ def _fibre(mesh: Mesh, light: Light, i: int, p: Vec, direction: Vec, view: Vec) 
     free *= f4(0.25) + f4(0.75) * way
     across = unit(along(view, direction, -dot(view, direction)))
     shadow = key_share(light, p)
-    total = times(albedo, room_light(light.room, across, free))
+    total = times(albedo, ambient_light(light.ambient, across, free))
     for k in range(len(light.lamps)):
         lamp, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
         share = (shadow if k == 0 else mesh.reach[i, k]) * (f4(0.4) + f4(0.6) * free)

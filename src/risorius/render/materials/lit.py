@@ -1,4 +1,4 @@
-"""The light that arrives at a point: the room's, and the key lamp's shadow with a warm edge."""
+"""The light that arrives at a point: the ambient light, and the key lamp's shadow with a warm edge."""
 
 from __future__ import annotations
 
@@ -9,27 +9,27 @@ from ..inputs import Light
 from ..lanes import LAMPS, LANES, REACH
 from ..shadow import lit
 
-Room = tuple[Vec, Vec]
+AmbientLight = tuple[Vec, Vec]
 
 
 @fast_device
-def room_of(room: Float32Array) -> Room:
-    """Return the room's light from below and from above."""
-    return (room[1, 0], room[1, 1], room[1, 2]), (room[0, 0], room[0, 1], room[0, 2])
+def ambient_of(ambient: Float32Array) -> AmbientLight:
+    """Return the ambient light from below and from above."""
+    return (ambient[1, 0], ambient[1, 1], ambient[1, 2]), (ambient[0, 0], ambient[0, 1], ambient[0, 2])
 
 
 @fast_device
-def glow(room: Room, normal: Vec, free: float) -> Vec:
-    """Return the room's light on a surface that sees the share `free` of it; creases glow warm."""
-    r, g, b = mix(room[0], room[1], normal[1] * f4(0.5) + f4(0.5))
+def ambient_on(ambient: AmbientLight, normal: Vec, free: float) -> Vec:
+    """Return the ambient light on a surface that sees the share `free` of it; creases glow warm."""
+    r, g, b = mix(ambient[0], ambient[1], normal[1] * f4(0.5) + f4(0.5))
     warm = free * (f4(1) - free)
     return r * (free + f4(0.35) * warm), g * (free + f4(0.08) * warm), b * free
 
 
 @fast_device
-def room_light(room: Float32Array, normal: Vec, free: float) -> Vec:
-    """Return `glow` of the room (2, 3)."""
-    return glow(room_of(room), normal, free)
+def ambient_light(ambient: Float32Array, normal: Vec, free: float) -> Vec:
+    """Return `ambient_on` of the rows (2, 3) from above and from below."""
+    return ambient_on(ambient_of(ambient), normal, free)
 
 
 @fast_inlined

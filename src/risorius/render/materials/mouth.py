@@ -10,7 +10,7 @@ from ...core.kernels.vec import Vec, along, dot, saturate, scale, smooth, sub, t
 from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
 from ..brdf import gloss
 from ..inputs import Batch, Light, Mesh, Pose, Sight
-from .lit import key_share, lamp_colour, lamp_direction, room_light
+from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import Corners, corners_of, put, towards, weights_of
 
 LIP_STEPS = 32
@@ -102,7 +102,7 @@ def _wet(
         deep = math.sqrt(deep) * (f4(0.35) + f4(0.65) * math.sqrt(deep))
     shadow = key_share(light, p)
     # Light from all sides of the mouth is warm with the colour of its lining.
-    around = times(room_light(light.room, normal, f4(1)), (f4(2.0), f4(1.75), f4(1.6)))
+    around = times(ambient_light(light.ambient, normal, f4(1)), (f4(2.0), f4(1.75), f4(1.6)))
     total = times(albedo, scale(around, deep))
     for k in range(min(len(light.lamps), _FRONT)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)

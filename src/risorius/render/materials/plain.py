@@ -31,7 +31,7 @@ from ..lanes import (
     put,
 )
 from .folds import bent, creased
-from .lit import glow, lamp_colour, lamp_direction, read_reach, room_of
+from .lit import ambient_of, ambient_on, lamp_colour, lamp_direction, read_reach
 from .mouth import past_lips
 from .painted import line_share, painted
 from .patch import corners_of, weights_of
@@ -118,7 +118,7 @@ def _shade_block(
 
 @fast_device
 def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixel: float) -> None:
-    """Let wrinkles turn the normal and take the room's light away."""
+    """Let wrinkles turn the normal and take the ambient light away."""
     block = batch.block
     for lane in range(count):
         k = batch.chosen[lane]
@@ -134,7 +134,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 
 @fast_device
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
-    """Find how much of the lamps and of the room's light arrives."""
+    """Find how much of the lamps and of the ambient light arrives."""
     for lane in range(count):
         free, inner = block[FREE + lane], block[INNER + lane]
         if inner > f4(0.02):
@@ -164,10 +164,10 @@ def _paint(count: int, batch: Batch, mesh: Mesh, paint: Paint, pixel: float) -> 
 
 @fast_device
 def _fill(block: Float32Array, light: Light) -> None:
-    """Begin with the room's light and what glows."""
-    room = room_of(light.room)
+    """Begin with the ambient light and what glows."""
+    ambient = ambient_of(light.ambient)
     for k in range(LANES):
-        arriving = glow(room, get(block, NORMAL, k), block[OPENED + k])
+        arriving = ambient_on(ambient, get(block, NORMAL, k), block[OPENED + k])
         put(block, TOTAL, k, add(get(block, SHINE, k), times(get(block, ALBEDO, k), arriving)))
 
 

@@ -25,7 +25,7 @@ from ...looks.eyeball import IRIS
 from ..brdf import gloss
 from ..inputs import Batch, Light, Mesh, Pose, Sight
 from .eye import lid_distances, lid_shade
-from .lit import key_share, lamp_colour, lamp_direction, lamp_share, room_light
+from .lit import ambient_light, key_share, lamp_colour, lamp_direction, lamp_share
 from .mouth import past_lips
 from .patch import Corners, corners_of, towards, weights_of
 
@@ -70,7 +70,7 @@ def _matt(
     key: float,
 ) -> Vec:
     """Return matt light with the gloss of clay, where the share `free` of all light arrives."""
-    total = times(albedo, room_light(light.room, normal, free))
+    total = times(albedo, ambient_light(light.ambient, normal, free))
     for k in range(len(light.lamps)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
         share = lamp_share(mesh.reach, corners, weights, k) * free * (key if k == 0 else f4(1))

@@ -38,7 +38,7 @@ from ..lanes import (
     put,
 )
 from .folds import bent, creased
-from .lit import glow, read_reach, room_of
+from .lit import ambient_of, ambient_on, read_reach
 from .mouth import past_lips
 from .patch import corners_of, weights_of
 from .patch import put as put_colour
@@ -78,7 +78,7 @@ def _shade_block(
     _fill(block, light)
     for lamp in range(len(light.lamps)):
         lamp_light(count, lamp, block, light.lamps, tables.diffuse)
-    edge_light(block, light.room)
+    edge_light(block, light.ambient)
     for k in range(count):
         put_colour(batch.colour, batch.chosen[k], add(get(block, TOTAL, k), get(block, SHINE, k)))
 
@@ -168,7 +168,7 @@ def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixe
 
 @fast_device
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
-    """Find how much of the key lamp and of the room's light arrives."""
+    """Find how much of the key lamp and of the ambient light arrives."""
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
         if inner > f4(0.02):
@@ -180,9 +180,9 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
 
 @fast_device
 def _fill(block: Float32Array, light: Light) -> None:
-    """Begin with the room's light."""
-    room = room_of(light.room)
+    """Begin with the ambient light."""
+    ambient = ambient_of(light.ambient)
     for k in range(LANES):
-        arriving = glow(room, get(block, SOFT, k), block[OPENED + k])
+        arriving = ambient_on(ambient, get(block, SOFT, k), block[OPENED + k])
         put(block, TOTAL, k, times(get(block, ALBEDO, k), arriving))
         put(block, SHINE, k, (f4(0), f4(0), f4(0)))

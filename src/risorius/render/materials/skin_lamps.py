@@ -27,7 +27,7 @@ from ..lanes import (
     put,
 )
 from ..subsurface import angle_place, curvature_place, scattered
-from .lit import glow, lamp_colour, lamp_direction, room_of, warm_edge
+from .lit import ambient_of, ambient_on, lamp_colour, lamp_direction, warm_edge
 
 _DARK = f4(0.004)  # a lamp of which less arrives is left out
 _FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
@@ -112,12 +112,12 @@ def _mirrored(block: Float32Array, k: int, direction: Vec, wide: float) -> float
 
 
 @fast_device
-def edge_light(block: Float32Array, room: Float32Array) -> None:
-    """Add what the skin mirrors of the room along its outline."""
-    around = room_of(room)
+def edge_light(block: Float32Array, ambient: Float32Array) -> None:
+    """Add what the skin mirrors of the ambient light along its outline."""
+    around = ambient_of(ambient)
     for k in range(LANES):
         soft = get(block, SOFT, k)
         # A rough surface mirrors less along its outline than a smooth one.
         edge = min(schlick(dot(soft, get(block, VIEW, k)), _FACING), f4(0.16))
         edge *= block[OPENED + k] * block[STRENGTH + k]
-        put(block, SHINE, k, along(get(block, SHINE, k), glow(around, soft, f4(1)), edge * f4(0.8)))
+        put(block, SHINE, k, along(get(block, SHINE, k), ambient_on(around, soft, f4(1)), edge * f4(0.8)))

@@ -742,7 +742,7 @@
  * @property {[number, number, number]} colour
  */
 /**
- * The light that a head is drawn in; the room's from above and below, linear.
+ * The light that a head is drawn in: lamps, and the linear ambient light from above and below.
  * @typedef {Object} Light
  * @property {Array<Lamp>} lamps
  * @property {[number, number, number]} sky

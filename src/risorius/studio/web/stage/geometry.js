@@ -9,7 +9,7 @@ const HEM_STEPS = 4; // a millimetre
 const ABOVE = [-20, -6]; // mm into the cloth where the neck's colour is taken
 
 /**
- * What each vertex of the skin sees of the room and of each lamp, and its way to the neckline in mm.
+ * What each vertex of the skin sees of its surroundings and of each lamp, and its way to the neckline in mm.
  * @param {Uint8Array} seen (count, 1 + lamps + 1) as `shade.py` packs it
  * @param {number} count of the vertices
  * @returns {{free: THREE.BufferAttribute, reach: THREE.BufferAttribute, hem: THREE.BufferAttribute}}

@@ -1,4 +1,4 @@
-/** The library's light in the scene, and the room that the eyes mirror. */
+/** The library's light in the scene, and the surroundings that the eyes mirror. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 

@@ -1,7 +1,7 @@
 /**
  * How the head's pieces are shaded: plain diffuse light, which software draws fast enough, with what makes a face
  * look alive added: light that goes round the edges of shadow in skin, its gloss, shade that the head at rest
- * keeps from itself, a dark mouth, eyes that mirror the room.
+ * keeps from itself, a dark mouth, eyes that mirror their surroundings.
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
