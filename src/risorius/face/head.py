@@ -41,8 +41,8 @@ class Field(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class RigidMesh:
-    """A rigid triangle mesh: vertices (n, 3) mm, triangles (m, 3), material (n,): 0 is tooth, 1 is gum."""
+class TeethMesh:
+    """A row of teeth with its gum: vertices (n, 3) mm, triangles (m, 3), material (n,), 0 tooth to 1 gum."""
 
     vertices: Array
     triangles: Int32Array
@@ -94,8 +94,8 @@ class Head:
     lid_pairs: tuple[Int32Array, Int32Array]
     eye_centre: Array
     eye_radius: Array
-    teeth_upper: RigidMesh
-    teeth_lower: RigidMesh
+    teeth_upper: TeethMesh
+    teeth_lower: TeethMesh
     tongue: Tongue
     landmark_triangles: Int32Array
     landmark_weights: Array
@@ -184,7 +184,7 @@ def _frozen(values: Array) -> Array:
     return values
 
 
-def _shifted(mesh: RigidMesh, shift: Array) -> RigidMesh:
+def _shifted(mesh: TeethMesh, shift: Array) -> TeethMesh:
     return replace(mesh, vertices=_frozen(mesh.vertices + shift))
 
 
@@ -341,10 +341,10 @@ def _fields(file: HeadFile, prefix: str, names: tuple[str, ...], count: int) -> 
     return MappingProxyType(fields)
 
 
-def _mesh(file: HeadFile, name: str) -> RigidMesh:
+def _mesh(file: HeadFile, name: str) -> TeethMesh:
     vertices = file.array(f"{name}/vertices", ("n", 3))
     count = len(vertices)
-    return RigidMesh(
+    return TeethMesh(
         vertices,
         file.indices(f"{name}/triangles", ("m", 3), count),
         file.array(f"{name}/material", (count,), low=0.0, high=1.0),
@@ -363,7 +363,7 @@ __all__ = [
     "Field",
     "Head",
     "HeadChoice",
-    "RigidMesh",
+    "TeethMesh",
     "Tongue",
     "head_of",
     "head_titles",

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from ..core.arrays import Array, BoolArray, IndexArray, Int32Array
 from .contact import Contacts, Facing, find_contacts
-from .head import Head, Mesh
+from .head import Head, TeethMesh
 from .jaw import Jaw
 
 REACH = 5.0  # mm from the line on which the lips meet to the farthest point that may touch
@@ -107,7 +107,7 @@ class TeethEdge:
     z: Array
 
     @classmethod
-    def of(cls, teeth: Mesh, half_width: float, steps: int) -> TeethEdge:
+    def of(cls, teeth: TeethMesh, half_width: float, steps: int) -> TeethEdge:
         """Find the edge of the upper `teeth` over |x| ≤ `half_width` mm, smoothed over their gaps."""
         crowns = teeth.vertices[teeth.material < 0.5]
         x = np.linspace(-half_width, half_width, steps)

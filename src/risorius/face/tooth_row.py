@@ -10,7 +10,7 @@ from scipy.ndimage import maximum_filter, maximum_filter1d, minimum_filter
 
 from ..core.arrays import Array, IndexArray
 from ..core.kernels.jit import device, inlined
-from .head import Mesh
+from .head import TeethMesh
 
 ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians that they span on either side
 ROW = 0.8  # mm of height of a row of the tables
@@ -41,7 +41,7 @@ class ToothRow:
     around: Array
 
     @classmethod
-    def of(cls, teeth: Mesh, up: float) -> Self:
+    def of(cls, teeth: TeethMesh, up: float) -> Self:
         """Measure the row `teeth`."""
         crowns = teeth.vertices[teeth.material < 0.5]
         middle = np.array([crowns[:, 2].min() + AHEAD, crowns[:, 1].min() - BORDER * ROW])
@@ -60,7 +60,7 @@ class ToothRow:
         return cls(middle, front, back, edge, up, _around(front, back))
 
 
-def _samples(mesh: Mesh) -> Array:
+def _samples(mesh: TeethMesh) -> Array:
     """Return points (n, 3) all over the teeth of `mesh`, without the gums."""
     crowns = mesh.triangles[(mesh.material[mesh.triangles] < 0.5).all(axis=1)]
     share = np.linspace(0.0, 1.0, SAMPLES)

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array, Int64Array
-from ..face.head import Head
-from ..face.head import Mesh as RigidMesh
+from ..face.head import Head, TeethMesh
 from ..face.identity import Looks
 from .anatomy import Anatomy
 from .attach import Surface
@@ -114,7 +113,7 @@ def eye_parts(head: Head) -> list[Part]:
     ]
 
 
-def teeth_part(name: str, mesh: RigidMesh) -> Part:
+def teeth_part(name: str, mesh: TeethMesh) -> Part:
     """Return a row of teeth with its gum."""
     triangles = _outward(mesh.vertices, mesh.triangles)
     attributes = _attributes(len(mesh.vertices), _TOOTH, 0.035, 1.3)

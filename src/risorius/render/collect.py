@@ -9,14 +9,14 @@ from __future__ import annotations
 from ..core.arrays import Float32Array, Int32Array
 from ..core.kernels.jit import f4, f8, fast_device, fast_inlined, index
 from ..core.kernels.vec import Vec, saturate
-from .inputs import Batch, Mesh, Sight
+from .inputs import Batch, PosedMesh, Sight
 from .raster import SUBPIXEL
 
 _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one surface count as connected
 
 
 @fast_device
-def collect(y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
+def collect(y: int, sight: Sight, mesh: PosedMesh, batch: Batch) -> int:
     """Find the patches of row y; return how many there are."""
     if sight.samples == 2:
         return _collect(y, 2, sight, mesh, batch)  # a known number of samples makes loops straight code
@@ -24,7 +24,7 @@ def collect(y: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
 
 
 @fast_inlined
-def _collect(y: int, side: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
+def _collect(y: int, side: int, sight: Sight, mesh: PosedMesh, batch: Batch) -> int:
     n, middle = 0, f4(0.5) * f4(side)
     for x in range(sight.background.shape[1]):
         t, uniform, waiting = _survey(x, y, side, sight)
@@ -55,7 +55,9 @@ def _survey(x: int, y: int, side: int, sight: Sight) -> tuple[int, bool, int]:
 
 
 @fast_inlined
-def _gather(n: int, x: int, y: int, side: int, waiting: int, sight: Sight, mesh: Mesh, batch: Batch) -> int:
+def _gather(
+    n: int, x: int, y: int, side: int, waiting: int, sight: Sight, mesh: PosedMesh, batch: Batch
+) -> int:
     """Write patch n: of the samples whose bits are `waiting` all that show what the first does.
 
     Return their bits. Without branches: which samples belong together is as good as random.
@@ -85,7 +87,7 @@ def _gather(n: int, x: int, y: int, side: int, waiting: int, sight: Sight, mesh:
 
 
 @fast_inlined
-def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: Mesh, batch: Batch) -> None:
+def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: PosedMesh, batch: Batch) -> None:
     """Write patch n: `count` samples of pixel x that show triangle t, their middle at (u, v) in samples."""
     batch.triangle[n] = t
     batch.column[n] = x

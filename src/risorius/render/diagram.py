@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..core.kernels.jit import fast_kernel
 from .collect import collect
-from .inputs import Batch, Light, Mesh, Paint, Pose, Sight, Tables
+from .inputs import Batch, Light, Paint, Pose, PosedMesh, Sight, Tables
 from .materials.hair import shade_hairs
 from .materials.plain import shade_plain
 from .shade import resolve, uncover
@@ -14,7 +14,7 @@ from .shade import resolve, uncover
 @fast_kernel
 def shade_diagram(
     sight: Sight,
-    mesh: Mesh,
+    mesh: PosedMesh,
     light: Light,
     pose: Pose,
     tables: Tables,

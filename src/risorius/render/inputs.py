@@ -10,7 +10,7 @@ from ..core.arrays import ByteArray, Float32Array, Int32Array, Int64Array
 from .lanes import LANES, empty_block
 
 
-class Mesh(NamedTuple):
+class PosedMesh(NamedTuple):
     """The posed scene: vertices (n, …), triangles (m, 3), and the surface (m,) of each triangle.
 
     `attributes` (n, ATTRIBUTES) are albedo (3, linear), free share of the surroundings, roughness squared,

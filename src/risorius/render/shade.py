@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..core.kernels.jit import f4, fast_device, fast_kernel, index
 from .collect import collect
-from .inputs import Batch, Light, Mesh, Pose, Sight, Tables
+from .inputs import Batch, Light, Pose, PosedMesh, Sight, Tables
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
@@ -21,7 +21,7 @@ from .visibility import BAND, rasterize
 
 @fast_kernel
 def shade(
-    sight: Sight, mesh: Mesh, light: Light, pose: Pose, tables: Tables, batch: Batch, out: ByteArray
+    sight: Sight, mesh: PosedMesh, light: Light, pose: Pose, tables: Tables, batch: Batch, out: ByteArray
 ) -> None:
     """Write the picture (height, width, 3) of sRGB bytes."""
     for y in range(out.shape[0]):
@@ -36,7 +36,7 @@ def shade(
 
 
 @fast_device
-def uncover(y: int, sight: Sight, mesh: Mesh) -> None:
+def uncover(y: int, sight: Sight, mesh: PosedMesh) -> None:
     """Draw the band of samples that begins with row y of the picture, if one does."""
     band = BAND // sight.samples
     if y % band == 0:

@@ -21,7 +21,7 @@ from .cutout import covered, cut_out
 from .diagram import shade_diagram
 from .framing import frame_head
 from .hair_views import HairViews
-from .inputs import Light, Mesh, Paint, Pose, Sight, Tables, empty_batch
+from .inputs import Light, Paint, Pose, PosedMesh, Sight, Tables, empty_batch
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
@@ -162,7 +162,7 @@ class SoftwareRenderer:
 
     def _shade(self, pose: Pose, out: ByteArray) -> None:
         scene, shadow, samples = self.scene, self._shadow, self._samples
-        mesh = Mesh(
+        mesh = PosedMesh(
             self._xy,
             self._key,
             scene.positions,

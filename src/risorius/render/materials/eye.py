@@ -27,7 +27,7 @@ from ...looks.attributes import EYE_LEFT
 from ...looks.eyeball import IRIS
 from ..brdf import gloss, schlick
 from ..grain import grain
-from ..inputs import Batch, Light, Mesh, Pose, Sight, Tables
+from ..inputs import Batch, Light, Pose, PosedMesh, Sight, Tables
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, towards, weights_of
 
@@ -44,7 +44,7 @@ _FLESH = (f4(0.50), f4(0.185), f4(0.155))  # the caruncle, in the inner corner
 
 @fast_device
 def shade_eyes(
-    n: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Light, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of the eyes among the first n of a row."""
     for k in range(n):

@@ -8,7 +8,7 @@ from ...core.kernels.jit import f4, fast_device, i8
 from ...core.kernels.vec import Vec, along, dot, rotate, saturate, unit
 from ..creases import DIMPLES, FAINT, FOLD, FURROW, KIND, SHADOW, SHARE
 from ..grain import grain
-from ..inputs import Mesh, Pose, Tables
+from ..inputs import Pose, PosedMesh, Tables
 from .patch import Corners
 
 _CELLS = f4(6.5)  # cells of the grain to one of its waves
@@ -18,7 +18,7 @@ _STEEPEST = f4(1.1)
 @fast_device
 def creased(
     tables: Tables,
-    mesh: Mesh,
+    mesh: PosedMesh,
     pose: Pose,
     t: int,
     corners: Corners,
@@ -54,14 +54,14 @@ def bent(normal: Vec, slope: Vec, share: float) -> Vec:
 
 
 @fast_device
-def _height(mesh: Mesh, corners: Corners, weights: Vec, r: int) -> float:
+def _height(mesh: PosedMesh, corners: Corners, weights: Vec, r: int) -> float:
     h, (a, b, c) = mesh.crease_height, corners
     height = weights[0] * h[a, r] + weights[1] * h[b, r] + weights[2] * h[c, r]
     return f4(height * mesh.crease_style[r, SHARE])
 
 
 @fast_device
-def _place(mesh: Mesh, corners: Corners, weights: Vec, r: int) -> tuple[float, Vec]:
+def _place(mesh: PosedMesh, corners: Corners, weights: Vec, r: int) -> tuple[float, Vec]:
     """Return phase and its slope at a point of region r."""
     p, (a, b, c), (u, v, w) = mesh.crease_place, corners, weights
     phase = u * p[a, r, 0] + v * p[b, r, 0] + w * p[c, r, 0]
@@ -74,7 +74,7 @@ def _place(mesh: Mesh, corners: Corners, weights: Vec, r: int) -> tuple[float, V
 @fast_device
 def _fold(
     tables: Tables,
-    mesh: Mesh,
+    mesh: PosedMesh,
     corners: Corners,
     weights: Vec,
     r: int,

@@ -7,7 +7,7 @@ import math
 from ...core.kernels.jit import f4, fast_device, index
 from ...core.kernels.vec import Vec, along, mix, saturate, scale, smooth
 from ...looks.muscle_paint import SOFT
-from ..inputs import Mesh, Paint
+from ..inputs import Paint, PosedMesh
 from .patch import Corners
 
 _FIBRE = f4(2.4)  # mm from fibre to fibre
@@ -40,7 +40,7 @@ def painted(
 
 
 @fast_device
-def line_share(mesh: Mesh, paint: Paint, t: int, corners: Corners, weights: Vec, samples: int) -> float:
+def line_share(mesh: PosedMesh, paint: Paint, t: int, corners: Corners, weights: Vec, samples: int) -> float:
     """Return how much of the pixel the lines along the edges of triangle t cover."""
     share = f4(0)
     if paint.ink[3] > f4(0):
@@ -55,7 +55,7 @@ def line_share(mesh: Mesh, paint: Paint, t: int, corners: Corners, weights: Vec,
 
 
 @fast_device
-def _near(mesh: Mesh, a: int, b: int, c: int, weight: float, samples: int) -> float:
+def _near(mesh: PosedMesh, a: int, b: int, c: int, weight: float, samples: int) -> float:
     """Return how much of a pixel the line b–c covers at `weight` of the height of the corner a over it."""
     bx, by = f4(mesh.xy[b, 0]), f4(mesh.xy[b, 1])
     dx, dy = f4(mesh.xy[c, 0]) - bx, f4(mesh.xy[c, 1]) - by

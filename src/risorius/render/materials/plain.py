@@ -11,7 +11,7 @@ from ...core.kernels.vec import Vec, add, along, dot, mix, scale, times, weigh
 from ...looks import attributes
 from ...looks.attributes import SKIN, TONGUE
 from ..brdf import gloss
-from ..inputs import Batch, Light, Mesh, Paint, Pose, Sight, Tables
+from ..inputs import Batch, Light, Paint, Pose, PosedMesh, Sight, Tables
 from ..lanes import (
     ALBEDO,
     FREE,
@@ -46,7 +46,7 @@ _FLESH = f4(1.0)
 def shade_plain(
     n: int,
     batch: Batch,
-    mesh: Mesh,
+    mesh: PosedMesh,
     sight: Sight,
     light: Light,
     pose: Pose,
@@ -70,7 +70,7 @@ def shade_plain(
 
 
 @fast_inlined
-def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light) -> None:
+def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: Light) -> None:
     """Read patch k of the mesh into a lane."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
     block = batch.block
@@ -89,7 +89,7 @@ def _read(k: int, lane: int, batch: Batch, mesh: Mesh, light: Light) -> None:
 def _shade_block(
     count: int,
     batch: Batch,
-    mesh: Mesh,
+    mesh: PosedMesh,
     sight: Sight,
     light: Light,
     pose: Pose,
@@ -117,7 +117,7 @@ def _shade_block(
 
 
 @fast_device
-def _fold(count: int, batch: Batch, mesh: Mesh, pose: Pose, tables: Tables, pixel: float) -> None:
+def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables, pixel: float) -> None:
     """Let wrinkles turn the normal and take the ambient light away."""
     block = batch.block
     for lane in range(count):
@@ -147,7 +147,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
 
 
 @fast_device
-def _paint(count: int, batch: Batch, mesh: Mesh, paint: Paint, pixel: float) -> None:
+def _paint(count: int, batch: Batch, mesh: PosedMesh, paint: Paint, pixel: float) -> None:
     """Colour the clay with muscles; those that rivals suppress glow."""
     block = batch.block
     for lane in range(LANES):

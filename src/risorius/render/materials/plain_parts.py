@@ -23,7 +23,7 @@ from ...looks import attributes
 from ...looks.attributes import EYE_LEFT, TEETH
 from ...looks.eyeball import IRIS
 from ..brdf import gloss
-from ..inputs import Batch, Light, Mesh, Pose, Sight
+from ..inputs import Batch, Light, Pose, PosedMesh, Sight
 from .eye import lid_distances, lid_shade
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction, lamp_share
 from .mouth import past_lips
@@ -44,7 +44,9 @@ def facing(normal: Vec, direction: Vec) -> float:
 
 
 @fast_inlined
-def shade_part(k: int, surface: int, batch: Batch, mesh: Mesh, sight: Sight, light: Light, pose: Pose) -> Vec:
+def shade_part(
+    k: int, surface: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Light, pose: Pose
+) -> Vec:
     """Return the light from patch k of an eye, tooth or tongue."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
     p = weigh(mesh.positions, corners, weights, 0)
@@ -59,7 +61,7 @@ def shade_part(k: int, surface: int, batch: Batch, mesh: Mesh, sight: Sight, lig
 
 @fast_inlined
 def _matt(
-    mesh: Mesh,
+    mesh: PosedMesh,
     light: Light,
     corners: Corners,
     weights: Vec,
@@ -81,7 +83,7 @@ def _matt(
 
 @fast_inlined
 def _ball(
-    mesh: Mesh,
+    mesh: PosedMesh,
     light: Light,
     pose: Pose,
     side: int,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...core.arrays import Float32Array
 from ...core.kernels.jit import f4, fast_inlined, fast_kernel
 from ...core.kernels.vec import Vec, at
-from ..inputs import Light, Mesh
+from ..inputs import Light, PosedMesh
 from .lit import key_share
 from .patch import Corners
 
@@ -20,7 +20,7 @@ def cast_shadows(positions: Float32Array, light: Light, shadow: Float32Array) ->
 
 
 @fast_inlined
-def shadow_at(mesh: Mesh, light: Light, corners: Corners, weights: Vec, p: Vec) -> float:
+def shadow_at(mesh: PosedMesh, light: Light, corners: Corners, weights: Vec, p: Vec) -> float:
     """Return the share of the key lamp that reaches p, a place in a triangle of skin."""
     a, b, c = mesh.shadow[corners[0]], mesh.shadow[corners[1]], mesh.shadow[corners[2]]
     if max(a, b, c) - min(a, b, c) > _EVEN:
