@@ -19,8 +19,6 @@ TO_MEND = {
     "Dial",
     "Edit",
     "Json",
-    "Lamp",
-    "Light",
     "Line",
     "Part",
     "Pause",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..core.kernels.jit import fast_kernel
 from .collect import collect
-from .inputs import Batch, Light, Paint, Pose, PosedMesh, Sight, Tables
+from .inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Sight, Tables
 from .materials.hair import shade_hairs
 from .materials.plain import shade_plain
 from .shade import resolve, uncover
@@ -15,7 +15,7 @@ from .shade import resolve, uncover
 def shade_diagram(
     sight: Sight,
     mesh: PosedMesh,
-    light: Light,
+    light: SceneLight,
     pose: Pose,
     tables: Tables,
     paint: Paint,

@@ -39,7 +39,7 @@ class PosedMesh(NamedTuple):
     crease_style: Float32Array
 
 
-class Light(NamedTuple):
+class SceneLight(NamedTuple):
     """The light on the head.
 
     `lamps` (n, 7) are direction, colour and softness, `ambient` (2, 3) the light from above and below;

@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..core.kernels.jit import f4, fast_device, fast_kernel, index
 from .collect import collect
-from .inputs import Batch, Light, Pose, PosedMesh, Sight, Tables
+from .inputs import Batch, Pose, PosedMesh, SceneLight, Sight, Tables
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
@@ -21,7 +21,7 @@ from .visibility import BAND, rasterize
 
 @fast_kernel
 def shade(
-    sight: Sight, mesh: PosedMesh, light: Light, pose: Pose, tables: Tables, batch: Batch, out: ByteArray
+    sight: Sight, mesh: PosedMesh, light: SceneLight, pose: Pose, tables: Tables, batch: Batch, out: ByteArray
 ) -> None:
     """Write the picture (height, width, 3) of sRGB bytes."""
     for y in range(out.shape[0]):

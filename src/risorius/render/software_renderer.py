@@ -21,7 +21,7 @@ from .cutout import covered, cut_out
 from .diagram import shade_diagram
 from .framing import frame_head
 from .hair_views import HairViews
-from .inputs import Light, Paint, Pose, PosedMesh, Sight, Tables, empty_batch
+from .inputs import Paint, Pose, PosedMesh, SceneLight, Sight, Tables, empty_batch
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
@@ -176,7 +176,7 @@ class SoftwareRenderer:
             scene.surfaces,
             *scene.creases[1:],
         )
-        light = Light(
+        light = SceneLight(
             self._lights.lamps,
             self._lights.ambient,
             shadow.depth,

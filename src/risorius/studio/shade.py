@@ -9,15 +9,15 @@ from ..looks.anatomy import find_anatomy
 from ..looks.garment import neckline
 from ..render.lights import STUDIO
 from ..render.resting import light_at_rest
-from .tables import Lamp, Light
+from .tables import StageLamp, StageLight
 
 HEM_STEPS = 4.0
 
 
-def light() -> Light:
+def light() -> StageLight:
     """Return the lamps (direction and linear colour each), and the ambient light from above and below."""
-    lamps = tuple(Lamp(lamp.direction(), lamp.colour) for lamp in STUDIO.lamps)
-    return Light(lamps, STUDIO.sky, STUDIO.ground)
+    lamps = tuple(StageLamp(lamp.direction(), lamp.colour) for lamp in STUDIO.lamps)
+    return StageLight(lamps, STUDIO.sky, STUDIO.ground)
 
 
 def shade(head: Head) -> bytes:

@@ -218,7 +218,7 @@ class StagePart:
 
 
 @dataclass(frozen=True, slots=True)
-class Lamp:
+class StageLamp:
     """A lamp: from where it shines, and its linear colour."""
 
     direction: tuple[float, float, float]
@@ -226,10 +226,10 @@ class Lamp:
 
 
 @dataclass(frozen=True, slots=True)
-class Light:
+class StageLight:
     """The light that a head is drawn in: lamps, and the linear ambient light from above and below."""
 
-    lamps: tuple[Lamp, ...]
+    lamps: tuple[StageLamp, ...]
     sky: tuple[float, float, float]
     ground: tuple[float, float, float]
 
@@ -249,13 +249,13 @@ class StageTable:
     pivot: tuple[float, float, float]
     eyes: tuple[tuple[float, float, float], tuple[float, float, float]]
     lips: tuple[tuple[int, int], ...]
-    light: Light
+    light: StageLight
     cloth: tuple[float, float, float]
     parts: tuple[StagePart, ...]
 
 
 TABLES: tuple[type, ...] = (
     ParameterRow, UnitRow, EmotionRow, NumberRow, ProfileRow, AttitudeRow, VoiceRow, HeadRow, ChannelRow,
-    OnsetRow, RuleRow, OutputRow, ChoiceRow, SettingRow, LimitsTable, Catalogue, StagePart, Lamp, Light,
-    StageTable,
+    OnsetRow, RuleRow, OutputRow, ChoiceRow, SettingRow, LimitsTable, Catalogue, StagePart, StageLamp,
+    StageLight, StageTable,
 )  # fmt: skip

@@ -10,7 +10,7 @@ from ...core.kernels.vec import Vec, along, at, dot, mix, saturate, scale, smoot
 from ...looks.attributes import CURVATURE, OCCLUSION, SKIN
 from ...looks.garment import COLLAR
 from ..grain import grain
-from ..inputs import Batch, Light, PosedMesh, Sight, Tables
+from ..inputs import Batch, PosedMesh, SceneLight, Sight, Tables
 from .lit import ambient_light, lamp_colour, lamp_direction, lamp_share
 from .patch import Corners, corners_of, put, towards, weights_of
 from .shadows import shadow_at
@@ -21,7 +21,9 @@ _UP = (f4(0), f4(1), f4(0))
 
 
 @fast_device
-def shade_cloth(n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Light, tables: Tables) -> None:
+def shade_cloth(
+    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, tables: Tables
+) -> None:
     """Colour the patches of cloth among the first n of a row, and blend its edge into the skin's."""
     for k in range(n):
         if mesh.surfaces[batch.triangle[k]] != SKIN:
@@ -36,7 +38,13 @@ def shade_cloth(n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Ligh
 
 @fast_inlined
 def _cloth(
-    mesh: PosedMesh, sight: Sight, light: Light, tables: Tables, corners: Corners, weights: Vec, depth: float
+    mesh: PosedMesh,
+    sight: Sight,
+    light: SceneLight,
+    tables: Tables,
+    corners: Corners,
+    weights: Vec,
+    depth: float,
 ) -> Vec:
     """Return the light from rough cloth with a soft sheen along its outline."""
     albedo = (tables.cloth[0], tables.cloth[1], tables.cloth[2])

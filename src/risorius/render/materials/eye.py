@@ -27,7 +27,7 @@ from ...looks.attributes import EYE_LEFT
 from ...looks.eyeball import IRIS
 from ..brdf import gloss, schlick
 from ..grain import grain
-from ..inputs import Batch, Light, Pose, PosedMesh, Sight, Tables
+from ..inputs import Batch, Pose, PosedMesh, SceneLight, Sight, Tables
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, towards, weights_of
 
@@ -44,7 +44,7 @@ _FLESH = (f4(0.50), f4(0.185), f4(0.155))  # the caruncle, in the inner corner
 
 @fast_device
 def shade_eyes(
-    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of the eyes among the first n of a row."""
     for k in range(n):
@@ -57,7 +57,7 @@ def shade_eyes(
 
 
 @fast_inlined
-def _eye(light: Light, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec) -> Vec:
+def _eye(light: SceneLight, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec) -> Vec:
     """Return the light from the eye `side` (0 left, 1 right) at p."""
     centre = (pose.eyes[side, 0], pose.eyes[side, 1], pose.eyes[side, 2])
     outward = unit(sub(p, centre))
@@ -122,7 +122,7 @@ def lid_shade(below: float, above: float, inner: float, outer: float) -> float:
 
 @fast_inlined
 def _sclera(
-    light: Light,
+    light: SceneLight,
     tables: Tables,
     local: Vec,
     normal: Vec,
@@ -153,7 +153,7 @@ def _sclera(
 
 @fast_inlined
 def _iris(
-    light: Light,
+    light: SceneLight,
     pose: Pose,
     tables: Tables,
     side: int,

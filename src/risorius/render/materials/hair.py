@@ -11,13 +11,13 @@ from ...core.arrays import Float32Array
 from ...core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel
 from ...core.kernels.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from ...looks.attributes import EXTRA, HAIR, OCCLUSION, SPECULAR
-from ..inputs import Batch, Light, PosedMesh
+from ..inputs import Batch, PosedMesh, SceneLight
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, weights_of
 
 
 @fast_kernel
-def light_hairs(mesh: PosedMesh, light: Light, eye: Float32Array, first: int) -> None:
+def light_hairs(mesh: PosedMesh, light: SceneLight, eye: Float32Array, first: int) -> None:
     """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.hair_light`."""
     camera = (eye[0], eye[1], eye[2])
     for i in range(first, len(mesh.positions), 2):
@@ -44,7 +44,7 @@ def shade_hairs(n: int, batch: Batch, mesh: PosedMesh) -> None:
 
 
 @fast_inlined
-def _fibre(mesh: PosedMesh, light: Light, i: int, p: Vec, direction: Vec, view: Vec) -> Vec:
+def _fibre(mesh: PosedMesh, light: SceneLight, i: int, p: Vec, direction: Vec, view: Vec) -> Vec:
     """Return the light from a hair at p, vertex i, that runs along `direction`."""
     albedo = at(mesh.attributes, i)
     free, strength, way = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...core.arrays import Float32Array
 from ...core.kernels.jit import f4, fast_device, fast_inlined
 from ...core.kernels.vec import Vec, mix
-from ..inputs import Light
+from ..inputs import SceneLight
 from ..lanes import LAMPS, LANES, REACH
 from ..shadow import lit
 
@@ -33,7 +33,7 @@ def ambient_light(ambient: Float32Array, normal: Vec, free: float) -> Vec:
 
 
 @fast_inlined
-def key_share(light: Light, p: Vec) -> float:
+def key_share(light: SceneLight, p: Vec) -> float:
     """Return the share of the key lamp that reaches p."""
     return lit(light.shadow, light.shadow_low, light.shadow_high, light.shadow_matrix, p, light.bias)
 

@@ -9,7 +9,7 @@ from ...core.kernels.jit import f4, fast_device, fast_inlined
 from ...core.kernels.vec import Vec, along, dot, saturate, scale, smooth, sub, times, unit, unrotate, weigh
 from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
 from ..brdf import gloss
-from ..inputs import Batch, Light, Pose, PosedMesh, Sight
+from ..inputs import Batch, Pose, PosedMesh, SceneLight, Sight
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import Corners, corners_of, put, towards, weights_of
 
@@ -63,7 +63,7 @@ def _edge(lips: Float32Array, i: int, s: float, column: int) -> tuple[float, flo
 
 
 @fast_device
-def shade_mouth(n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Light, pose: Pose) -> None:
+def shade_mouth(n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose) -> None:
     """Colour the patches of teeth, gums and tongue among the first n of a row."""
     for k in range(n):
         t = batch.triangle[k]
@@ -81,7 +81,7 @@ def shade_mouth(n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Ligh
 @fast_inlined
 def _wet(
     mesh: PosedMesh,
-    light: Light,
+    light: SceneLight,
     pose: Pose,
     surface: int,
     corners: Corners,

@@ -11,7 +11,7 @@ from ...core.kernels.vec import Vec, add, along, dot, mix, scale, times, weigh
 from ...looks import attributes
 from ...looks.attributes import SKIN, TONGUE
 from ..brdf import gloss
-from ..inputs import Batch, Light, Paint, Pose, PosedMesh, Sight, Tables
+from ..inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Sight, Tables
 from ..lanes import (
     ALBEDO,
     FREE,
@@ -48,7 +48,7 @@ def shade_plain(
     batch: Batch,
     mesh: PosedMesh,
     sight: Sight,
-    light: Light,
+    light: SceneLight,
     pose: Pose,
     tables: Tables,
     paint: Paint,
@@ -70,7 +70,7 @@ def shade_plain(
 
 
 @fast_inlined
-def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: Light) -> None:
+def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: SceneLight) -> None:
     """Read patch k of the mesh into a lane."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
     block = batch.block
@@ -91,7 +91,7 @@ def _shade_block(
     batch: Batch,
     mesh: PosedMesh,
     sight: Sight,
-    light: Light,
+    light: SceneLight,
     pose: Pose,
     tables: Tables,
     paint: Paint,
@@ -163,7 +163,7 @@ def _paint(count: int, batch: Batch, mesh: PosedMesh, paint: Paint, pixel: float
 
 
 @fast_device
-def _fill(block: Float32Array, light: Light) -> None:
+def _fill(block: Float32Array, light: SceneLight) -> None:
     """Begin with the ambient light and what glows."""
     ambient = ambient_of(light.ambient)
     for k in range(LANES):

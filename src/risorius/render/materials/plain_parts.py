@@ -23,7 +23,7 @@ from ...looks import attributes
 from ...looks.attributes import EYE_LEFT, TEETH
 from ...looks.eyeball import IRIS
 from ..brdf import gloss
-from ..inputs import Batch, Light, Pose, PosedMesh, Sight
+from ..inputs import Batch, Pose, PosedMesh, SceneLight, Sight
 from .eye import lid_distances, lid_shade
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction, lamp_share
 from .mouth import past_lips
@@ -45,7 +45,7 @@ def facing(normal: Vec, direction: Vec) -> float:
 
 @fast_inlined
 def shade_part(
-    k: int, surface: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Light, pose: Pose
+    k: int, surface: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose
 ) -> Vec:
     """Return the light from patch k of an eye, tooth or tongue."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
@@ -62,7 +62,7 @@ def shade_part(
 @fast_inlined
 def _matt(
     mesh: PosedMesh,
-    light: Light,
+    light: SceneLight,
     corners: Corners,
     weights: Vec,
     normal: Vec,
@@ -84,7 +84,7 @@ def _matt(
 @fast_inlined
 def _ball(
     mesh: PosedMesh,
-    light: Light,
+    light: SceneLight,
     pose: Pose,
     side: int,
     corners: Corners,

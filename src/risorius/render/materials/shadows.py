@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...core.arrays import Float32Array
 from ...core.kernels.jit import f4, fast_inlined, fast_kernel
 from ...core.kernels.vec import Vec, at
-from ..inputs import Light, PosedMesh
+from ..inputs import PosedMesh, SceneLight
 from .lit import key_share
 from .patch import Corners
 
@@ -13,14 +13,14 @@ _EVEN = f4(0.1)  # shares of the key lamp that differ by less have nothing betwe
 
 
 @fast_kernel
-def cast_shadows(positions: Float32Array, light: Light, shadow: Float32Array) -> None:
+def cast_shadows(positions: Float32Array, light: SceneLight, shadow: Float32Array) -> None:
     """Write the share of the key lamp that reaches each of the first vertices into `shadow` (n,)."""
     for i in range(len(shadow)):
         shadow[i] = key_share(light, at(positions, i))
 
 
 @fast_inlined
-def shadow_at(mesh: PosedMesh, light: Light, corners: Corners, weights: Vec, p: Vec) -> float:
+def shadow_at(mesh: PosedMesh, light: SceneLight, corners: Corners, weights: Vec, p: Vec) -> float:
     """Return the share of the key lamp that reaches p, a place in a triangle of skin."""
     a, b, c = mesh.shadow[corners[0]], mesh.shadow[corners[1]], mesh.shadow[corners[2]]
     if max(a, b, c) - min(a, b, c) > _EVEN:

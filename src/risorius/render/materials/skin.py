@@ -11,7 +11,7 @@ from ...core.kernels.vec import add, along, dot, rows_of, scale, smooth, tilted,
 from ...looks import attributes
 from ...looks.attributes import SKIN
 from ..grain import between, cell_of, heights_about
-from ..inputs import Batch, Light, Pose, PosedMesh, Sight, Tables
+from ..inputs import Batch, Pose, PosedMesh, SceneLight, Sight, Tables
 from ..lanes import (
     ALBEDO,
     BUMPY,
@@ -51,7 +51,7 @@ _PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 @fast_device
 def shade_skin(
-    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of bare skin among the first n of a row."""
     count = i8(0)
@@ -67,7 +67,7 @@ def shade_skin(
 
 @fast_device
 def _shade_block(
-    count: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: Light, pose: Pose, tables: Tables
+    count: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
     block = batch.block
     face(block, (sight.eye[0], sight.eye[1], sight.eye[2]))
@@ -84,7 +84,7 @@ def _shade_block(
 
 
 @fast_inlined
-def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: Light, pixel: float) -> bool:
+def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: SceneLight, pixel: float) -> bool:
     """Read patch k of the mesh into a lane; return whether its skin is bare."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
     bent_by, inner, cloth = weigh(mesh.attributes, corners, weights, attributes.CURVATURE)
@@ -179,7 +179,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
 
 
 @fast_device
-def _fill(block: Float32Array, light: Light) -> None:
+def _fill(block: Float32Array, light: SceneLight) -> None:
     """Begin with the ambient light."""
     ambient = ambient_of(light.ambient)
     for k in range(LANES):

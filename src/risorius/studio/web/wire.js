@@ -737,14 +737,14 @@
  */
 /**
  * A lamp: from where it shines, and its linear colour.
- * @typedef {Object} Lamp
+ * @typedef {Object} StageLamp
  * @property {[number, number, number]} direction
  * @property {[number, number, number]} colour
  */
 /**
  * The light that a head is drawn in: lamps, and the linear ambient light from above and below.
- * @typedef {Object} Light
- * @property {Array<Lamp>} lamps
+ * @typedef {Object} StageLight
+ * @property {Array<StageLamp>} lamps
  * @property {[number, number, number]} sky
  * @property {[number, number, number]} ground
  */
@@ -760,7 +760,7 @@
  * @property {[number, number, number]} pivot
  * @property {[[number, number, number], [number, number, number]]} eyes
  * @property {Array<[number, number]>} lips
- * @property {Light} light
+ * @property {StageLight} light
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
