@@ -1,6 +1,6 @@
 import pytest
 
-from risorius.core.look import COMPLEXIONS, parse_camera, parse_complexion, parse_overlay
+from risorius.core.look import COMPLEXIONS, parse_camera, parse_colour, parse_complexion, parse_overlay
 from risorius.errors import InputError
 from risorius.settings import Look
 
@@ -51,3 +51,13 @@ def test_only_a_transparent_background_is_transparent():
     assert Look(background="transparent").transparent
     assert not Look(background="white").transparent
     assert not Look().transparent
+
+
+def test_what_is_no_colour_is_an_error():
+    with pytest.raises(InputError, match="background 'blurple' is neither a file nor a colour"):
+        parse_colour("blurple")
+
+
+def test_colours_are_read_as_css_writes_them():
+    assert parse_colour("#203040") == parse_colour("rgb(32, 48, 64)") == (32, 48, 64)
+    assert parse_colour("white") == (255, 255, 255)

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import Annotated
 
 from ..errors import InputError, unknown
+from .hints import Range
 
 Size = tuple[int, int]
 """Width and height of a picture in pixels."""
+Byte = Annotated[int, Range(0, 255)]
+ByteColour = tuple[Byte, Byte, Byte]
+"""A colour in sRGB: red, green and blue."""
 STYLES = ("realistic", "clay", "muscles", "wireframe")
 FRAMINGS = ("portrait", "close-up", "eyes", "mouth", "three-quarter", "profile")
 LIGHTS = ("studio", "daylight", "dark")
@@ -32,6 +37,20 @@ def parse_camera(text: str) -> tuple[str, float]:
         return name, float(length.removesuffix("mm")) if colon else USUAL_LENS
     except ValueError:
         raise InputError(f"camera '{text}' has no focal length in mm; expected e.g. close-up:85") from None
+
+
+def parse_colour(text: str) -> ByteColour:
+    """Return a background's colour from what CSS writes, such as "#203040" or "white"; raise InputError."""
+    from PIL import ImageColor
+
+    try:
+        red, green, blue = ImageColor.getrgb(text)[:3]
+    except ValueError:
+        raise InputError(
+            f"background '{text}' is neither a file nor a colour; expected e.g. '#203040', 'white', "
+            f"'{TRANSPARENT}' or a picture"
+        ) from None
+    return red, green, blue
 
 
 def parse_complexion(text: str) -> float:

@@ -8,15 +8,12 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 from ..core.hints import Range, Then
-from ..core.look import HAIR_STYLES
+from ..core.look import HAIR_STYLES, ByteColour
 from ..core.source_text import SourceText
 from ..core.toml import parse, read_text
 from ..core.units import Share, SignedShare
 from ..errors import HeadError, InputError, unknown
 
-Byte = Annotated[int, Range(0, 255)]
-ByteColour = tuple[Byte, Byte, Byte]
-"""A colour in sRGB."""
 YOUNG, OLD = 25.0, 90.0  # years at which the source's young and old shapes stand
 FILE = "identity.toml"
 

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..face.identity import ByteColour, Looks
+from ..core.look import ByteColour
+from ..face.identity import Looks
 from ..settings import Look
 
 # Skin, lips and mouth's lining of five complexions, evenly spaced from 0 to 1 on the scale.

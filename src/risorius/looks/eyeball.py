@@ -6,7 +6,7 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
 from ..core.kernels.jit import f4
-from ..face.identity import ByteColour
+from ..core.look import ByteColour
 from .noise import noise_at
 from .srgb import linear, srgb_decode, srgb_encode
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array, Int64Array
+from ..core.look import ByteColour
 from ..face.head import Head, TeethMesh
 from ..face.identity import Looks
 from .anatomy import Anatomy
@@ -179,7 +180,7 @@ def _albedo(attributes: Float32Array) -> Array:
     return np.clip(attributes[:, ALBEDO : ALBEDO + 3].astype(np.float64), 0.0, 1.0)
 
 
-def _attributes(count: int, colour: tuple[int, int, int], roughness: float, strength: float) -> Float32Array:
+def _attributes(count: int, colour: ByteColour, roughness: float, strength: float) -> Float32Array:
     result = np.zeros((count, ATTRIBUTES), np.float32)
     result[:, ALBEDO : ALBEDO + 3] = linear(colour)
     result[:, OCCLUSION] = 1.0

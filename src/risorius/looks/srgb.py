@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, FloatArray
+from ..core.look import ByteColour
 
 
 def srgb_encode(linear: FloatArray) -> Array:
@@ -19,6 +20,6 @@ def srgb_decode(encoded: FloatArray) -> Array:
     return np.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)
 
 
-def linear(colour: tuple[int, int, int]) -> Array:
+def linear(colour: ByteColour) -> Array:
     """Return an sRGB colour in bytes as linear albedo (3,)."""
     return srgb_decode(np.asarray(colour) / 255.0)

@@ -7,28 +7,30 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array
-from ..core.look import TRANSPARENT
+from ..core.look import ByteColour, parse_colour
 from ..errors import InputError, Place
 from ..looks.srgb import srgb_decode
 
-Colour = tuple[int, int, int]
 _SEED = 3
 
 
-def backdrop(width: int, height: int, asked: str | None, centre: Colour, edge: Colour) -> Float32Array:
-    """Return display light (height, width, 3) float32 of what is asked for as `Look.background`.
+def backdrop(
+    width: int, height: int, background: str | None, centre: ByteColour, edge: ByteColour
+) -> Float32Array:
+    """Return display light (height, width, 3) float32 for `Look.background`: a colour or a picture's path.
 
-    `centre` and `edge` are those of the gradient that stands where nothing is asked for. Raises InputError
-    for what is neither a colour nor a picture.
+    If it is None, a gradient from `centre` to `edge` is drawn. Raises InputError for what is neither a colour
+    nor a picture.
     """
-    if asked is None:
+    if background is None:
         return gradient(width, height, centre, edge)
-    if Path(asked).is_file():
-        return _picture(Path(asked), width, height)
-    return np.tile(srgb_decode(np.array(colour_named(asked)) / 255.0).astype(np.float32), (height, width, 1))
+    if Path(background).is_file():
+        return _picture(Path(background), width, height)
+    colour = srgb_decode(np.array(parse_colour(background)) / 255.0)
+    return np.tile(colour.astype(np.float32), (height, width, 1))
 
 
-def gradient(width: int, height: int, centre: Colour, edge: Colour) -> Float32Array:
+def gradient(width: int, height: int, centre: ByteColour, edge: ByteColour) -> Float32Array:
     """Return display light (height, width, 3) float32: `centre` behind the head, `edge` in the corners.
 
     Half a step of fixed noise hides the bands that eight bits would show.
@@ -43,22 +45,8 @@ def gradient(width: int, height: int, centre: Colour, edge: Colour) -> Float32Ar
     return srgb_decode(np.clip(encoded + noise, 0.0, 1.0)).astype(np.float32)
 
 
-def colour_named(asked: str) -> Colour:
-    """Return a colour as CSS writes it, 0..255 each; raise InputError for what is none."""
-    from PIL import ImageColor
-
-    try:
-        red, green, blue = ImageColor.getrgb(asked)[:3]
-    except ValueError:
-        raise InputError(
-            f"background '{asked}' is neither a file nor a colour; expected e.g. '#203040', 'white', "
-            f"'{TRANSPARENT}' or a picture"
-        ) from None
-    return red, green, blue
-
-
 def _picture(path: Path, width: int, height: int) -> Float32Array:
-    """Return a picture cut to the proportions asked for, about its middle, and brought to that size."""
+    """Return a picture cut about its middle to the proportions of width and height, then scaled to them."""
     from PIL import Image, ImageOps, UnidentifiedImageError
 
     try:

@@ -9,10 +9,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Float32Array
+from ..core.look import ByteColour
 from ..errors import InputError
 from .lanes import LAMPS
 
-Colour = tuple[float, float, float]
+LinearColour = tuple[float, float, float]
+"""Linear light: red, green and blue, 1 on a white surface that faces a lamp of full strength."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +27,7 @@ class Lamp:
 
     azimuth: float
     elevation: float
-    colour: Colour
+    colour: LinearColour
     softness: float = 0.05
 
     def direction(self) -> tuple[float, float, float]:
@@ -45,10 +47,10 @@ class LightRig:
     """
 
     lamps: tuple[Lamp, ...]
-    sky: Colour
-    ground: Colour
-    centre: tuple[int, int, int] = (118, 126, 132)
-    edge: tuple[int, int, int] = (48, 54, 62)
+    sky: LinearColour
+    ground: LinearColour
+    centre: ByteColour = (118, 126, 132)
+    edge: ByteColour = (48, 54, 62)
     pupil: float = 0.36
 
     def __post_init__(self) -> None:

@@ -8,12 +8,11 @@ import threading
 from collections import OrderedDict
 from pathlib import Path
 
-from ..core.look import TRANSPARENT
+from ..core.look import TRANSPARENT, parse_colour
 from ..core.progress import Progress
 from ..errors import InputError, RisoriusError
 from ..ports.formats import FORMATS
 from ..ports.targets import check_targets
-from ..render.backdrop import colour_named
 from ..settings import Settings, settings_of
 from ..take import Take
 from . import limits, wire
@@ -105,5 +104,5 @@ def _settings(settings: Settings, asked: wire.Export) -> Settings:
 def _background(asked: str | None) -> str | None:
     """Return a background that is no file."""
     if asked not in (None, TRANSPARENT):
-        return "#{:02x}{:02x}{:02x}".format(*colour_named(asked))
+        return "#{:02x}{:02x}{:02x}".format(*parse_colour(asked))
     return asked

@@ -13,12 +13,13 @@ if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageFont import FreeTypeFont
 
-Colour = tuple[int, int, int, int]
-INK: Colour = (245, 247, 249, 255)
-SOFT: Colour = (245, 247, 249, 150)
-PANEL: Colour = (14, 18, 24, 150)
-BRIGHT: Colour = (255, 196, 84, 255)
-GROUND: Colour = (18, 22, 28, 255)
+InkColour = tuple[int, int, int, int]
+"""Red, green, blue and opacity, 0 to 255 each."""
+INK: InkColour = (245, 247, 249, 255)
+SOFT: InkColour = (245, 247, 249, 150)
+PANEL: InkColour = (14, 18, 24, 150)
+BRIGHT: InkColour = (255, 196, 84, 255)
+GROUND: InkColour = (18, 22, 28, 255)
 
 
 @dataclass(frozen=True, slots=True)

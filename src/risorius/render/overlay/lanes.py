@@ -8,7 +8,7 @@ from ...core.channels import CHANNELS
 from ...core.look import Size
 from ...core.movement import Movement
 from ...core.score import Score
-from .ink import BRIGHT, GROUND, INK, SOFT, Colour, Subject, font
+from .ink import BRIGHT, GROUND, INK, SOFT, InkColour, Subject, font
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _SPAN = 3.0  # seconds shown of a longer performance
 _SHARE = 0.24  # of the picture's height, at most
-_COLOURS: tuple[Colour, ...] = (
+_COLOURS: tuple[InkColour, ...] = (
     (11, 140, 130, 255),
     (209, 73, 91, 255),
     (91, 111, 181, 255),
@@ -71,7 +71,7 @@ class Lanes:
         pen.line((now, height, now, image.height), fill=BRIGHT, width=2)
 
     def _block(
-        self, pen: ImageDraw, box: tuple[float, float, float, float], colour: Colour, label: str
+        self, pen: ImageDraw, box: tuple[float, float, float, float], colour: InkColour, label: str
     ) -> None:
         if box[2] - box[0] < 1.0:
             return
