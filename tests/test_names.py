@@ -14,7 +14,6 @@ TYPE_NAME = re.compile(r"[A-Z][A-Za-z0-9]*[a-z][A-Za-z0-9]*")  # a constant has 
 TO_MEND = {
     "AccentRule",
     "BoundaryRule",
-    "Corners",
     "Dial",
     "Edit",
     "Json",
@@ -28,7 +27,6 @@ TO_MEND = {
     "Sent",
     "Spoken",
     "Stretch",
-    "Whole",
     "Word",
 }
 

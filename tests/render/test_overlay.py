@@ -13,7 +13,7 @@ from risorius.core.utterance import Word
 from risorius.render.overlay import Overlays, Subject
 from risorius.render.overlay.bars import unit_values
 from risorius.render.overlay.caption import lines_of
-from risorius.render.overlay.lanes import spans_of
+from risorius.render.overlay.lanes import lane_blocks
 
 SIZE = (240, 200)
 SMILE = Movement("emotion", 0.2, 1.0, 0.1, 0.1, {"zygomatic_major.left": 1.0}, cause=Cause("rule", "a joke"))
@@ -82,11 +82,11 @@ def test_units_are_the_mean_of_their_muscles(subject):
     assert values[5] == pytest.approx([0.4, 0.0])
 
 
-def test_spans_go_by_channel_and_say_their_cause(subject):
-    spans = spans_of(subject.performance.score)
-    assert [tuple(span) for span in spans["emotion"]] == [(0.2, 1.0, "a joke")]
-    assert [span.label for span in spans["head"]] == [NOD.label]
-    assert spans["gaze"] == []
+def test_blocks_go_by_channel_and_say_their_cause(subject):
+    blocks = lane_blocks(subject.performance.score)
+    assert [tuple(block) for block in blocks["emotion"]] == [(0.2, 1.0, "a joke")]
+    assert [block.label for block in blocks["head"]] == [NOD.label]
+    assert blocks["gaze"] == []
 
 
 def test_lines_end_at_pauses_and_where_they_are_full():

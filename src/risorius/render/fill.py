@@ -15,8 +15,10 @@ _MOST = 1 << 30
 """Width times height, in 1/SUBPIXEL², of triangles whose edge functions are sure to fit in 32 bits."""
 _NEVER = f4(1e9)
 
-Corners = tuple[float, float, float, float, float, float]
-Whole = tuple[int, int, int]
+CornerPlaces = tuple[float, float, float, float, float, float]
+"""x and y of the three corners in 1/SUBPIXEL samples."""
+EdgeValues = tuple[int, int, int]
+"""One whole number for each edge of a triangle."""
 
 
 class Scan(NamedTuple):
@@ -31,9 +33,9 @@ class Scan(NamedTuple):
     last: int
     left: int
     right: int
-    edges: Whole
-    steps: Whole
-    downs: Whole
+    edges: EdgeValues
+    steps: EdgeValues
+    downs: EdgeValues
     near: Vec
 
 
@@ -83,7 +85,7 @@ def fill(
 
 @fast_inlined
 def _fill_blocks(
-    t: int, scan: Scan, corners: Corners, depth: Float32Array, ids: Int32Array, keep: bool
+    t: int, scan: Scan, corners: CornerPlaces, depth: Float32Array, ids: Int32Array, keep: bool
 ) -> None:
     """Draw the triangle in columns of LANES samples, in each of them the rows that it may reach there."""
     first, last, left, right, edges, steps, downs, near = scan
@@ -114,7 +116,7 @@ def _bias(dx: int, dy: int) -> int:
 
 
 @lean_device
-def _rows_between(start: int, corners: Corners, first: int, last: int) -> tuple[int, int]:
+def _rows_between(start: int, corners: CornerPlaces, first: int, last: int) -> tuple[int, int]:
     """Return the rows in which a triangle may have samples in the LANES columns from `start` on."""
     low, high = f4((start - 1) * SUBPIXEL), f4((start + LANES) * SUBPIXEL)
     ax, ay, bx, by, cx, cy = corners

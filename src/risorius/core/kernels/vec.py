@@ -8,7 +8,7 @@ from ..arrays import Float32Array
 from .jit import f4, fast_device
 
 Vec = tuple[float, float, float]
-Rows = tuple[Vec, Vec, Vec]
+MatrixRows = tuple[Vec, Vec, Vec]
 
 
 @fast_device
@@ -79,13 +79,13 @@ def tilted(a: Vec, slope: Vec) -> Vec:
 
 
 @fast_device
-def rows_of(matrix: Float32Array) -> Rows:
+def rows_of(matrix: Float32Array) -> MatrixRows:
     """Return the rows of a matrix (3, 3)."""
     return at(matrix, 0), at(matrix, 1), at(matrix, 2)
 
 
 @fast_device
-def turned(rows: Rows, a: Vec) -> Vec:
+def turned(rows: MatrixRows, a: Vec) -> Vec:
     """Return a matrix of those rows · a."""
     return dot(rows[0], a), dot(rows[1], a), dot(rows[2], a)
 

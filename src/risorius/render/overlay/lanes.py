@@ -28,7 +28,7 @@ _COLOURS: tuple[InkColour, ...] = (
 )
 
 
-class Span(NamedTuple):
+class LaneBlock(NamedTuple):
     """A movement from `start` to `end` seconds, and its name."""
 
     start: float
@@ -42,11 +42,12 @@ class Lanes:
     def __init__(self, subject: Subject, size: Size) -> None:
         self._times = subject.performance.times
         self._duration = max(subject.performance.duration, 1e-3)
-        self._spans = {name: found for name, found in spans_of(subject.performance.score).items() if found}
+        lanes = lane_blocks(subject.performance.score)
+        self._lanes = {name: blocks for name, blocks in lanes.items() if blocks}
         high = round(0.026 * min(size))
-        row = min(1.55 * high, _SHARE * size[1] / max(len(self._spans), 1))
+        row = min(1.55 * high, _SHARE * size[1] / max(len(self._lanes), 1))
         self._text, self._row = font(max(min(high, int(row / 1.3)), 6)), row
-        self.below = round(row * len(self._spans) + 0.6 * row) if self._spans else 0
+        self.below = round(row * len(self._lanes) + 0.6 * row) if self._lanes else 0
 
     def draw(self, image: Image, height: int, frame: int) -> None:
         """Draw all lanes and where a frame stands in them."""
@@ -58,14 +59,14 @@ class Lanes:
         left, right = 5.2 * self._text.size, image.width - 0.6 * self._text.size
         scale = (right - left) / shown
         pen.rectangle((0, height, image.width, image.height), fill=GROUND)
-        for k, (name, spans) in enumerate(self._spans.items()):
+        for k, (name, blocks) in enumerate(self._lanes.items()):
             y = height + (k + 0.3) * self._row
             pen.text((0.5 * self._text.size, y), name, font=self._text, fill=SOFT)
             colour = _COLOURS[CHANNELS.names().index(name) % len(_COLOURS)]
-            for span in spans:
-                start, end = left + (span.start - first) * scale, left + (span.end - first) * scale
+            for block in blocks:
+                start, end = left + (block.start - first) * scale, left + (block.end - first) * scale
                 self._block(
-                    pen, (max(start, left), y, min(end, right), y + 0.82 * self._row), colour, span.label
+                    pen, (max(start, left), y, min(end, right), y + 0.82 * self._row), colour, block.label
                 )
         now = left + (time - first) * scale
         pen.line((now, height, now, image.height), fill=BRIGHT, width=2)
@@ -85,16 +86,18 @@ def _name(movement: Movement) -> str:
     return movement.cause.trigger or movement.cause.rule or movement.label
 
 
-def spans_of(score: Score) -> dict[str, list[Span]]:
+def lane_blocks(score: Score) -> dict[str, list[LaneBlock]]:
     """Return what each channel does, in the channels' order; the lips' segments go by their phones."""
-    spans: dict[str, list[Span]] = {name: [] for name in CHANNELS}
+    blocks: dict[str, list[LaneBlock]] = {name: [] for name in CHANNELS}
     for movement in score.movements:
-        spans[movement.channel].append(Span(movement.start, movement.end, _name(movement)))
+        blocks[movement.channel].append(LaneBlock(movement.start, movement.end, _name(movement)))
     for segment in score.lips:
         if segment.phone:
-            spans["lips"].append(Span(segment.start, segment.end, segment.phone))
+            blocks["lips"].append(LaneBlock(segment.start, segment.end, segment.phone))
     for curve in score.manual:
         times = [time for keys in curve.keys.values() for time, _ in keys]
         if times:
-            spans["manual"].append(Span(min(times), max(max(times), min(times) + 0.01), "drawn by hand"))
-    return spans
+            blocks["manual"].append(
+                LaneBlock(min(times), max(max(times), min(times) + 0.01), "drawn by hand")
+            )
+    return blocks
