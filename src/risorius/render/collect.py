@@ -9,25 +9,25 @@ from __future__ import annotations
 from ..core.arrays import Float32Array, Int32Array
 from ..core.kernels.jit import f4, f8, fast_device, fast_inlined, index
 from ..core.kernels.vec import Vec, saturate
-from .inputs import Batch, PosedMesh, Sight
+from .inputs import Batch, PosedMesh, Screen
 from .raster import SUBPIXEL
 
 _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one surface count as connected
 
 
 @fast_device
-def collect(y: int, sight: Sight, mesh: PosedMesh, batch: Batch) -> int:
+def collect(y: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
     """Find the patches of row y; return how many there are."""
-    if sight.samples == 2:
-        return _collect(y, 2, sight, mesh, batch)  # a known number of samples makes loops straight code
-    return _collect(y, sight.samples, sight, mesh, batch)
+    if screen.samples == 2:
+        return _collect(y, 2, screen, mesh, batch)  # a known number of samples makes loops straight code
+    return _collect(y, screen.samples, screen, mesh, batch)
 
 
 @fast_inlined
-def _collect(y: int, side: int, sight: Sight, mesh: PosedMesh, batch: Batch) -> int:
+def _collect(y: int, side: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
     n, middle = 0, f4(0.5) * f4(side)
-    for x in range(sight.background.shape[1]):
-        t, uniform, waiting = _survey(x, y, side, sight)
+    for x in range(screen.background.shape[1]):
+        t, uniform, waiting = _survey(x, y, side, screen)
         if uniform:
             if t >= 0:
                 u, v = f4(x * side) + middle, f4(y * side) + middle
@@ -35,19 +35,19 @@ def _collect(y: int, side: int, sight: Sight, mesh: PosedMesh, batch: Batch) -> 
                 n += 1
             continue
         while waiting:
-            waiting &= ~_gather(n, x, y, side, waiting, sight, mesh, batch)
+            waiting &= ~_gather(n, x, y, side, waiting, screen, mesh, batch)
             n += 1
     return n
 
 
 @fast_inlined
-def _survey(x: int, y: int, side: int, sight: Sight) -> tuple[int, bool, int]:
+def _survey(x: int, y: int, side: int, screen: Screen) -> tuple[int, bool, int]:
     """Return the first sample's triangle, whether all samples show it, and a bit for each that shows any."""
-    first: int = sight.ids[index(y * side), index(x * side)]
+    first: int = screen.ids[index(y * side), index(x * side)]
     uniform, some, bit = True, 0, 1
     for j in range(side):
         for i in range(side):
-            t = sight.ids[index(y * side + j), index(x * side + i)]
+            t = screen.ids[index(y * side + j), index(x * side + i)]
             uniform &= t == first
             some |= bit if t >= 0 else 0
             bit <<= 1
@@ -56,7 +56,7 @@ def _survey(x: int, y: int, side: int, sight: Sight) -> tuple[int, bool, int]:
 
 @fast_inlined
 def _gather(
-    n: int, x: int, y: int, side: int, waiting: int, sight: Sight, mesh: PosedMesh, batch: Batch
+    n: int, x: int, y: int, side: int, waiting: int, screen: Screen, mesh: PosedMesh, batch: Batch
 ) -> int:
     """Write patch n: of the samples whose bits are `waiting` all that show what the first does.
 
@@ -66,14 +66,14 @@ def _gather(
     while (waiting >> first) & 1 == 0:
         first += 1
     row, column = index(y * side + first // side), index(x * side + first % side)
-    t, depth = sight.ids[row, column], sight.depth[row, column]
+    t, depth = screen.ids[row, column], screen.depth[row, column]
     surface, nearly = mesh.surfaces[index(t)], depth * _SAME_DEPTH
     members, bit, count, sum_x, sum_y = 0, 1, 0, 0, 0
     for j in range(side):
         for i in range(side):
             row, column = index(y * side + j), index(x * side + i)
-            other = sight.ids[row, column]
-            near = abs(sight.depth[row, column] - depth) <= nearly
+            other = screen.ids[row, column]
+            near = abs(screen.depth[row, column] - depth) <= nearly
             alike = (other == t) | (mesh.surfaces[index(max(other, 0))] == surface)
             one = 1 if (waiting & bit != 0) & near & alike else 0
             members |= bit * one

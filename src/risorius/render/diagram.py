@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..core.kernels.jit import fast_kernel
 from .collect import collect
-from .inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Sight, Tables
+from .inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.hair import shade_hairs
 from .materials.plain import shade_plain
 from .shade import resolve, uncover
@@ -13,7 +13,7 @@ from .shade import resolve, uncover
 
 @fast_kernel
 def shade_diagram(
-    sight: Sight,
+    screen: Screen,
     mesh: PosedMesh,
     light: SceneLight,
     pose: Pose,
@@ -24,8 +24,8 @@ def shade_diagram(
 ) -> None:
     """Write the picture (height, width, 3) of sRGB bytes."""
     for y in range(out.shape[0]):
-        uncover(y, sight, mesh)
-        n = collect(y, sight, mesh, batch)
-        shade_plain(n, batch, mesh, sight, light, pose, tables, paint)
+        uncover(y, screen, mesh)
+        n = collect(y, screen, mesh, batch)
+        shade_plain(n, batch, mesh, screen, light, pose, tables, paint)
         shade_hairs(n, batch, mesh)
-        resolve(y, n, sight, batch, tables, out)
+        resolve(y, n, screen, batch, tables, out)

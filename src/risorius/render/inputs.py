@@ -108,7 +108,7 @@ class Paint(NamedTuple):
     ink: Float32Array
 
 
-class Sight(NamedTuple):
+class Screen(NamedTuple):
     """The visibility buffer, samples per pixel and side, the camera's place (3,), mm a pixel, background.
 
     `rows` and `chunks` are those of `raster.Visibility`, whose `ids` and `depth` are drawn with the picture;

@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..core.kernels.jit import f4, fast_device, fast_kernel, index
 from .collect import collect
-from .inputs import Batch, Pose, PosedMesh, SceneLight, Sight, Tables
+from .inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
@@ -21,41 +21,55 @@ from .visibility import BAND, rasterize
 
 @fast_kernel
 def shade(
-    sight: Sight, mesh: PosedMesh, light: SceneLight, pose: Pose, tables: Tables, batch: Batch, out: ByteArray
+    screen: Screen,
+    mesh: PosedMesh,
+    light: SceneLight,
+    pose: Pose,
+    tables: Tables,
+    batch: Batch,
+    out: ByteArray,
 ) -> None:
     """Write the picture (height, width, 3) of sRGB bytes."""
     for y in range(out.shape[0]):
-        uncover(y, sight, mesh)
-        n = collect(y, sight, mesh, batch)
-        shade_skin(n, batch, mesh, sight, light, pose, tables)
-        shade_cloth(n, batch, mesh, sight, light, tables)
+        uncover(y, screen, mesh)
+        n = collect(y, screen, mesh, batch)
+        shade_skin(n, batch, mesh, screen, light, pose, tables)
+        shade_cloth(n, batch, mesh, screen, light, tables)
         shade_hairs(n, batch, mesh)
-        shade_eyes(n, batch, mesh, sight, light, pose, tables)
-        shade_mouth(n, batch, mesh, sight, light, pose)
-        resolve(y, n, sight, batch, tables, out)
+        shade_eyes(n, batch, mesh, screen, light, pose, tables)
+        shade_mouth(n, batch, mesh, screen, light, pose)
+        resolve(y, n, screen, batch, tables, out)
 
 
 @fast_device
-def uncover(y: int, sight: Sight, mesh: PosedMesh) -> None:
+def uncover(y: int, screen: Screen, mesh: PosedMesh) -> None:
     """Draw the band of samples that begins with row y of the picture, if one does."""
-    band = BAND // sight.samples
+    band = BAND // screen.samples
     if y % band == 0:
-        top, bottom = y * sight.samples, min((y + band) * sight.samples, sight.ids.shape[0])
+        top, bottom = y * screen.samples, min((y + band) * screen.samples, screen.ids.shape[0])
         rasterize(
-            mesh.xy, mesh.key, mesh.triangles, sight.rows, sight.chunks, top, bottom, sight.depth, sight.ids
+            mesh.xy,
+            mesh.key,
+            mesh.triangles,
+            screen.rows,
+            screen.chunks,
+            top,
+            bottom,
+            screen.depth,
+            screen.ids,
         )
 
 
 @fast_device
-def resolve(y: int, n: int, sight: Sight, batch: Batch, tables: Tables, out: ByteArray) -> None:
+def resolve(y: int, n: int, screen: Screen, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Weigh the patches of each pixel of row y by their samples, and what is left by the background."""
     for x in range(out.shape[1]):
         out[y, x, 0], out[y, x, 1], out[y, x, 2] = (
-            sight.empty[y, x, 0],
-            sight.empty[y, x, 1],
-            sight.empty[y, x, 2],
+            screen.empty[y, x, 0],
+            screen.empty[y, x, 1],
+            screen.empty[y, x, 2],
         )
-    whole, k = sight.samples * sight.samples, 0
+    whole, k = screen.samples * screen.samples, 0
     share = f4(1) / f4(whole)
     while k < n:
         x = index(batch.column[k])
@@ -73,6 +87,6 @@ def resolve(y: int, n: int, sight: Sight, batch: Batch, tables: Tables, out: Byt
             b += part * exposed(tables.film, batch.colour[k, 2])
             left -= part
             k += 1
-        out[y, x, 0] = to_byte(tables.bytes, r + left * sight.background[y, x, 0])
-        out[y, x, 1] = to_byte(tables.bytes, g + left * sight.background[y, x, 1])
-        out[y, x, 2] = to_byte(tables.bytes, b + left * sight.background[y, x, 2])
+        out[y, x, 0] = to_byte(tables.bytes, r + left * screen.background[y, x, 0])
+        out[y, x, 1] = to_byte(tables.bytes, g + left * screen.background[y, x, 1])
+        out[y, x, 2] = to_byte(tables.bytes, b + left * screen.background[y, x, 2])

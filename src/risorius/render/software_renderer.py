@@ -19,16 +19,16 @@ from .backdrop import gradient
 from .camera import Camera, project
 from .cutout import covered, cut_out
 from .diagram import shade_diagram
+from .diagram_paint import DiagramPaint
 from .framing import frame_head
 from .hair_views import HairViews
-from .inputs import Paint, Pose, PosedMesh, SceneLight, Sight, Tables, empty_batch
+from .inputs import Paint, Pose, PosedMesh, SceneLight, Screen, Tables, empty_batch
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
 from .scene import HeadScene
 from .shade import shade
 from .shadow import ShadowMap
-from .sketch import Sketch
 from .subsurface import diffuse_table
 from .tone import film_table, to_bytes, tone_table
 from .visibility import Visibility
@@ -75,7 +75,9 @@ class SoftwareRenderer:
             background = gradient(width, height, lights.centre, lights.edge)
         self._background = _check_background(background, width, height)
         self._alpha = alpha
-        self._sketch = Sketch(model.head, len(self.scene.triangles), style) if style != "realistic" else None
+        self._diagram_paint = (
+            DiagramPaint(model.head, len(self.scene.triangles), style) if style != "realistic" else None
+        )
         self._eye = np.asarray(self.camera.eye, np.float32)
         self._matrix = self.camera.matrix(width * self._samples, height * self._samples)
         self._empty = to_bytes(self._background)
@@ -103,8 +105,8 @@ class SoftwareRenderer:
         """Return a renderer of the same pictures that may draw at the same time as this one."""
         other = copy(self)
         other.scene = self.scene.twin()
-        if self._sketch is not None:
-            other._sketch = self._sketch.twin()
+        if self._diagram_paint is not None:
+            other._diagram_paint = self._diagram_paint.twin()
         if self._hair_views is not None:
             other._hair_views = self._hair_views.twin(other.scene)
         other._allocate()
@@ -135,8 +137,8 @@ class SoftwareRenderer:
             raise InputError(
                 f"picture buffer {out.shape} {out.dtype}; expected {self.shape} uint8, contiguous"
             )
-        if self._sketch is not None:
-            self._sketch.update(frame.parameters, suppression)
+        if self._diagram_paint is not None:
+            self._diagram_paint.update(frame.parameters, suppression)
         if self._drawn is None:
             self._draw(frame, out)
         else:
@@ -190,7 +192,7 @@ class SoftwareRenderer:
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
         pixel = f4(self.camera.millimetres_per_sample(self.size[1]))
         buffer = self._buffer
-        sight = Sight(
+        screen = Screen(
             buffer.ids,
             buffer.depth,
             buffer.rows,
@@ -201,11 +203,11 @@ class SoftwareRenderer:
             self._background,
             self._empty,
         )
-        if self._sketch is None:
-            shade(sight, mesh, light, pose, self._tables, self._batch, out)
+        if self._diagram_paint is None:
+            shade(screen, mesh, light, pose, self._tables, self._batch, out)
         else:
-            paint: Paint = self._sketch.paint
-            shade_diagram(sight, mesh, light, pose, self._tables, paint, self._batch, out)
+            paint: Paint = self._diagram_paint.paint
+            shade_diagram(screen, mesh, light, pose, self._tables, paint, self._batch, out)
 
 
 def check_size(size: Size) -> Size:

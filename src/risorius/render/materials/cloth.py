@@ -10,7 +10,7 @@ from ...core.kernels.vec import Vec, along, at, dot, mix, saturate, scale, smoot
 from ...looks.attributes import CURVATURE, OCCLUSION, SKIN
 from ...looks.garment import COLLAR
 from ..grain import grain
-from ..inputs import Batch, PosedMesh, SceneLight, Sight, Tables
+from ..inputs import Batch, PosedMesh, SceneLight, Screen, Tables
 from .lit import ambient_light, lamp_colour, lamp_direction, lamp_share
 from .patch import Corners, corners_of, put, towards, weights_of
 from .shadows import shadow_at
@@ -22,7 +22,7 @@ _UP = (f4(0), f4(1), f4(0))
 
 @fast_device
 def shade_cloth(
-    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, tables: Tables
+    n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, tables: Tables
 ) -> None:
     """Colour the patches of cloth among the first n of a row, and blend its edge into the skin's."""
     for k in range(n):
@@ -30,16 +30,16 @@ def shade_cloth(
             continue
         corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
         depth = weigh(mesh.attributes, corners, weights, CURVATURE)[2]
-        if depth >= -sight.pixel:
-            woven = _cloth(mesh, sight, light, tables, corners, weights, depth)
-            share = smooth(-sight.pixel, sight.pixel, depth)
+        if depth >= -screen.pixel:
+            woven = _cloth(mesh, screen, light, tables, corners, weights, depth)
+            share = smooth(-screen.pixel, screen.pixel, depth)
             put(batch.colour, k, mix(at(batch.colour, k), woven, share) if share < f4(1) else woven)
 
 
 @fast_inlined
 def _cloth(
     mesh: PosedMesh,
-    sight: Sight,
+    screen: Screen,
     light: SceneLight,
     tables: Tables,
     corners: Corners,
@@ -52,7 +52,7 @@ def _cloth(
     rest = weigh(mesh.rest, corners, weights, 0)
     normal = unit(weigh(mesh.normals, corners, weights, 0))
     p = weigh(mesh.positions, corners, weights, 0)
-    view, shadow = towards(sight.eye, p), shadow_at(mesh, light, corners, weights, p)
+    view, shadow = towards(screen.eye, p), shadow_at(mesh, light, corners, weights, p)
     albedo, normal = _knit(tables.grain, rest, albedo, normal, depth)
     total = times(albedo, ambient_light(light.ambient, normal, free))
     for k in range(len(light.lamps)):

@@ -27,7 +27,7 @@ from ...looks.attributes import EYE_LEFT
 from ...looks.eyeball import IRIS
 from ..brdf import gloss, schlick
 from ..grain import grain
-from ..inputs import Batch, Pose, PosedMesh, SceneLight, Sight, Tables
+from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, towards, weights_of
 
@@ -44,7 +44,7 @@ _FLESH = (f4(0.50), f4(0.185), f4(0.155))  # the caruncle, in the inner corner
 
 @fast_device
 def shade_eyes(
-    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose, tables: Tables
+    n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of the eyes among the first n of a row."""
     for k in range(n):
@@ -53,7 +53,7 @@ def shade_eyes(
         if side == 0 or side == 1:
             corners = corners_of(mesh.triangles, t)
             p = weigh(mesh.positions, corners, weights_of(batch.weights, k), 0)
-            put(batch.colour, k, _eye(light, pose, tables, side, p, towards(sight.eye, p)))
+            put(batch.colour, k, _eye(light, pose, tables, side, p, towards(screen.eye, p)))
 
 
 @fast_inlined

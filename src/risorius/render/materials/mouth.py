@@ -9,7 +9,7 @@ from ...core.kernels.jit import f4, fast_device, fast_inlined
 from ...core.kernels.vec import Vec, along, dot, saturate, scale, smooth, sub, times, unit, unrotate, weigh
 from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
 from ..brdf import gloss
-from ..inputs import Batch, Pose, PosedMesh, SceneLight, Sight
+from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import Corners, corners_of, put, towards, weights_of
 
@@ -63,14 +63,14 @@ def _edge(lips: Float32Array, i: int, s: float, column: int) -> tuple[float, flo
 
 
 @fast_device
-def shade_mouth(n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose) -> None:
+def shade_mouth(n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose) -> None:
     """Colour the patches of teeth, gums and tongue among the first n of a row."""
     for k in range(n):
         t = batch.triangle[k]
         if mesh.surfaces[t] == TEETH or mesh.surfaces[t] == TONGUE:
             corners, weights = corners_of(mesh.triangles, t), weights_of(batch.weights, k)
             p = weigh(mesh.positions, corners, weights, 0)
-            normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(sight.eye, p)
+            normal, view = unit(weigh(mesh.normals, corners, weights, 0)), towards(screen.eye, p)
             put(
                 batch.colour,
                 k,

@@ -11,7 +11,7 @@ from ...core.kernels.vec import Vec, add, along, dot, mix, scale, times, weigh
 from ...looks import attributes
 from ...looks.attributes import SKIN, TONGUE
 from ..brdf import gloss
-from ..inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Sight, Tables
+from ..inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Screen, Tables
 from ..lanes import (
     ALBEDO,
     FREE,
@@ -47,7 +47,7 @@ def shade_plain(
     n: int,
     batch: Batch,
     mesh: PosedMesh,
-    sight: Sight,
+    screen: Screen,
     light: SceneLight,
     pose: Pose,
     tables: Tables,
@@ -61,12 +61,12 @@ def shade_plain(
             _read(k, count, batch, mesh, light)
             count += 1
             if count == LANES:
-                _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
+                _shade_block(count, batch, mesh, screen, light, pose, tables, paint)
                 count = i8(0)
         elif surface <= TONGUE:
-            put_colour(batch.colour, k, shade_part(k, surface, batch, mesh, sight, light, pose))
+            put_colour(batch.colour, k, shade_part(k, surface, batch, mesh, screen, light, pose))
     if count:
-        _shade_block(count, batch, mesh, sight, light, pose, tables, paint)
+        _shade_block(count, batch, mesh, screen, light, pose, tables, paint)
 
 
 @fast_inlined
@@ -90,7 +90,7 @@ def _shade_block(
     count: int,
     batch: Batch,
     mesh: PosedMesh,
-    sight: Sight,
+    screen: Screen,
     light: SceneLight,
     pose: Pose,
     tables: Tables,
@@ -98,10 +98,10 @@ def _shade_block(
 ) -> None:
     """Light a block of clay: matt, creased where the skin is, with what is painted on it."""
     block = batch.block
-    face(block, (sight.eye[0], sight.eye[1], sight.eye[2]))
-    _fold(count, batch, mesh, pose, tables, sight.pixel)
+    face(block, (screen.eye[0], screen.eye[1], screen.eye[2]))
+    _fold(count, batch, mesh, pose, tables, screen.pixel)
     _shadow(count, block, pose)
-    _paint(count, batch, mesh, paint, sight.pixel)
+    _paint(count, batch, mesh, paint, screen.pixel)
     _fill(block, light)
     for lamp in range(len(light.lamps)):
         _add_lamp(block, lamp, lamp_direction(light.lamps, lamp), lamp_colour(light.lamps, lamp))
@@ -111,7 +111,7 @@ def _shade_block(
         k, colour = batch.chosen[lane], get(block, TOTAL, lane)
         if paint.ink[3] > f4(0):
             corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
-            line = line_share(mesh, paint, batch.triangle[k], corners, weights, sight.samples)
+            line = line_share(mesh, paint, batch.triangle[k], corners, weights, screen.samples)
             colour = mix(colour, ink, line)
         put_colour(batch.colour, k, colour)
 

@@ -23,7 +23,7 @@ from ...looks import attributes
 from ...looks.attributes import EYE_LEFT, TEETH
 from ...looks.eyeball import IRIS
 from ..brdf import gloss
-from ..inputs import Batch, Pose, PosedMesh, SceneLight, Sight
+from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen
 from .eye import lid_distances, lid_shade
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction, lamp_share
 from .mouth import past_lips
@@ -45,12 +45,12 @@ def facing(normal: Vec, direction: Vec) -> float:
 
 @fast_inlined
 def shade_part(
-    k: int, surface: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose
+    k: int, surface: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose
 ) -> Vec:
     """Return the light from patch k of an eye, tooth or tongue."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
     p = weigh(mesh.positions, corners, weights, 0)
-    key, view = key_share(light, p), towards(sight.eye, p)
+    key, view = key_share(light, p), towards(screen.eye, p)
     if surface < TEETH:
         return _ball(mesh, light, pose, surface - EYE_LEFT, corners, weights, p, view, key)
     albedo = weigh(mesh.attributes, corners, weights, attributes.ALBEDO)

@@ -11,7 +11,7 @@ from ...core.kernels.vec import add, along, dot, rows_of, scale, smooth, tilted,
 from ...looks import attributes
 from ...looks.attributes import SKIN
 from ..grain import between, cell_of, heights_about
-from ..inputs import Batch, Pose, PosedMesh, SceneLight, Sight, Tables
+from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
 from ..lanes import (
     ALBEDO,
     BUMPY,
@@ -51,29 +51,29 @@ _PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
 
 @fast_device
 def shade_skin(
-    n: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose, tables: Tables
+    n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
     """Colour the patches of bare skin among the first n of a row."""
     count = i8(0)
     for k in range(n):
-        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, light, sight.pixel):
+        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, light, screen.pixel):
             count += 1
             if count == LANES:
-                _shade_block(count, batch, mesh, sight, light, pose, tables)
+                _shade_block(count, batch, mesh, screen, light, pose, tables)
                 count = i8(0)
     if count:
-        _shade_block(count, batch, mesh, sight, light, pose, tables)
+        _shade_block(count, batch, mesh, screen, light, pose, tables)
 
 
 @fast_device
 def _shade_block(
-    count: int, batch: Batch, mesh: PosedMesh, sight: Sight, light: SceneLight, pose: Pose, tables: Tables
+    count: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
     block = batch.block
-    face(block, (sight.eye[0], sight.eye[1], sight.eye[2]))
+    face(block, (screen.eye[0], screen.eye[1], screen.eye[2]))
     _find_grain(count, block, tables.grain)
-    _roughen(block, pose, sight.pixel)
-    _fold(count, batch, mesh, pose, tables, sight.pixel)
+    _roughen(block, pose, screen.pixel)
+    _fold(count, batch, mesh, pose, tables, screen.pixel)
     _shadow(count, block, pose)
     _fill(block, light)
     for lamp in range(len(light.lamps)):

@@ -16,7 +16,7 @@ from .inputs import Paint
 _NO_LINES, _LINES = (0.0, 0.0, 0.0, 0.0), (0.75, 1.15, 1.5, 0.9)  # linear colour and opacity
 
 
-class Sketch:
+class DiagramPaint:
     """What a style other than the realistic one draws on the skin: `paint` holds for the last `update`."""
 
     def __init__(self, head: Head, triangles: int, style: str) -> None:
@@ -30,7 +30,7 @@ class Sketch:
         still = np.zeros((count, 4), np.float32)
         self.paint = Paint(self._muscles.covered, self._muscles.place, still, edges, ink)
 
-    def twin(self) -> Sketch:
+    def twin(self) -> DiagramPaint:
         """Return one that can be updated apart from this."""
         other = copy(self)
         other.paint = self.paint._replace(colours=self.paint.colours.copy())
