@@ -72,8 +72,8 @@ def test_buffers_bound_the_pool(model, monkeypatch):
     assert RendererPool(renderer).threads == 1
 
 
-def test_a_single_picture_makes_no_twin(model, face, monkeypatch):
-    monkeypatch.setattr(SoftwareRenderer, "twin", lambda self: pytest.fail("a twin was made"))
+def test_a_single_picture_makes_no_clone(model, face, monkeypatch):
+    monkeypatch.setattr(SoftwareRenderer, "clone", lambda self: pytest.fail("a clone was made"))
     assert len(list(RendererPool(SoftwareRenderer(model, (64, 64)), 4).draw([(face(), None)]))) == 1
 
 

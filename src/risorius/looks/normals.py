@@ -46,7 +46,7 @@ class Normals:
         self._starts: Int32Array = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
         self._face_normals: Float32Array = np.zeros((len(faces), 3), np.float32)
 
-    def twin(self) -> Normals:
+    def clone(self) -> Normals:
         """Return one that can be updated at the same time as this."""
         other = copy(self)
         other._face_normals = np.zeros_like(self._face_normals)

@@ -30,7 +30,7 @@ class DiagramPaint:
         still = np.zeros((count, 4), np.float32)
         self.paint = Paint(self._muscles.covered, self._muscles.place, still, edges, ink)
 
-    def twin(self) -> DiagramPaint:
+    def clone(self) -> DiagramPaint:
         """Return one that can be updated apart from this."""
         other = copy(self)
         other.paint = self.paint._replace(colours=self.paint.colours.copy())

@@ -38,8 +38,8 @@ class HairViews:
         self._nodes: dict[tuple[int, int], Int8Array] = {}
         self._buffers: _Buffers | None = None
 
-    def twin(self, scene: HeadScene) -> HairViews:
-        """Return one that looks at a twin of the scene, and knows what this one has seen or will see."""
+    def clone(self, scene: HeadScene) -> HairViews:
+        """Return one that looks at a clone of the scene, and knows what this one has seen or will see."""
         other = copy(self)
         other._scene, other._buffers = scene, None
         return other

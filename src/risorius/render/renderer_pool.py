@@ -67,12 +67,12 @@ class RendererPool:
     def _enlarge(self, wanted: int) -> None:
         """Have as many renderers as are `wanted`, up to `threads`: one for a single picture.
 
-        A twin may be made of one at work, since each picture writes anew all that is not shared.
+        A clone may be made of one at work, since each picture writes anew all that is not shared.
         """
         if self._first is None:
             raise RuntimeError("the renderer is closed")
         while self._count < min(wanted, self.threads):
-            self._idle.put(self._first.twin())
+            self._idle.put(self._first.clone())
             self._count += 1
 
 

@@ -102,10 +102,10 @@ class HeadScene:
         self.shadow: Float32Array = np.ones(count, np.float32)
         self.attributes[:count, OCCLUSION] *= 1.0 - around
 
-    def twin(self) -> HeadScene:
+    def clone(self) -> HeadScene:
         """Return a scene that can be posed apart from this; they share what never changes."""
         other = copy(self)
-        other._normals = self._normals.twin()
+        other._normals = self._normals.clone()
         other._local = self._local.copy()
         other.positions, other.normals = self.positions.copy(), self.normals.copy()
         other.hair_light, other.shadow = self.hair_light.copy(), self.shadow.copy()

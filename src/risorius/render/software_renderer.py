@@ -101,20 +101,20 @@ class SoftwareRenderer:
         centre, radius = scene.anatomy.sphere()
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
 
-    def twin(self) -> SoftwareRenderer:
+    def clone(self) -> SoftwareRenderer:
         """Return a renderer of the same pictures that may draw at the same time as this one."""
         other = copy(self)
-        other.scene = self.scene.twin()
+        other.scene = self.scene.clone()
         if self._diagram_paint is not None:
-            other._diagram_paint = self._diagram_paint.twin()
+            other._diagram_paint = self._diagram_paint.clone()
         if self._hair_views is not None:
-            other._hair_views = self._hair_views.twin(other.scene)
+            other._hair_views = self._hair_views.clone(other.scene)
         other._allocate()
         return other
 
     @property
     def buffer_bytes(self) -> int:
-        """About how much memory a twin takes."""
+        """About how much memory a clone takes."""
         return self._buffer.ids.nbytes + self._buffer.depth.nbytes + 80 * len(self.scene.positions)
 
     @property
