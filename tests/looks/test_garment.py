@@ -1,6 +1,6 @@
 import numpy as np
 
-from risorius.looks.garment import neckline, standing_off
+from risorius.looks.garment import cloth_offset, neckline
 
 
 def test_the_neck_is_bare_and_the_shoulders_are_covered(anatomy):
@@ -12,6 +12,6 @@ def test_the_neck_is_bare_and_the_shoulders_are_covered(anatomy):
 
 def test_cloth_stands_off_the_skin_and_bare_skin_stays(anatomy, surface):
     depth = neckline(anatomy)
-    offset = np.linalg.norm(standing_off(depth, surface.normals), axis=1)
+    offset = np.linalg.norm(cloth_offset(depth, surface.normals), axis=1)
     assert offset[depth < -2].max() == 0
     assert offset[depth > 4].min() > 1

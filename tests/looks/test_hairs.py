@@ -3,12 +3,12 @@ import pytest
 from scipy.spatial import cKDTree
 
 from risorius.face.identity import Looks
-from risorius.looks.attach import unit
 from risorius.looks.brows import brow_shade, grow_brows
-from risorius.looks.cuts import grow_hair
+from risorius.looks.hair_styles import grow_hair
 from risorius.looks.lashes import grow_lashes
 from risorius.looks.scalp import flow, hair_density, hair_shade, inside_hairline, scalp_shade
 from risorius.looks.strands import Strands, root_frames
+from risorius.looks.surface import unit
 
 BROWN = np.array([0.04, 0.025, 0.015])
 

@@ -3,14 +3,14 @@ import pytest
 
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.head import load_head
-from risorius.looks.muscle_paint import colours, lay_muscles
+from risorius.looks.muscle_paint import colours, place_muscles
 
 ZYGOMATIC = "zygomatic_major.left"
 
 
 @pytest.fixture(scope="module")
 def laid(head):
-    return lay_muscles(head, len(head.skin.triangles) + 100)
+    return place_muscles(head, len(head.skin.triangles) + 100)
 
 
 def inside(laid, name):
@@ -45,7 +45,7 @@ def test_left_and_right_are_mirrored(laid, anatomy):
 
 
 def test_a_head_of_the_same_mesh_has_them_at_the_same_vertices(laid):
-    other = lay_muscles(load_head("olaf"), len(laid.covered))
+    other = place_muscles(load_head("olaf"), len(laid.covered))
     assert np.array_equal(other.place, laid.place)
 
 

@@ -21,8 +21,8 @@ def hairs():
 
 
 def test_each_triangle_tells_which_part_of_its_hair_it_is(hairs):
-    assert hairs.parts().tolist() == [0, 0, 1, 1, 0, 0, 1, 1]
-    assert len(hairs.parts()) == len(hairs.triangles())
+    assert hairs.segments().tolist() == [0, 0, 1, 1, 0, 0, 1, 1]
+    assert len(hairs.segments()) == len(hairs.triangles())
 
 
 def test_joined_hairs_keep_their_order(hairs):

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from risorius.face.rotations import head_rotation
-from risorius.looks.attach import Surface, unit
+from risorius.looks.surface import Surface, unit
 from risorius.render.ribbons import NOTHING, WHOLE, ribbons
 
 EYE = np.array([0.0, 0.0, 500.0], np.float32)

@@ -7,8 +7,8 @@ from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
-from .attach import Surface, flat
 from .strands import Strands, join
+from .surface import Surface, flat
 
 POINTS = 5
 _SEED = 7

@@ -20,7 +20,7 @@ def neckline(anatomy: Anatomy) -> Array:
     return np.asarray(np.minimum(height - p[:, 1], 200.0))
 
 
-def standing_off(depth: Array, normals: Array) -> Array:
+def cloth_offset(depth: Array, normals: Array) -> Array:
     """Return displacements (N1, 3) of the skin under cloth, a thick collar over a thinner body."""
     amount = smoothstep(-1.5, 3.0, depth) * (
         1.0 - 0.35 * smoothstep(float(COLLAR), float(COLLAR) + 6.0, depth)

@@ -9,13 +9,13 @@ from ..core.arrays import Array
 from ..face.head import Head
 from ..face.identity import Looks
 from .anatomy import Anatomy, find_anatomy
-from .attach import Surface
 from .brows import grow_brows
-from .cuts import grow_hair
+from .hair_styles import grow_hair
 from .lashes import grow_lashes
 from .parts import Part, eye_parts, hair_part, skin_part, skin_surface, teeth_part, tongue_part
 from .srgb import linear
 from .strands import Strands
+from .surface import Surface
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,8 +6,8 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..face.head import Head
-from .attach import Surface, unit
 from .strands import Strands, join
+from .surface import Surface, unit
 
 POINTS = 5
 _SEED = 11

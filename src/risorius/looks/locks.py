@@ -6,13 +6,13 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
-from .attach import Surface, unit
+from .surface import Surface, unit
 
 _LOCKS = 700
 _EVEN = 0.35  # of the points of a curve, the weight of those spread evenly beside those where it bends
 
 
-def over_skin(tree: cKDTree, surface: Surface, places: Array) -> tuple[Array, Array]:
+def height_over_skin(tree: cKDTree, surface: Surface, places: Array) -> tuple[Array, Array]:
     """Return how high (S,) places (S, 3) stand over the skin, and its normals (S, 3) there.
 
     Both are means of the nearest vertices: taking one alone would break hairs where it changes.

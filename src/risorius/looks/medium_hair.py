@@ -9,11 +9,11 @@ from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
-from .attach import Surface, flat, unit
-from .locks import gather_locks, over_skin, respaced, smoothed
+from .locks import gather_locks, height_over_skin, respaced, smoothed
 from .noise import noise_at
 from .scalp import grow_roots, hair_density, inside_hairline
 from .strands import Strands
+from .surface import Surface, flat, unit
 
 POINTS = 11
 _STEPS = 28  # of the way that a hair goes, of which its points are chosen
@@ -84,7 +84,7 @@ def _hang(
     for k in range(1, _STEPS + 1):
         way = k / _STEPS
         place = curves[-1] + step * unit(_ahead(anatomy, curves[-1], normal) + stray)
-        above, normal = over_skin(tree, smooth, place)
+        above, normal = height_over_skin(tree, smooth, place)
         wanted = volume * np.sin(np.pi / 2 * min(1.0, 3.2 * way)) + 0.3
         lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)
         # Hair never enters the head; where it lies on the skull it does not stand off it either.

@@ -13,8 +13,8 @@ from ..core.parameters import INDEX, MUSCLES
 from ..face.head import Head, load_head
 from ..face.muscle_table import Muscle
 from .anatomy import Anatomy, find_anatomy
-from .attach import unit
 from .parts import skin_surface
+from .surface import unit
 
 SOFT = f4(0.9)  # mm: half the width of a muscle's soft edge
 _OUTSIDE = -20.0  # mm
@@ -75,7 +75,7 @@ _WITHIN = np.array([0.0, 0.0, -60.0])  # a place in the skull: muscles lie on th
 _ENDS = 2.0  # mm by which a muscle is painted beyond its line
 
 
-def lay_muscles(head: Head, triangles: int) -> MusclePaint:
+def place_muscles(head: Head, triangles: int) -> MusclePaint:
     """Lay a head's muscles out for a scene of so many `triangles`, the skin's first.
 
     The table's places are those of the standard head; a head of the same mesh takes them by vertex.

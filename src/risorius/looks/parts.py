@@ -11,7 +11,6 @@ from ..core.look import ByteColour
 from ..face.head import Head, TeethMesh
 from ..face.identity import Looks
 from .anatomy import Anatomy
-from .attach import Surface
 from .attributes import (
     ALBEDO,
     ATTRIBUTES,
@@ -36,6 +35,7 @@ from .normals import Normals, triangles_as_faces
 from .scalp import scalp_shade
 from .srgb import linear
 from .strands import Strands, root_frames
+from .surface import Surface
 
 HEM = 10.0  # mm over which skin becomes cloth: triangles there are that wide
 _TOOTH, _GUM, _TONGUE = (244, 234, 214), (186, 98, 92), (206, 122, 114)

@@ -6,8 +6,8 @@ import numpy as np
 
 from ..core.arrays import Array, FloatArray, Int32Array
 from .anatomy import Anatomy, smoothstep
-from .attach import Surface, flat, unit
 from .noise import noise_at
+from .surface import Surface, flat, unit
 
 # Height of the hairline over the eyes (mm) by the angle from the front, about an axis through the skull.
 _ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)

@@ -7,10 +7,10 @@ from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
-from .attach import Surface, flat
-from .locks import gather_locks, over_skin, smoothed
+from .locks import gather_locks, height_over_skin, smoothed
 from .scalp import flow, grow_roots, hair_density, inside_hairline
 from .strands import Strands
+from .surface import Surface, flat
 
 POINTS = 6
 _LAYERS = 4
@@ -70,7 +70,7 @@ def _walk(
     for k in range(1, POINTS):
         way = k / (POINTS - 1)
         place = curves[-1] + flat(ahead + stray, normal) * (length / (POINTS - 1))[:, None]
-        above, normal = over_skin(tree, surface, place)
+        above, normal = height_over_skin(tree, surface, place)
         wanted = height * np.sin(np.pi / 2 * min(1.0, 1.6 * way)) * (1 - 0.25 * way**2) + 0.3
         curves.append(place + (wanted - above)[:, None] * normal)
         ahead = flow(anatomy, curves[-1], normal)

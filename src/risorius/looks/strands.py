@@ -42,7 +42,7 @@ class Strands:
         corners = (pair + np.array([[0, 1, 2], [1, 3, 2]])).reshape(-1, 3)
         return np.asarray(corners, np.int32)
 
-    def parts(self) -> Int8Array:
+    def segments(self) -> Int8Array:
         """Return which part of its hair, counted from the root, each of `triangles` is."""
         strands, points = self.widths.shape
         return np.tile(np.repeat(np.arange(points - 1, dtype=np.int8), 2), strands)

@@ -6,9 +6,9 @@ import numpy as np
 
 from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
-from .attach import Surface, unit
 from .scalp import flow, grow_roots, hair_density, inside_hairline
 from .strands import Strands
+from .surface import Surface, unit
 
 POINTS = 3
 _SEED = 33

@@ -9,7 +9,7 @@ import numpy as np
 from ..core.arrays import Array, Float32Array
 from ..core.parameters import NEUTRAL
 from ..face.head import Head
-from ..looks.muscle_paint import MusclePaint, colours, lay_muscles
+from ..looks.muscle_paint import MusclePaint, colours, place_muscles
 from ..looks.wireframe import edge_strengths
 from .inputs import Paint
 
@@ -21,7 +21,7 @@ class DiagramPaint:
 
     def __init__(self, head: Head, triangles: int, style: str) -> None:
         """Prepare for a scene of so many `triangles`; `style` is clay, muscles or wireframe."""
-        self._muscles = lay_muscles(head, triangles) if style == "muscles" else _no_muscles(triangles)
+        self._muscles = place_muscles(head, triangles) if style == "muscles" else _no_muscles(triangles)
         edges: Float32Array = np.zeros((triangles, 3), np.float32)
         ink = np.array(_NO_LINES, np.float32)
         if style == "wireframe":

@@ -84,7 +84,7 @@ class HairViews:
     def _winners(self, ids: Int32Array) -> Int8Array:
         scene = self._scene
         drawn = np.unique(ids[ids >= scene.solid])
-        hair, part = scene.surfaces[drawn] - HAIR, scene.hair_parts[drawn - scene.solid]
+        hair, part = scene.surfaces[drawn] - HAIR, scene.hair_segments[drawn - scene.solid]
         found = np.tile(np.array([NOTHING], np.int8), (scene.hairs, 1))
         np.minimum.at(found[:, 0], hair, part)
         np.maximum.at(found[:, 1], hair, part + 1)

@@ -11,7 +11,7 @@ from ..core.kernels.jit import f4
 from ..errors import InputError
 from ..face.frame import FaceFrame
 from ..looks.attributes import HAIR, OCCLUSION
-from ..looks.garment import neckline, standing_off
+from ..looks.garment import cloth_offset, neckline
 from ..looks.head_model import HeadModel
 from ..looks.normals import Normals
 from ..looks.parts import Part, hair_attributes
@@ -33,7 +33,7 @@ class HeadScene:
     Static: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, …), `rest` (n, 3), and
     `solid`, how many of the triangles (the first ones) cast shadows, and `skin_vertices`, how many of the
     vertices are the skin's (the first ones); of the `hairs` that follow them the
-    first `facial_hairs` are brows and lashes, and `hair_parts` (m − solid,) tell which part of its hair each
+    first `facial_hairs` are brows and lashes, and `hair_segments` (m − solid,) tell which part of its hair each
     triangle is. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32 in the world.
     """
 
@@ -41,7 +41,7 @@ class HeadScene:
         """Make the scene of a head lit by `lamps` (n, 7)."""
         self.model, self.head, self.anatomy = model, model.head, model.anatomy
         self._hairs = list(model.hairs.values())
-        self._offset = standing_off(neckline(self.anatomy), model.skin.normals).astype(np.float32)
+        self._offset = cloth_offset(neckline(self.anatomy), model.skin.normals).astype(np.float32)
         self.skin_vertices = len(self._offset)
         parts = list(model.solids.values())
         self._starts = np.concatenate([[0], np.cumsum([len(part.points) for part in parts])])
@@ -69,7 +69,7 @@ class HeadScene:
             first, number = first + group.vertices, number + len(group.widths)
         self.hairs = number - HAIR
         self.facial_hairs = sum(len(group.widths) for group in self._hairs[:2])
-        self.hair_parts = np.concatenate([group.parts() for group in self._hairs])
+        self.hair_segments = np.concatenate([group.segments() for group in self._hairs])
         self._all = np.tile(np.array([WHOLE], np.int8), (self.hairs, 1))
         self.triangles: Int32Array = np.concatenate(triangles).astype(np.int32)
         self.surfaces: Int32Array = np.concatenate(surfaces).astype(np.int32)

@@ -5,16 +5,16 @@ from __future__ import annotations
 from ..core.arrays import Array
 from ..face.identity import Looks
 from .anatomy import Anatomy
-from .attach import Surface
 from .medium_hair import grow_medium
 from .short_hair import grow_short
 from .strands import Strands
 from .stubble import grow_stubble
+from .surface import Surface
 
-_CUTS = {"short": grow_short, "medium": grow_medium, "shaved": grow_stubble}
+_STYLES = {"short": grow_short, "medium": grow_medium, "shaved": grow_stubble}
 
 
 def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> list[Strands]:
     """Return the hair of an albedo (3,) that `looks` asks for, none on a bald head."""
-    grow = _CUTS.get(looks.hair_style)
+    grow = _STYLES.get(looks.hair_style)
     return [grow(anatomy, surface, colour, looks.hairs)] if grow else []

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.looks.attach import Surface, flat, unit
+from risorius.looks.surface import Surface, flat, unit
 
 
 @pytest.fixture
