@@ -1,4 +1,4 @@
-"""Where things are on a head, found from its eyes, lips and shape, so that colours and hairs fit any head."""
+"""The places of a head's features, measured on its shape, so that colours and hairs fit any head."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from ..face.head import Head
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Anatomy:
-    """Places at rest in mm: `skin` (N1, 3) and its `masks` at level 1, and the face's marks.
+    """Places at rest in mm: `skin` (N1, 3), its `masks` (N1,) 0..1 by name, and features of the face.
 
-    `unit` is half the distance between the eyes over that of the head for which distances here were drawn
-    (28.9 mm): the scale of all distances on the face.
+    `unit` is the scale of the face: half the distance between the eyes, divided by 28.9 mm. Distances in this
+    package are written for a head of unit 1.
     """
 
     skin: Array
@@ -29,14 +29,14 @@ class Anatomy:
     chin: float
 
     def sphere(self) -> tuple[Array, float]:
-        """Return centre (3,) and radius of a sphere about head and neck, on which shadows are looked for."""
+        """Return centre (3,) and radius in mm of the sphere within which the head casts shadows."""
         middle = 0.5 * (self.top + self.chin)
         centre = np.array([0.0, middle - 25.0 * self.unit, -45.0 * self.unit])
         return centre, 0.5 * (self.top - self.chin) + 62.0 * self.unit
 
 
 def find_anatomy(head: Head) -> Anatomy:
-    """Measure a head."""
+    """Measure a head at rest."""
     matrix = head.skin.matrix
     skin = np.asarray(matrix @ head.rest)
     masks = {name: np.clip(matrix @ mask, 0.0, 1.0) for name, mask in head.masks.items()}
@@ -46,7 +46,8 @@ def find_anatomy(head: Head) -> Anatomy:
     middle = np.abs(skin[:, 0]) < 3.0
     between = middle & (skin[:, 1] > mouth[1] + 8.0) & (skin[:, 1] < eyes[:, 1].mean())
     nose = skin[between][np.argmax(skin[between, 2])]
-    # A chest that stands forward is no chin: the chin is within three quarters of the way from eyes to mouth.
+    # The chest may stand further forward than the chin. The chin lies below the mouth by at most three
+    # quarters of the distance between eyes and mouth.
     lowest = mouth[1] - 0.75 * (eyes[:, 1].mean() - mouth[1])
     below = middle & (skin[:, 1] < mouth[1] - 12.0) & (skin[:, 1] > lowest) & (skin[:, 2] > 0.0)
     return Anatomy(
@@ -63,6 +64,6 @@ def find_anatomy(head: Head) -> Anatomy:
 
 
 def smoothstep(low: float, high: float, x: FloatArray) -> Array:
-    """Return 0 up to `low`, 1 from `high` on, smooth between."""
+    """Return 0 up to `low`, 1 from `high` on, and a smooth curve in between."""
     t = np.clip((np.asarray(x, np.float64) - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t)

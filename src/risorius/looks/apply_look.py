@@ -1,4 +1,4 @@
-"""What a head wears in a picture: its own looks, changed by what was chosen."""
+"""The looks of a head in a picture: its own, changed by the settings of the picture."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..core.look import ByteColour
 from ..face.identity import Looks
 from ..settings import Look
 
-# Skin, lips and mouth's lining of five complexions, evenly spaced from 0 to 1 on the scale.
+# The colours of skin, lips and the mouth's lining for five complexions, evenly spaced from 0 to 1.
 _TONES: tuple[tuple[ByteColour, ByteColour, ByteColour], ...] = (
     ((236, 196, 176), (200, 120, 114), (168, 88, 84)),
     ((222, 174, 146), (186, 106, 97), (162, 85, 80)),
@@ -29,7 +29,7 @@ _PLAIN: dict[str, tuple[ByteColour, ByteColour]] = {
 
 
 def apply_look(looks: Looks, look: Look) -> Looks:
-    """Return a head's looks with the complexion, hair and matter that `look` chooses."""
+    """Return a head's looks with the complexion, the hair and the style's material that `look` chooses."""
     if look.complexion is not None:
         skin, lips, lining = (_between(look.complexion, column) for column in range(3))
         looks = replace(looks, skin=skin, lips=lips, lining=lining)

@@ -24,7 +24,7 @@ def brow_line(anatomy: Anatomy, t: Array) -> tuple[Array, Array, Array]:
 
 
 def brow_shade(anatomy: Anatomy) -> Array:
-    """Return how much each skin vertex (N1,) is darkened under the brows."""
+    """Return by how much, 0 to 1, each skin vertex (N1,) is darkened under the brows."""
     x, y = np.abs(anatomy.skin[:, 0]), anatomy.skin[:, 1]
     t = (x / anatomy.unit - 9.5) / 35.5
     _, centre, half = brow_line(anatomy, np.clip(t, 0.0, 1.0))
@@ -34,7 +34,7 @@ def brow_shade(anatomy: Anatomy) -> Array:
 
 
 def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 360) -> Strands:
-    """Return `count` hairs a side, mirrored, of an albedo (3,)."""
+    """Return `count` hairs of linear albedo `colour` (3,) on each side, mirrored."""
     rng = np.random.default_rng(_SEED)
     t = rng.beta(1.25, 1.15, count)
     x, centre, half = brow_line(anatomy, t)
@@ -81,7 +81,7 @@ def _side(
 
 
 def _on_face(surface: Surface, place: Array) -> Array:
-    """Return points (S, 3) of the face's front near (x, y) places (S, 2)."""
+    """Return the points (S, 3) of the face's front at places (S, 2) in x and y."""
     front = np.flatnonzero((surface.normals[:, 2] > 0.1) & (surface.points[:, 2] > -20.0))
     _, nearest = cKDTree(surface.points[front, :2]).query(place, k=3)
     depth = surface.points[front[nearest], 2].mean(axis=1)

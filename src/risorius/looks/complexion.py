@@ -11,7 +11,7 @@ from .attributes import ALBEDO, ATTRIBUTES, CURVATURE, EXTRA, INNER, MAX_CURVATU
 from .noise import noise_at
 from .srgb import linear
 
-# What the albedo of a region is multiplied by.
+# Factors on the albedo of regions.
 _TINTS = {
     "cheek": (1.02, 0.79, 0.79),
     "nose": (1.01, 0.77, 0.75),
@@ -26,9 +26,9 @@ _TINTS = {
 
 
 def paint_skin(anatomy: Anatomy, looks: Looks, neckline: Array, curvature: Array) -> Float32Array:
-    """Return attributes (N1, ATTRIBUTES) of the skin, whose column OCCLUSION is still to be filled.
+    """Return the attributes (N1, ATTRIBUTES) of the skin; renderers fill in the column OCCLUSION.
 
-    `neckline` (N1,) are mm into the cloth, `curvature` (N1,) 1/mm.
+    `neckline` (N1,) is the distance into the cloth in mm, `curvature` (N1,) in 1/mm.
     """
     result = np.zeros((len(anatomy.skin), ATTRIBUTES), np.float32)
     result[:, ALBEDO : ALBEDO + 3] = _albedo(anatomy, looks)
@@ -42,7 +42,7 @@ def paint_skin(anatomy: Anatomy, looks: Looks, neckline: Array, curvature: Array
 
 
 def _blob(p: Array, centre: tuple[float, float], size: tuple[float, float]) -> Array:
-    """Return a soft spot on both sides of the face, 1 at its centre; (|x|, y) and sizes in mm."""
+    """Return the mask (N1,) of a soft spot on both sides of the face; its centre and size are in mm."""
     return np.exp(-(((np.abs(p[:, 0]) - centre[0]) / size[0]) ** 2) - ((p[:, 1] - centre[1]) / size[1]) ** 2)
 
 
@@ -85,7 +85,7 @@ def _albedo(a: Anatomy, looks: Looks) -> Array:
 
 
 def _gloss(a: Anatomy) -> tuple[Array, Array]:
-    """Return roughness squared (N1,) and strength (N1,) of the gloss: oily forehead and nose, wet lips."""
+    """Return the gloss, roughness squared (N1,) and strength (N1,): oily forehead and nose, wet lips."""
     region = _regions(a)
     oily = np.maximum(region["forehead"], region["nose"])
     roughness = 0.21 - 0.07 * oily + 0.02 * region["cheek"]

@@ -1,4 +1,4 @@
-"""How sharply a surface bends at each vertex."""
+"""The mean curvature of a mesh."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def mean_curvature(
     quads: IntArray,
     rounds: int = 3,
 ) -> Array:
-    """Return the curvature's size (n,) in 1/mm: the normals' change along edges, smoothed `rounds` times."""
+    """Return the size (n,) of the curvature in 1/mm: the change of the normals along edges, smoothed."""
     sides = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
     i, j = np.unique(sides, axis=0).T
     length = np.linalg.norm(points[i] - points[j], axis=1)

@@ -19,7 +19,7 @@ _IRIS_RINGS, _IRIS_ANGLES = 64, 720
 
 
 def cap() -> tuple[Array, Int32Array]:
-    """Return the front of the unit sphere: vertices (n, 3) about +z, triangles (m, 3) wound outwards."""
+    """Return the front of the unit sphere: vertices (n, 3) around +z, triangles (m, 3) wound outwards."""
     polar = _WIDEST * np.arange(1, _RINGS + 1) / _RINGS
     around = 2 * np.pi * np.arange(_SECTORS) / _SECTORS
     ring = np.stack(
@@ -40,9 +40,10 @@ def cap() -> tuple[Array, Int32Array]:
 
 
 def iris_image(inner: ByteColour, outer: ByteColour) -> Float32Array:
-    """Return the iris' albedo (rings, angles, 3) from the pupil outwards, between two sRGB colours.
+    """Return the linear albedo (rings, angles, 3) of an iris, from the pupil outwards.
 
-    Radial fibres, a ruff about the pupil, a few furrows, and the dark limbus.
+    `inner` and `outer` are its colours. It has radial fibres, a ruff around the pupil, a few furrows, and a
+    dark limbus.
     """
     r = (np.arange(_IRIS_RINGS) / (_IRIS_RINGS - 1))[:, None]
     angle = (2 * np.pi * np.arange(_IRIS_ANGLES) / _IRIS_ANGLES)[None, :]
@@ -78,7 +79,7 @@ def iris_picture(inner: ByteColour, outer: ByteColour, side: int = 256) -> ByteA
 
 
 def _ring_noise(r: Array, angle: Array, across: float, along: float) -> Array:
-    """Return noise on (rings, angles) with `across` waves round the ring and `along` from pupil to limbus."""
+    """Return noise (rings, angles) with `across` waves around the ring and `along` from pupil to limbus."""
     r, angle = np.broadcast_arrays(r, angle)
     points = np.stack([np.cos(angle) * across, np.sin(angle) * across, r * along * 2 * np.pi], axis=-1)
     return noise_at(points.reshape(-1, 3), 2 * np.pi).reshape(r.shape)

@@ -13,7 +13,7 @@ _THICKNESS = 2.6  # mm
 
 
 def neckline(anatomy: Anatomy) -> Array:
-    """Return mm (N1,) from the neckline into the cloth, negative above: a round neck, higher at the back."""
+    """Return the distance (N1,) in mm from a round neckline into the cloth, negative on bare skin."""
     p, u = anatomy.skin, anatomy.unit
     base = anatomy.chin - 46.0 * u
     height = base - 0.30 * (p[:, 2] + 46.0 * u)
@@ -21,7 +21,10 @@ def neckline(anatomy: Anatomy) -> Array:
 
 
 def cloth_offset(depth: Array, normals: Array) -> Array:
-    """Return displacements (N1, 3) of the skin under cloth, a thick collar over a thinner body."""
+    """Return displacements (N1, 3) mm from the skin to the cloth; the collar is thicker than the rest.
+
+    `depth` (N1,) is that of `neckline`, `normals` (N1, 3) the skin's.
+    """
     amount = smoothstep(-1.5, 3.0, depth) * (
         1.0 - 0.35 * smoothstep(float(COLLAR), float(COLLAR) + 6.0, depth)
     )

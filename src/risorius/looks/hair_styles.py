@@ -1,4 +1,4 @@
-"""The styles of hair by name."""
+"""The hair of a head by the name of its style."""
 
 from __future__ import annotations
 
@@ -15,6 +15,6 @@ _STYLES = {"short": grow_short, "medium": grow_medium, "shaved": grow_stubble}
 
 
 def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> list[Strands]:
-    """Return the hair of an albedo (3,) that `looks` asks for, none on a bald head."""
+    """Return the hair in the style of `looks`, of linear albedo `colour` (3,); a bald head has none."""
     grow = _STYLES.get(looks.hair_style)
     return [grow(anatomy, surface, colour, looks.hairs)] if grow else []

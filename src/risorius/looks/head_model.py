@@ -26,10 +26,10 @@ class HeadModel:
     tongue. `hairs` are brows, lashes and, unless the head is bald, hair. `skin` is the skin's surface, in
     which hairs are rooted; `cloth` the garment's linear albedo (3,).
 
-    In a frame (`face.frame.FaceFrame`) the points of skin, tongue and lower teeth are replaced by the frame's
-    own, each eye turns about `head.eye_centre` by `eye_rotation`, and hairs move with the skin's triangles.
-    Then all turn about `head.head_pivot` by `head_rotation`: the skin by the share `head.neck_weight`, the
-    other parts as a whole.
+    In a frame (`face.frame.FaceFrame`) the points of skin, tongue and lower teeth are the frame's own, each
+    eye turns about `head.eye_centre` by `eye_rotation`, and hairs move with the skin's triangles. Then all
+    turn about `head.head_pivot` by `head_rotation`: the skin by the share `head.neck_weight`, the other parts
+    as a whole.
     """
 
     head: Head

@@ -1,4 +1,4 @@
-"""Eyelashes on the lids' margins; they ride on the lids as these close."""
+"""Eyelashes on the lids' margins; they move with the lids."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SEED = 11
 
 
 def grow_lashes(head: Head, surface: Surface, colour: Array, upper: int = 64, lower: int = 30) -> Strands:
-    """Return `upper` and `lower` lashes for each eye, of an albedo (3,)."""
+    """Return `upper` and `lower` lashes of linear albedo `colour` (3,) for each eye."""
     groups = []
     for side in range(2):
         pairs = surface.points[head.lid_pairs[side]]
@@ -34,7 +34,7 @@ def _row(
     colour: Array,
     rng: np.random.Generator,
 ) -> Strands:
-    """Return one row along a margin (P, 3): short at the nose, longest past the middle, fanned, curled."""
+    """Return one row along a margin (P, 3) mm: short at the nose, longest past the middle, fanned, curled."""
     outward = 1.0 if centre[0] > 0 else -1.0
     line = margin[np.argsort(margin[:, 0] * outward, kind="stable")]
     place = np.clip(

@@ -1,4 +1,4 @@
-"""What all styles of hair share: how high hairs run over the skin, their smoothness, and their locks."""
+"""Tools for all styles of hair: height over the skin, smoothing, spacing of points, and locks."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from ..core.arrays import Array
 from .surface import Surface, unit
 
 _LOCKS = 700
-_EVEN = 0.35  # of the points of a curve, the weight of those spread evenly beside those where it bends
+_EVEN = 0.35  # weight of even spacing against spacing by bends
 
 
 def height_over_skin(tree: cKDTree, surface: Surface, places: Array) -> tuple[Array, Array]:
-    """Return how high (S,) places (S, 3) stand over the skin, and its normals (S, 3) there.
+    """Return the height (S,) in mm of places (S, 3) over the skin, and the skin's normals (S, 3) there.
 
-    Both are means of the nearest vertices: taking one alone would break hairs where it changes.
+    Both are means over the nearest vertices: with a single one, hairs would break where it changes.
     """
     distance, nearest = tree.query(places, k=5)
     weight = 1.0 / (distance + 0.5)
@@ -26,7 +26,7 @@ def height_over_skin(tree: cKDTree, surface: Surface, places: Array) -> tuple[Ar
 
 
 def smoothed(curves: Array, rounds: int = 2) -> Array:
-    """Return curves (S, P, 3) with their inner points drawn to the middle of their neighbours."""
+    """Return curves (S, P, 3) with inner points moved towards the middle of their neighbours."""
     curves = curves.copy()
     for _ in range(rounds):
         curves[:, 1:-1] = 0.25 * curves[:, :-2] + 0.5 * curves[:, 1:-1] + 0.25 * curves[:, 2:]
@@ -34,9 +34,9 @@ def smoothed(curves: Array, rounds: int = 2) -> Array:
 
 
 def respaced(curves: Array, points: int) -> tuple[Array, Array]:
-    """Return curves (S, P, 3) by `points` of theirs, close where they bend, and how far along (S, points).
+    """Return curves (S, P, 3) resampled at `points` places, dense where they bend, and these places.
 
-    The way along a curve runs from 0 at its root to 1.
+    The places (S, points) are shares of a curve's length, 0 at the root to 1 at the tip.
     """
     steps = np.diff(curves, axis=1)
     lengths = np.linalg.norm(steps, axis=2) + 1e-9
@@ -48,20 +48,20 @@ def respaced(curves: Array, points: int) -> tuple[Array, Array]:
 
 
 def _bends(ways: Array) -> Array:
-    """Return by how many radians (S, P) parts of unit directions (S, P, 3) turn, half of it at either end."""
+    """Return the turn (S, P) in radians over each unit direction (S, P, 3): half of the turn at each end."""
     cosines = np.einsum("spc,spc->sp", ways[:, :-1], ways[:, 1:])
     turns = np.pad(np.arccos(np.clip(cosines, -1.0, 1.0)), ((0, 0), (1, 1)))
     return np.asarray(0.5 * (turns[:, :-1] + turns[:, 1:]))
 
 
 def _summed(parts: Array) -> Array:
-    """Return how much (S, P + 1) lies before each point, of what the parts (S, P) between them come to."""
+    """Return the running sum (S, P + 1) of the amounts (S, P) of parts, as shares of the total."""
     before = np.pad(np.cumsum(parts, axis=1), ((0, 0), (1, 0)))
     return np.asarray(before / before[:, -1:])
 
 
 def _at_shares(values: Array, shares: Array, points: int) -> Array:
-    """Return values (S, P, c), known where `shares` (S, P) rise from 0 to 1, at `points` even steps."""
+    """Return values (S, P, c), known at `shares` (S, P) from 0 to 1, interpolated at `points` even steps."""
     strands, known = shares.shape
     wanted = np.linspace(0.0, 1.0, points)
     upper = (shares[:, None, :] < wanted[None, :, None]).sum(axis=2).clip(1, known - 1)
@@ -74,7 +74,10 @@ def _at_shares(values: Array, shares: Array, points: int) -> Array:
 def gather_locks(
     curves: Array, length: Array, amount: Array, rng: np.random.Generator
 ) -> tuple[Array, Array]:
-    """Draw hairs by `amount` (S,) to the guides of their locks, more at their tips; add each lock's shade."""
+    """Return hairs moved by `amount` (S,) towards their lock's guide, and each hair's shade (S,).
+
+    Tips move more than roots. The shade is a factor on the colour, one for each lock.
+    """
     count, points = curves.shape[:2]
     guides = rng.permutation(count)[: min(_LOCKS, count)]
     middle = curves[:, points // 2]

@@ -16,24 +16,24 @@ from .strands import Strands
 from .surface import Surface, flat, unit
 
 POINTS = 11
-_STEPS = 28  # of the way that a hair goes, of which its points are chosen
+_STEPS = 28  # steps of a hair's path, from which its points are chosen
 _LAYERS = 4
 _SEED = 45
 _SHARE = 0.54  # longer hairs are drawn wider and in smaller number
-_PARTING = -24.0  # x of the parting, mm
-_AXIS = -72.0  # z of the axis about which hair is kept off the face, mm
-# Heights over the eyes in mm, and the angle from the front within which no hair hangs there.
+_PARTING = -24.0  # mm: x of the parting
+_AXIS = -72.0  # mm: z of the axis around which hair is turned off the face
+# Heights over the eyes in mm, and the angle from the front within which no hair hangs at that height.
 _FACE = ((-20.0, 10.0, 30.0, 48.0, 60.0, 66.0), (64.0, 68.0, 62.0, 54.0, 44.0, 0.0))
 
 
 def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
-    """Return hairs of an albedo (3,) for a head that has `count` short ones."""
+    """Return hairs of linear albedo `colour` (3,); `count` is how many hairs a short style has."""
     rng = np.random.default_rng(_SEED)
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     # Hairs alone on the forehead would look like scratches.
     density = density * (1.0 + 0.8 * front) * smoothstep(4.0, 12.0, inside_hairline(anatomy, surface.points))
-    # Upper layers come first: what lies under them then fails the depth test at once.
+    # Upper layers come first: the hairs under them then fail the depth test at once.
     each = round(_SHARE * count) // _LAYERS
     rounds = [grow_roots(anatomy, surface, density, each, _SEED + k) for k in range(_LAYERS)]
     triangles, weights = (np.concatenate(part) for part in zip(*rounds, strict=True))
@@ -55,7 +55,7 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
 
 
 def _lengths(anatomy: Anatomy, origin: Array) -> Array:
-    """Return lengths in mm with which all hair ends a little above the chin."""
+    """Return lengths in mm (S,) that let all hair end a little above the chin."""
     u = anatomy.unit
     end = 0.55 * float(anatomy.mouth[1]) + 0.45 * anatomy.chin
     high = smoothstep(20.0 * u, 90.0 * u, origin[:, 1] - anatomy.eye_height)
@@ -87,14 +87,14 @@ def _hang(
         above, normal = height_over_skin(tree, smooth, place)
         wanted = volume * np.sin(np.pi / 2 * min(1.0, 3.2 * way)) + 0.3
         lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)
-        # Hair never enters the head; where it lies on the skull it does not stand off it either.
+        # Hair never enters the head, and does not stand off it where it lies on the skull.
         shift = np.maximum(wanted - above, 0.0) + lying * np.minimum(wanted - above, 0.0)
         curves.append(_off_face(anatomy, place + shift[:, None] * normal))
     return np.stack(curves, axis=1)
 
 
 def _ahead(anatomy: Anatomy, place: Array, normal: Array) -> Array:
-    """Return the unit directions (S, 3) in which hair goes on from places (S, 3)."""
+    """Return the unit directions (S, 3) in which hair continues from places (S, 3)."""
     u = anatomy.unit
     aside = np.tanh((place[:, 0] - _PARTING * u) / (10.0 * u))
     high = smoothstep(35.0 * u, 88.0 * u, place[:, 1] - anatomy.eye_height)
@@ -107,9 +107,9 @@ def _ahead(anatomy: Anatomy, place: Array, normal: Array) -> Array:
 
 
 def _off_face(anatomy: Anatomy, place: Array) -> Array:
-    """Return places (S, 3) turned back about the skull's axis until they hang beside the face.
+    """Return places (S, 3) turned back around the skull's axis until they hang beside the face.
 
-    Over the temples the face ends at the hairline, below them at an angle from the front.
+    Above the temples the face ends at the hairline, below them at an angle from the front.
     """
     u = anatomy.unit
     depth = place[:, 2] - _AXIS * u

@@ -1,4 +1,4 @@
-"""Where each muscle is painted on the skin: fibres along its line of pull, or around the mouth and eyes."""
+"""The muscles painted on the skin: fibres along a line of pull, or rings around the mouth and the eyes."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from .anatomy import Anatomy, find_anatomy
 from .parts import skin_surface
 from .surface import unit
 
-SOFT = f4(0.9)  # mm: half the width of a muscle's soft edge
+SOFT = f4(0.9)  # mm: half the width of a painted muscle's soft edge
 _OUTSIDE = -20.0  # mm
 
-# Linear albedo at rest, contracted, and where a rival keeps it down (that one glows).
+# Linear albedo of a muscle at rest, contracted, and suppressed by a rival (which glows).
 _REST, _ACTIVE, _HOT = (
     np.array([0.40, 0.13, 0.11]),
     np.array([0.62, 0.015, 0.02]),
@@ -30,9 +30,9 @@ _REST, _ACTIVE, _HOT = (
 class MusclePaint(NamedTuple):
     """The muscles on the skin.
 
-    `covered` (m,) int64 has bit k set on the triangles that muscle k covers; `place` (N1, M, 2) is how far a
-    vertex lies within its outline and its way across the fibres, both in mm; `columns` (M,) are the
-    parameters.
+    `covered` (m,) int64 has bit k set on the triangles that muscle k covers. `place` (N1, M, 2) is, in mm,
+    the distance of a vertex inside the muscle's outline and its position across the fibres. `columns` (M,)
+    are the muscles' numbers in the table of parameters.
     """
 
     covered: Int64Array
@@ -59,7 +59,7 @@ class _Band:
     half: float
 
 
-# The muscles whose row in the table names an axis or a direction instead of the course of their fibres.
+# Muscles whose row in the head's table has an axis or a direction instead of the line of their fibres.
 _COURSES: dict[str, _Ring | _Band] = {
     "orbicularis_oris_presser": _Ring("mouth", 21.0, 11.0, 4.0),
     "orbicularis_oris_funneler": _Ring("mouth", 29.0, 19.0, 4.0),
@@ -69,16 +69,16 @@ _COURSES: dict[str, _Ring | _Band] = {
     "mentalis": _Band((6.0, -80.0, 24.0), (8.0, -99.0, 20.0), 5.5),
     "masseter": _Band((58.0, -32.0, -28.0), (52.0, -84.0, -34.0), 10.0),
 }
-_SHEET = 0.46  # half the width of a sheet in widths of its zone
-_LINEAR = 0.17  # and of a band
-_WITHIN = np.array([0.0, 0.0, -60.0])  # a place in the skull: muscles lie on the skin that faces away
+_SHEET = 0.46  # half the width of a sheet muscle, in widths of its zone
+_LINEAR = 0.17  # the same of a band
+_WITHIN = np.array([0.0, 0.0, -60.0])  # in the skull: muscles are painted on skin that faces away from here
 _ENDS = 2.0  # mm by which a muscle is painted beyond its line
 
 
 def place_muscles(head: Head, triangles: int) -> MusclePaint:
-    """Lay a head's muscles out for a scene of so many `triangles`, the skin's first.
+    """Place a head's muscles on its skin, for a scene of `triangles` triangles that starts with the skin's.
 
-    The table's places are those of the standard head; a head of the same mesh takes them by vertex.
+    The table holds places on the standard head; a head of the same mesh has them at the same vertices.
     """
     model = _model(head)
     anatomy = find_anatomy(model)
@@ -102,7 +102,7 @@ def place_muscles(head: Head, triangles: int) -> MusclePaint:
 def colours(paint: MusclePaint, parameters: Array, suppression: Array) -> Float32Array:
     """Return colour and opacity (M, 4) float32 of each muscle.
 
-    `parameters` (46,) are activations 0..1, `suppression` (46,) how much rivals took from each.
+    `parameters` (46,) are activations 0..1, `suppression` (46,) is how much rivals suppress each, 0..1.
     """
     active = np.clip(parameters[paint.columns], 0.0, 1.0)[:, None]
     hot = np.clip(1.6 * suppression[paint.columns], 0.0, 1.0)[:, None]
@@ -125,7 +125,7 @@ def _band(row: Muscle) -> _Band:
 def _painted(
     course: _Ring | _Band, anatomy: Anatomy, head: Head, normals: Array, side: float
 ) -> tuple[Array, Array]:
-    """Return how far (mm) vertices (N1,) lie within a course on one side, and their way across its fibres."""
+    """Return how far vertices (N1,) lie inside a course on one side, and their position across it, in mm."""
     mirrored = np.array([side, 1.0, 1.0])
     points = anatomy.skin * mirrored
     if isinstance(course, _Ring):
@@ -139,7 +139,7 @@ def _painted(
 def _around(ring: _Ring, points: Array, centre: Array) -> tuple[Array, Array]:
     x, y = (points[:, :2] - centre[:2]).T
     reach = np.hypot(x / ring.across, y / ring.up)
-    # mm from the middle of the ring in the direction of the point.
+    # Distance from the middle of the ring, in the direction of the point.
     way = (reach - 1.0) * np.hypot(x, y) / np.maximum(reach, 1e-6)
     return ring.half - np.abs(way), way
 
@@ -152,7 +152,7 @@ def _along(band: _Band, points: Array, normals: Array) -> tuple[Array, Array, Bo
     way = np.einsum("nd,nd->n", points - origin, unit(np.cross(normals, ahead)))
     spindle = band.half * (0.55 + 0.45 * np.sin(np.pi * np.clip(along / length, 0.0, 1.0)))
     inside = np.minimum(spindle - np.abs(way), np.minimum(along, length - along) + _ENDS)
-    # Within reach of the line: the nape has places as far across as the brow.
+    # Only near the line: points of the nape lie as far across as points of the brow.
     away = points - origin - np.clip(along, 0.0, length)[:, None] * ahead
     near = np.linalg.norm(away, axis=1) < max(band.half + 9.0, 16.0)
     return inside, way, near & (np.einsum("nd,nd->n", normals, unit(points - _WITHIN)) > 0.0)

@@ -1,6 +1,6 @@
-"""Solid noise: a tile of smooth random heights with their slopes, looked up at rest positions.
+"""Solid noise: a periodic tile of smooth random heights, looked up at positions of the head at rest.
 
-Being solid it has no seams and rides on the skin.
+A solid has no seams, and a pattern looked up at rest moves with the skin.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _SEED = 20040611
 def noise_tile() -> Float32Array:
     """Return the tile (SIZE, SIZE, SIZE) float32, indexed z, y, x: heights of variance 1.
 
-    Waves of 4 to 10 cells: fine grain without a direction and without visible repetition at that scale.
+    Its waves are 4 to 10 cells long: fine grain of no direction, which does not visibly repeat.
     """
     spectrum = np.fft.fftn(np.random.default_rng(_SEED).standard_normal((SIZE,) * 3))
     axis = np.fft.fftfreq(SIZE)
@@ -35,7 +35,7 @@ def noise_tile() -> Float32Array:
 
 
 def noise_at(points: FloatArray, wavelength: float) -> Array:
-    """Return heights (n,) of variance 1 at points (n, 3) mm whose waves are about `wavelength` mm long."""
+    """Return heights (n,) of variance 1 at points (n, 3) mm, with waves of about `wavelength` mm."""
     heights = np.empty(len(points))
     _interpolate(noise_tile(), points * (6.5 / wavelength) + 0.37 * SIZE, heights)
     return heights
@@ -43,7 +43,7 @@ def noise_at(points: FloatArray, wavelength: float) -> Array:
 
 @lean_kernel
 def _interpolate(tile: Float32Array, cells: FloatArray, out: Array) -> None:
-    """Write heights (n,) at places (n, 3) in cells, linearly between the corners of each cell."""
+    """Write heights (n,) at places (n, 3) in cells, interpolated between the corners of each cell."""
     for k in range(len(cells)):
         i, j, m = i8(math.floor(cells[k, 0])), i8(math.floor(cells[k, 1])), i8(math.floor(cells[k, 2]))
         u, v, w = f8(cells[k, 0]) - i, f8(cells[k, 1]) - j, f8(cells[k, 2]) - m

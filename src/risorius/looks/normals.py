@@ -13,7 +13,7 @@ from ..core.kernels.vec import at, cross, sub, unit
 
 @lean_kernel
 def face_normals(points: Float32Array, faces: Int32Array, out: Float32Array) -> None:
-    """Write the normals of `faces` (m, 4), twice their areas long; a triangle repeats its last corner."""
+    """Write the normals (m, 3) of `faces` (m, 4), of length twice their area; triangles repeat a corner."""
     for f in range(len(faces)):
         first = sub(at(points, faces[f, 2]), at(points, faces[f, 0]))
         second = sub(at(points, faces[f, 3]), at(points, faces[f, 1]))
@@ -22,7 +22,7 @@ def face_normals(points: Float32Array, faces: Int32Array, out: Float32Array) -> 
 
 @lean_kernel
 def vertex_normals(normals: Float32Array, starts: Int32Array, around: Int32Array, out: Float32Array) -> None:
-    """Write unit normals of vertices from those of the faces at each, `around[starts[i]:starts[i + 1]]`."""
+    """Write unit normals (n, 3): at vertex i the sum over the faces `around[starts[i]:starts[i + 1]]`."""
     for i in range(len(starts) - 1):
         x, y, z = f4(0), f4(0), f4(0)
         for k in range(starts[i], starts[i + 1]):
@@ -47,7 +47,7 @@ class Normals:
         self._face_normals: Float32Array = np.zeros((len(faces), 3), np.float32)
 
     def clone(self) -> Normals:
-        """Return one that can be updated at the same time as this."""
+        """Return a copy that another thread can update at the same time."""
         other = copy(self)
         other._face_normals = np.zeros_like(self._face_normals)
         return other

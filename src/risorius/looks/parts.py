@@ -37,7 +37,7 @@ from .srgb import linear
 from .strands import Strands, root_frames
 from .surface import Surface
 
-HEM = 10.0  # mm over which skin becomes cloth: triangles there are that wide
+HEM = 10.0  # mm over which skin blends into cloth: the width of triangles there
 _TOOTH, _GUM, _TONGUE = (244, 234, 214), (186, 98, 92), (206, 122, 114)
 
 
@@ -46,11 +46,11 @@ class Part:
     """One mesh of a head at rest, in the head frame.
 
     points      (n, 3) mm
-    faces       (f, 4) vertices; a triangle repeats its last one. Smooth normals are those of the faces
+    faces       (f, 4) vertices of quads, from which smooth normals follow; triangles repeat their last
     triangles   (m, 3) vertices, wound outwards
     attributes  (n, ATTRIBUTES) float32, see `attributes`
-    surface     what the part is of: one of the surfaces in `attributes`
-    colours     (n, 3) linear, 0..1: the albedo and, where it is worn, the cloth's
+    surface     one of the surfaces in `attributes`
+    colours     (n, 3) linear, 0..1: the albedo, and the cloth's where it covers the skin
     roughness   0..1, one for the whole part
     roots       (n, 3) vertices of the skin with which each point of a hair moves, None for solid parts
     weights     (n, 3) their weights, None for solid parts
@@ -84,7 +84,7 @@ def skin_surface(head: Head, anatomy: Anatomy) -> Surface:
 def skin_part(
     head: Head, anatomy: Anatomy, surface: Surface, looks: Looks, brows: Array, hair: Array
 ) -> Part:
-    """Return the skin, darkened under the brows by their albedo (3,) and under the hair by its own."""
+    """Return the skin, darkened under brows and hair; `brows` and `hair` (3,) are their linear albedos."""
     quads, inside = head.skin.quads, neckline(anatomy)
     curvature = mean_curvature(surface.points, surface.normals, quads)
     attributes = paint_skin(anatomy, looks, inside, curvature)
@@ -102,7 +102,7 @@ def skin_part(
 
 
 def eye_parts(head: Head) -> list[Part]:
-    """Return the left and the right eye: white, since programs draw the iris by a texture or a shader."""
+    """Return the left and the right eye, both white: renderers draw the iris by a texture or a shader."""
     sphere, triangles = cap()
     attributes = _attributes(len(sphere), (255, 255, 255), 0.02, 1.0)
     faces, colours = triangles_as_faces(triangles), _albedo(attributes)
@@ -191,7 +191,7 @@ def _attributes(count: int, colour: ByteColour, roughness: float, strength: floa
 
 
 def _outward(vertices: Array, triangles: Int32Array) -> Int32Array:
-    """Return triangles wound so that they enclose a positive volume."""
+    """Return triangles wound outwards: they enclose a positive volume."""
     a, b, c = (vertices[triangles[:, k]] - vertices.mean(axis=0) for k in range(3))
     return (
         triangles

@@ -1,4 +1,4 @@
-"""Where hair grows: the hairline about the skull, and which way the hair lies."""
+"""The scalp: the hairline around the skull, the density of hair, and the directions in which it lies."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from .anatomy import Anatomy, smoothstep
 from .noise import noise_at
 from .surface import Surface, flat, unit
 
-# Height of the hairline over the eyes (mm) by the angle from the front, about an axis through the skull.
+# Heights of the hairline over the eyes in mm, by the angle from the front around an axis through the skull.
 _ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
 _HEIGHTS = (65, 66, 68, 62, 48, 30, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
-_AXIS = -72.0  # z of the axis, mm
-# How dark the scalp is under each style of hair.
-# How far, in mm, hair of each style stands out over the skin next to it.
+_AXIS = -72.0  # mm: z of that axis
+# How far, in mm, hair of each style stands out over the skin beside it.
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
+# How much the scalp is darkened under each style of hair.
 _UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.62, "bald": 0.0}
 
 
 def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
-    """Return mm (n,) by which points (n, 3) lie inside the hairline, negative outside; a little uneven."""
+    """Return the distance (n,) in mm of points (n, 3) inside an uneven hairline, negative outside."""
     u = anatomy.unit
     angle = np.degrees(np.arctan2(np.abs(points[:, 0]), points[:, 2] - _AXIS * u))
     line = anatomy.eye_height + u * np.interp(angle, _ANGLES, _HEIGHTS)
@@ -29,21 +29,21 @@ def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
 
 
 def hair_density(anatomy: Anatomy, points: Array, ears: Array) -> Array:
-    """Return how densely (n,) hair grows at points (n, 3): rising over a centimetre, none on the ears."""
+    """Return the density (n,) of hair at points (n, 3), 0..1: it rises over 17 mm, and is 0 on the ears."""
     return smoothstep(-2.5, 15.0, inside_hairline(anatomy, points)) * (1.0 - smoothstep(0.05, 0.3, ears))
 
 
 def scalp_shade(anatomy: Anatomy, style: str) -> Array:
-    """Return how much each skin vertex (N1,) is darkened by hair that stands too close to be drawn."""
+    """Return by how much, 0..1, each skin vertex (N1,) is darkened by hairs too fine to be drawn."""
     strength = _UNDER[style]
     return np.asarray(strength * hair_density(anatomy, anatomy.skin, anatomy.masks["ears"]) ** 1.5)
 
 
 def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray) -> tuple[Array, Array, Array]:
-    """Return the shares of light (n,) that hair keeps from each skin vertex, all 0 under no hair to speak of.
+    """Return three shares of light (N1,) that hair takes from each skin vertex; 0 for shaved and bald heads.
 
-    First what it covers keeps from all lamps, then what the hair above the hairline keeps from the key lamp
-    in direction `lamp` (3,), then what it keeps from the light all around.
+    They are the share of all lamps that hair takes from the skin it covers, and what hair that stands out
+    over the skin takes of the key lamp in direction `lamp` (3,), and of the light from above.
     """
     skin, ears = anatomy.skin, anatomy.masks["ears"]
     thick = _THICK[style]
@@ -60,12 +60,12 @@ def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray) -> tuple[Array, A
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
-    """Return unit directions (n, 3) along the skin of combed hair: back from the face, down at the sides."""
+    """Return unit directions (n, 3) of combed hair along the skin: back from the face, down at the sides."""
     u = anatomy.unit
     side = np.sign(points[:, 0]) * smoothstep(0.0, 25.0 * u, np.abs(points[:, 0]))
     high = smoothstep(30.0 * u, 75.0 * u, points[:, 1] - anatomy.eye_height)
     back = smoothstep(-70.0 * u, -150.0 * u, points[:, 2])
-    # A parting off the middle: hair leans to the subject's left of it and to the right beyond.
+    # The parting is off the middle; hair leans away from it on both sides.
     lean = np.tanh((points[:, 0] + 30.0 * u) / (18.0 * u))
     combed = np.stack(
         [0.62 * lean * high + 0.25 * side * (1 - high), -0.9 * (1 - high) - 0.6 * back, -1.0 + 0.5 * back],
@@ -78,7 +78,10 @@ def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
 def grow_roots(
     anatomy: Anatomy, surface: Surface, density: Array, count: int, seed: int
 ) -> tuple[Int32Array, Array]:
-    """Return `count` triangles and weights in them, spread over the skin by area times `density` (N1,)."""
+    """Return triangles (count,) and weights (count, 3) in them, spread over the skin by area and density.
+
+    `density` (N1,) is that of the skin's vertices.
+    """
     rng = np.random.default_rng(seed)
     corners = surface.points[surface.triangles]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)

@@ -18,13 +18,13 @@ _SEED = 21
 
 
 def grow_short(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
-    """Return `count` hairs of an albedo (3,)."""
+    """Return `count` hairs of linear albedo `colour` (3,)."""
     rng = np.random.default_rng(_SEED)
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
     behind = smoothstep(-115.0, -150.0, surface.points[:, 2])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     density = density * (1.0 - 0.5 * behind) * (1.0 + 1.2 * front)
-    # Upper layers come first: what lies under them then fails the depth test at once.
+    # Upper layers come first: the hairs under them then fail the depth test at once.
     rounds = [grow_roots(anatomy, surface, density, count // _LAYERS, _SEED + k) for k in range(_LAYERS)]
     triangles, weights = (np.concatenate(part) for part in zip(*rounds, strict=True))
     count = len(triangles)
@@ -43,7 +43,7 @@ def grow_short(anatomy: Anatomy, surface: Surface, colour: Array, count: int) ->
 
 
 def _lengths(anatomy: Anatomy, origin: Array, within: Array) -> Array:
-    """Return lengths in mm: long on top, short at the sides and neck, shorter at the hairline."""
+    """Return lengths (S,) in mm: long on top, short at sides and neck, shorter still at the hairline."""
     u = anatomy.unit
     high = smoothstep(38.0 * u, 84.0 * u, origin[:, 1] - anatomy.eye_height)
     edge = 0.45 + 0.55 * smoothstep(0.0, 12.0 * u, within)
@@ -59,7 +59,7 @@ def _walk(
     layer: Array,
     rng: np.random.Generator,
 ) -> Array:
-    """Return curves (S, POINTS, 3) that leave the skin, bend over and follow it at their layer's height."""
+    """Return curves (S, POINTS, 3) that leave the skin, bend over, and follow it at their layer's height."""
     u = anatomy.unit
     tree = cKDTree(surface.points)
     high = smoothstep(38.0 * u, 84.0 * u, origin[:, 1] - anatomy.eye_height)

@@ -1,4 +1,4 @@
-"""Between sRGB colours and linear light."""
+"""Conversion between sRGB colours and linear light."""
 
 from __future__ import annotations
 
@@ -21,5 +21,5 @@ def srgb_decode(encoded: FloatArray) -> Array:
 
 
 def linear(colour: ByteColour) -> Array:
-    """Return an sRGB colour in bytes as linear albedo (3,)."""
+    """Return the linear albedo (3,) of an sRGB colour."""
     return srgb_decode(np.asarray(colour) / 255.0)

@@ -1,4 +1,4 @@
-"""Hairs: tapered curves rooted in the skin, drawn as ribbons that face the camera."""
+"""Hairs: tapered curves rooted in the skin."""
 
 from __future__ import annotations
 
@@ -14,11 +14,15 @@ from ..core.arrays import Array, Float32Array, FloatArray, Int8Array, Int32Array
 class Strands:
     """S hairs of P points each, rooted in skin triangles.
 
-    `roots` (S, 3) int32 are the triangle's vertices and `weights` (S, 3) float32 the place in it; `curves`
-    (S, P, 3) float32 mm stand in the root's frame (first edge made level, the third direction, normal);
-    `widths` (S, P) mm are full widths; `colours` (S, 3) linear; `depths` (S,) 0..1 is how little light
-    reaches the root (0 free, 1 buried); `gloss` is the strength of their highlights; a hair is drawn while
-    the cosine between its root's normal and the way to the camera is more than `behind`.
+    roots       (S, 3) int32, vertices of the triangle
+    weights     (S, 3) float32, barycentric place of the root in the triangle
+    curves      (S, P, 3) float32, mm in the root's frame (see `root_frames`)
+    widths      (S, P) float32, mm
+    colours     (S, 3) float32, linear
+    depths      (S,) float32, 0 (free) to 1 (buried: no light reaches the root)
+    gloss       strength of the highlights
+    behind      a hair is drawn if the cosine between the normal at its root and the direction to the camera
+                is greater than this
     """
 
     roots: Int32Array
@@ -32,24 +36,24 @@ class Strands:
 
     @property
     def vertices(self) -> int:
-        """How many vertices the ribbons have: two for each point."""
+        """The number of vertices of the hairs' ribbons: two for each point."""
         return 2 * self.widths.size
 
     def triangles(self) -> Int32Array:
-        """Return the ribbons' triangles (2 S (P − 1), 3), counting vertices from 0, hair by hair."""
+        """Return the triangles (2 S (P − 1), 3) of the ribbons, hair by hair; vertices count from 0."""
         strands, points = self.widths.shape
         pair = 2 * np.arange(strands * points).reshape(strands, points)[:, :-1, None, None]
         corners = (pair + np.array([[0, 1, 2], [1, 3, 2]])).reshape(-1, 3)
         return np.asarray(corners, np.int32)
 
     def segments(self) -> Int8Array:
-        """Return which part of its hair, counted from the root, each of `triangles` is."""
+        """Return the segment (2 S (P − 1),) of its hair, counted from the root, that each triangle is of."""
         strands, points = self.widths.shape
         return np.tile(np.repeat(np.arange(points - 1, dtype=np.int8), 2), strands)
 
 
 def join(groups: list[Strands]) -> Strands:
-    """Return several groups of hairs, of equally many points, as one."""
+    """Return groups of hairs with the same number of points as one group."""
     names = ("roots", "weights", "curves", "widths", "colours", "depths")
     arrays: dict[str, Any] = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
     return replace(groups[0], **arrays)
@@ -61,7 +65,11 @@ def root_frames(
     roots: Int32Array,
     weights: Float32Array,
 ) -> Array:
-    """Return the frames (S, 3, 3) of roots, as rows: along the first edge, across it, normal."""
+    """Return the frames (S, 3, 3) of roots.
+
+    Their rows are the triangle's first edge, projected into the plane of the normal, the direction across it,
+    and the normal.
+    """
     normal = np.einsum("skc,sk->sc", np.asarray(normals, np.float64)[roots], weights)
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     edge = np.asarray(positions[roots[:, 1]] - positions[roots[:, 0]], np.float64)

@@ -15,7 +15,7 @@ _SEED = 33
 
 
 def grow_stubble(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
-    """Return `count` hairs of an albedo (3,), finer and sparser to the hairline."""
+    """Return `count` hairs of linear albedo `colour` (3,), finer and sparser towards the hairline."""
     rng = np.random.default_rng(_SEED)
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"]) ** 1.4
     triangles, weights = grow_roots(anatomy, surface, density, count, _SEED)

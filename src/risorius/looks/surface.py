@@ -1,4 +1,4 @@
-"""Rooting hairs: from curves drawn in the head frame at rest to curves in the frames of skin triangles."""
+"""The skin as a surface on which hairs grow: nearest places, normals, and hairs rooted in its triangles."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ class Surface:
     triangles: Int32Array
 
     def nearest(self, places: Array) -> tuple[Int32Array, Array]:
-        """Return the triangles (S,) nearest to places (S, 3), and barycentric weights (S, 3) in them."""
+        """Return the triangles (S,) nearest to places (S, 3) mm, and barycentric weights (S, 3) in them."""
         corners = self.points[self.triangles]
         _, candidates = cKDTree(corners.mean(axis=1)).query(places, k=min(_CANDIDATES, len(corners)))
         weights = _project(places[:, None, :], corners[candidates])
         inside = np.clip(weights, 0.0, 1.0)
         inside /= inside.sum(axis=-1, keepdims=True)
-        found = np.einsum("sck,sckd->scd", inside, corners[candidates])
-        best = np.linalg.norm(found - places[:, None, :], axis=-1).argmin(axis=1)
+        nearest = np.einsum("sck,sckd->scd", inside, corners[candidates])
+        best = np.linalg.norm(nearest - places[:, None, :], axis=-1).argmin(axis=1)
         rows = np.arange(len(places))
         return candidates[rows, best].astype(np.int32), inside[rows, best]
 
     def at(self, triangles: Int32Array, weights: Array) -> tuple[Array, Array]:
-        """Return positions (S, 3) and unit normals (S, 3) at weights in triangles."""
+        """Return positions (S, 3) mm and unit normals (S, 3) at weights (S, 3) in triangles (S,)."""
         corners = self.triangles[triangles]
         normal = np.einsum("sk,skd->sd", weights, self.normals[corners])
         normal /= np.linalg.norm(normal, axis=1, keepdims=True)
@@ -50,7 +50,7 @@ class Surface:
         depths: Array,
         gloss: float,
     ) -> Strands:
-        """Return hairs whose `curves` (S, P, 3) mm in the head frame begin at weights in triangles."""
+        """Return hairs that start at weights in triangles; `curves` (S, P, 3) mm stand in the head frame."""
         roots = self.triangles[triangles]
         frames = root_frames(self.points, self.normals, roots, weights.astype(np.float32))
         origin = np.einsum("sk,skd->sd", weights, self.points[roots])
@@ -78,10 +78,10 @@ def _project(places: Array, corners: Array) -> Array:
 
 
 def unit(vectors: Array) -> Array:
-    """Return vectors (…, 3) at length 1."""
+    """Return vectors (…, 3) scaled to length 1."""
     return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-12))
 
 
 def flat(vectors: Array, normals: Array) -> Array:
-    """Return unit vectors (…, 3) brought into the planes of unit normals."""
+    """Return vectors (…, 3) projected into the planes of unit normals (…, 3), at length 1."""
     return unit(vectors - (vectors * normals).sum(-1, keepdims=True) * normals)

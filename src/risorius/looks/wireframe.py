@@ -1,4 +1,4 @@
-"""Which edges of the mesh a wireframe shows, and how strongly."""
+"""The edges of the mesh that a wireframe shows, and their strengths."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ import numpy as np
 from ..core.arrays import Float32Array
 from ..face.head import Head
 
-_FINE = 0.28  # strength of the lines that subdivision added
+_FINE = 0.28  # strength of the edges that subdivision added
 
 
 def edge_strengths(head: Head, triangles: int) -> Float32Array:
-    """Return the strength (m, 3) float32, 0..1, of the edge opposite each corner of a scene's triangles.
+    """Return the strengths (m, 3) float32, 0..1, of the edges opposite to each corner of a scene's triangles.
 
-    The edges of the skin's coarse quads count in full, those that subdivision adds less, diagonals not.
+    Edges of the skin's coarse quads have strength 1, those that subdivision added less, diagonals 0.
     """
     strengths = np.zeros((triangles, 3), np.float32)
     faces = head.skin.triangles

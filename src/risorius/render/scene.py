@@ -30,11 +30,11 @@ _SOFTENED = 0.8  # light reflected within folds fills them a little
 class HeadScene:
     """All that is drawn of a head.
 
-    Static: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, …), `rest` (n, 3), and
-    `solid`, how many of the triangles (the first ones) cast shadows, and `skin_vertices`, how many of the
-    vertices are the skin's (the first ones); of the `hairs` that follow them the
-    first `facial_hairs` are brows and lashes, and `hair_segments` (m − solid,) tell which part of its hair each
-    triangle is. After `pose`: `positions` (n, 3) and `normals` (n, 3) float32 in the world.
+    These never change: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, ATTRIBUTES)
+    and `rest` (n, 3). The first `solid` triangles are those of the solid parts and cast shadows; the first
+    `skin_vertices` vertices are the skin's. Hairs stand last: of `hairs` in all, the first `facial_hairs`
+    are brows and lashes, and `hair_segments` (m − solid,) is the segment of its hair that each triangle
+    belongs to. `pose` writes `positions` (n, 3) and `normals` (n, 3), float32 in the world.
     """
 
     def __init__(self, model: HeadModel, lamps: Float32Array) -> None:
