@@ -12,7 +12,7 @@ from ..core.kernels.jit import f4, i4, lean_device, lean_kernel
 from ..errors import InputError
 from .raster import SUBPIXEL
 
-Vector = tuple[float, float, float]
+Coordinates = tuple[float, float, float]
 _FAR = f4(1 << 22)  # snapped positions stay within ±16384 samples, so that edge products fit in 64 bits
 _NEAREST = f4(1.0)  # mm; what is nearer than this is projected as if it were this far
 
@@ -25,8 +25,8 @@ class Camera:
     16° over the short side; nearer cameras with wider angles make noses large.
     """
 
-    eye: Vector
-    target: Vector
+    eye: Coordinates
+    target: Coordinates
     field_of_view: float = 16.0
 
     def __post_init__(self) -> None:
@@ -66,7 +66,7 @@ class Camera:
         return math.dist(self.eye, self.target) / self.focal(height)
 
 
-def portrait(top: float, bottom: float, centre: Vector, field_of_view: float = 16.0) -> Camera:
+def portrait(top: float, bottom: float, centre: Coordinates, field_of_view: float = 16.0) -> Camera:
     """Return a camera whose picture reaches from `bottom` to `top` (mm, heights) in the depth of `centre`."""
     if top <= bottom:
         raise InputError(f"the frame's top {top:g} lies below its bottom {bottom:g}")

@@ -21,7 +21,7 @@ EdgeValues = tuple[int, int, int]
 """One whole number for each edge of a triangle."""
 
 
-class Scan(NamedTuple):
+class TriangleScan(NamedTuple):
     """Where to look for a triangle's samples, and what tells which they are.
 
     The rows from `first` to `last`, the columns from `left` to `right`; `edges` are its edge functions at
@@ -74,7 +74,7 @@ def fill(
         downs[1] * near_b + downs[2] * near_c,
     )
     edges = wa + _bias(cx - bx, cy - by), wb + _bias(ax - cx, ay - cy), wc + _bias(bx - ax, by - ay)
-    scan = Scan(first, last, left, right, edges, steps, downs, near)
+    scan = TriangleScan(first, last, left, right, edges, steps, downs, near)
     wide = max(ax, bx, cx) - min(ax, bx, cx) + LANES * SUBPIXEL
     if depth.shape[1] >= LANES and wide * (max(ay, by, cy) - min(ay, by, cy)) < _MOST:
         corners = f4(ax), f4(ay), f4(bx), f4(by), f4(cx), f4(cy)
@@ -85,7 +85,7 @@ def fill(
 
 @fast_inlined
 def _fill_blocks(
-    t: int, scan: Scan, corners: CornerPlaces, depth: Float32Array, ids: Int32Array, keep: bool
+    t: int, scan: TriangleScan, corners: CornerPlaces, depth: Float32Array, ids: Int32Array, keep: bool
 ) -> None:
     """Draw the triangle in columns of LANES samples, in each of them the rows that it may reach there."""
     first, last, left, right, edges, steps, downs, near = scan
@@ -173,7 +173,7 @@ def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
 
 
 @lean_device
-def _fill_rows(t: int, scan: Scan, depth: Float32Array, ids: Int32Array, keep: bool) -> None:
+def _fill_rows(t: int, scan: TriangleScan, depth: Float32Array, ids: Int32Array, keep: bool) -> None:
     """Draw the triangle row by row, from where to where it reaches in each."""
     first, last, left, right, edges, steps, downs, near = scan
     (qa, ra), (da, ea) = _divide(edges[0], steps[0]), _divide(downs[0], steps[0])
