@@ -10,7 +10,10 @@ from hypothesis import strategies as st
 from risorius.channels import HORIZON, ChannelInputs, Display, compose
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.utterance import Utterance
+from risorius.pipeline import speak
 from risorius.rules.profiles import Profile, profile, profiles
+from risorius.script import read_script
+from risorius.settings import Settings
 
 Maker = Callable[..., Utterance]
 Moved = tuple[list[Movement], list[LipSegment]]
@@ -120,3 +123,31 @@ def test_where_nothing_is_said_a_longer_clip_begins_as_a_shorter_one() -> None:
     short, long = (compose(ChannelInputs(duration), seed=2).movements for duration in (60.0, 90.0))
     settled = 60.0 - HORIZON
     assert [m for m in short if m.end < settled] == [m for m in long if m.end < settled]
+
+
+def spoken(text: str) -> Utterance:
+    """Return a text as the voice says it, measured."""
+    said = speak(read_script(text, text=True), (), Settings())
+    assert said is not None
+    return said
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Oh, really? I like it very much. My baby brother put the map by the beam. What do you think about "
+        "that? I never know what to say, you see, but I try. No, I do not believe a word of it!",
+        "She said that nobody in the whole house, neither the children nor their parents, had seen a thing. "
+        "Is it true? Well, who knows. You may ask her yourself when she comes back on Monday. Everybody else "
+        "has gone away for the summer, or so it seems.",
+    ],
+)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_spoken_text_that_goes_on_begins_as_before(text: str, seed: int) -> None:
+    before, after = spoken(text), spoken(f"{text} That is all I know. Would you like some more?")
+    settled = before.words[-1].end - HORIZON
+    assert settled > 0.0
+    movements, lips = moved_before(settled, before, seed)
+    assert (movements, lips) == moved_before(settled, after, seed)
+    assert len(movements) > 20
+    assert len(lips) > 20
