@@ -130,7 +130,7 @@ def test_our_rules_are_well() -> None:
     [
         (["probability = 0"], "can never fire: its probability is 0"),
         (["when = { nuclear = true }"], "nuclear accent without naming accents"),
-        (['when = { emotion = ["none"], intensity = 0.3 }'], "where nothing is felt there is no intensity"),
+        (['when = { emotion = ["none"], intensity = 0.3 }'], "when nothing is felt there is no intensity"),
         (['when = { words = ["Yes"] }'], "words are compared in lower case"),
         (['when = { pause = ["initial"] }'], "nothing is said before the initial pause"),
         (["when = { stress = [-1] }"], "only consonants have a stress of -1"),
@@ -138,13 +138,13 @@ def test_our_rules_are_well() -> None:
             ['level = "pause"', 'when = { pause = ["comma"], question = ["wh"] }'],
             "a question is followed by a pause of the kind question",
         ),
-        (['pauses = ["signals.nods"]'], "pauses 'signals.nods', which is no rule"),
+        (['pauses = ["signals.nods"]'], "pauses 'signals.nods', which is not a rule"),
         (['pauses = ["signals.brows"]'], "pauses itself"),
         (['effect = { targets = { AU1 = 0.5 }, look = "up" }'], "has a look and targets"),
         (['source = " "'], "lacks a source or a comment"),
     ],
 )
-def test_the_doctor_names_the_ill(lines: list[str], message: str) -> None:
+def test_the_doctor_names_problems(lines: list[str], message: str) -> None:
     (finding,) = examine(extended(shipped(), mine(*lines), "my.toml"))
     assert str(finding).startswith("my.toml:1:1: rule 'signals.brows.mine' ")
     assert message in str(finding)

@@ -38,7 +38,7 @@ NO_TIMES = [
 
 @pytest.mark.parametrize("text", NO_TIMES)
 def test_what_is_no_time_is_refused(text: str) -> None:
-    with pytest.raises(InputError, match=r"^f\.xml:3:7: end = '.*' is no time; expected seconds, word:3"):
+    with pytest.raises(InputError, match=r"^f\.xml:3:7: end = '.*' is not a time; expected seconds, word:3"):
         parse_anchor("end", text, PLACE)
 
 

@@ -32,7 +32,7 @@ BAD = [
     (in_block('<gaze id="a" target="left" start="s:tt"/>'), "x.bml:2:28: unknown sync point of 's' 'tt'"),
     (
         in_block('<gaze id="a" target="left" start="soon"/>'),
-        "x.bml:2:28: start = 'soon' is no sync reference",
+        "x.bml:2:28: start = 'soon' is not a sync reference",
     ),
     (in_block('<gaze id="a" target="left" start="-1"/>'), "x.bml:2:28: start = '-1' is before the start"),
     (in_block('<gaze id="a" target="left" start="2" end="1"/>'), "x.bml:2:1: 'a' ends at 1, not after"),

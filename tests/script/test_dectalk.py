@@ -9,11 +9,11 @@ from risorius.script.notation import Item
 
 BAD = [
     ("jh@", "x:1:3: unknown phoneme '@'"),
-    ("jh<6O>uw", "x:1:3: '<6O>' is no duration; expected milliseconds"),
-    ("jh<60", "x:1:3: '<60' is no duration"),
-    ("jh<0>", "x:1:3: '<0>' is no duration"),
-    ("jh<99999>", "x:1:3: '<99999>' is no duration"),
-    ("'p", "x:1:2: a stress mark before 'p', which is no vowel"),
+    ("jh<6O>uw", "x:1:3: '<6O>' is not a duration; expected milliseconds"),
+    ("jh<60", "x:1:3: '<60' is not a duration"),
+    ("jh<0>", "x:1:3: '<0>' is not a duration"),
+    ("jh<99999>", "x:1:3: '<99999>' is not a duration"),
+    ("'p", "x:1:2: a stress mark before 'p', which is not a vowel"),
     ("p'", "x:1:3: unknown phoneme"),
 ]
 

@@ -24,11 +24,11 @@ BAD_MARKS = r"""
 <EMOTIONDISPLAY joy="-0.1"/>
 2:17: joy = '-0.1' is out of range; expected 0 to 1
 <EMOTIONDISPLAY joy="much"/>
-2:17: joy = 'much' is no number; expected e.g. 0.5
+2:17: joy = 'much' is not a number; expected e.g. 0.5
 <EMOTIONDISPLAY joy="0,5"/>
-2:17: joy = '0,5' is no number
+2:17: joy = '0,5' is not a number
 <EMOTIONDISPLAY joy="nan"/>
-2:17: joy = 'nan' is no number
+2:17: joy = 'nan' is not a number
 <BLINK time="1" Time="1"/>
 2:17: 'Time' is given twice; expected it once
 <BLINK/>
@@ -36,7 +36,7 @@ BAD_MARKS = r"""
 <BLINK time="-1"/>
 2:8: time = '-1' is negative; expected 0 or more seconds
 <BLINK time="nan"/>
-2:8: time = 'nan' is no time; expected seconds, word:3
+2:8: time = 'nan' is not a time; expected seconds, word:3
 <BLINK time="2" end="1"/>
 2:17: BLINK: end = 1 comes not after time = 2; expected it later
 <SIGNAL time="word:1" end="word:1"/>
@@ -52,9 +52,9 @@ BAD_MARKS = r"""
 <BLINK time="2" offset="-0.1"/>
 2:17: offset = '-0.1' is out of range
 <BLINK time="2" onset="inf"/>
-2:17: onset = 'inf' is no number
+2:17: onset = 'inf' is not a number
 <BLINK time="2" priority="high"/>
-2:17: priority = 'high' is no number
+2:17: priority = 'high' is not a number
 <BLINK time="2" function="linaer"/>
 2:17: unknown function 'linaer'; did you mean 'linear'?
 <BLINK time="2" durtion="1"/>
@@ -94,7 +94,7 @@ BAD_MARKS = r"""
 <HEAD time="0"/>
 2:1: HEAD: nothing is given; expected nod, shake, tilt, pitch, yaw or roll
 <HEAD time="0" nod="2.5"/>
-2:1: HEAD: nod = 2.5 is no number of times
+2:1: HEAD: nod = 2.5 is not a number of times
 <HEAD time="0" nod="11"/>
 2:16: nod = '11' is out of range; expected 0 to 10
 <HEAD time="0" nod="1" shake="1"/>
@@ -114,7 +114,7 @@ BAD_MARKS = r"""
 <LISTEN gaze="1"/>
 2:9: unknown attribute 'gaze'
 <BLINK time="1&#10;2"/>
-2:8: time = '1 2' is no time
+2:8: time = '1 2' is not a time
 """
 
 

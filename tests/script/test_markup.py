@@ -35,13 +35,13 @@ BAD = [
         f'<PHONEME text="{"a" * 60_000}"/>\n' * 2,
         "f:2:1: the text has 120,000 characters",
     ),
-    ("control character", '<PHONEME text="a&#x7f;"/>', "f:1:10: U+007F is no character of a text"),
+    ("control character", '<PHONEME text="a&#x7f;"/>', "f:1:10: U+007F is not a character of a text"),
     (
         "negative speech",
         '<PHONEME time="-1" text="a"/>',
         "f:1:10: time = '-1' is out of range; expected 0 to 86400",
     ),
-    ("speech at a word", '<PHONEME time="word:1" text="a"/>', "f:1:10: time = 'word:1' is no number"),
+    ("speech at a word", '<PHONEME time="word:1" text="a"/>', "f:1:10: time = 'word:1' is not a number"),
     (
         "speech reversed",
         '<PHONEME time="2" text="a"/>\n<PHONEME time="1" text="b"/>',

@@ -16,9 +16,9 @@ BAD = [
     ("marks", "?! …", "text:1: nothing can be spoken in '?! …'; expected some letter or digit"),
     ("no line end", "—\n—", "text:1: nothing can be spoken in '— —'; expected some letter or digit"),
     ("too long", "a" * 100_001, "text:1: the text has 100,001 characters; expected at most 100,000"),
-    ("NUL", "one\ntwo\0", "text:2:4: U+0000 is no character of a text; expected plain words"),
-    ("escape", "\x1b[1m", "text:1:1: U+001B is no character of a text; expected plain words"),
-    ("broken argument", "a\udcff", "text:1:2: U+DCFF is no character of a text; expected plain words"),
+    ("NUL", "one\ntwo\0", "text:2:4: U+0000 is not a character of a text; expected plain words"),
+    ("escape", "\x1b[1m", "text:1:1: U+001B is not a character of a text; expected plain words"),
+    ("broken argument", "a\udcff", "text:1:2: U+DCFF is not a character of a text; expected plain words"),
 ]
 
 

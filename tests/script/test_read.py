@@ -71,7 +71,7 @@ def test_unreadable_files_are_refused(tmp_path: Path, monkeypatch: pytest.Monkey
     [
         ("a.txt", b"", "a.txt:1: the text is empty"),
         ("a.txt", b"\n?!\n", "a.txt:1: nothing can be spoken in"),
-        ("a.txt", b"one\n\x07two", "a.txt:2:1: U+0007 is no character of a text"),
+        ("a.txt", b"one\n\x07two", "a.txt:2:1: U+0007 is not a character of a text"),
         ("a.txt", b"a" * (MAX_BYTES + 1), "a.txt: is larger than 2,000,000 bytes; expected less"),
         ("a.txt", b"a" * 100_001, "a.txt:1: the text has 100,001 characters; expected at most 100,000"),
         ("a.txt", b"\x7fELF\0\0", "a.txt: is a binary file"),

@@ -18,7 +18,10 @@ BAD = [
     ("<speak>Hello <s>there</speak>", "x.ssml:1:14: s is not closed"),
     ("<speak>a & b</speak>", "x.ssml:1:11: a bare '&'; expected &amp;"),
     ('<!DOCTYPE speak [<!ENTITY a "b">]><speak>&a;</speak>', "x.ssml:1:1: document types and entity"),
-    ('<speak>a <break time="long"/></speak>', "x.ssml:1:17: time = 'long' is no time; expected e.g. 250ms"),
+    (
+        '<speak>a <break time="long"/></speak>',
+        "x.ssml:1:17: time = 'long' is not a time; expected e.g. 250ms",
+    ),
     ('<speak>a <break strength="huge"/></speak>', "x.ssml:1:17: unknown strength 'huge'"),
     ('<speak>a\n <prosody rate="quick">b</prosody></speak>', "x.ssml:2:11: unknown rate 'quick'"),
     ('<speak>a <prosody rate="1%">b</prosody></speak>', "x.ssml:1:19: rate = '1%' is out of range"),

@@ -91,11 +91,11 @@ def refusal(text: str) -> str:
     [
         ("", "x.TextGrid:1: the file ends before the header"),
         ("Hello there.", "the file ends before the header"),
-        ('"ooTextFile" "Pitch"', "x.TextGrid:1: is no TextGrid"),
-        ('"Something"', "is no TextGrid"),
+        ('"ooTextFile" "Pitch"', "x.TextGrid:1: is not a TextGrid"),
+        ('"Something"', "is not a TextGrid"),
         (LONG.replace("<exists>", "<absent>"), "x.TextGrid:6: has no tiers"),
         (LONG.replace("size = 2\nitem", "item"), "stands where the number of tiers should"),
-        (LONG.replace("IntervalTier", "OtherTier"), "x.TextGrid:10: 'OtherTier' is no class of tiers"),
+        (LONG.replace("IntervalTier", "OtherTier"), "x.TextGrid:10: 'OtherTier' is not a class of tiers"),
         (LONG.replace("xmax = 0.5", "xmax = -0.5"), "x.TextGrid:17: the interval ends at -0.5 s"),
         (
             LONG.replace("number = 0.25", 'number = "0.25"'),

@@ -11,9 +11,9 @@ from risorius.speech import feelings, say
 BAD = [
     ("", "x.utt:1: nothing is said: there is no 'text:'"),
     ("txet: (A)", "x.utt:1:1: unknown key 'txet'; did you mean 'text'"),
-    ("hello", "x.utt:1:1: 'hello' is no line of an utterance"),
+    ("hello", "x.utt:1:1: 'hello' is not a line of an utterance"),
     ("emotion: hapiness 0.3\ntext: (A)", "x.utt:1:10: unknown emotion 'hapiness'; did you mean 'happiness'"),
-    ("emotion: joy\ntext: (A)", "x.utt:1:10: 'joy' is no emotion; expected e.g. happiness 0.7"),
+    ("emotion: joy\ntext: (A)", "x.utt:1:10: 'joy' is not an emotion; expected e.g. happiness 0.7"),
     ("emotion: joy 0.5, fear 2\ntext: (A)", "x.utt:1:19: "),
     ("text: (A)\nemotion: joy 0.5", "x.utt:2:10: emotion comes after the text"),
     ("language: de\nlanguage: fr\ntext: (A)", "x.utt:2:11: language is given twice"),

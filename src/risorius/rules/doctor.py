@@ -14,7 +14,7 @@ from .rule_set import RuleEntry, RuleSet, shipped
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """What ails a rule, and where it stands."""
+    """A problem of a rule, and where the rule stands."""
 
     place: Place
     message: str
@@ -28,18 +28,18 @@ def examine(rule_set: RuleSet) -> tuple[Finding, ...]:
     return tuple(
         Finding(entry.place, f"rule '{entry.rule.id}' {message}")
         for entry in rule_set.entries.values()
-        for message in _ailments(entry, rule_set)
+        for message in _problems(entry, rule_set)
     )
 
 
-def _ailments(entry: RuleEntry, rule_set: RuleSet) -> Iterator[str]:
+def _problems(entry: RuleEntry, rule_set: RuleSet) -> Iterator[str]:
     rule = entry.rule
     if rule.probability == 0.0:
         yield "can never fire: its probability is 0"
     yield from _contradictions(rule)
     for prefix in rule.pauses:
         if not any(is_under(name, prefix) for name in (*rule_set.entries, *shipped().entries)):
-            yield f"pauses '{prefix}', which is no rule"
+            yield f"pauses '{prefix}', which is not a rule"
         if is_under(rule.id, prefix):
             yield "pauses itself"
     if rule.effect.look is not None and rule.effect.targets:
@@ -52,7 +52,7 @@ def _ailments(entry: RuleEntry, rule_set: RuleSet) -> Iterator[str]:
 
 
 def _contradictions(rule: Rule) -> Iterator[str]:
-    """Yield why no unit can be all that a rule asks for."""
+    """Yield why no unit can meet all conditions of a rule."""
     when = rule.when
     kinds, questions = set(when.pause), set(when.question)
     if when.nuclear and not when.accent:
@@ -60,7 +60,7 @@ def _contradictions(rule: Rule) -> Iterator[str]:
     if rule.level is Level.PAUSE and kinds and PauseKind.QUESTION not in kinds and _asks(questions):
         yield "can never fire: a question is followed by a pause of the kind question"
     if when.intensity > 0.0 and set(when.emotion) == {NOTHING_FELT}:
-        yield "can never fire: where nothing is felt there is no intensity"
+        yield "can never fire: when nothing is felt there is no intensity"
     if when.words and all(word != word.lower() for word in when.words):
         yield "can never fire: words are compared in lower case"
     if rule.level is not Level.PAUSE and kinds == {PauseKind.INITIAL}:

@@ -188,7 +188,7 @@ def parse_display(text: str) -> Display:
     start, end = float(match[3]), float(match[4])
     if not start < end:
         raise InputError(
-            f"emotion {found.name}: from {start:g} to {end:g} s is no span; expected start < end"
+            f"emotion {found.name}: from {start:g} to {end:g} s is not a span; expected start < end"
         )
     return Display(key, intensity, start, end)
 

@@ -25,7 +25,7 @@ def read_seconds(attribute: Attribute) -> float:
     if not 0.0 <= seconds <= LONGEST_BREAK:
         shown = f"{attribute.name} = {quoted(attribute.value)}"
         raise InputError(
-            f"{shown} is no time; expected e.g. 250ms or 2s, {LONGEST_BREAK:g}s at most", attribute.place
+            f"{shown} is not a time; expected e.g. 250ms or 2s, {LONGEST_BREAK:g}s at most", attribute.place
         )
     return seconds
 

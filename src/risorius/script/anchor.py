@@ -116,7 +116,7 @@ def parse_anchor(name: str, text: str, place: Place | None = None) -> Anchor:
     anchor = _seconds(text, place) or _relative(text, place)
     if anchor is None:
         raise InputError(
-            f"{name} = {quoted(text)} is no time; expected seconds, word:3, word:3.end or end-0.5", place
+            f"{name} = {quoted(text)} is not a time; expected seconds, word:3, word:3.end or end-0.5", place
         )
     if anchor.base is Base.START and anchor.seconds < 0.0:
         raise InputError(f"{name} = {quoted(text)} is negative; expected 0 or more seconds", place)

@@ -92,7 +92,7 @@ def number_of(attribute: Attribute, low: float = -math.inf, high: float = math.i
     number = parse_number(attribute.value)
     shown = f"{one_line(attribute.name)} = {quoted(attribute.value)}"
     if number is None:
-        raise InputError(f"{shown} is no number; expected e.g. 0.5", attribute.place)
+        raise InputError(f"{shown} is not a number; expected e.g. 0.5", attribute.place)
     if not low <= number <= high:
         expected = f"{low:g} or more" if math.isinf(high) else f"{low:g} to {high:g}"
         raise InputError(f"{shown} is out of range; expected {expected}", attribute.place)

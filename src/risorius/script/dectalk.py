@@ -84,7 +84,7 @@ class _Reading:
             or not written.isdigit()
             or not 0 < int(written) <= _LONGEST_MS
         ):
-            raise InputError(f"'{match[0]}' is no duration; expected milliseconds, e.g. <120>", self.place)
+            raise InputError(f"'{match[0]}' is not a duration; expected milliseconds, e.g. <120>", self.place)
         self.at = match.end()
         return int(written) / 1000.0
 
@@ -105,7 +105,7 @@ def _read(reading: _Reading) -> Iterator[Dictated]:
         phones = CODES[code]
         if stress != "0" and not _VOWELS & set(phones):
             raise InputError(
-                f"a stress mark before '{code}', which is no vowel; expected it before one", place
+                f"a stress mark before '{code}', which is not a vowel; expected it before one", place
             )
         share = None if seconds is None else seconds / len(phones)
         for phone in phones:

@@ -40,7 +40,9 @@ def take_gesture(attributes: Attributes) -> TakenGesture | None:
         return None
     name, value = next(iter(given.items()))
     if value > 1.0 and not value.is_integer():
-        raise attributes.error(f"{name} = {value:g} is no number of times; expected 1, 2, 3 … or less than 1")
+        raise attributes.error(
+            f"{name} = {value:g} is not a number of times; expected 1, 2, 3 … or less than 1"
+        )
     return _taken(name, gestures[name], value, amplitude)
 
 

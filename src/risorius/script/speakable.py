@@ -21,7 +21,9 @@ def check_speakable(text: str, source: str, place: Place | None = None) -> None:
     for index, character in enumerate(text):
         if unicodedata.category(character) in (_CONTROL, _SURROGATE) and character not in _LAYOUT:
             where = place or position(source, text, index)
-            raise InputError(f"U+{ord(character):04X} is no character of a text; expected plain words", where)
+            raise InputError(
+                f"U+{ord(character):04X} is not a character of a text; expected plain words", where
+            )
     if not any(c.isalnum() for c in text):
         raise InputError(f"nothing can be spoken in {quoted(text)}; expected some letter or digit", at)
 

@@ -42,7 +42,7 @@ def read_reference(attribute: Attribute) -> Reference:
     match = _REFERENCE.fullmatch(value)
     if match is None:
         shown = f"{one_line(attribute.name)} = {quoted(value)}"
-        message = f"{shown} is no sync reference; expected e.g. 1.5 or speech1:start+0.5"
+        message = f"{shown} is not a sync reference; expected e.g. 1.5 or speech1:start+0.5"
         raise InputError(message, attribute.place)
     offset = float(f"{match['sign']}{match['offset']}") if match["offset"] else 0.0
     point = None if match["behaviour"] == BLOCK else (match["behaviour"], match["point"])

@@ -77,7 +77,7 @@ def parse_textgrid(text: str, source: str = "text") -> TextGrid:
     stream = _Stream(text, source)
     for expected in ("ooTextFile", "TextGrid"):
         if not stream.string("the header").startswith(expected):
-            raise stream.fault(f'is no TextGrid; expected "{expected}"')
+            raise stream.fault(f'is not a TextGrid; expected "{expected}"')
     start, end = stream.number("the start"), stream.number("the end")
     if stream.flag() != "<exists>":
         raise stream.fault("has no tiers; expected words and phones")
@@ -88,7 +88,7 @@ def parse_textgrid(text: str, source: str = "text") -> TextGrid:
 def _tier(stream: _Stream) -> Tier:
     kind = stream.string("the tier's class")
     if kind not in (INTERVALS, POINTS):
-        raise stream.fault(f"{quoted(kind)} is no class of tiers; expected {INTERVALS} or {POINTS}")
+        raise stream.fault(f"{quoted(kind)} is not a class of tiers; expected {INTERVALS} or {POINTS}")
     line = stream.line
     name = stream.string("the tier's name")
     stream.number("the tier's start")

@@ -72,7 +72,7 @@ def _entries(text: str, source: str) -> Iterator[_Entry]:
         indent = len(line) - len(line.lstrip())
         if match is None:
             message = (
-                f"{quoted(line.strip())} is no line of an utterance; expected e.g. text: (JUlia prefers)"
+                f"{quoted(line.strip())} is not a line of an utterance; expected e.g. text: (JUlia prefers)"
             )
             raise InputError(message, Place(source, number, indent + 1))
         key = match["key"].lower()
@@ -198,7 +198,7 @@ def _mark(written: str, place: Place) -> Mark:
     match = _EMOTION.fullmatch(written)
     intensity = parse_number(match[2]) if match else None
     if match is None or intensity is None:
-        raise InputError(f"{quoted(written.strip())} is no emotion; expected e.g. happiness 0.7", place)
+        raise InputError(f"{quoted(written.strip())} is not an emotion; expected e.g. happiness 0.7", place)
     try:
         found = find_emotion(match[1])
         targets = found.targets(intensity)
