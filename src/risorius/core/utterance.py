@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from bisect import bisect_left
 from dataclasses import dataclass
 from enum import StrEnum
@@ -11,6 +10,7 @@ from typing import Annotated
 
 from .audio import Audio
 from .hints import Range
+from .time import put_on_ticks, ticks_of
 from .units import Seconds, Share
 
 SILENCE = ""
@@ -78,6 +78,9 @@ class Phone:
     stress: Stress = -1
     word: int = -1
 
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "start", "end")
+
     @property
     def duration(self) -> float:
         """Seconds."""
@@ -103,6 +106,9 @@ class Syllable:
     prominence: float = 0.0
     pitch: float = 0.0
 
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "start", "end")
+
 
 @dataclass(frozen=True, slots=True)
 class Word:
@@ -116,6 +122,9 @@ class Word:
     source_start: SourceIndex
     source_end: SourceIndex
 
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "start", "end")
+
 
 @dataclass(frozen=True, slots=True)
 class Pause:
@@ -124,6 +133,9 @@ class Pause:
     start: Seconds
     end: Seconds
     kind: PauseKind
+
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "start", "end")
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,6 +152,9 @@ class Accent:
     nuclear: bool = False
     confidence: Share = 1.0
 
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "time")
+
 
 @dataclass(frozen=True, slots=True)
 class Boundary:
@@ -152,6 +167,9 @@ class Boundary:
     word: int
     label: str = "%"
     confidence: Share = 1.0
+
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "time")
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,6 +186,9 @@ class Phrase:
     sentence: int
     ending: Ending
     question: Question = Question.NONE
+
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "start", "end")
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,7 +258,7 @@ def check_phrases(phrases: tuple[Phrase, ...], words: int) -> None:
 
 def check_continuous(phones: tuple[Phone, ...], duration: float) -> None:
     """Raise ValueError unless the phones follow one another without gap or overlap over [0, duration]."""
-    if not phones or phones[0].start != 0.0 or not math.isclose(phones[-1].end, duration, abs_tol=1e-9):
+    if not phones or phones[0].start != 0.0 or ticks_of(phones[-1].end) != ticks_of(duration):
         raise ValueError("phones do not cover the sound")
     if any(a.end != b.start for a, b in pairwise(phones)):
         raise ValueError("phones have a gap or overlap")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from itertools import pairwise
 from typing import TypeVar
 
 from ..core.audio import Audio, AudioWriter
+from ..core.time import ticks_of
 from ..core.utterance import (
     SILENCE,
     Accent,
@@ -150,13 +150,16 @@ class _Joiner:
 
     def _pause_until(self, at: float) -> None:
         edge = self.phones[-1].end if self.phones else 0.0
-        if at > edge:
+        if ticks_of(at) - ticks_of(edge) > 1:
             self.phones.append(Phone(SILENCE, edge, at))
             self.pauses.append(Pause(edge, at, PauseKind.FULL_STOP if self.words else PauseKind.INITIAL))
+        elif self.phones:
+            # At some sample rates the end of a line and the start of the next are rounded to two ticks.
+            self.phones[-1] = replace(self.phones[-1], end=at)
 
     def utterance(self, text: str, language: str, audio: Audio) -> Utterance:
         """Return what was collected."""
-        phones = _without_rounding_gaps(self.phones, audio.duration)
+        phones = (*self.phones[:-1], replace(self.phones[-1], end=audio.duration))
         rest = (self.words, self.syllables, self.pauses, self.accents, self.boundaries, self.phrases)
         return Utterance(text, language, audio, phones, *map(tuple, rest))  # type: ignore[arg-type]
 
@@ -198,12 +201,6 @@ def _moved_phrase(phrase: Phrase, words: int, sentences: int) -> Phrase:
         last_word=phrase.last_word + words,
         sentence=phrase.sentence + sentences,
     )
-
-
-def _without_rounding_gaps(phones: Sequence[Phone], duration: float) -> tuple[Phone, ...]:
-    """Return the phones with each end set to the next one's start: shifting rounds both differently."""
-    tight = [replace(a, end=b.start) for a, b in pairwise(phones)]
-    return (*tight, replace(phones[-1], end=duration))
 
 
 def _joined_audio(placed: Sequence[_Placed]) -> Audio:
