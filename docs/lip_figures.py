@@ -17,7 +17,7 @@ from drawing import INK, OURS, PRINTED, SECOND, SOFT, SPEECH, figure
 from PIL import Image
 
 from risorius import blend
-from risorius.blend.coarticulation import LIP_MODELS, SegmentWeights
+from risorius.blend.mouth.coarticulation import LIP_MODELS, SegmentWeights
 from risorius.core.functions import minimum_jerk
 from risorius.core.movement import LipSegment
 from risorius.core.parameters import NEUTRAL

@@ -16,8 +16,8 @@ from .concatenate import LayerCurves, concatenate
 from .curve import Curve
 from .intervals import Spans, union
 from .levels import Levels, PriorityClaim, levels_of
-from .lips import CompiledLips, LipCurve
 from .manual import Replaced, key_curves, replaced_spans
+from .mouth.lips import CompiledLips, LipCurve
 
 
 @dataclass(slots=True)

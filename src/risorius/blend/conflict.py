@@ -17,7 +17,7 @@ from ..core.arrays import Array
 from ..core.parameters import RIVALS
 from ..core.registry import Registry
 from .channels import Channel
-from .limits import SpeechLimits
+from .mouth.limits import SpeechLimits
 from .tuning import Tuning
 
 Resolver = Callable[[Channel, str, Array, Array], Array]

@@ -19,15 +19,15 @@ from ..errors import InputError, ParameterError, unknown
 from .channels import Channel
 from .concatenate import SIGNED
 from .conflict import Suppressor
-from .contact import CONTACTS, SEAL, TUCK
 from .curve import Curve, Origin
 from .ledger import LedgerEntry
-from .limits import LIPS
-from .lips import CompiledLips
 from .manual import replaced_values
-from .mouth import JAW
+from .mouth.contact import CONTACTS, SEAL, TUCK
+from .mouth.limits import LIPS
+from .mouth.lips import CompiledLips
+from .mouth.sealing import seal_of_speech
+from .mouth.speech_mouth import JAW
 from .plan import Plan, PlanSample
-from .sealing import seal_of_speech
 
 _LEAST = 1e-9
 # Seconds around a closure in which it is the closure that brings the lips together.

@@ -19,8 +19,8 @@ from .channels import Channel
 from .conflict import Resolver
 from .curve import Curve
 from .directions import shares_of
-from .limits import LIPS, SpeechLimits
-from .mouth import JAW
+from .mouth.limits import LIPS, SpeechLimits
+from .mouth.speech_mouth import JAW
 
 
 class LedgerEntry:

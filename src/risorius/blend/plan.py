@@ -20,21 +20,21 @@ from ..core.lip_rig import OPENING, LipRig
 from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
-from . import dominance, lookahead, policies  # noqa: F401 - they register themselves
-from .approach import MouthGaps
+from . import mouth, policies  # noqa: F401 - models and policies register themselves
 from .channels import compile_channels
-from .coarticulation import LIP_MODELS
 from .concatenate import SIGNED
 from .conflict import POLICIES, Join, PolicyInputs
-from .contact import CONTACTS
 from .directions import combine_directions
 from .knots import BLOCK
 from .ledger import DirectionEntry, Ledger, direction_entries
 from .levels import steady
-from .limits import LIPS, SpeechLimits
-from .lips import CompiledLips
-from .mouth import JAW
-from .sealing import with_goals
+from .mouth.approach import MouthGaps
+from .mouth.coarticulation import LIP_MODELS
+from .mouth.contact import CONTACTS
+from .mouth.limits import LIPS, SpeechLimits
+from .mouth.lips import CompiledLips
+from .mouth.sealing import with_goals
+from .mouth.speech_mouth import JAW
 from .tuning import tune
 
 CHUNK = 16_384

@@ -14,11 +14,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import Array, IndexArray, UInt32Array
-from ..core.movement import Dominance, LipSegment
-from ..errors import InputError
+from ...core.arrays import Array, IndexArray, UInt32Array
+from ...core.movement import Dominance, LipSegment
+from ...errors import InputError
+from ..intervals import ranges
 from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, SegmentWeights, SharedMappings
-from .intervals import ranges
 
 MARGIN = 0.08
 """Seconds inside a segment's edge; there, at the latest, dominance begins to fall."""

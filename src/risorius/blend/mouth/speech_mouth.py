@@ -12,10 +12,14 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.movement import LipSegment
-from ..core.parameters import RIVALS
-from ..core.utterance import SILENCE
+from ...core.arrays import Array
+from ...core.movement import LipSegment
+from ...core.parameters import RIVALS
+from ...core.utterance import SILENCE
+from ..intervals import EMPTY, Spans, above_line, spans_between, union
+from ..knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope
+from ..roots import find_roots
+from ..tuning import Tuning
 from .approach import Approach
 from .coarticulation import (
     TARGET,
@@ -26,11 +30,7 @@ from .coarticulation import (
     SharedMappings,
 )
 from .contact import CONTACTS, SEAL, Goal
-from .intervals import EMPTY, Spans, above_line, spans_between, union
-from .knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope
-from .roots import find_roots
 from .shapes import Shapes
-from .tuning import Tuning
 
 STEP = 0.005
 """Seconds between knots at most."""

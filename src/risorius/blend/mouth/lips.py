@@ -7,21 +7,21 @@ from functools import cached_property
 
 import numpy as np
 
-from ..core.arrays import Array, IndexArray
-from ..core.articulators import ARTICULATORS
-from ..core.lip_rig import LipRig
-from ..core.movement import LipSegment
-from ..core.parameters import PARAMETERS, Kind
-from ..core.score import Score
-from ..core.utterance import SILENCE
-from ..errors import InputError
+from ...core.arrays import Array, IndexArray
+from ...core.articulators import ARTICULATORS
+from ...core.lip_rig import LipRig
+from ...core.movement import LipSegment
+from ...core.parameters import PARAMETERS, Kind
+from ...core.score import Score
+from ...core.utterance import SILENCE
+from ...errors import InputError
+from ..concatenate import SIGNED
+from ..intervals import Extent, Spans, merged
+from ..tuning import Tuning
 from .coarticulation import LIP_MODELS, without_gaps
-from .concatenate import SIGNED
 from .contact import CONTACTS, GoalCurve, contact_goals
-from .intervals import Extent, Spans, merged
-from .mouth import SpeechMouth, limits_in_force
 from .shapes import Shapes, performed
-from .tuning import Tuning
+from .speech_mouth import SpeechMouth, limits_in_force
 
 _MOUTH = frozenset(p.name for p in PARAMETERS if p.kind in (Kind.MUSCLE, Kind.TONGUE, Kind.CONTACT))
 

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.blend.coarticulation import LIP_MODELS, Coarticulation, without_gaps
-from risorius.blend.lookahead import OPPOSED, LookAheadModel
+from risorius.blend.mouth.coarticulation import LIP_MODELS, Coarticulation, without_gaps
+from risorius.blend.mouth.lookahead import OPPOSED, LookAheadModel
 from risorius.core.movement import Dominance, LipSegment
 from tests.profiles import examples
 

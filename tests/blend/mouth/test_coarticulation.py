@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from risorius.blend.coarticulation import (
+from risorius.blend.mouth.coarticulation import (
     AT_ONCE,
     LIP_MODELS,
     TARGET,

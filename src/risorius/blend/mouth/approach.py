@@ -16,10 +16,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.articulators import APERTURE, PROTRUSION, WIDTH
+from ...core.arrays import Array
+from ...core.articulators import APERTURE, PROTRUSION, WIDTH
+from ..intervals import merged
 from .contact import SEAL, TUCK, Goal, GoalCurve
-from .intervals import merged
 from .tradeoffs import tradeoffs
 
 LEAST_GAP = 0.5

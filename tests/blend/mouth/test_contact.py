@@ -8,14 +8,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
-from risorius.blend.contact import SEAL, TUCK, GoalCurve, contact_goals
-from risorius.blend.tradeoffs import tradeoffs
+from risorius.blend.mouth.contact import SEAL, TUCK, GoalCurve, contact_goals
+from risorius.blend.mouth.tradeoffs import tradeoffs
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
 from tests.profiles import examples
 
-from .strategies import DURATION, PHONES, scores
+from ..strategies import DURATION, PHONES, scores
 
 AT = np.arange(0, 3, 0.001)
 RAMP = tradeoffs().seal.ramp

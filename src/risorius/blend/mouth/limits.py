@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import Array
-from .channels import Channel
-from .intervals import EMPTY, Spans
-from .knots import eased, lowest, paced, rounded
-from .levels import Levels, outranking, outranks
-from .mouth import JAW, KnotBlock, SpeechMouth
+from ...core.arrays import Array
+from ..channels import Channel
+from ..intervals import EMPTY, Spans
+from ..knots import eased, lowest, paced, rounded
+from ..levels import Levels, outranking, outranks
+from .speech_mouth import JAW, KnotBlock, SpeechMouth
 
 LIPS = "lips"
 ROUNDED = 0.04

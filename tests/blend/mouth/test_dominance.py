@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.blend.coarticulation import LIP_MODELS, SHORTEST_SILENCE, without_gaps
-from risorius.blend.dominance import DominanceModel
+from risorius.blend.mouth.coarticulation import LIP_MODELS, SHORTEST_SILENCE, without_gaps
+from risorius.blend.mouth.dominance import DominanceModel
 from risorius.core.movement import Dominance, LipSegment
 from tests.profiles import examples
 

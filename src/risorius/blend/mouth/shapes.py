@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.articulators import ARTICULATORS
-from ..core.lip_rig import SEAL, Averages, LipRig
-from ..core.movement import LipSegment
-from ..errors import InputError
+from ...core.arrays import Array
+from ...core.articulators import ARTICULATORS
+from ...core.lip_rig import SEAL, Averages, LipRig
+from ...core.movement import LipSegment
+from ...errors import InputError
 from .contact import CONTACTS
 
 

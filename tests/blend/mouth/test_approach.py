@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
-from risorius.blend.approach import Approach, smooth_minimum
-from risorius.blend.contact import SEAL, TUCK, contact_goals
-from risorius.blend.tradeoffs import checked, tradeoffs
+from risorius.blend.mouth.approach import Approach, smooth_minimum
+from risorius.blend.mouth.contact import SEAL, TUCK, contact_goals
+from risorius.blend.mouth.tradeoffs import checked, tradeoffs
 from risorius.core.lip_rig import OPENING
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX

@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.articulators import PROTRUSION
-from ..core.movement import LipSegment
-from .intervals import ranges
-from .knots import ramp
+from ...core.arrays import Array
+from ...core.articulators import PROTRUSION
+from ...core.movement import LipSegment
+from ..intervals import ranges
+from ..knots import ramp
 from .tradeoffs import tradeoffs
 
 SEAL, TUCK = "lip_seal", "lip_tuck"

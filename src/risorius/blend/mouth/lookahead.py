@@ -25,14 +25,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..core.arrays import Array, BoolArray, IndexArray
-from ..core.articulators import APERTURE, ARTICULATORS, leader
-from ..core.functions import minimum_jerk
-from ..core.movement import LipSegment
-from ..core.parameters import BASES, INDEX, PARAMETERS, Parameter
-from ..core.utterance import SILENCE
+from ...core.arrays import Array, BoolArray, IndexArray
+from ...core.articulators import APERTURE, ARTICULATORS, leader
+from ...core.functions import minimum_jerk
+from ...core.movement import LipSegment
+from ...core.parameters import BASES, INDEX, PARAMETERS, Parameter
+from ...core.utterance import SILENCE
+from ..intervals import ranges
 from .coarticulation import LIP_MODELS, SegmentWeights, SharedMappings
-from .intervals import ranges
 
 OPPOSED = 0.3
 """Twice the share of a posture that an equal and opposite neighbour takes away."""

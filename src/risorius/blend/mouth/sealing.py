@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.lip_rig import LipRig
+from ...core.arrays import Array
+from ...core.lip_rig import LipRig
 from .approach import MouthGaps
 from .contact import SEAL, TUCK, beside_tuck
 from .lips import CompiledLips

@@ -13,10 +13,10 @@ from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
-from ..core.arrays import Array, IndexArray
-from ..core.movement import LipSegment
-from ..core.registry import Registry
-from ..core.utterance import SILENCE
+from ...core.arrays import Array, IndexArray
+from ...core.movement import LipSegment
+from ...core.registry import Registry
+from ...core.utterance import SILENCE
 
 T = TypeVar("T")
 
