@@ -12,7 +12,7 @@ from typing import Annotated, Literal
 import pytest
 
 from risorius.core import json_text
-from risorius.core.hints import Choice, Numbers, Range, Then
+from risorius.core.hints import ChooseType, Numbers, Range, Then
 from risorius.core.json_text import load_json, parse_json
 from risorius.core.schema import MisfitError
 from risorius.errors import InputError, ParameterError
@@ -118,7 +118,7 @@ class Item:
     even: Annotated[int, Then(_even)] = 0
     length: Annotated[int, Then(len, of=str)] = 0
     rising: Annotated[tuple[int, ...], Then(_sorted)] = ()
-    shapes: tuple[Annotated[Round | Square, Choice(_shape)], ...] = ()
+    shapes: tuple[Annotated[Round | Square, ChooseType(_shape)], ...] = ()
     sides: Mapping[Literal["left", "right"], float] = field(default_factory=dict)
     inner: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     free: Mapping[str, object] = field(default_factory=dict)

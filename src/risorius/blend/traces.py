@@ -15,7 +15,7 @@ from .manual import replaced_values
 from .plan import Plan, PlanSample
 
 _LEAST = 1e-9
-Run = tuple[int, int]
+IndexRun = tuple[int, int]
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,12 +30,12 @@ class Trace:
     applied: Array
 
     @property
-    def inhibited(self) -> tuple[Run, ...]:
+    def inhibited(self) -> tuple[IndexRun, ...]:
         """Runs [first, last] of indices at which something is requested and nothing is applied."""
         return tuple(_runs(self._active & (np.abs(self.applied) <= _LEAST)))
 
     @property
-    def limited(self) -> tuple[Run, ...]:
+    def limited(self) -> tuple[IndexRun, ...]:
         """Runs [first, last] of indices at which less is applied than requested, but not nothing."""
         less = np.abs(self.applied) < np.abs(self.requested) - _LEAST
         return tuple(_runs(self._active & less & (np.abs(self.applied) > _LEAST)))
@@ -45,7 +45,7 @@ class Trace:
         return np.asarray(np.abs(self.requested) > _LEAST)
 
 
-def _runs(mask: BoolArray) -> Iterator[Run]:
+def _runs(mask: BoolArray) -> Iterator[IndexRun]:
     edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(np.int8)))
     for first, after in edges.reshape(-1, 2).tolist():
         yield first, after - 1

@@ -45,7 +45,7 @@ class Then:
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class ChooseType:
     """For tables of several kinds: `choose` returns the dataclass of one from its keys; raises as `Then`."""
 
     choose: Callable[[Mapping[str, Any]], type]

@@ -4,8 +4,8 @@ A key that the dataclass does not have, one that is missing, or a value of anoth
 InputError that names file, line, column and key. Understood types: str, bool, int, float, Literal, enums of
 strings, `tuple[T, ...]`, `tuple[A, B]`, `Numbers` (long lists of them), `Mapping[str, T]` (free keys, or the
 keys of a Literal), dataclasses, `T | None`, `A | B` for plain types, `object` (anything), and these with
-`Annotated`: `Range(low, high)`, `Then(function)` and `Choice(function)`. A field is read from the key of its
-own name, or from `field(metadata={"key": …})`. What a dataclass or a function raises is given its place.
+`Annotated`: `Range(low, high)`, `Then(function)` and `ChooseType(function)`. A field is read from the key of
+its own name, or from `field(metadata={"key": …})`. What a dataclass or a function raises is given its place.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from functools import cache
 from typing import Annotated, Any, Literal, TypeVar
 
 from ..errors import InputError, RisoriusError, unknown
-from .hints import MOST_DIGITS, Choice, Range, Then, describe, shown
+from .hints import MOST_DIGITS, ChooseType, Range, Then, describe, shown
 from .positions import KeyPath
 from .source_text import SourceText, Syntax
 
@@ -125,7 +125,7 @@ def _made(hint: Any) -> Converter:
 
 def _annotated(hint: Any, rules: tuple[Any, ...]) -> Converter:
     first = rules[0]
-    if isinstance(first, Choice):
+    if isinstance(first, ChooseType):
         convert = _chosen(hint, first)
     else:
         convert = converter(first.of if isinstance(first, Then) and first.of else hint)
@@ -180,7 +180,7 @@ def _refused(error: RisoriusError) -> Exception:
     return error if error.place is not None else MisfitError(error.message, kind=type(error))
 
 
-def _chosen(hint: Any, choice: Choice) -> Converter:
+def _chosen(hint: Any, choice: ChooseType) -> Converter:
     def read(value: object) -> object:
         if not isinstance(value, Mapping):
             raise _wrong(value, hint)

@@ -10,7 +10,7 @@ from ..core.action_units import read_targets
 from ..core.articulators import ARTICULATORS, check_lip_target
 from ..core.channels import CHANNELS
 from ..core.functions import DEFAULT_FUNCTION
-from ..core.hints import Choice, Range, Then
+from ..core.hints import ChooseType, Range, Then
 from ..core.movement import (
     Cause,
     Dominance,
@@ -30,9 +30,9 @@ from .layout import to_record
 
 V = TypeVar("V")
 Json = dict[str, Any]
-Pair = tuple[float, float]
+NumberPair = tuple[float, float]
 KeyTime = Annotated[float, Range(-MAX_SECONDS, MAX_SECONDS)]
-Rate = Annotated[float, Range(0.0)]
+YieldRate = Annotated[float, Range(0.0)]
 """Phones a second."""
 _ANY = "*"  # for all targets that are not named
 
@@ -71,11 +71,11 @@ def _lip_targets(targets: Mapping[str, float]) -> dict[str, float]:
     return found | read_targets({name: value for name, value in targets.items() if name not in found})
 
 
-def _limits(limits: Mapping[str, Pair]) -> dict[str, Pair]:
+def _limits(limits: Mapping[str, NumberPair]) -> dict[str, NumberPair]:
     return _by_parameter(limits, _check_limits)
 
 
-def _check_limits(parameter: str, pair: Pair) -> None:
+def _check_limits(parameter: str, pair: NumberPair) -> None:
     low, high = pair
     check_target(parameter, low)
     check_target(parameter, high)
@@ -90,7 +90,7 @@ def _by_lip_target(values: Mapping[str, V]) -> dict[str, V]:
     return named | _by_parameter(others, lambda _name, _value: None)
 
 
-def _rising(keys: tuple[Pair, ...]) -> tuple[Pair, ...]:
+def _rising(keys: tuple[NumberPair, ...]) -> tuple[NumberPair, ...]:
     if not keys:
         raise InputError("there are no keys; expected [[time, value], …]")
     for number, (key, before) in enumerate(zip(keys[1:], keys, strict=False), 1):
@@ -100,11 +100,11 @@ def _rising(keys: tuple[Pair, ...]) -> tuple[Pair, ...]:
     return keys
 
 
-def _curves(curves: Mapping[str, tuple[Pair, ...]]) -> dict[str, tuple[Pair, ...]]:
+def _curves(curves: Mapping[str, tuple[NumberPair, ...]]) -> dict[str, tuple[NumberPair, ...]]:
     return _by_parameter(curves, _check_keys)
 
 
-def _check_keys(parameter: str, keys: tuple[Pair, ...]) -> None:
+def _check_keys(parameter: str, keys: tuple[NumberPair, ...]) -> None:
     for number, (_, value) in enumerate(keys):
         try:
             check_target(parameter, value)
@@ -121,9 +121,9 @@ class LipsEntry:
     start: Seconds
     end: Seconds
     targets: Annotated[Mapping[str, float], Then(_lip_targets)]
-    limits: Annotated[Mapping[str, Pair], Then(_limits)] = field(default_factory=dict)
+    limits: Annotated[Mapping[str, NumberPair], Then(_limits)] = field(default_factory=dict)
     dominance: Annotated[Mapping[str, Dominance], Then(_by_lip_target)] = field(default_factory=dict)
-    yields: Annotated[Mapping[str, Rate], Then(_by_lip_target)] = field(default_factory=dict)
+    yields: Annotated[Mapping[str, YieldRate], Then(_by_lip_target)] = field(default_factory=dict)
     cause: Cause = field(default_factory=Cause)
 
     def segment(self) -> LipSegment:
@@ -167,7 +167,7 @@ def _kind_of(members: Mapping[str, Any]) -> Any:
     return Annotated[Movement, Then(_checked)]
 
 
-Entry = Annotated[Movement | LipSegment | ManualCurve, Choice(_kind_of)]
+Entry = Annotated[Movement | LipSegment | ManualCurve, ChooseType(_kind_of)]
 """Targets may be action units, aliases and names without side."""
 
 

@@ -21,7 +21,7 @@ from ..errors import unknown
 from .formats import register
 from .layout import write_json
 from .readable import PerformanceFile, ReadOptions
-from .score_json import VERSION, ScoreDocument, Version, score_to_json
+from .score_json import VERSION, FormatVersion, ScoreDocument, score_to_json
 from .writable import WritableTake, WriteOptions
 
 # Curves that were added up may miss their limits by rounding.
@@ -32,7 +32,7 @@ _SLACK = 1e-6
 class PerformanceDocument:
     """A performance's file, as it is written: curves by parameter, one number a frame."""
 
-    risorius: Version
+    risorius: FormatVersion
     fps: Annotated[Fraction, Then(parse_fps, of=str | float)]
     curves: Mapping[str, Numbers]
     score: ScoreDocument

@@ -29,7 +29,7 @@ def _known_version(version: int) -> int:
     return version
 
 
-Version = Annotated[int, Then(_known_version)]
+FormatVersion = Annotated[int, Then(_known_version)]
 """The version of a file; only the one that we write is read."""
 
 
@@ -37,7 +37,7 @@ Version = Annotated[int, Then(_known_version)]
 class ScoreDocument:
     """A score's file, as it is written."""
 
-    risorius: Version
+    risorius: FormatVersion
     duration: Annotated[float, Range(0.0, MAX_SECONDS)]
     movements: tuple[Entry, ...]
     text: str = ""

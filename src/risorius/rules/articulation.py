@@ -13,7 +13,7 @@ from ..core.articulators import PROTRUSION, within_range
 from ..core.frozen import FrozenDict
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
-from .lips import PhoneShape, Targets, check_shape, lip_table
+from .lips import LipTargets, PhoneShape, check_shape, lip_table
 from .load import load
 
 
@@ -33,7 +33,7 @@ class ArticulationRow:
     manner: str | None = None
     like: str | None = None
     lip_class: str | None = field(default=None, metadata={"key": "class"})
-    targets: Targets = field(default_factory=FrozenDict)
+    targets: LipTargets = field(default_factory=FrozenDict)
 
     def __post_init__(self) -> None:
         if (self.like is None) == (self.lip_class is None):
@@ -52,7 +52,7 @@ class Unseen:
 class Corner:
     """A corner of the vowels' space."""
 
-    targets: Targets
+    targets: LipTargets
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,7 @@ class Articulation:
     vowel: Mapping[str, tuple[Share, Share, Share]]
     consonant: Mapping[str, Consonant]
     lips: tuple[ArticulationRow, ...]
-    mark: Mapping[str, Targets]
+    mark: Mapping[str, LipTargets]
     unseen: Unseen
     close_front: Corner
     open_front: Corner
@@ -178,12 +178,12 @@ class Articulation:
 _TIES = dict.fromkeys(map(ord, "\u0361\u035c-"))
 
 
-def _between(a: Targets, b: Targets, share: float) -> dict[str, float]:
+def _between(a: LipTargets, b: LipTargets, share: float) -> dict[str, float]:
     names = dict.fromkeys((*a, *b))
     return {n: (1.0 - share) * a.get(n, 0.0) + share * b.get(n, 0.0) for n in names}
 
 
-def _sum(parts: list[Targets]) -> dict[str, float]:
+def _sum(parts: list[LipTargets]) -> dict[str, float]:
     total: dict[str, float] = {}
     for part in parts:
         for name, value in part.items():

@@ -17,7 +17,7 @@ from ..errors import InputError, ParameterError, unknown
 from .load import load
 
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]
-Targets = Mapping[str, float]
+LipTargets = Mapping[str, float]
 EVERYTHING = "*"
 OPENING = (JAW, APERTURE)
 
@@ -27,7 +27,7 @@ class PhoneShape:
     """One phone: its class, its targets (articulators in mm, parameters 0..1), what share a contact holds."""
 
     lip_class: str = field(metadata={"key": "class"})
-    targets: Targets
+    targets: LipTargets
     closure: Share = 1.0
 
 
@@ -66,7 +66,7 @@ class Opening:
     most_prominent: Annotated[float, Range(0.0, 3.0)]
     shortest_pause: Annotated[float, Range(0.0, 5.0)]
     breath_lead: Annotated[float, Range(0.0, 5.0)]
-    breath_shape: Targets
+    breath_shape: LipTargets
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,7 +184,7 @@ def _check_known(names: Iterable[str]) -> None:
             raise InputError(f"lips.toml: {unknown('articulator', name, known)}")
 
 
-def check_shape(targets: Targets) -> None:
+def check_shape(targets: LipTargets) -> None:
     """Raise InputError unless all targets are articulators or parameters, within their ranges."""
     for name, value in targets.items():
         try:
