@@ -19,7 +19,7 @@ FAST = ["--fps", "10"]
         (["play", "none.arkit.csv"], "no output named; expected -o y.mp4"),
         (["play", "x.txt", "-o", "y.muscles.csv"], "unknown kind of capture '.txt'"),
         (["stream", "Hi.", "--protocol", "livlink"], "unknown protocol 'livlink'; did you mean 'livelink'?"),
-        (["stream", "Hi.", "--to", "host:x"], "'host:x' is no address"),
+        (["stream", "Hi.", "--to", "host:x"], "'host:x' is not an address"),
         (["stream", "Hi.", "--to", "a", "--listen", "b"], "--to and --listen exclude each other"),
         (["stream", "Hi.", "--names", "vrm"], "unknown set of names 'vrm'"),
         (["rig", "none.glb"], "none.glb: cannot be read"),

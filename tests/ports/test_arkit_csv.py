@@ -50,7 +50,7 @@ def cell(row: str, index: int, text: str) -> str:
             lambda t: [t[0].replace("JawOpen,", ""), *t[1:]],
             ":1: column 'JawOpen' of a Live Link Face take is missing",
         ),
-        (lambda t: t[1:], ":1:1: '00:00:00:00.000' is no column's name; expected a header"),
+        (lambda t: t[1:], ":1:1: '00:00:00:00.000' is not a column's name; expected a header"),
         (lambda t: [row.replace(",", ";") for row in t], ":1:1: columns are parted by ';'; expected ','"),
         (lambda t: [cell(t[0], 3, ""), *t[1:]], ":1:39: a column has no name"),
         (lambda t: [t[0], cell(t[1], 2, "١")], ":2:20: EyeBlinkLeft is '١'; expected a number"),
@@ -71,8 +71,8 @@ def cell(row: str, index: int, text: str) -> str:
             lambda t: [t[0], t[1], cell(t[2], 0, "99:00:00:00.000")],
             ":3: the capture lasts 356400 s; expected",
         ),
-        (lambda t: [t[0], "\0".join(t[1])], ":2: is no line of text"),
-        (lambda t: [t[0], "x" * 1_000_001], ":2: is no line of text"),
+        (lambda t: [t[0], "\0".join(t[1])], ":2: is not a line of text"),
+        (lambda t: [t[0], "x" * 1_000_001], ":2: is not a line of text"),
     ],
 )
 def test_bad_files_are_one_line(written: Path, tmp_path: Path, change, message: str) -> None:
@@ -84,7 +84,7 @@ def test_what_is_missing_or_no_text_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot be read"):
         read_arkit_csv(tmp_path / "none.csv")
     (tmp_path / "x.csv").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(InputError, match="no UTF-8"):
+    with pytest.raises(InputError, match="not UTF-8"):
         read_arkit_csv(tmp_path / "x.csv")
 
 

@@ -19,23 +19,23 @@ def written(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda t: [], ":1: is no header"),
-        (lambda t: ["2.1 x 0 9", *t[1:]], ":1: is no header"),
-        (lambda t: ["2.1 x 25 0", *t[1:]], ":1: is no header"),
+        (lambda t: [], ":1: is not a header"),
+        (lambda t: ["2.1 x 0 9", *t[1:]], ":1: is not a header"),
+        (lambda t: ["2.1 x 25 0", *t[1:]], ":1: is not a header"),
         (lambda t: ["2.1 x 0.001 100", *t[1:]], ":1: the capture lasts 100000 s"),
         (lambda t: t[:-1], "is a mask without values"),
         (lambda t: t[:-2], r"holds \d+ frames; expected \d+, as its header says"),
         (lambda t: [*t[:3], t[3], t[2]], ":5: frame 0 does not come after frame 0"),
         (
             lambda t: [*t[:2], t[2].replace(" ", f" {'9' * 5000} ", 1), *t[3:]],
-            ":3: '9{30}' is no whole number",
+            ":3: '9{30}' cannot be used; expected a whole number",
         ),
-        (lambda t: [t[0], t[1][2:], *t[2:]], ":2: is no mask of 68 or 69 flags"),
-        (lambda t: [t[0], t[1].replace("1", "2", 1), *t[2:]], ":2: is no mask"),
+        (lambda t: [t[0], t[1][2:], *t[2:]], ":2: is not a mask: it has 67 words; expected 68 or 69 flags"),
+        (lambda t: [t[0], t[1].replace("1", "2", 1), *t[2:]], ":2: is not a mask"),
         (lambda t: [*t[:2], t[2] + " 7", *t[3:]], r":3: has \d+ values; expected \d+"),
         (
             lambda t: [*t[:2], t[2].replace(" ", " nan ", 1), *t[3:]],
-            ":3: 'nan' is no whole number from -1000000 to 1000000",
+            ":3: 'nan' cannot be used; expected a whole number from -1000000 to 1000000",
         ),
     ],
 )

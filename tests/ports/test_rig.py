@@ -60,19 +60,19 @@ def glb(document: dict[str, object]) -> bytes:
 @pytest.mark.parametrize(
     ("mesh", "message"),
     [
-        ({"primitives": 3}, "'primitives' of mesh 0 is no list"),
-        ({"primitives": [3]}, "'targets' of mesh 0 is no list"),
-        ({"primitives": [{"targets": 3}]}, "'targets' of mesh 0 is no list"),
+        ({"primitives": 3}, "'primitives' of mesh 0 is not a list"),
+        ({"primitives": [3]}, "'targets' of mesh 0 is not a list"),
+        ({"primitives": [{"targets": 3}]}, "'targets' of mesh 0 is not a list"),
         (
             {"primitives": [{"targets": [{}]}], "extras": {"targetNames": 3}},
-            "'targetNames' of mesh 0 is no list",
+            "'targetNames' of mesh 0 is not a list",
         ),
         (
             {"primitives": [{"targets": [{}] * 2}], "extras": {"targetNames": ["a"]}},
             "2 morph targets and 1 names",
         ),
         ({"primitives": [{"targets": [{}]}, {}]}, "has 1 morph targets and 0 names"),
-        (3, "'meshes' is no list of objects"),
+        (3, "'meshes' is not a list of objects"),
     ],
 )
 def test_meshes_that_are_none_are_named(tmp_path: Path, mesh: object, message: str) -> None:
@@ -90,8 +90,8 @@ def test_meshes_that_are_none_are_named(tmp_path: Path, mesh: object, message: s
             "no morph target has the name of an ARKit shape; expected --map",
         ),
         ("jawOpen", {}, "no node shows a mesh with morph targets"),
-        ("jawOpen", {"nodes": 7}, "'nodes' is no list of objects"),
-        ("jawOpen", {"nodes": [{"mesh": 0}], "animations": "x"}, "'animations' is no list of objects"),
+        ("jawOpen", {"nodes": 7}, "'nodes' is not a list of objects"),
+        ("jawOpen", {"nodes": [{"mesh": 0}], "animations": "x"}, "'animations' is not a list of objects"),
         (
             "jawOpen",
             {"nodes": [{"mesh": 0}], "buffers": [{"uri": "x.bin"}]},

@@ -71,7 +71,7 @@ class Steps(MachineClock):
     "text", ["", ":80", "host:", "host:99999", "host:x", "host:0", "1.2.3.4:5:6", "host:a:9"]
 )
 def test_no_address(text: str) -> None:
-    with pytest.raises(InputError, match="is no address; expected HOST or HOST:PORT"):
+    with pytest.raises(InputError, match="is not an address; expected HOST or HOST:PORT"):
         parse_address(text, 11111)
 
 

@@ -109,12 +109,12 @@ def read_lines(path: Path) -> Iterator[tuple[int, str]]:
             while line := file.readline(LONGEST_LINE):
                 at += 1
                 if len(line) == LONGEST_LINE or "\0" in line:
-                    raise InputError("is no line of text", Place(str(path), at))
+                    raise InputError("is not a line of text; expected a text file", Place(str(path), at))
                 yield at, line.rstrip("\n")
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}", place) from None
     except UnicodeDecodeError:
-        raise InputError("is no UTF-8 text; expected a text file", place) from None
+        raise InputError("is not UTF-8 text; expected a text file", place) from None
 
 
 def read_table(path: Path, choose: Callable[[Header], Sequence[Column]], known: Sequence[str] = ()) -> Table:
@@ -154,7 +154,7 @@ def _fault_of(name: str, before: Sequence[str]) -> str:
     if not name:
         return "a column has no name"
     if name[0] in "0123456789-+.":
-        return f"'{name[:30]}' is no column's name; expected a header in the first line"
+        return f"'{name[:30]}' is not a column's name; expected a header in the first line"
     for other in (";", "\t"):
         if other in name:
             return f"columns are parted by {other!r}; expected ','"
@@ -213,7 +213,9 @@ def check_times(times: Array, path: Path, lines: Sequence[int]) -> Array:
     wrong = np.flatnonzero(np.diff(times) <= 0.0)
     if len(wrong):
         line = lines[int(wrong[0]) + 1]
-        raise InputError("its time does not come after the row before", Place(str(path), line))
+        raise InputError(
+            "its time does not come after the row before; expected rising times", Place(str(path), line)
+        )
     check_length(float(times[-1] - times[0]), Place(str(path), lines[-1]))
     return np.asarray(times - times[0])
 

@@ -139,12 +139,12 @@ def _header(words: list[str], place: Place) -> tuple[float, int]:
             raise ValueError
         return float(fps), int(frames)
     except ValueError:
-        raise InputError("is no header '2.1 name fps frames'", place) from None
+        raise InputError("is not a header; expected '2.1 name fps frames'", place) from None
 
 
 def _flags(words: list[str], place: Place) -> BoolArray:
     if len(words) not in (COUNT, COUNT + 1) or not set(words) <= {"0", "1"}:
-        message = f"is no mask of {COUNT} or {COUNT + 1} flags 0 or 1; it has {len(words)} words"
+        message = f"is not a mask: it has {len(words)} words; expected {COUNT} or {COUNT + 1} flags 0 or 1"
         raise InputError(message, place)
     return np.array([word == "1" for word in words])
 
@@ -154,7 +154,7 @@ def _numbers(words: list[str], expected: int, place: Place) -> list[int]:
     numbers = []
     for word in words:
         if not _WHOLE.fullmatch(word) or abs(int(word)) > FARTHEST:
-            message = f"'{word[:30]}' is no whole number from -{FARTHEST} to {FARTHEST}"
+            message = f"'{word[:30]}' cannot be used; expected a whole number from -{FARTHEST} to {FARTHEST}"
             raise InputError(message, place)
         numbers.append(int(word))
     if len(numbers) != 1 + expected:

@@ -53,14 +53,14 @@ class GlbFile:
     def _list(self, kind: str) -> list[dict[str, Any]]:
         entries = self.document.get(kind, [])
         if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-            raise self._fault(f"'{kind}' is no list of objects")
+            raise self._fault(f"'{kind}' is not a list of objects; expected one")
         return entries
 
     def _part(self, holder: object, kind: str, mesh: int) -> list[Any]:
         """Return a list within a mesh, empty where it is not there."""
         part = holder.get(kind, []) if isinstance(holder, dict) else None
         if not isinstance(part, list):
-            raise self._fault(f"'{kind}' of mesh {mesh} is no list")
+            raise self._fault(f"'{kind}' of mesh {mesh} is not a list; expected one")
         return part
 
     def _fault(self, message: str) -> InputError:
@@ -91,13 +91,13 @@ def read_glb(path: Path) -> GlbFile:
     try:
         magic, version, length = _HEADER.unpack_from(data)
         if magic != b"glTF" or version != 2:
-            raise InputError("is no binary glTF 2.0; expected a .glb file", place)
+            raise InputError("is not binary glTF 2.0; expected a .glb file", place)
         if length != len(data):
             raise InputError(f"has {len(data)} bytes and says {length}: it is cut off", place)
         chunks = _chunks(data)
         document = json.loads(chunks[b"JSON"])
     except (struct.error, KeyError, ValueError, RecursionError):
-        raise InputError("is no binary glTF 2.0; expected a .glb file", place) from None
+        raise InputError("is not binary glTF 2.0; expected a .glb file", place) from None
     if not isinstance(document, dict):
         raise InputError("holds no glTF document", place)
     return GlbFile(path, document, chunks.get(b"BIN\0", b""))

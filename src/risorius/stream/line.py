@@ -31,7 +31,7 @@ def parse_address(text: str, port: int) -> Address:
         host, number = text.strip(), str(port)
     host = host.removeprefix("[").removesuffix("]")
     if not _is_host(host) or not number.isdecimal() or not 0 < int(number) < 65_536:
-        raise InputError(f"'{text}' is no address; expected HOST or HOST:PORT, e.g. 127.0.0.1:{port}")
+        raise InputError(f"'{text}' is not an address; expected HOST or HOST:PORT, e.g. 127.0.0.1:{port}")
     return Address(host, int(number))
 
 
