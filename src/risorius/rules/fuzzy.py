@@ -27,7 +27,7 @@ class Keeps:
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class EmotionPair:
     """Two emotions and what each keeps beside the other."""
 
     one: str
@@ -48,7 +48,7 @@ class FuzzyTable:
 
     difference: Centres
     default: Keeps
-    pair: tuple[Pair, ...]
+    pair: tuple[EmotionPair, ...]
 
     def __post_init__(self) -> None:
         check_centres(self.difference)
