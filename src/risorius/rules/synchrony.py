@@ -13,7 +13,7 @@ from ..core.units import Share
 from .load import load
 
 Exponent = Annotated[float, Range(0.0, 2.0)]
-Rate = Annotated[float, Range(0.5, 20.0)]
+SpeechRate = Annotated[float, Range(0.5, 20.0)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +34,8 @@ class RateLaw:
 class Synchrony:
     """The table `synchrony.toml`. Syllables a second, seconds."""
 
-    usual_rate: Rate
-    slow_rate: Rate
+    usual_rate: SpeechRate
+    slow_rate: SpeechRate
     group_pause: Annotated[float, Range(0.0, 60.0)]
     reach: Share
     settling: Annotated[float, Range(0.0, 2.0)]
