@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.core.movement import LipSegment, Movement
 from risorius.core.time import TICKS_PER_SECOND, on_tick, on_ticks, seconds_of, ticks_of
 from risorius.core.utterance import Accent, Ending, Pause, PauseKind, Phone, Phrase, Syllable, Word
 
@@ -82,3 +83,11 @@ def test_events_that_were_added_up_differently_touch() -> None:
     )
     assert Syllable(0, 1, start, 1.0, 0, 0).start == Word("a", end, 1.0, 0, 1, 0, 1).start
     assert Accent(start, 0, 0).time == Phrase(0, 1, end, 1.0, 0, Ending.OPEN).start
+
+
+def test_movements_and_lip_segments_stand_on_ticks() -> None:
+    start, end = 0.1 + 0.2, 0.3
+    first = Movement("emotion", 0.0, end, 0.1 + 0.2, 1.0 / 3.0, {})
+    second = Movement("emotion", start, 1.0, 0.3, 1.0 / 3.0 + 1e-11, {})
+    assert (first.end, first.onset, first.offset) == (second.start, second.onset, second.offset)
+    assert LipSegment("M", 0.0, end, {}).end == LipSegment("AA", start, 1.0, {}).start

@@ -11,6 +11,7 @@ from .articulators import leader
 from .channels import CHANNELS
 from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS, FunctionName
 from .parameters import INDEX, PARAMETERS, check_value
+from .time import put_on_ticks
 from .units import Seconds
 
 
@@ -27,8 +28,8 @@ class Cause:
 class Movement:
     """An atomic movement (paper A, section 4): targets reached in `onset` and left in `offset` seconds.
 
-    Times in seconds. `targets` maps parameter names to values. `priority` and `release_priority` (in the
-    offset phase): None for the priority of the channel.
+    Times in seconds, read to the nearest tick. `targets` maps parameter names to values. `priority` and
+    `release_priority` (in the offset phase): None for the priority of the channel.
     """
 
     channel: str
@@ -43,6 +44,9 @@ class Movement:
     release_priority: float | None = None
     function: FunctionName = DEFAULT_FUNCTION
     cause: Cause = field(default_factory=Cause)
+
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "start", "end", "onset", "offset")
 
     @property
     def label(self) -> str:
@@ -97,6 +101,9 @@ class LipSegment:
     dominance: Mapping[str, Dominance] = field(default_factory=dict)
     cause: Cause = field(default_factory=Cause)
     yields: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "start", "end")
 
     def dominance_of(self, name: str) -> Dominance:
         """Return the dominance over a target: its own, its articulator's, that of "*", or the default."""

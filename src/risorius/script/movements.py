@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from ..core.channels import ChannelTiming, channel_timing
 from ..core.movement import Cause, Movement
+from ..core.time import on_tick
 from ..core.utterance import Word
 from ..errors import InputError
 from ..rules.gestures import GesturePart
@@ -16,8 +17,6 @@ from .apart import check_apart
 from .model import Mark, Script
 
 _GAZE = ("gaze_pitch", "gaze_yaw")
-# Digits of a second that are kept: below them two times are the same, however they were added up.
-_DIGITS = 9
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +50,7 @@ def movements_of(script: Script, words: Sequence[Word], duration: float) -> tupl
 
 
 def _parts(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[_Timed]:
-    start, end = (round(a.resolve(words, duration), _DIGITS) for a in (mark.start, mark.end))
+    start, end = (on_tick(a.resolve(words, duration)) for a in (mark.start, mark.end))
     if not start < end:
         raise InputError(
             f"{mark.label} ends at {end:g} s ({mark.end}), not after its start at {start:g} s ({mark.start})",
@@ -59,7 +58,7 @@ def _parts(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[_Time
         )
     length = end - start
     for number, part in enumerate(mark.parts, 1):
-        begin, stop = (round(start + share * length, _DIGITS) for share in (part.start, part.end))
+        begin, stop = (on_tick(start + share * length) for share in (part.start, part.end))
         yield _Timed(mark, part, number, begin, stop, length)
 
 
@@ -99,8 +98,8 @@ def _default_timing(timed: _Timed, timing: ChannelTiming, eyes: _Eyes) -> tuple[
     if _moves_eyes_alone(timed.mark):
         return eyes.turn(timed)
     part = timed.part
-    onset = timing.onset if part.onset is None else round(part.onset * timed.length, _DIGITS)
-    offset = timing.offset if part.offset is None else round(part.offset * timed.length, _DIGITS)
+    onset = timing.onset if part.onset is None else part.onset * timed.length
+    offset = timing.offset if part.offset is None else part.offset * timed.length
     return onset, offset
 
 
