@@ -19,6 +19,7 @@ from risorius.blend.intervals import (
     share,
     union,
 )
+from risorius.core.time import TICK
 
 PROBES = np.arange(-8.0, 50.0, 0.25) + 0.125
 
@@ -76,6 +77,8 @@ def test_share_is_the_covered_part_of_a_window(a: np.ndarray) -> None:
 
 def test_touching_intervals_join_and_instants_vanish() -> None:
     assert merged(np.array([[1.0, 2.0], [0.0, 1.0], [5.0, 5.0 + 1e-12]])).tolist() == [[0.0, 2.0]]
+    assert len(merged(np.array([[0.0, 0.9 * TICK]]))) == 0
+    assert len(merged(np.array([[0.0, 2.0 * TICK]]))) == 1
 
 
 def test_nothing_stays_nothing() -> None:

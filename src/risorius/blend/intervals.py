@@ -1,8 +1,8 @@
 """Sets of times as sorted, disjoint intervals: arrays of shape (n, 2), start and end in seconds.
 
 The combination of channels computes with such sets instead of frames, so that it does not depend on the
-frame rate. Ends may be infinite. An interval shorter than an instant is dropped: it would come from rounding,
-and an inhibition in it would have effects long before and after.
+frame rate. Ends may be infinite. Curves cross between ticks, so that an interval may be shorter than a tick:
+it comes from rounding and is dropped, for an inhibition in it would have effects long before and after.
 """
 
 from __future__ import annotations
@@ -12,15 +12,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..core.arrays import Array, BoolArray, IndexArray
+from ..core.time import TICK
 
 Spans = Array
 """A set of times: sorted, disjoint intervals (n, 2), seconds."""
 
 Extent = tuple[float, float, tuple[float | str | bytes, ...]]
 """The start and end of a part of a curve, seconds, and all that distinguishes it from other parts."""
-
-INSTANT = 1e-9
-"""Seconds."""
 
 EMPTY: Spans = np.zeros((0, 2))
 EMPTY.setflags(write=False)
@@ -73,7 +71,7 @@ def _covered(sets: Sequence[Spans], needed: int) -> Spans:
 
 
 def _lasting(starts: Array, ends: Array) -> Spans:
-    lasting = ends - starts > INSTANT
+    lasting = ends - starts > TICK
     return np.column_stack((starts[lasting], ends[lasting]))
 
 

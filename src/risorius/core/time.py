@@ -20,6 +20,8 @@ Ticks = int
 """A time or a duration in ticks."""
 
 TICKS_PER_SECOND: Ticks = 705_600_000
+TICK = 1.0 / TICKS_PER_SECOND
+"""A tick in seconds: no two moments are told apart that are nearer."""
 
 
 def ticks_of(seconds: float) -> Ticks:
