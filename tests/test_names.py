@@ -12,8 +12,6 @@ ROOT = Path(risorius.__file__).parent
 TYPE_NAME = re.compile(r"[A-Z][A-Za-z0-9]*[a-z][A-Za-z0-9]*")  # a constant has capitals alone
 # Names that still mean several things. The list may only shrink.
 TO_MEND = {
-    "AccentRule",
-    "BoundaryRule",
     "Dial",
     "Edit",
     "Json",
@@ -25,8 +23,6 @@ TO_MEND = {
     "Row",
     "Send",
     "Sent",
-    "Spoken",
-    "Stretch",
     "Word",
 }
 

@@ -12,7 +12,7 @@ from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance
 from ..errors import InputError, ParameterError, SpeechWarning, warn
 from ..languages import language_of
-from .assembly.assemble import Part, assemble, place, silence
+from .assembly.assemble import SpokenPart, assemble, place, silence
 from .assembly.lengthen import scale_pauses
 from .assembly.retime import is_timed, retime
 from .engines.protocol import SpeechEngine, SpeechRequest, Voice
@@ -108,7 +108,7 @@ def _speak(
     directions: Directions,
     engine: SpeechEngine,
     progress: Callable[[float], None] | None,
-) -> Iterator[Part]:
+) -> Iterator[SpokenPart]:
     """Speak the stretches of `text` in the manner of `request`; warn of sounds that had to be guessed."""
     language = language_of(request.voice.language)
     stretches = divide(text, language)
@@ -122,7 +122,7 @@ def _speak(
             end_pause=stretch.ends_sentence and not last,
             directions=tuple(placed(directions, spoken, stretch.start, stretch.end, last=last)),
         )
-        part = Part(stretch, spoken, scale_pauses(engine.speak(asked), request.manner.pauses))
+        part = SpokenPart(stretch, spoken, scale_pauses(engine.speak(asked), request.manner.pauses))
         guessed.update(dict.fromkeys(part.rendition.guessed))
         yield part
         if progress is not None:

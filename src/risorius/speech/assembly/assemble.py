@@ -10,18 +10,18 @@ from ...core.audio import AudioWriter
 from ...core.utterance import SILENCE, Phone, Word
 from ..engines.protocol import Rendition
 from ..structure.pauses import punctuation_kind
-from ..text.normalise import Spoken
-from ..text.sentences import Stretch
+from ..text.normalise import NormalisedText
+from ..text.sentences import TextStretch
 from ..text.tokens import Token
 from .timing import NO_TOKEN, Segment, settle
 from .words import Transcriber, assign
 
 
-class Part(NamedTuple):
+class SpokenPart(NamedTuple):
     """A stretch of the text, what was given to the engine for it, and how that sounded."""
 
-    stretch: Stretch
-    spoken: Spoken
+    stretch: TextStretch
+    spoken: NormalisedText
     rendition: Rendition
 
 
@@ -32,7 +32,7 @@ def silence(writer: AudioWriter, seconds: float) -> list[Segment]:
     return [Segment(SILENCE, start, writer.frames, kept=True)] if writer.frames > start else []
 
 
-def place(part: Part, tokens: Sequence[Token], offset: int, transcribe: Transcriber) -> list[Segment]:
+def place(part: SpokenPart, tokens: Sequence[Token], offset: int, transcribe: Transcriber) -> list[Segment]:
     """Return the segments of a part that starts at sample `offset`, each with its index into `tokens`."""
     rendition = part.rendition
     starts = [phone.start for phone in rendition.phones] + [len(rendition.samples)]
@@ -45,7 +45,7 @@ def place(part: Part, tokens: Sequence[Token], offset: int, transcribe: Transcri
     return segments
 
 
-def _owners(part: Part, tokens: Sequence[Token], transcribe: Transcriber) -> list[int]:
+def _owners(part: SpokenPart, tokens: Sequence[Token], transcribe: Transcriber) -> list[int]:
     """Return the token of every phone that is not silent."""
     sounding = [phone for phone in part.rendition.phones if phone.symbol != SILENCE]
     if not sounding:

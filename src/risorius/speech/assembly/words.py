@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from itertools import accumulate, groupby
 
 from ...languages import phonesets
-from ..text.normalise import Spoken
+from ..text.normalise import NormalisedText
 from ..text.tokens import Token
 
 # Transcribes words: the phones of each.
@@ -26,7 +26,7 @@ _MISSING = 1.0
 def assign(
     symbols: Sequence[str],
     positions: Sequence[int],
-    spoken: Spoken,
+    spoken: NormalisedText,
     tokens: Sequence[Token],
     transcribe: Transcriber,
 ) -> list[int]:
@@ -46,7 +46,7 @@ def assign(
     return owners
 
 
-def _source(spoken: Spoken, position: int) -> int:
+def _source(spoken: NormalisedText, position: int) -> int:
     return spoken.origin[max(0, min(position, len(spoken.origin) - 1))]
 
 
@@ -59,7 +59,11 @@ def _token_at(tokens: Sequence[Token], offset: int) -> int:
 
 
 def _share(
-    run: Sequence[str], shared: range, spoken: Spoken, tokens: Sequence[Token], transcribe: Transcriber
+    run: Sequence[str],
+    shared: range,
+    spoken: NormalisedText,
+    tokens: Sequence[Token],
+    transcribe: Transcriber,
 ) -> list[int]:
     transcribed = transcribe([_spoken_text(spoken, tokens[index]) for index in shared])
     audible = [(index, phones) for index, phones in zip(shared, transcribed, strict=True) if phones]
@@ -70,7 +74,7 @@ def _share(
     return [index for index, count in zip(indices, counts, strict=True) for _ in range(count)]
 
 
-def _spoken_text(spoken: Spoken, token: Token) -> str:
+def _spoken_text(spoken: NormalisedText, token: Token) -> str:
     first = bisect_left(spoken.origin, token.start)
     last = bisect_left(spoken.origin, token.end)
     return spoken.text[first:last].strip()

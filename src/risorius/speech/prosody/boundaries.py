@@ -10,7 +10,7 @@ from ...core.tobi import UNKNOWN_BOUNDARY
 from ...core.utterance import Boundary, Utterance
 from .contour import Contour
 from .cues import Cues, vowel_of
-from .rules import BoundaryRule, probability, prosody_rules
+from .rules import BoundaryOdds, probability, prosody_rules
 from .running import SpeakerStatistics
 from .runs import Run
 
@@ -73,7 +73,7 @@ def _ending(contour: Contour, start: float, end: float) -> PhraseEnd:
     return PhraseEnd(float(values.min()), float(values[-1]))
 
 
-def _tones(ending: PhraseEnd, contour: Contour, rule: BoundaryRule, whole: bool) -> tuple[str, float]:
+def _tones(ending: PhraseEnd, contour: Contour, rule: BoundaryOdds, whole: bool) -> tuple[str, float]:
     """Return a boundary's label, and how sure its tones are, 0..1.
 
     The phrase accent is what the pitch comes from, high or low; the boundary tone is where it goes.

@@ -20,7 +20,7 @@ class ProminenceRule:
 
 
 @dataclass(frozen=True, slots=True)
-class AccentRule:
+class AccentOdds:
     """Log odds of an accent."""
 
     base: float
@@ -50,7 +50,7 @@ class TypeRule:
 
 
 @dataclass(frozen=True, slots=True)
-class BoundaryRule:
+class BoundaryOdds:
     """Log odds of a boundary, and the shapes of its tones."""
 
     pause: float
@@ -68,9 +68,9 @@ class ProsodyRules:
     """The file."""
 
     prominence: ProminenceRule
-    accent: AccentRule
+    accent: AccentOdds
     type_: TypeRule = field(metadata={"key": "type"})
-    boundary: BoundaryRule
+    boundary: BoundaryOdds
 
 
 @functools.cache

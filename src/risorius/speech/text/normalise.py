@@ -27,14 +27,14 @@ _JOINERS = frozenset("\u200c\u200d")
 _COMPATIBLE = ("<font>", "<wide>", "<narrow>", "<compat>")
 
 
-class Spoken(NamedTuple):
+class NormalisedText(NamedTuple):
     """Text for the engine; `origin[i]` is the source offset that character i comes from."""
 
     text: str
     origin: tuple[int, ...]
 
 
-def normalise(text: str, start: int, end: int, language: Language) -> Spoken:
+def normalise(text: str, start: int, end: int, language: Language) -> NormalisedText:
     """Return what is to be spoken for characters [start, end) of `text`; it holds no line break."""
     chars: list[str] = []
     origin: list[int] = []
@@ -50,11 +50,11 @@ def normalise(text: str, start: int, end: int, language: Language) -> Spoken:
             put(read, source)
         at = piece.end
     _clean(text, at, end, put)
-    return Spoken("".join(chars), tuple(origin))
+    return NormalisedText("".join(chars), tuple(origin))
 
 
 def placed(
-    directions: Directions, spoken: Spoken, start: int, end: int, *, last: bool = False
+    directions: Directions, spoken: NormalisedText, start: int, end: int, *, last: bool = False
 ) -> Iterator[DirectedSpan | Break]:
     """Yield what `directions` say about characters [start, end) of the source, by characters of `spoken`.
 

@@ -26,7 +26,7 @@ _END = re.compile(
 _CLAUSE_END = re.compile(r"[,;:)\u2013\u2014\u3001\uff0c\uff1b](?=\s|[^\W\d]|$)")
 
 
-class Stretch(NamedTuple):
+class TextStretch(NamedTuple):
     """Characters [start, end) of a text, spoken as one; not `ends_sentence` where a long one was divided."""
 
     start: int
@@ -34,9 +34,9 @@ class Stretch(NamedTuple):
     ends_sentence: bool
 
 
-def divide(text: str, language: Language, limit: int = LIMIT) -> tuple[Stretch, ...]:
+def divide(text: str, language: Language, limit: int = LIMIT) -> tuple[TextStretch, ...]:
     """Return the stretches of `text`, none longer than `limit` characters, each with something to speak."""
-    stretches: list[Stretch] = []
+    stretches: list[TextStretch] = []
     start = 0
     for end in [*_sentence_ends(text, language), len(text)]:
         stretches += _bounded(text, start, end, limit)
@@ -60,13 +60,13 @@ def _ends_here(text: str, match: re.Match[str], language: Language) -> bool:
     return not is_abbreviation(text, match.start(), language.abbreviations, language.function_words)
 
 
-def _bounded(text: str, start: int, end: int, limit: int) -> Iterator[Stretch]:
+def _bounded(text: str, start: int, end: int, limit: int) -> Iterator[TextStretch]:
     while end - start > limit:
         cut = _cut(text, start, start + limit)
-        yield Stretch(start, cut, False)
+        yield TextStretch(start, cut, False)
         start = cut
     if start < end:
-        yield Stretch(start, end, True)
+        yield TextStretch(start, end, True)
 
 
 def _cut(text: str, start: int, latest: int) -> int:
