@@ -1,7 +1,7 @@
-"""Compiles what the renderer needs in a process of its own, while this one compiles the face.
+"""Compile the software renderer in a second process while this one compiles the face.
 
-A process compiles one function at a time, so that two share the wait of the first run between two processors.
-Also a program, `python -m risorius.render.ahead STYLE`: it draws one small picture.
+A process compiles one function at a time, so two processes on two processors shorten the first run. This is
+also a program, `python -m risorius.render.ahead STYLE`: it draws one small picture.
 """
 
 from __future__ import annotations
@@ -26,16 +26,17 @@ from .from_look import renderer_from_look
 from .renderer_pool import processors
 
 _PATIENCE = 300.0
-"""Seconds after which the other process is given up, and this one compiles for itself."""
+"""Seconds to wait for the other process; after that, this process compiles for itself."""
 _SIDE = 64
 
 
 @contextmanager
 def compiled_ahead(style: str, announce: Callable[[], object]) -> Iterator[Callable[[], None]]:
-    """Have the pictures of a style compiled beside the block, unless they are: then say so by `announce`.
+    """Compile the kernels of a style in another process while the block runs.
 
-    Yields what to call in the block before one is drawn: it waits until they are compiled, where another
-    process does; where none could, drawing does. A block that ends well leaves a mark that they are.
+    Yields a function for the block to call before it draws: it waits for that process. If no processor is
+    free for one, it returns at once, and drawing compiles the kernels. `announce` is called if the kernels
+    are not compiled yet. A block that ends without an error leaves a mark that they are.
     """
     if _mark(style).exists():
         yield _no_wait
@@ -49,7 +50,7 @@ def compiled_ahead(style: str, announce: Callable[[], object]) -> Iterator[Calla
 
 @contextmanager
 def _compiler(style: str) -> Iterator[Callable[[], None]]:
-    """Run the process that compiles, if a processor is free for it; yield what waits for it."""
+    """Start the process that compiles if a processor is free for it; yield a function that waits for it."""
     if processors() < 2:
         yield _no_wait
         return
@@ -67,13 +68,14 @@ def _compiler(style: str) -> Iterator[Callable[[], None]]:
 
 
 def _no_wait() -> None:
-    """Wait for nothing."""
+    """Return at once: there is no process to wait for."""
 
 
 @contextmanager
 def _no_collection() -> Iterator[None]:
-    """Let garbage lie: a compiler makes millions of objects that live on, and looking through them takes a
-    twentieth of its time.
+    """Disable garbage collection while compiling: it would scan millions of live objects.
+
+    That takes a twentieth of the time of compiling.
     """
     collected = gc.isenabled()
     gc.disable()
@@ -85,13 +87,13 @@ def _no_collection() -> Iterator[None]:
 
 
 def _mark(style: str) -> Path:
-    """Return the file that says that a style's kernels are kept: the realistic one has some of its own."""
+    """Return the file that marks a style's kernels as compiled; the styles of diagrams share one."""
     name = "realistic" if style == "realistic" else "explaining"
     return compile_cache.in_use() / f"{name}-{compile_cache.sources()}.compiled"
 
 
 def _resting(head: Head) -> FaceFrame:
-    """Return the face at rest, for which nothing need be solved."""
+    """Return the face at rest, without a solver."""
     skin = np.asarray(head.skin.matrix @ head.rest, np.float32)
     return FaceFrame(
         skin=skin,
@@ -106,7 +108,7 @@ def _resting(head: Head) -> FaceFrame:
 
 
 def main() -> int:
-    """Draw one picture in a style, so that its kernels are kept."""
+    """Draw one picture in a style, which compiles its kernels and stores them on disk."""
     head = load_head("standard")
     with _no_collection():
         renderer_from_look(head, (_SIDE, _SIDE), Look(style=sys.argv[1])).render(_resting(head))

@@ -12,8 +12,8 @@ from .materials.mouth import LIP_STEPS
 def lip_edges(pairs: Array) -> tuple[Array, Array]:
     """Return the span (2,) of x and the slit (LIP_STEPS, 4): y and z of the upper and of the lower lip.
 
-    `pairs` (P, 2, 3) mm are points of the upper and lower lip that touch when the mouth is shut. Where
-    several stand over one x the nearer lips to each other count, since they bound the light.
+    `pairs` (P, 2, 3) mm are points of the upper and lower lip that touch when the mouth is shut. If
+    several pairs have the same x, those with the smaller gap count, because they bound the light.
     """
     x = pairs[..., 0].mean(axis=1)
     grid = np.linspace(x.min(), x.max(), LIP_STEPS)
@@ -28,8 +28,8 @@ def lip_edges(pairs: Array) -> tuple[Array, Array]:
 def lid_margins(pairs: Array, centre: Array, radius: float) -> tuple[Array, Array]:
     """Return the span (2,) of x and the heights (LID_STEPS, 2) of the upper and lower margin over the eye.
 
-    `pairs` (P, 2, 3) are the margins' points in the head frame; heights are brought onto the sphere, as
-    seen from its centre.
+    `pairs` (P, 2, 3) are the margins' points in the head frame; they are projected onto the
+    eye's sphere from its centre.
     """
     points = pairs - centre
     points = points * (radius / np.linalg.norm(points, axis=-1, keepdims=True))

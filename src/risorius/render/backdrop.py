@@ -1,4 +1,4 @@
-"""What stands behind the head: a soft gradient, a colour or a picture, in display light."""
+"""The background of a picture: a soft gradient, a colour or a picture, in display light."""
 
 from __future__ import annotations
 

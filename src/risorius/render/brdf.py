@@ -1,4 +1,4 @@
-"""How light leaves a surface: microfacet gloss and Fresnel's law, in float32 for kernels."""
+"""Reflection at a surface: microfacet gloss and Fresnel's law, in float32 for kernels."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ _PI = f4(3.14159265)
 
 @fast_device
 def schlick(cosine: float, facing: float) -> float:
-    """Return the share of light mirrored at an angle (cosine), `facing` of it head on (Schlick 1994)."""
+    """Return the reflected share of light at an angle given by its cosine (Schlick 1994).
+
+    `facing` is the share that is reflected at a right angle.
+    """
     m = f4(1) - saturate(cosine)
     m2 = m * m
     return facing + (f4(1) - facing) * m2 * m2 * m
@@ -20,7 +23,7 @@ def schlick(cosine: float, facing: float) -> float:
 
 @fast_device
 def mirrored(facing_light: float, facing_half: float, apart: float, alpha: float, head_on: float) -> float:
-    """Return what `gloss` does, from what several widths `alpha` share.
+    """Return the value of `gloss` from terms that several widths `alpha` share.
 
     `facing_light` is dot(normal, light), `facing_half` dot(normal, view + light), `apart` the square of the
     length of view + light. The fractions of GGX, of Kelemen's term and of the half vector make one here.

@@ -14,15 +14,15 @@ from .raster import SUBPIXEL
 
 Coordinates = tuple[float, float, float]
 _FAR = f4(1 << 22)  # snapped positions stay within ±16384 samples, so that edge products fit in 64 bits
-_NEAREST = f4(1.0)  # mm; what is nearer than this is projected as if it were this far
+_NEAREST = f4(1.0)  # mm: nearer points are projected as if they were at this distance
 
 
 @dataclass(frozen=True, slots=True)
 class Camera:
-    """A pinhole camera in the head frame (mm): where it stands, what it looks at, and its angle of view.
+    """A pinhole camera in the head frame: its place and its target in mm, and its angle of view.
 
     `field_of_view` is the vertical angle in degrees. A portrait lens (85 to 100 mm on full frame) has 14° to
-    16° over the short side; nearer cameras with wider angles make noses large.
+    16° over the short side; a nearer camera with a wider angle enlarges the nose.
     """
 
     eye: Coordinates

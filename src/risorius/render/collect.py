@@ -1,7 +1,7 @@
-"""Which patches of surface a row of pixels shows: the adaptive half of the anti-aliasing.
+"""Collect the samples of a row of pixels into patches: the adaptive part of anti-aliasing.
 
 Samples of one pixel that show the same surface at the same depth form a patch, which is shaded once, at its
-middle; so smooth skin costs one evaluation a pixel and outlines as many as needed.
+middle. Smooth skin costs one evaluation for each pixel; a pixel on an outline costs one for each patch.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one sur
 def collect(y: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
     """Find the patches of row y; return how many there are."""
     if screen.samples == 2:
-        return _collect(y, 2, screen, mesh, batch)  # a known number of samples makes loops straight code
+        return _collect(y, 2, screen, mesh, batch)  # loops over a constant number are unrolled
     return _collect(y, screen.samples, screen, mesh, batch)
 
 
@@ -42,7 +42,7 @@ def _collect(y: int, side: int, screen: Screen, mesh: PosedMesh, batch: Batch) -
 
 @fast_inlined
 def _survey(x: int, y: int, side: int, screen: Screen) -> tuple[int, bool, int]:
-    """Return the first sample's triangle, whether all samples show it, and a bit for each that shows any."""
+    """Return the first sample's triangle, whether all samples show it, and a bit for each sample in use."""
     first: int = screen.ids[index(y * side), index(x * side)]
     uniform, some, bit = True, 0, 1
     for j in range(side):
@@ -58,9 +58,9 @@ def _survey(x: int, y: int, side: int, screen: Screen) -> tuple[int, bool, int]:
 def _gather(
     n: int, x: int, y: int, side: int, waiting: int, screen: Screen, mesh: PosedMesh, batch: Batch
 ) -> int:
-    """Write patch n: of the samples whose bits are `waiting` all that show what the first does.
+    """Write patch n, the samples among the bits `waiting` that belong to the first; return their bits.
 
-    Return their bits. Without branches: which samples belong together is as good as random.
+    The loop has no branches, because the processor could not predict which samples belong together.
     """
     first = 0
     while (waiting >> first) & 1 == 0:
@@ -98,9 +98,9 @@ def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: PosedMesh
 
 @fast_device
 def _weights(x: float, y: float, t: int, triangles: Int32Array, xy: Int32Array, key: Float32Array) -> Vec:
-    """Return where a place (x, y) in samples lies in triangle t, brought into it, in true perspective."""
+    """Return the weights of a place (x, y) in samples in triangle t, clipped to it, in true perspective."""
     a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
-    # In double precision: the differences of large products decide whether anything is left to divide by.
+    # In double precision: the area is a difference of large products.
     ax, ay = f8(xy[a, 0]), f8(xy[a, 1])
     bx, by = f8(xy[b, 0]) - ax, f8(xy[b, 1]) - ay
     cx, cy = f8(xy[c, 0]) - ax, f8(xy[c, 1]) - ay

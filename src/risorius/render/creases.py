@@ -1,4 +1,4 @@
-"""The wrinkle regions as the skin's shader reads them."""
+"""The wrinkle regions in the form that the skin's shader reads."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from ..looks.noise import noise_at
 LINES, FOLD, DIMPLES = 0, 1, 2
 # Columns of `style`.
 KIND, FURROW, SHADOW, SHARE = 0, 1, 2, 3
-RAGGED, WANDERING = 0.18, 9.0  # mm by which creases stray, and over what length
-FAINT = f4(0.004)  # mm: folds lower than this are not looked at
-MESH_CARRIES = 0.6  # of what the mesh was moved, this much need not be shaded again
+RAGGED, WANDERING = 0.18, 9.0  # mm by which creases stray from their line, and the length over which they do
+FAINT = f4(0.004)  # mm: lower folds are not shaded
+MESH_CARRIES = 0.6  # share of the mesh's own relief that need not be shaded again
 
 
 class Creases(NamedTuple):
@@ -40,7 +40,7 @@ class Creases(NamedTuple):
 
 
 def lay_creases(head: Head, triangles: int) -> Creases:
-    """Lay a head's wrinkle regions out for a scene of so many `triangles`, the skin's first."""
+    """Place a head's wrinkle regions in a scene of `triangles` triangles that starts with the skin's."""
     placed, unit = place_regions(head), Marks.of(head).unit
     fine, faces = np.asarray(head.skin.matrix @ head.rest), head.skin.triangles
     covered = np.zeros(triangles, np.int32)
@@ -61,7 +61,7 @@ def lay_creases(head: Head, triangles: int) -> Creases:
 
 
 def raise_creases(creases: Creases, triangles: Int32Array, wrinkles: Float32Array) -> None:
-    """Set the wrinkles' heights (N1, R) mm, and find on which of `triangles` (n, 3) they can be seen."""
+    """Set the wrinkles' heights (N1, R) in mm, and mark the `triangles` (n, 3) on which they can be seen."""
     creases.height[:] = wrinkles
     _find_raised(creases, triangles)
 
@@ -95,16 +95,16 @@ def _places(phases: Array, stray: Array, points: Array, faces: IntArray) -> Floa
 
 
 def _place(phase: Array, stray: Array, points: Array, faces: IntArray) -> Array:
-    """Return phase and slope (N1, 4) of a region whose creases stray by so many mm (N1,).
+    """Return phase and slope (N1, 4) of a region whose creases stray by `stray` (N1,) mm.
 
-    Unlike the regions, the straying is not alike on both sides of the face.
+    The regions are symmetric; the straying is not.
     """
     ragged = phase + stray * np.linalg.norm(_slope(points, faces, phase), axis=1)
     return np.column_stack([ragged, _slope(points, faces, ragged)])
 
 
 def _slope(points: Array, faces: IntArray, values: Array) -> Array:
-    """Return the slope (N1, 3) of `values` (N1,) along the surface: the triangles' own, averaged by area."""
+    """Return the slope (N1, 3) of `values` (N1,) along the surface: the mean of the triangles', by area."""
     a, b, c = (points[faces[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a)
     twice = np.linalg.norm(normal, axis=1, keepdims=True)

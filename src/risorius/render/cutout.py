@@ -1,4 +1,4 @@
-"""Pictures with an alpha channel, for a head that is put before something else."""
+"""Pictures with an alpha channel, for a head that is drawn over something else."""
 
 from __future__ import annotations
 

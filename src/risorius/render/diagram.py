@@ -1,4 +1,4 @@
-"""Shading for explaining pictures: plain matter, muscles painted on it, the mesh drawn on it."""
+"""Shading of diagrams (clay, muscles, wireframe): a plain material with muscles or the mesh drawn on it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What explaining pictures show on the skin, frame by frame."""
+"""The muscles or the mesh that diagrams show on the skin, frame by frame."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ _NO_LINES, _LINES = (0.0, 0.0, 0.0, 0.0), (0.75, 1.15, 1.5, 0.9)  # linear colou
 
 
 class DiagramPaint:
-    """What a style other than the realistic one draws on the skin: `paint` holds for the last `update`."""
+    """The paint on the skin in the styles of diagrams; `paint` is that of the last `update`."""
 
     def __init__(self, head: Head, triangles: int, style: str) -> None:
-        """Prepare for a scene of so many `triangles`; `style` is clay, muscles or wireframe."""
+        """Prepare for a scene of `triangles` triangles; `style` is clay, muscles or wireframe."""
         self._muscles = place_muscles(head, triangles) if style == "muscles" else _no_muscles(triangles)
         edges: Float32Array = np.zeros((triangles, 3), np.float32)
         ink = np.array(_NO_LINES, np.float32)
@@ -31,7 +31,7 @@ class DiagramPaint:
         self.paint = Paint(self._muscles.covered, self._muscles.place, still, edges, ink)
 
     def clone(self) -> DiagramPaint:
-        """Return one that can be updated apart from this."""
+        """Return a copy that another thread can update at the same time."""
         other = copy(self)
         other.paint = self.paint._replace(colours=self.paint.colours.copy())
         return other

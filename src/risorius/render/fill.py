@@ -1,4 +1,4 @@
-"""Filling a triangle: by sixteen samples at once, or row by row where its numbers would grow too large."""
+"""Fill a triangle by sixteen samples at once, or row by row if its numbers could overflow 32 bits."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ EdgeValues = tuple[int, int, int]
 
 
 class TriangleScan(NamedTuple):
-    """Where to look for a triangle's samples, and what tells which they are.
+    """The rows and columns that may hold a triangle's samples, and the numbers that decide which do.
 
-    The rows from `first` to `last`, the columns from `left` to `right`; `edges` are its edge functions at
-    sample (`left`, `first`), `steps` and `downs` what they grow by to the right and downwards; `near` is its
-    key there, and what that grows by to the right and downwards.
+    They are the rows from `first` to `last` and the columns from `left` to `right`. `edges` are the edge
+    functions at sample (`left`, `first`); `steps` and `downs` are their increments to the right and
+    downwards. `near` is the key at that sample and its two increments.
     """
 
     first: int
@@ -51,7 +51,7 @@ def fill(
     ids: Int32Array,
     keep: bool,
 ) -> None:
-    """Draw the rows from `first` to `last` of triangle t; `keep` tells whether `ids` is written, too."""
+    """Draw the rows from `first` to `last` of triangle t; `ids` is written only if `keep` is true."""
     a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
     area = area_of(xy, a, b, c)
     if area < 0:
@@ -87,7 +87,7 @@ def fill(
 def _fill_blocks(
     t: int, scan: TriangleScan, corners: CornerPlaces, depth: Float32Array, ids: Int32Array, keep: bool
 ) -> None:
-    """Draw the triangle in columns of LANES samples, in each of them the rows that it may reach there."""
+    """Draw the triangle in columns of LANES samples; in each column only the rows that it may reach."""
     first, last, left, right, edges, steps, downs, near = scan
     for column in range(left, right + 1, LANES):
         start, top, bottom = min(column, depth.shape[1] - LANES), first, last
@@ -133,7 +133,7 @@ def _rows_between(start: int, corners: CornerPlaces, first: int, last: int) -> t
 
 @lean_device
 def _heights(low: float, high: float, px: float, py: float, qx: float, qy: float) -> tuple[float, float]:
-    """Return the least and the greatest y of an edge between two columns; of an upright one, of one end."""
+    """Return the least and greatest y of an edge between two columns; for a vertical edge, y of one end."""
     left, right = min(px, qx), max(px, qx)
     if right < low or left > high:
         return _NEVER, -_NEVER
@@ -144,10 +144,10 @@ def _heights(low: float, high: float, px: float, py: float, qx: float, qy: float
 
 @lean_device
 def _divide(w: int, step: int) -> tuple[int, int]:
-    """Return floor(w / |step|) and what remains; a step of 0 counts as 1.
+    """Return floor(w / |step|) and the remainder; a step of 0 counts as 1.
 
-    The division is exact enough: both are integers below 2⁴⁵, so a quotient that is no integer differs from
-    every integer by more than the rounding.
+    The division is exact enough: both are integers below 2⁴⁵, so a quotient that is not an integer differs
+    from every integer by more than the rounding.
     """
     by = max(abs(step), i8(1))
     whole = i8(math.floor(w / f8(by)))
@@ -156,7 +156,7 @@ def _divide(w: int, step: int) -> tuple[int, int]:
 
 @lean_device
 def _descend(whole: int, rest: int, more: int, over: int, step: int) -> tuple[int, int]:
-    """Return quotient and remainder one row further down, where the dividend has grown by theirs."""
+    """Return quotient and remainder one row further down: add those of the increment."""
     whole, rest = whole + more, rest + over
     by = max(abs(step), i8(1))
     return (whole + 1, rest - by) if rest >= by else (whole, rest)
@@ -174,7 +174,7 @@ def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
 
 @lean_device
 def _fill_rows(t: int, scan: TriangleScan, depth: Float32Array, ids: Int32Array, keep: bool) -> None:
-    """Draw the triangle row by row, from where to where it reaches in each."""
+    """Draw the triangle row by row, between its first and last sample in each row."""
     first, last, left, right, edges, steps, downs, near = scan
     (qa, ra), (da, ea) = _divide(edges[0], steps[0]), _divide(downs[0], steps[0])
     (qb, rb), (db, eb) = _divide(edges[1], steps[1]), _divide(downs[1], steps[1])

@@ -1,4 +1,4 @@
-"""Framings: what part of the head the picture shows, and from where."""
+"""Framings: the part of the head that a picture shows, and the direction of the camera."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The software renderer that draws a head as a look wants it."""
+"""Make the software renderer for a head and a look."""
 
 from __future__ import annotations
 

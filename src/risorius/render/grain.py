@@ -8,14 +8,14 @@ from ..core.kernels.vec import Vec
 from ..looks.noise import MASK, SIZE
 
 _ONE = index(1)
-_SHIFT = f4(SIZE << 7)  # whole tiles: cells are counted without sign
+_SHIFT = f4(SIZE << 7)  # a whole number of tiles, so that cells are counted without sign
 Cell = tuple[int, int, int]
 Heights = tuple[float, float, float, float, float, float, float, float]
 
 
 @fast_device
 def cell_of(point: Vec, cells: float) -> tuple[Cell, Vec]:
-    """Return the cell in which a point in mm lies, with `cells` cells to the millimetre, and where in it."""
+    """Return the cell of a point in mm, and its place in the cell; `cells` is the number of cells per mm."""
     x, y, z = point[0] * cells + _SHIFT, point[1] * cells + _SHIFT, point[2] * cells + _SHIFT
     i, j, k = index(x), index(y), index(z)
     return (i & MASK, j & MASK, k & MASK), (x - f4(i), y - f4(j), z - f4(k))
@@ -23,7 +23,7 @@ def cell_of(point: Vec, cells: float) -> tuple[Cell, Vec]:
 
 @fast_device
 def heights_about(tile: Float32Array, cell: Cell) -> Heights:
-    """Return the heights at the eight corners of a cell: x runs first, z last."""
+    """Return the heights at the eight corners of a cell: x varies fastest, z slowest."""
     i, j, k = cell
     right, down, deep = (i + _ONE) & MASK, (j + _ONE) & MASK, (k + _ONE) & MASK
     return (
@@ -54,7 +54,7 @@ def between(h: Heights, way: Vec, cells: float) -> tuple[float, float, float, fl
 
 @fast_device
 def grain(tile: Float32Array, point: Vec, cells: float) -> tuple[float, float, float, float]:
-    """Return height and slope (per mm) of the tile at a point in mm, with `cells` cells to the millimetre."""
+    """Return height and slope (per mm) of the tile at a point in mm, with `cells` cells per mm."""
     cell, way = cell_of(point, cells)
     return between(heights_about(tile, cell), way, cells)
 

@@ -1,7 +1,7 @@
-"""What of each hair can be seen from where: most of a head of hair lies under its top, and need not be drawn.
+"""The visible parts of hairs: most hair lies under other hair and need not be drawn.
 
-From the points of a grid of directions about the head it is found, when first needed, from where to where
-each hair wins samples; drawn is what is seen from any corner of the cell in which the camera stands.
+For each direction of a grid around the head, when it is first needed, the head at rest is drawn to see which
+points of each hair win samples. A picture draws what is visible from any corner of the camera's cell.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ STEP = 12.0
 """Degrees between directions."""
 _AROUND, _HIGHEST = round(360.0 / STEP), 84
 _LARGEST = 1440
-"""Samples a side that are drawn at most."""
+"""Greatest number of samples per side."""
 _FINER = 0.5
-"""Of the width of such a sample: pictures with finer ones would show hairs that are missed here."""
+"""Least width of a picture's samples, as a share of those here: finer ones would show hairs missed here."""
 
 
 class HairViews:
-    """What of the hairs of a scene can be seen from a distance of `distance` mm, at `sample` mm a sample."""
+    """The visible parts of a scene's hairs from `distance` mm away, with samples `sample` mm wide."""
 
     def __init__(self, scene: HeadScene, distance: float, sample: float) -> None:
         self._scene, self._distance, self._sample = scene, distance, sample
@@ -39,21 +39,21 @@ class HairViews:
         self._buffers: _Buffers | None = None
 
     def clone(self, scene: HeadScene) -> HairViews:
-        """Return one that looks at a clone of the scene, and knows what this one has seen or will see."""
+        """Return a copy for a clone of the scene; both share the directions that either computes."""
         other = copy(self)
         other._scene, other._buffers = scene, None
         return other
 
     @property
     def reliable(self) -> bool:
-        """Whether the picture's samples are not much finer than those that are drawn here."""
+        """Whether the picture's samples are not much finer than those drawn here."""
         return self._sample * self._side >= _FINER * 2.0 * self._radius
 
     def seen(self, eye: FloatArray, rotation: Array) -> Int8Array:
-        """Return the first and the last point of each hair (H, 2) that may be seen from `eye` (3,).
+        """Return the first and the last point (H, 2) of each hair that may be seen from `eye` (3,).
 
-        The head is rotated (3, 3). The first lies behind the last where nothing is seen of a hair. The scene
-        may stand otherwise afterwards.
+        `rotation` (3, 3) is the head's. For a hair that is not visible the first point comes after the last.
+        The call may change the pose of the scene.
         """
         x, y, z = (np.subtract(eye, self._centre) @ rotation).tolist()
         across = math.degrees(math.atan2(x, z)) / STEP
@@ -69,7 +69,7 @@ class HairViews:
         return self._nodes[across, up]
 
     def _look(self, across: float, up: float) -> Int8Array:
-        """Draw the head at rest from a direction; return from where to where each hair (H, 2) is seen."""
+        """Draw the head at rest from a direction; return each hair's first and last visible point (H, 2)."""
         scene, level = self._scene, math.cos(up) * self._distance
         way = (math.sin(across) * level, math.sin(up) * self._distance, math.cos(across) * level)
         x, y, z = self._centre
@@ -85,16 +85,16 @@ class HairViews:
         scene = self._scene
         drawn = np.unique(ids[ids >= scene.solid])
         hair, part = scene.surfaces[drawn] - HAIR, scene.hair_segments[drawn - scene.solid]
-        found = np.tile(np.array([NOTHING], np.int8), (scene.hairs, 1))
-        np.minimum.at(found[:, 0], hair, part)
-        np.maximum.at(found[:, 1], hair, part + 1)
-        # Brows and lashes move with the face, so that rest does not tell what of them is seen.
-        found[: scene.facial_hairs] = WHOLE
-        return found
+        visible = np.tile(np.array([NOTHING], np.int8), (scene.hairs, 1))
+        np.minimum.at(visible[:, 0], hair, part)
+        np.maximum.at(visible[:, 1], hair, part + 1)
+        # Brows and lashes move with the face: what is visible at rest says nothing of other poses.
+        visible[: scene.facial_hairs] = WHOLE
+        return visible
 
 
 class _Buffers:
-    """What a scene is drawn with, `side` samples high and wide."""
+    """Buffers to draw a scene with, `side` samples high and wide."""
 
     def __init__(self, scene: HeadScene, side: int) -> None:
         self.xy: Int32Array = np.zeros((len(scene.positions), 2), np.int32)

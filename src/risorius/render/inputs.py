@@ -1,4 +1,4 @@
-"""What the shading kernel reads, grouped by what changes together."""
+"""The inputs of the shading kernels, grouped by how often they change."""
 
 from __future__ import annotations
 
@@ -13,13 +13,10 @@ from .lanes import LANES, empty_block
 class PosedMesh(NamedTuple):
     """The posed scene: vertices (n, …), triangles (m, 3), and the surface (m,) of each triangle.
 
-    `attributes` (n, ATTRIBUTES) are albedo (3, linear), free share of the surroundings, roughness squared,
-    strength of the gloss, curvature in 1/mm, share of mouth interior, and one of the material's own: cloth on
-    the skin (mm from the neckline), gum on teeth, the way from root to tip on hairs. `rest` (n, 3) are
-    positions at rest; `reach` (n, LAMPS or more) is the share of each lamp that the head at rest lets by,
-    `shadow` (n of the skin,) the share of the key lamp that its shadow in this frame does;
-    `hair_light` (n, 3) is the light of hairs, found before the picture is; `crease_…` are those of
-    `creases.Creases`, the skin's wrinkles.
+    `attributes` (n, ATTRIBUTES) are those of `looks.attributes`. `rest` (n, 3) are positions at rest. `reach`
+    (n, LAMPS or more) is the share of each lamp that the head at rest does not block; `shadow`, for the
+    skin's vertices, is the share of the key lamp that reaches them in this frame. `hair_light` (n, 3) is the
+    light of hairs, computed before the picture is shaded; `crease_…` are those of `creases.Creases`.
     """
 
     xy: Int32Array
@@ -58,7 +55,7 @@ class SceneLight(NamedTuple):
 
 
 class Pose(NamedTuple):
-    """Where the head, eyes, lids and lips stand.
+    """The positions of head, eyes, lids and lips in a frame.
 
     `rotation` (3, 3) and `pivot` (3,) are the head's; `eyes` (2, 3) centres in the world, `eye_axes`
     (2, 3, 3) eye to world, `eye_radius` (2,); `lids` (2, LID_STEPS, 2) are the heights of the upper and lower
@@ -78,7 +75,7 @@ class Pose(NamedTuple):
 
 
 class Tables(NamedTuple):
-    """What never changes.
+    """Tables that never change.
 
     Light under the skin, grain, the iris (rings, angles, 3), the cloth's albedo (3,), and the two steps from
     scene light to bytes, one after the other and `direct`.
@@ -94,7 +91,7 @@ class Tables(NamedTuple):
 
 
 class Paint(NamedTuple):
-    """What an explaining picture shows on the skin.
+    """What a diagram shows on the skin.
 
     `covered` (m,), `place` (N1, M, 2) are those of `muscle_paint.MusclePaint`, `colours` (M, 4) their linear
     colours and opacities in this frame; `edges` (m, 3) the strength of the line opposite each corner; `ink`
@@ -109,10 +106,10 @@ class Paint(NamedTuple):
 
 
 class Screen(NamedTuple):
-    """The visibility buffer, samples per pixel and side, the camera's place (3,), mm a pixel, background.
+    """The visibility buffer, samples per pixel and side, camera's place (3,), mm per pixel, background.
 
-    `rows` and `chunks` are those of `raster.Visibility`, whose `ids` and `depth` are drawn with the picture;
-    `empty` (height, width, 3) uint8 is the picture of the background alone.
+    `rows` and `chunks` are those of `visibility.Visibility`, whose `ids` and `depth` are drawn with the
+    picture; `empty` (height, width, 3) uint8 is the picture of the background alone.
     """
 
     ids: Int32Array
@@ -127,12 +124,12 @@ class Screen(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """What one row of pixels shows: up to `capacity` patches.
+    """The patches of one row of pixels, up to `capacity` of them.
 
     A patch is a set of samples of one pixel on one surface: `triangle`, `column` and `samples` (capacity,)
-    int32 say which triangle, which pixel of the row and how many samples; `weights` and `colour`
-    (capacity, 3) where in the triangle, and the scene light that the materials fill in. Of patches that are
-    shaded in blocks, `chosen` (LANES,) are the numbers and `block` is the rest (`lanes`).
+    int32 are its triangle, its pixel in the row and its number of samples; `weights` (capacity, 3) is the
+    place in the triangle; materials write the scene light into `colour` (capacity, 3). Patches that are
+    shaded in blocks have their numbers in `chosen` (LANES,) and all else in `block` (see `lanes`).
     """
 
     triangle: Int32Array

@@ -1,9 +1,9 @@
-"""Blocks of patches that are shaded side by side, as the processor's vector units like it.
+"""Blocks of patches that are shaded side by side, which suits the processor's vector units.
 
-A block is one array in which each quantity has LANES numbers in a row, one for each patch; `POSITION + k` is
-where that of patch k stands, and x, y and z of a vector lie LANES apart. Because all loops run over the same
-LANES, at constant distances within one array, the compiler can do several patches in one instruction; it
-cannot where a loop looks something up in another array, so that those loops do nothing else.
+A block is one array in which each quantity has LANES numbers in a row, one for each patch. The number of
+patch k stands at `POSITION + k`, and x, y and z of a vector lie LANES apart. Because all loops run over the
+same LANES, at constant distances within one array, the compiler can handle several patches in one
+instruction. It cannot in a loop that looks something up in another array, so such loops do nothing else.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from ..core.kernels.vec import Vec, sub, unit
 
 LANES = 64
 LAMPS = 4
-"""Lamps at most: their number is known to the compiler."""
+"""Greatest number of lamps, constant for the compiler."""
 _THREE = 3 * LANES
 
-# Vectors: what is read of the mesh, and what follows from it.
+# Vectors: first those read from the mesh, then those computed from them.
 POSITION, NORMAL, REST, ALBEDO, VIEW, SOFT, BUMPY, WAY, BELOW, TOTAL, SHINE = range(0, 11 * _THREE, _THREE)
-# Numbers; of the grain the first of eight, of the reach of lamps the first of LAMPS.
+# Numbers; GRAIN is the first of eight, REACH the first of LAMPS.
 FREE, ROUGHNESS, STRENGTH, CURVATURE, INNER, CLOTH, OPENED, SHADOW, SHARE, ANGLE, GRAIN = range(
     11 * _THREE, 11 * _THREE + 11 * LANES, LANES
 )
@@ -30,7 +30,7 @@ _SIZE = REACH + LAMPS * LANES
 
 
 def empty_block() -> Float32Array:
-    """Return empty arrays for one block, full of ones: lanes without a patch are calculated, too."""
+    """Return one block full of ones, because lanes without a patch are computed, too."""
     return np.ones(_SIZE, np.float32)
 
 
@@ -48,7 +48,7 @@ def put(block: Float32Array, first: int, k: int, vector: Vec) -> None:
 
 @fast_device
 def face(block: Float32Array, eye: Vec) -> None:
-    """Bring the normals to length 1, and find the directions to the camera."""
+    """Scale the normals to length 1, and compute the directions to the camera."""
     for k in range(LANES):
         put(block, NORMAL, k, unit(get(block, NORMAL, k)))
         put(block, VIEW, k, unit(sub(eye, get(block, POSITION, k))))

@@ -40,8 +40,8 @@ class Lamp:
 class LightRig:
     """The lamps, and the ambient light from above and below.
 
-    The first lamp casts shadows that follow the face; what the head itself keeps from the others is found
-    once, at rest. Eyes and mouth are lit by the first two, which should therefore stand in front. `centre`
+    The first lamp casts shadows that follow the face; the shadows of the others are computed once, for
+    the head at rest. Eyes and mouth are lit by the first two, which should therefore stand in front. `centre`
     and `edge` are sRGB bytes of the backdrop's gradient; `pupil` is the radius of the pupils, in radii of the
     iris: wide in the dark.
     """

@@ -1,4 +1,4 @@
-"""How much of the surroundings each vertex sees at rest, baked once per head from maps of depth."""
+"""The occlusion of each vertex of a head at rest, baked once for each head from depth maps."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def sky_directions(count: int) -> Array:
 
 
 class Occluder(NamedTuple):
-    """A mesh that shades itself: vertices and normals (n, 3), triangles (m, 3), which have two sides (m,)."""
+    """A mesh that shades itself: vertices and normals (n, 3), triangles (m, 3), two-sided or not (m,)."""
 
     points: Float32Array
     normals: Float32Array
@@ -37,9 +37,10 @@ class Occluder(NamedTuple):
 def bake(
     mesh: Occluder, centre: Array, radius: float, lamps: Float32Array
 ) -> tuple[Float32Array, Float32Array]:
-    """Return what each vertex sees of its surroundings (n,), and of each of the `lamps` (k, 7) but the first.
+    """Return the shares of its surroundings (n,) and of lamps (n, k − 1) that each vertex sees.
 
-    The second is (n, k − 1). Only what lies within `radius` of `centre` (3,) casts shade.
+    The lamps are all of `lamps` (k, 7) but the first. Only what lies within `radius` mm of `centre` (3,)
+    casts shade.
     """
 
     def find() -> tuple[Float32Array, Float32Array]:
@@ -54,7 +55,7 @@ def bake(
 def ambient_occlusion(mesh: Occluder, centre: Array, radius: float, directions: int = 64) -> Float32Array:
     """Return the share (n,) float32 of the hemisphere over each vertex that is free, weighted by the cosine.
 
-    It is looked for in `directions` directions.
+    `directions` is the number of directions that are tested.
     """
     return _seen(mesh, centre, radius, sky_directions(directions), cosine=True)
 
@@ -67,7 +68,7 @@ def lamp_reach(mesh: Occluder, centre: Array, radius: float, lamp: FloatArray) -
 
 
 def _seen(mesh: Occluder, centre: Array, radius: float, directions: Array, *, cosine: bool) -> Float32Array:
-    """Return the share (n,) of the directions (k, 3) that are free, weighted by the cosine or all alike."""
+    """Return the share (n,) of the directions (k, 3) that are free, weighted by the cosine or equally."""
     points, normals = mesh.points, mesh.normals
     buffer = Visibility(_SIZE, _SIZE, len(mesh.triangles), keep_ids=False)
     xy, key = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.float32)
@@ -92,7 +93,7 @@ def _gather(
     by_cosine: bool,
     sums: Float32Array,
 ) -> None:
-    """Add what each vertex sees in one direction to its free (column 0) and its whole (column 1) weight."""
+    """Add one direction to each vertex's weight of free directions (column 0) and of all (column 1)."""
     for i in range(len(points)):
         x, y, z = normals[i, 0], normals[i, 1], normals[i, 2]
         weight = f4(1)

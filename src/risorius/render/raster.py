@@ -1,4 +1,4 @@
-"""Which samples of the picture a triangle covers: the rule, in whole numbers.
+"""The rule that decides which samples of the picture a triangle covers, in whole numbers.
 
 Positions are snapped to 1/256 sample and edges are tested in integers, so coverage is exact: a sample on an
 edge that two triangles share belongs to exactly one of them (the top-left rule).

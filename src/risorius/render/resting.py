@@ -1,4 +1,4 @@
-"""The light that a head at rest lets through to its own skin, for programs that draw it themselves."""
+"""The light that reaches the skin of a head at rest, for programs that draw the head themselves."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def light_at_rest(head: Head, rig: LightRig) -> Float32Array:
     First the share of its surroundings, then that of each lamp of `rig`.
     """
     lamps = rig.lighting().lamps
-    # A scene leaves its first lamp to shadows that move, so all of the rig's stand behind it here.
+    # A scene bakes no shadow of its first lamp, so a copy of that lamp stands before all lamps of the rig.
     scene = HeadScene(head_model(head), np.concatenate([lamps[:1], lamps]))
     count = scene.skin_vertices
     under_hair = scene.reach[:count, :1]

@@ -9,8 +9,8 @@ from ..core.kernels.jit import f4, i8, lean_device, lean_kernel
 from ..core.kernels.vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
 
 WHOLE, NOTHING = (0, 127), (127, -1)
-"""First and last point to be drawn of a hair of any number of points, and of one that is not drawn."""
-_GOLDEN = f4(0.61803)  # steps of this part of a turn are spread evenly, however many there are
+"""First and last point to draw: of a whole hair of any number of points, and of a hair that is not drawn."""
+_GOLDEN = f4(0.61803)  # multiples of this, modulo 1, are spread evenly for any number of hairs
 
 
 @lean_device
@@ -32,7 +32,7 @@ def _point(curves: Float32Array, s: int, k: int, origin: Vec, frame: tuple[Vec, 
 
 @lean_device
 def _collapse(positions: Float32Array, normals: Float32Array, start: int, end: int, place: Vec) -> None:
-    """Bring vertices of a ribbon to one place, so that nothing of it is drawn, nor lit."""
+    """Move vertices of a ribbon to one place, so that it is neither drawn nor lit."""
     for row in range(start, end):
         positions[row, 0], positions[row, 1], positions[row, 2] = place
         normals[row, 0], normals[row, 1], normals[row, 2] = f4(0), f4(0), f4(0)
@@ -40,7 +40,7 @@ def _collapse(positions: Float32Array, normals: Float32Array, start: int, end: i
 
 @lean_device
 def _double(positions: Float32Array, normals: Float32Array, start: int, end: int, like: int) -> None:
-    """Bring pairs of vertices of a ribbon to where the pair `like` is, so that it ends there."""
+    """Move pairs of vertices of a ribbon to the pair `like`, so that the ribbon ends there."""
     for row in range(start, end, 2):
         for side in range(2):
             for column in range(3):
@@ -64,10 +64,10 @@ def ribbons(
 ) -> None:
     """Write the ribbons' vertices into `positions` and their directions into `normals`, from row `first` on.
 
-    Roots are looked up in the same arrays; `eye` (3,) is where the camera stands. Hairs whose roots face away
-    from it, with a cosine below `behind`, are left out, and of the others what lies outside the first and
-    the last point `shown` (S, 2). None is drawn narrower than `least` mm, or it would break up between the
-    samples; of hairs that are, as many are left out as make up for it.
+    Roots are read from the same arrays; `eye` (3,) is the place of the camera. Hairs whose roots face away
+    from it, with a cosine below `behind`, are left out; the others are drawn from the first to the last point
+    in `shown` (S, 2). No hair is drawn narrower than `least` mm, because it would break up between samples;
+    instead, so many of the narrower hairs are left out that they cover the same area.
     """
     strands, points = widths.shape
     camera = (eye[0], eye[1], eye[2])

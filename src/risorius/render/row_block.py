@@ -1,7 +1,7 @@
-"""Sixteen samples of a row, tested and written side by side in the processor's vector registers.
+"""Test and write sixteen samples of a row at once in the processor's vector registers.
 
-Written in the compiler's own language: of a loop in Python it would make vector code only where it can prove
-that no array overlaps another.
+This is written in the compiler's intermediate language, because the compiler turns a Python loop into vector
+code only if it can prove that no two arrays overlap.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ _in_kernels = cast(Callable[[Callable[..., Any]], Any], intrinsic)
 def cover(
     context: Any, depth: Any, ids: Any, place: Any, edges: Any, steps: Any, key: Any, step: Any, number: Any
 ) -> Any:
-    """Give LANES samples from `place` on to triangle `number` where it covers them and is the nearest.
+    """Give those of LANES samples from `place` on to triangle `number` that it covers as the nearest.
 
-    `depth` (float32) and `ids` (int32) are the samples' rows one after the other, and `place` counts from the
-    first. `edges` are the triangle's three edge functions at the first of the samples and `steps` what they
-    grow by from one to the next (int32): it covers those where none is negative. `key` (float32) is how near
-    it is there and `step` what that grows by.
+    `depth` (float32) and `ids` (int32) hold the rows of samples one after another, and `place` counts from
+    the first. `edges` are the triangle's three edge functions at the first sample, `steps` their increments
+    (int32): a sample is covered if none of the three is negative. `key` (float32) is the nearness at the
+    first sample, `step` its increment.
     """
     taken = types.int64, _THREE, _THREE, types.float32, types.float32, types.int32
     return types.void(depth, ids, *taken), _cover
@@ -40,28 +40,28 @@ def cover(
 
 @_in_kernels
 def cover_depth(context: Any, depth: Any, place: Any, edges: Any, steps: Any, key: Any, step: Any) -> Any:
-    """Do what `cover` does where it is of no interest which triangle a sample shows."""
+    """Do what `cover` does without recording which triangle a sample shows."""
     return types.void(depth, types.int64, _THREE, _THREE, types.float32, types.float32), _cover_depth
 
 
-def _cover(context: Any, builder: ir.IRBuilder, signature: Any, given: Any) -> Any:
-    depth, ids, place, edges, steps, key, step, number = given
+def _cover(context: Any, builder: ir.IRBuilder, signature: Any, arguments: Any) -> Any:
+    depth, ids, place, edges, steps, key, step, number = arguments
     nearest = _lanes(context, builder, signature.args[0], depth, place, _REALS)
     wins = _win(builder, nearest, edges, steps, key, step)
     shown = _lanes(context, builder, signature.args[1], ids, place, _NUMBERS)
-    kept = builder.load(shown, align=4)
-    builder.store(builder.select(wins, _splat(builder, number, _NUMBERS), kept), shown, align=4)
+    previous = builder.load(shown, align=4)
+    builder.store(builder.select(wins, _splat(builder, number, _NUMBERS), previous), shown, align=4)
     return context.get_dummy_value()
 
 
-def _cover_depth(context: Any, builder: ir.IRBuilder, signature: Any, given: Any) -> Any:
-    depth, place, *where = given
+def _cover_depth(context: Any, builder: ir.IRBuilder, signature: Any, arguments: Any) -> Any:
+    depth, place, *where = arguments
     _win(builder, _lanes(context, builder, signature.args[0], depth, place, _REALS), *where)
     return context.get_dummy_value()
 
 
 def _win(builder: ir.IRBuilder, nearest: Any, edges: Any, steps: Any, key: Any, step: Any) -> Any:
-    """Bring the nearest keys up to date; return in which lanes the triangle is the nearest."""
+    """Update the nearest keys; return the lanes in which the triangle is the nearest."""
     lanes, none = ir.Constant(_NUMBERS, list(range(LANES))), ir.Constant(_NUMBERS, None)
     below = none
     for edge in range(3):
@@ -77,7 +77,7 @@ def _win(builder: ir.IRBuilder, nearest: Any, edges: Any, steps: Any, key: Any, 
 
 
 def _lanes(context: Any, builder: ir.IRBuilder, kind: Any, array: Any, place: Any, vector: Any) -> Any:
-    """Return where the vector of an array's elements from `place` on stands."""
+    """Return a pointer to the vector of an array's elements from `place` on."""
     first = make_array(kind)(context, builder, array).data
     return builder.bitcast(builder.gep(first, [place]), vector.as_pointer())
 

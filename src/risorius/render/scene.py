@@ -1,4 +1,4 @@
-"""The scene that a head makes: one list of vertices and triangles, posed anew for each frame."""
+"""The scene of a head: one list of vertices and triangles, posed for each frame."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from .occlusion import Occluder, bake
 from .ribbons import WHOLE, ribbons
 from .turn import turn
 
-_SOFTENED = 0.8  # light reflected within folds fills them a little
+_SOFTENED = 0.8  # exponent: light reflected within folds brightens them a little
 
 
 class HeadScene:
-    """All that is drawn of a head.
+    """The vertices and triangles of a head model.
 
     These never change: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, ATTRIBUTES)
     and `rest` (n, 3). The first `solid` triangles are those of the solid parts and cast shadows; the first
@@ -38,7 +38,7 @@ class HeadScene:
     """
 
     def __init__(self, model: HeadModel, lamps: Float32Array) -> None:
-        """Make the scene of a head lit by `lamps` (n, 7)."""
+        """Make the scene of a head that `lamps` (n, 7) light."""
         self.model, self.head, self.anatomy = model, model.head, model.anatomy
         self._hairs = list(model.hairs.values())
         self._offset = cloth_offset(neckline(self.anatomy), model.skin.normals).astype(np.float32)
@@ -50,7 +50,7 @@ class HeadScene:
         self._bake(lamps)
 
     def _gather(self, parts: list[Part]) -> None:
-        """Lay the parts, then the hairs, out in common arrays."""
+        """Join the parts, then the hairs, in common arrays."""
         starts = self._starts
         self.mesh_vertices = int(starts[-1])
         faces = np.concatenate([part.faces + start for part, start in zip(parts, starts, strict=False)])
@@ -86,7 +86,7 @@ class HeadScene:
         self._weight[: len(self._offset)] = self.head.skin.matrix @ self.head.neck_weight
 
     def _bake(self, lamps: Float32Array) -> None:
-        """Fill in what the skin at rest sees of its surroundings and of all lamps (n, 7) but the first."""
+        """Compute what the skin at rest sees of its surroundings, and of all lamps (n, 7) but the first."""
         count = self.skin_vertices
         self._normals.update(self._local, self.normals[: self.mesh_vertices])
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
@@ -103,7 +103,7 @@ class HeadScene:
         self.attributes[:count, OCCLUSION] *= 1.0 - around
 
     def clone(self) -> HeadScene:
-        """Return a scene that can be posed apart from this; they share what never changes."""
+        """Return a scene that can be posed on its own; both share the arrays that never change."""
         other = copy(self)
         other._normals = self._normals.clone()
         other._local = self._local.copy()
@@ -115,7 +115,7 @@ class HeadScene:
         return other
 
     def check(self, frame: FaceFrame) -> None:
-        """Raise InputError where a frame's vertices are not as many as this head's."""
+        """Raise InputError if a frame has not the number of vertices of this head."""
         sizes = np.diff(self._starts)
         for name, points, size in (
             ("skin", frame.skin, sizes[0]),
@@ -130,23 +130,23 @@ class HeadScene:
     ) -> Pose:
         """Move all vertices to a frame.
 
-        `eye` (3,) float32 is where the camera stands; `sample` mm is the least width that it can show;
-        `shown` (hairs, 2) tells from which point to which each hair is drawn, all of all where None.
+        `eye` (3,) float32 is the place of the camera, `sample` the least width in mm that it can show.
+        `shown` (hairs, 2) holds the first and last point to draw of each hair; None draws all hairs whole.
         """
         rotation = frame.head_rotation.astype(np.float32)
         pivot = self.head.head_pivot.astype(np.float32)
         self._place(frame)
         turn(self._local, self._weight, rotation, pivot, self.positions[: self.mesh_vertices])
-        self._dress(eye, sample, self._all if shown is None else shown)
+        self._update_surface(eye, sample, self._all if shown is None else shown)
         return self._read_pose(frame, rotation, pivot)
 
     def rest_at(self, eye: Float32Array, sample: float) -> None:
         """Move all vertices to rest, seen from `eye` (see `pose`)."""
         self.positions[: self.mesh_vertices] = self.rest[: self.mesh_vertices]
-        self._dress(eye, sample, self._all)
+        self._update_surface(eye, sample, self._all)
 
-    def _dress(self, eye: Float32Array, sample: float, shown: Int8Array) -> None:
-        """Let normals and hairs follow the mesh."""
+    def _update_surface(self, eye: Float32Array, sample: float, shown: Int8Array) -> None:
+        """Recompute normals and hairs from the posed mesh."""
         mesh, first = slice(0, self.mesh_vertices), 0
         self._normals.update(self.positions[mesh], self.normals[mesh])
         for group, start in zip(self._hairs, self._hair_starts, strict=True):
@@ -166,7 +166,7 @@ class HeadScene:
             first += len(group.roots)
 
     def _place(self, frame: FaceFrame) -> None:
-        """Copy what moves within the head: skin, lower teeth, tongue."""
+        """Copy the vertices that move within the head: skin, lower teeth, tongue."""
         starts = self._starts
         np.add(frame.skin, self._offset, out=self._local[: starts[1]])
         raise_creases(self.creases, self.triangles[: self.solid], frame.wrinkles)
@@ -174,7 +174,7 @@ class HeadScene:
         self._local[starts[5] : starts[6]] = frame.tongue
 
     def _read_pose(self, frame: FaceFrame, rotation: Float32Array, pivot: Float32Array) -> Pose:
-        """Collect what the shaders of eyes and mouth need to know."""
+        """Return the positions that the shaders of eyes and mouth need."""
         head = self.head
         centres = (head.eye_centre - head.head_pivot) @ frame.head_rotation.T + head.head_pivot
         lids = [

@@ -1,7 +1,7 @@
 """Deferred shading with adaptive anti-aliasing.
 
-Row by row the samples of the visibility buffer are collected into patches (`collect`), and each material then
-answers for its own.
+Row by row, the samples of the visibility buffer are collected into patches (`collect`); then each material
+shades its own.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def shade(
 
 @fast_device
 def uncover(y: int, screen: Screen, mesh: PosedMesh) -> None:
-    """Draw the band of samples that begins with row y of the picture, if one does."""
+    """Draw the band of samples that begins with row y of the picture, if there is one."""
     band = BAND // screen.samples
     if y % band == 0:
         top, bottom = y * screen.samples, min((y + band) * screen.samples, screen.ids.shape[0])
@@ -62,7 +62,7 @@ def uncover(y: int, screen: Screen, mesh: PosedMesh) -> None:
 
 @fast_device
 def resolve(y: int, n: int, screen: Screen, batch: Batch, tables: Tables, out: ByteArray) -> None:
-    """Weigh the patches of each pixel of row y by their samples, and what is left by the background."""
+    """Write row y: each pixel is the mean of its patches and the background, weighted by samples."""
     for x in range(out.shape[1]):
         out[y, x, 0], out[y, x, 1], out[y, x, 2] = (
             screen.empty[y, x, 0],

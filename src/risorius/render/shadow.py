@@ -19,8 +19,8 @@ _RAMP = f4(0.5)  # 1/mm: depths are compared over 2 mm, which hides the steps of
 class ShadowMap:
     """A map of SIZE² texels over a sphere that holds the scene.
 
-    `low` and `high` (SIZE, SIZE) float32 are the least and the greatest depth that the taps of a place meet
-    whose first one is this texel: most places are wholly lit or wholly in the shade, and need no more.
+    `low` and `high` (SIZE, SIZE) float32 are the least and the greatest depth among the taps that start at a
+    texel. Most places are fully lit or fully in the shade, and these two decide them.
     """
 
     def __init__(
@@ -32,7 +32,7 @@ class ShadowMap:
         triangles: int,
     ) -> None:
         self.matrix = light_matrix(direction, centre, radius, SIZE)
-        self.bias = 3.2 * radius / SIZE  # mm: what a texel spans in depth on a slanted surface
+        self.bias = 3.2 * radius / SIZE  # mm: the depth that a texel spans on a slanted surface
         self._xy: Int32Array = np.zeros((vertices, 2), np.int32)
         self._key: Float32Array = np.zeros(vertices, np.float32)
         self.low, self.high, self._rows = (np.zeros((SIZE, SIZE), np.float32) for _ in range(3))
@@ -44,7 +44,7 @@ class ShadowMap:
         return self._buffer.depth
 
     def update(self, points: Float32Array, triangles: Int32Array, two_sided: ByteArray) -> None:
-        """Draw the map anew."""
+        """Draw the map for new positions."""
         flatten(points, self.matrix, self._xy, self._key)
         self._buffer.draw(self._xy, self._key, triangles, two_sided)
         find_bounds(self.depth, self._rows, self.low, self.high)
@@ -86,7 +86,7 @@ def flatten(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Flo
 
 @lean_kernel
 def find_bounds(depth: Float32Array, rows: Float32Array, low: Float32Array, high: Float32Array) -> None:
-    """Write the least and the greatest depth among _TAPS texels from each on, across and down."""
+    """Write the least and the greatest depth among the _TAPS × _TAPS texels that start at each texel."""
     size = depth.shape[0]
     last = size - _TAPS + 1
     for bound, sign in ((high, f4(1)), (low, f4(-1))):
@@ -98,13 +98,13 @@ def find_bounds(depth: Float32Array, rows: Float32Array, low: Float32Array, high
 def _greatest(
     of: Float32Array, out: Float32Array, height: int, width: int, down: int, right: int, sign: float
 ) -> None:
-    """Write the greatest of _TAPS values from each on, `down` or `right`; for a sign of −1 the least."""
+    """Write the greatest of the _TAPS values from each on, `down` or `right`; with a sign of −1 the least."""
     for j in range(height):
         for i in range(width):
-            found = sign * of[j, i]
+            greatest = sign * of[j, i]
             for k in range(1, _TAPS):
-                found = max(found, sign * of[j + k * down, i + k * right])
-            out[j, i] = sign * found
+                greatest = max(greatest, sign * of[j + k * down, i + k * right])
+            out[j, i] = sign * greatest
 
 
 @fast_device
@@ -130,7 +130,7 @@ def lit(
 def _tent(depth: Float32Array, i: int, j: int, s: float, t: float, near: float) -> float:
     """Return the share of texels about (i + s, j + t) that lie no nearer to the lamp than `near`.
 
-    All taps in one loop of rows of eight, the last two of no weight: so it becomes vector code.
+    All taps are in one loop of rows of eight, the last two without weight, so that it becomes vector code.
     """
     total, reach = f4(0), f4(REACH + 1)
     for tap in range(8 * _TAPS):

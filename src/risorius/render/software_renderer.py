@@ -91,7 +91,7 @@ class SoftwareRenderer:
         self._allocate()
 
     def _allocate(self) -> None:
-        """Make what each picture is drawn with."""
+        """Allocate the buffers that a picture is drawn with."""
         scene, (width, height), samples = self.scene, self.size, self._samples
         self._drawn: ByteArray | None = np.empty((height, width, 3), np.uint8) if self._alpha else None
         self._buffer = Visibility(width * samples, height * samples, len(scene.triangles))
@@ -102,7 +102,7 @@ class SoftwareRenderer:
         self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
 
     def clone(self) -> SoftwareRenderer:
-        """Return a renderer of the same pictures that may draw at the same time as this one."""
+        """Return a renderer of the same pictures that another thread can use at the same time."""
         other = copy(self)
         other.scene = self.scene.clone()
         if self._diagram_paint is not None:
@@ -114,7 +114,7 @@ class SoftwareRenderer:
 
     @property
     def buffer_bytes(self) -> int:
-        """About how much memory a clone takes."""
+        """The memory that a clone takes, about."""
         return self._buffer.ids.nbytes + self._buffer.depth.nbytes + 80 * len(self.scene.positions)
 
     @property
@@ -125,7 +125,7 @@ class SoftwareRenderer:
     def render(
         self, frame: FaceFrame, out: ByteArray | None = None, suppression: Array | None = None
     ) -> ByteArray:
-        """Return the picture (height, width, 3) uint8 sRGB of a frame, written into `out` if given.
+        """Return the picture (height, width, 3) uint8 sRGB of a frame, written into `out` unless it is None.
 
         With alpha the picture has a fourth channel, and its colours are not multiplied by it. `suppression`
         (46,) is how much of each parameter its rivals suppress, which the style "muscles" shows. Raises
@@ -211,7 +211,7 @@ class SoftwareRenderer:
 
 
 def check_size(size: Size) -> Size:
-    """Return a picture's size as whole numbers; raise InputError where it is none that can be drawn."""
+    """Return a picture's size as whole numbers; raise InputError if it cannot be drawn."""
     if len(size) != 2 or any(int(n) != n for n in size):
         raise InputError(f"picture size {size}; expected width and height in whole pixels")
     width, height = (int(n) for n in size)

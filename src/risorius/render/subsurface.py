@@ -26,7 +26,7 @@ _WEIGHTS = np.array(
     ]
 )
 ANGLES, CURVATURES = 96, 16
-_NOTHING = 1e-6  # less than this is no light; still smaller numbers take the processor a hundred times longer
+_NOTHING = 1e-6  # less counts as no light: subnormal numbers would be a hundred times slower
 _ONE = index(1)
 
 
@@ -56,19 +56,19 @@ def diffuse_table() -> Float32Array:
 
 @fast_device
 def angle_place(cosine: float) -> float:
-    """Return the row of the table, and how far on to the next, for the cosine between normal and light."""
+    """Return the row of the table, with its fraction, for the cosine between normal and light."""
     return bounded((cosine + f4(1)) * f4(0.5), f4(0.9999)) * f4(ANGLES - 1)
 
 
 @fast_device
 def curvature_place(curvature: float) -> float:
-    """Return the column of the table, and how far on to the next, for a curvature in 1/mm."""
+    """Return the column of the table, with its fraction, for a curvature in 1/mm."""
     return bounded(curvature * f4(1 / MAX_CURVATURE), f4(0.9999)) * f4(CURVATURES - 1)
 
 
 @fast_device
 def scattered(table: Float32Array, x: float, y: float) -> Vec:
-    """Look the table up at `angle_place` and `curvature_place`, linearly between its entries."""
+    """Return the table's value at `angle_place` and `curvature_place`, interpolated linearly."""
     i, j = index(x), index(y)
     below, right = i + _ONE, j + _ONE
     u, v = x - f4(i), y - f4(j)

@@ -1,6 +1,6 @@
-"""The visibility buffer: which triangle each sample of the picture shows.
+"""The visibility buffer: the triangle that each sample of the picture shows.
 
-Which one it is depends on the order of the triangles alone. Samples are drawn band by band: a band's rows
+The result depends on the order of the triangles alone. Samples are drawn band by band: a band's rows
 stay in the processor's cache until they are shaded.
 """
 
@@ -21,7 +21,7 @@ class Visibility:
 
     After `draw`, `ids` (height, width) int32 holds the index of the triangle that each sample shows or -1,
     and `depth` (height, width) float32 its key: larger is nearer, 0 is empty. After `prepare`, `rows` and
-    `chunks` tell `rasterize` where to look for what.
+    `chunks` tell `rasterize` which rows each triangle covers.
     """
 
     def __init__(self, width: int, height: int, triangles: int, *, keep_ids: bool = True) -> None:

@@ -1,4 +1,4 @@
-"""Pictures as films keep them (BT.709, limited range): brightness for each pixel, colour for each four."""
+"""Pictures as video stores them (BT.709, limited range): brightness per pixel, colour per four pixels."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def _colour(rgb: ByteArray, blue: ByteArray, red: ByteArray) -> None:
 
 @lean_device
 def _four(rgb: ByteArray, y: int, x: int, channel: int) -> int:
-    """Return the sum of a channel's four numbers that share place (y, x) of a plane of half the size."""
+    """Return the sum of the four numbers of a channel at place (y, x) of a plane of half the size."""
     top, left = 2 * y, 2 * x
     upper = i4(rgb[top, left, channel]) + i4(rgb[top, left + 1, channel])
     return i4(upper + i4(rgb[top + 1, left, channel]) + i4(rgb[top + 1, left + 1, channel]))
@@ -61,6 +61,6 @@ def _four(rgb: ByteArray, y: int, x: int, channel: int) -> int:
 
 @lean_device
 def _weighed(r: int, g: int, b: int, weights: tuple[int, int, int], base: int, bits: int) -> int:
-    """Return the weighed sum of three channels, rounded, from `base` on."""
+    """Return the weighted sum of three channels, rounded, plus `base`."""
     total = i4(r * i4(weights[0])) + i4(g * i4(weights[1])) + i4(b * i4(weights[2]))
     return i4(i4(total + i4((base << bits) + (1 << (bits - 1)))) >> bits)

@@ -1,1 +1,1 @@
-"""What compiled functions (kernels) of the face, the looks and the renderer have in common."""
+"""Tools for compiled functions (kernels), shared by the face, the looks and the renderer."""

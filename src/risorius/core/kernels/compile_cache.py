@@ -1,6 +1,6 @@
-"""Where compiled kernels are kept: a folder of the user's, one for each state of their sources.
+"""The folder of compiled kernels: one in the user's cache for each state of the kernels' sources.
 
-numba looks only at the file of the kernel itself, so that a change in what it calls would go unnoticed.
+numba itself looks only at the file of a kernel, so it would not notice a change in a function that it calls.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ _COMPILED = ("core/kernels", "face", "looks", "render")
 
 
 def use_own_folder() -> None:
-    """Let numba keep its files in our folder, unless NUMBA_CACHE_DIR says where."""
+    """Let numba store its files in our folder, unless NUMBA_CACHE_DIR names another."""
     if "NUMBA_CACHE_DIR" not in os.environ:
         numba.config.CACHE_DIR = str(folder())
 
 
 def in_use() -> Path:
-    """Return the folder in which kernels are kept: ours, unless NUMBA_CACHE_DIR says where."""
+    """Return the folder of the kernels: ours, unless NUMBA_CACHE_DIR names another."""
     return Path(os.environ.get("NUMBA_CACHE_DIR") or folder())
 
 

@@ -1,4 +1,4 @@
-"""The ways in which functions are compiled by numba, with the types that its decorators lose.
+"""The decorators that compile functions with numba, typed so that a function keeps its signature.
 
 Kernels are what Python calls; device functions are what kernels call. Kernels run without Python's lock and
 in one thread each, so that several faces or pictures can be calculated at once, and the bytes of each do not
@@ -102,9 +102,9 @@ def _kernel(function: F, **options: Any) -> F:
 
 
 def _device(function: F, **options: Any) -> F:
-    """Let kernels call a function.
+    """Compile a function for kernels to call.
 
-    It is compiled together with each kernel that calls it and kept within that kernel, without entry points
+    It is compiled together with each kernel that calls it and stored within that kernel, without entry points
     for Python and C: these would take longer to compile than most of our functions.
     """
     return cast(F, register_jitable(error_model="numpy", no_cfunc_wrapper=True, **options)(function))

@@ -126,7 +126,7 @@ def saturate(x: float) -> float:
 
 @fast_device
 def bounded(x: float, high: float) -> float:
-    """Clip to 0..high, and take what is no number as 0: safe to make an index of."""
+    """Clip to 0..high, and take nan as 0: the result is safe to use as an index."""
     if x < high:
         return x if x > f4(0) else f4(0)
     return high if x >= high else f4(0)

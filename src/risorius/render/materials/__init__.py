@@ -1,1 +1,1 @@
-"""How each material answers light: one module per material, in linear scene light."""
+"""The shading of materials: one module per material, in linear scene light."""

@@ -32,9 +32,9 @@ from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, towards, weights_of
 
 LID_STEPS = 32
-_FRONT = 2  # lamps: those further on stand behind the head
+_FRONT = 2  # lamps; the others stand behind the head
 _LIMBUS = f4(0.045)  # half the width of its soft edge
-_CORNEA = f4(0.46)  # where the centre of the cornea's own sphere stands on the axis, in radii of the eye
+_CORNEA = f4(0.46)  # centre of the cornea's sphere on the axis, in radii of the eye
 _DEPTH = f4(0.075)  # of the iris behind the limbus, in radii of the eye
 _REFRACTION = f4(1 / 1.336)
 _WHITE = (f4(0.70), f4(0.635), f4(0.585))

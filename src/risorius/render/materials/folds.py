@@ -30,7 +30,7 @@ def creased(
 ) -> tuple[Vec, float]:
     """Return the slope of the folds at a point, in the world, and how deep it lies in creases, 0..1."""
     total, dark = (f4(0), f4(0), f4(0)), f4(0)
-    # One pixel covers more of the skin where it turns away.
+    # A pixel covers more skin where the skin turns away from the camera.
     blur = pixel / max(facing, f4(0.25))
     bits, r = mesh.crease_raised[t], i8(0)
     while bits:
@@ -48,7 +48,7 @@ def creased(
 
 @fast_device
 def bent(normal: Vec, slope: Vec, share: float) -> Vec:
-    """Return a unit normal turned by a share of a slope, which is not let grow beyond what light can show."""
+    """Return a unit normal turned by a share of a slope; the slope is limited to what light can show."""
     steep = math.sqrt(dot(slope, slope))
     return unit(along(normal, slope, -share / max(f4(1), steep / _STEEPEST)))
 
@@ -103,12 +103,12 @@ def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float,
     """Return the slope (1/mm) `d` mm from a crease of unit height with round shoulders, and its darkness.
 
     h = 0.6·(1 − exp(−|d|/furrow)) + 0.4·sin²(πd/spacing): the tangent breaks at the crease (paper B) and
-    is softened over a pixel's width, so that no crease is thinner than what the picture can show.
+    is softened over a pixel's width, so that no crease is thinner than a pixel.
     """
     sharp = math.sqrt(d * d + f4(0.35) * blur * blur + f4(0.01))
     wide = furrow * f4(0.45) + f4(0.4) * blur
     deep = math.exp(-sharp / wide)
-    # Where a pixel covers a good part of the spacing there is nothing left to see.
+    # Nothing is visible if a pixel covers a large part of the spacing.
     seen = f4(1) - saturate((blur / spacing - f4(0.2)) * f4(4))
     turn = math.pi * d / spacing
     rise = f4(0.6) * deep / wide * d / sharp + f4(0.4) * math.pi / spacing * math.sin(f4(2) * turn)
@@ -119,7 +119,7 @@ def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float,
 def _overhang(d: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) of a fold of unit height whose cheek rises from d = 0 on, and its darkness."""
     soft = f4(0.5) * blur + f4(0.25) * furrow
-    # A smooth step stands for the break of the tangent at the crease.
+    # A smooth step replaces the break of the tangent at the crease.
     beyond = f4(0.5) + f4(0.5) * d / math.sqrt(d * d + soft * soft)
     far = max(d, f4(0)) / (f4(1.5) * furrow)
     swell = (f4(1) - far) * math.exp(-far) / (f4(1.5) * furrow)
@@ -136,7 +136,7 @@ def _dimple(
     """Return the slope at rest of pits, and how dark they are."""
     h, gx, gy, gz = grain(tables.grain, rest, _CELLS / spacing)
     seen = f4(1) - saturate((blur / spacing - f4(0.25)) * f4(3))
-    # Pits rather than hills: heights below the mean count in full, those above hardly.
+    # Pits, not hills: heights below the mean count in full, those above hardly.
     pit = saturate(f4(0.6) - h) * f4(0.75)
     scale = height * pit * seen
     return (gx * scale, gy * scale, gz * scale), shadow * saturate(-h) * saturate(height * f4(1.6)) * seen

@@ -1,6 +1,6 @@
 """Hairs: a fibre mirrors light into a cone about its own direction (Kajiya and Kay 1989), twice.
 
-Hairs are thinner than pixels, so their light is found at the points of their curves and carried along them.
+Hairs are thinner than pixels, so their light is computed at the points of their curves and interpolated.
 """
 
 from __future__ import annotations

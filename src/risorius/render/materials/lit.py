@@ -52,7 +52,7 @@ def lamp_colour(lamps: Float32Array, k: int) -> Vec:
 
 @fast_device
 def lamp_share(reach: Float32Array, corners: tuple[int, int, int], weights: Vec, k: int) -> float:
-    """Return how much of lamp k arrives at a place in a triangle, as far as its corners tell."""
+    """Return the share of lamp k that arrives at a place in a triangle, interpolated between its corners."""
     a, b, c = corners
     share: float = weights[0] * reach[a, k] + weights[1] * reach[b, k] + weights[2] * reach[c, k]
     return share
@@ -62,7 +62,7 @@ def lamp_share(reach: Float32Array, corners: tuple[int, int, int], weights: Vec,
 def read_reach(
     block: Float32Array, lane: int, reach: Float32Array, corners: tuple[int, int, int], weights: Vec
 ) -> None:
-    """Read into a lane how much of each lamp arrives at a place in a triangle, as far as its corners tell."""
+    """Write the shares of all lamps that arrive at a place in a triangle, see `lamp_share`, into a lane."""
     for lamp in range(LAMPS):
         block[REACH + lamp * LANES + lane] = lamp_share(reach, corners, weights, lamp)
 

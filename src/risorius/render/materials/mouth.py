@@ -14,19 +14,19 @@ from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import Corners, corners_of, put, towards, weights_of
 
 LIP_STEPS = 32
-_FRONT = 2  # lamps: those further on stand behind the head
+_FRONT = 2  # lamps; the others stand behind the head
 _GLOSS = f4(0.03)
-_DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate take half of the light on this way
+_DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate absorb half of the light
 
 
 @fast_device
 def past_lips(
     rotation: Float32Array, pivot: Float32Array, lips: Float32Array, span: Float32Array, p: Vec
 ) -> float:
-    """Return how much light 0..1 comes to a point within the mouth past the lips, and out again.
+    """Return the share of light, 0..1, that enters past the lips, reaches a point in the mouth, and leaves.
 
-    The slit of the lips is taken as an endless strip, at the point's own x and, since light also falls in
-    slantwise, halfway to the middle. What enters must leave the same way, so depth darkens twice.
+    The slit of the lips counts as an endless strip, once at the point's own x and, for slanting light, once
+    halfway to the middle. Light leaves by the way it enters, so depth darkens twice.
     """
     x, y, z = unrotate(rotation, sub(p, (pivot[0], pivot[1], pivot[2])))
     x, y, z = x + pivot[0], y + pivot[1], z + pivot[2]

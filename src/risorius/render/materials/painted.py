@@ -1,4 +1,4 @@
-"""What explaining pictures draw on the skin: muscles along their lines of pull, and the edges of the mesh."""
+"""What diagrams draw on the skin: muscles along their lines of pull, and the edges of the mesh."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _LINE = f4(0.55)  # half a line's width in pixels
 def painted(
     paint: Paint, t: int, corners: Corners, weights: Vec, albedo: Vec, pixel: float
 ) -> tuple[Vec, Vec]:
-    """Return the albedo under the muscles that cover triangle t, and how those glow that rivals suppress."""
+    """Return the albedo with the muscles that cover triangle t, and the glow of suppressed muscles."""
     glow = (f4(0), f4(0), f4(0))
     bits, k = paint.covered[t], index(0)
     (a, b, c), (u, v, w) = corners, weights
@@ -41,7 +41,7 @@ def painted(
 
 @fast_device
 def line_share(mesh: PosedMesh, paint: Paint, t: int, corners: Corners, weights: Vec, samples: int) -> float:
-    """Return how much of the pixel the lines along the edges of triangle t cover."""
+    """Return the share of the pixel that the lines along the edges of triangle t cover."""
     share = f4(0)
     if paint.ink[3] > f4(0):
         (a, b, c), (u, v, w) = corners, weights
@@ -56,7 +56,7 @@ def line_share(mesh: PosedMesh, paint: Paint, t: int, corners: Corners, weights:
 
 @fast_device
 def _near(mesh: PosedMesh, a: int, b: int, c: int, weight: float, samples: int) -> float:
-    """Return how much of a pixel the line b–c covers at `weight` of the height of the corner a over it."""
+    """Return the share of a pixel that line b–c covers, at `weight` of the height of corner a over it."""
     bx, by = f4(mesh.xy[b, 0]), f4(mesh.xy[b, 1])
     dx, dy = f4(mesh.xy[c, 0]) - bx, f4(mesh.xy[c, 1]) - by
     ax, ay = f4(mesh.xy[a, 0]) - bx, f4(mesh.xy[a, 1]) - by

@@ -1,4 +1,4 @@
-"""What a patch of surface looks like to its material: place, normal, and direction to the camera."""
+"""The geometry of a patch: corners, weights, and the direction to the camera."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Plain matter for explaining pictures: clay, on which muscles and the mesh may be drawn.
+"""The plain material of diagrams: clay, on which muscles and the mesh may be drawn.
 
-Skin is shaded in blocks (`lanes`), each step for all patches of a block; for the rest see `plain_parts`.
+Skin is shaded in blocks (`lanes`), each step for all patches of a block; `plain_parts` shades the rest.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def _shade_block(
     tables: Tables,
     paint: Paint,
 ) -> None:
-    """Light a block of clay: matt, creased where the skin is, with what is painted on it."""
+    """Shade a block of clay: matt, creased like the skin, with the paint on it."""
     block = batch.block
     face(block, (screen.eye[0], screen.eye[1], screen.eye[2]))
     _fold(count, batch, mesh, pose, tables, screen.pixel)
@@ -134,7 +134,7 @@ def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables,
 
 @fast_device
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
-    """Find how much of the lamps and of the ambient light arrives."""
+    """Compute how much of the lamps and of the ambient light arrives."""
     for lane in range(count):
         free, inner = block[FREE + lane], block[INNER + lane]
         if inner > f4(0.02):
@@ -164,7 +164,7 @@ def _paint(count: int, batch: Batch, mesh: PosedMesh, paint: Paint, pixel: float
 
 @fast_device
 def _fill(block: Float32Array, light: SceneLight) -> None:
-    """Begin with the ambient light and what glows."""
+    """Start with the ambient light and the glow."""
     ambient = ambient_of(light.ambient)
     for k in range(LANES):
         arriving = ambient_on(ambient, get(block, NORMAL, k), block[OPENED + k])

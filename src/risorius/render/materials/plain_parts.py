@@ -1,4 +1,4 @@
-"""Eyes, teeth and tongue of plain matter."""
+"""Eyes, teeth and tongue of the plain material."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from .lit import ambient_light, key_share, lamp_colour, lamp_direction, lamp_sha
 from .mouth import past_lips
 from .patch import Corners, corners_of, towards, weights_of
 
-MIRRORED = f4(0.04)  # what clay mirrors head on
+MIRRORED = f4(0.04)  # reflected share of clay at a right angle
 ROUGH = f4(0.34)
 _BALL = (f4(0.66), f4(0.66), f4(0.66))
 _RING = (f4(0.16), f4(0.16), f4(0.17))

@@ -1,4 +1,4 @@
-"""The key lamp's shadow on the skin: found at its vertices, and between them only where they differ."""
+"""The key lamp's shadow on the skin: computed at vertices, and between them only where these differ."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..inputs import PosedMesh, SceneLight
 from .lit import key_share
 from .patch import Corners
 
-_EVEN = f4(0.1)  # shares of the key lamp that differ by less have nothing between them
+_EVEN = f4(0.1)  # vertices whose shares differ by less need no shadow computed between them
 
 
 @fast_kernel

@@ -45,8 +45,8 @@ from .patch import put as put_colour
 from .shadows import shadow_at
 from .skin_lamps import edge_light, lamp_light
 
-_FLESH = f4(0.85)  # share of a fold's slope that the light scattered below the surface sees
-_PORES = f4(6.5 / 0.62)  # grain cells to the millimetre: pores 0.62 mm apart
+_FLESH = f4(0.85)  # share of a fold's slope that affects light scattered below the surface
+_PORES = f4(6.5 / 0.62)  # cells of the grain per mm: pores are 0.62 mm apart
 
 
 @fast_device
@@ -107,7 +107,7 @@ def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: SceneLight, p
 
 @fast_device
 def _find_grain(count: int, block: Float32Array, tile: Float32Array) -> None:
-    """Look the pores up."""
+    """Look up the pores."""
     for k in range(count):
         cell, way = cell_of(get(block, REST, k), _PORES)
         put(block, WAY, k, way)
@@ -140,7 +140,7 @@ def _roughen(block: Float32Array, pose: Pose, pixel: float) -> None:
         put(block, BUMPY, k, tilted(normal, pores))
         put(block, ALBEDO, k, scale(get(block, ALBEDO, k), f4(1) + f4(0.025) * fine))
         block[STRENGTH + k] *= f4(1) + f4(0.2) * min(fine, f4(1))
-        # Close above the collar its edge takes the light away.
+        # The collar's edge shades the skin close above it.
         block[FREE + k] *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), block[CLOTH + k])
 
 
@@ -168,7 +168,7 @@ def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables,
 
 @fast_device
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
-    """Find how much of the key lamp and of the ambient light arrives."""
+    """Compute how much of the key lamp and of the ambient light arrives."""
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
         if inner > f4(0.02):
@@ -180,7 +180,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
 
 @fast_device
 def _fill(block: Float32Array, light: SceneLight) -> None:
-    """Begin with the ambient light."""
+    """Start with the ambient light."""
     ambient = ambient_of(light.ambient)
     for k in range(LANES):
         arriving = ambient_on(ambient, get(block, SOFT, k), block[OPENED + k])

@@ -1,4 +1,4 @@
-"""What a lamp gives to a block of skin: light scattered below the surface, and gloss."""
+"""The light of a lamp on a block of skin: scattered below the surface, and gloss."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ from ..lanes import (
 from ..subsurface import angle_place, curvature_place, scattered
 from .lit import ambient_of, ambient_on, lamp_colour, lamp_direction, warm_edge
 
-_DARK = f4(0.004)  # a lamp of which less arrives is left out
-_FACING = f4(0.028)  # what skin mirrors head on: index of refraction 1.4
-_FRONT = 2  # lamps: those further on stand behind the head
+_DARK = f4(0.004)  # lamps of which less arrives are skipped
+_FACING = f4(0.028)  # reflected share at a right angle: index of refraction 1.4
+_FRONT = 2  # lamps; the others stand behind the head
 
 
 @fast_device
@@ -55,13 +55,13 @@ def lamp_light(
 
 @fast_device
 def _arrive(count: int, lamp: int, block: Float32Array) -> bool:
-    """Find how much of a lamp arrives at each patch; return whether it is worth looking at anywhere."""
+    """Compute how much of a lamp arrives at each patch; return whether any patch gets enough of it."""
     for k in range(LANES):
         share = block[REACH + lamp * LANES + k]
         if lamp == 0:
             share *= block[SHADOW + k]
         elif lamp >= _FRONT:
-            share *= share  # between vertices that see the lamp and such that don't, light leaks
+            share *= share  # light leaks between vertices that see the lamp and vertices that do not
         block[SHARE + k] = share if share >= _DARK else f4(0)
     most = f4(0)
     for k in range(count):
@@ -71,7 +71,7 @@ def _arrive(count: int, lamp: int, block: Float32Array) -> bool:
 
 @fast_device
 def _look_up(count: int, block: Float32Array, diffuse: Float32Array) -> None:
-    """Find what of a lamp the skin scatters."""
+    """Compute the light of a lamp that the skin scatters."""
     for k in range(count):
         if block[SHARE + k] > f4(0):
             place = curvature_place(block[CURVATURE + k])
@@ -113,11 +113,11 @@ def _mirrored(block: Float32Array, k: int, direction: Vec, wide: float) -> float
 
 @fast_device
 def edge_light(block: Float32Array, ambient: Float32Array) -> None:
-    """Add what the skin mirrors of the ambient light along its outline."""
+    """Add the ambient light that the skin reflects along its outline."""
     around = ambient_of(ambient)
     for k in range(LANES):
         soft = get(block, SOFT, k)
-        # A rough surface mirrors less along its outline than a smooth one.
+        # A rough surface reflects less along its outline than a smooth one.
         edge = min(schlick(dot(soft, get(block, VIEW, k)), _FACING), f4(0.16))
         edge *= block[OPENED + k] * block[STRENGTH + k]
         put(block, SHINE, k, along(get(block, SHINE, k), ambient_on(around, soft, f4(1)), edge * f4(0.8)))

@@ -1,4 +1,4 @@
-"""What explains a picture on it or below it: one module per kind, one line here for each."""
+"""Overlays that explain a picture, on it or below it: one module and one line here for each kind."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _KINDS: dict[str, Callable[[Subject, Size], Layer]] = {
 class Overlays:
     """Layers drawn over the pictures of one performance.
 
-    `picture_size` (width, height) is what is left for the picture itself.
+    `picture_size` (width, height) is the size of the picture itself, without the rows below it.
     """
 
     def __init__(self, names: Sequence[str], subject: Subject, size: Size) -> None:

@@ -1,4 +1,4 @@
-"""The words that are said, the current one bright."""
+"""The spoken words, with the current one bright."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 _PAUSE = 0.35  # seconds of silence that end a line
-_LINGER = 0.6  # and for which a line stays when it has been said
+_LINGER = 0.6  # seconds for which a line stays after its last word
 
 
 class Caption:
@@ -53,7 +53,7 @@ class Caption:
 def lines_of(
     words: Sequence[Word], wide: float, width: Callable[[Word], float], space: float
 ) -> list[list[Word]]:
-    """Return words by line: a line ends at a pause, and where the next word would not fit in `wide`."""
+    """Return words by line: a line ends at a pause, or if the next word would not fit in `wide`."""
     lines: list[list[Word]] = []
     used = 0.0
     for word in words:

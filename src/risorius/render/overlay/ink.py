@@ -1,4 +1,4 @@
-"""What all layers share: their subject, font and colours."""
+"""The subject, the font and the colours of all layers."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ GROUND: InkColour = (18, 22, 28, 255)
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """What the layers tell of: a performance, and what is said in it, None where nothing is."""
+    """The performance that the layers explain, and its utterance; None if nothing is said."""
 
     performance: Performance
     utterance: Utterance | None
@@ -36,7 +36,7 @@ class Layer(Protocol):
     below: int
 
     def draw(self, image: Image, height: int, frame: int) -> None:
-        """Draw what holds at a frame on an image whose picture is `height` rows high."""
+        """Draw the explanation of a frame on an image whose picture is `height` rows high."""
 
 
 @lru_cache(maxsize=32)
@@ -45,7 +45,7 @@ def font(size: int) -> FreeTypeFont:
     from PIL import ImageFont
     from PIL.ImageFont import FreeTypeFont
 
-    found = ImageFont.load_default(size=max(size, 6))
-    if not isinstance(found, FreeTypeFont):
+    loaded = ImageFont.load_default(size=max(size, 6))
+    if not isinstance(loaded, FreeTypeFont):
         raise RuntimeError("Pillow was built without FreeType")
-    return found
+    return loaded

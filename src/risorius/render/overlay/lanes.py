@@ -1,4 +1,4 @@
-"""The channels under the picture: what each one does when."""
+"""The channels below the picture, with their movements over time."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class Lanes:
             return
         pen.rounded_rectangle(box, radius=0.2 * self._row, fill=colour, outline=GROUND)
         if self._text.getlength(label) + 6.0 < box[2] - box[0]:
-            # On the left, where no later movement of the lane lies over it.
+            # On the left: later movements of the lane may lie over the right.
             pen.text((box[0] + 4.0, 0.5 * (box[1] + box[3])), label, font=self._text, fill=INK, anchor="lm")
 
 
@@ -87,7 +87,7 @@ def _name(movement: Movement) -> str:
 
 
 def lane_blocks(score: Score) -> dict[str, list[LaneBlock]]:
-    """Return what each channel does, in the channels' order; the lips' segments go by their phones."""
+    """Return the blocks of each channel, in the channels' order; segments of the lips are named by phone."""
     blocks: dict[str, list[LaneBlock]] = {name: [] for name in CHANNELS}
     for movement in score.movements:
         blocks[movement.channel].append(LaneBlock(movement.start, movement.end, _name(movement)))

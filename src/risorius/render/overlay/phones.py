@@ -1,4 +1,4 @@
-"""The phones as they pass: a strip in time with the sound, the current one in the middle."""
+"""The phones: a strip that moves with the sound, with the current phone in the middle."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SPAN = 1.2  # seconds shown
 
 
 class Phones:
-    """A strip at the head of the picture."""
+    """A strip at the top of the picture."""
 
     below = 0
 
