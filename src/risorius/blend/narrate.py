@@ -10,14 +10,14 @@ from .explain import Contribution, Explanation
 
 def narrate(explanations: Iterable[Explanation], time: float) -> Iterator[str]:
     """Yield the lines that say why parameters have their values at `time` seconds; equal sides once."""
-    told: dict[tuple[str, ...], list[str]] = {}
+    by_reasons: dict[tuple[str, ...], list[str]] = {}
     for explanation in explanations:
         base = explanation.parameter.partition(".")[0]
-        told.setdefault((base, *_lines(explanation)), []).append(explanation.parameter)
-    for (base, value, *reasons), names in told.items():
+        by_reasons.setdefault((base, *_lines(explanation)), []).append(explanation.parameter)
+    for (base, value, *reasons), names in by_reasons.items():
         yield f"{base if len(names) > 1 else names[0]} = {value}"
         yield from (f"    {reason}" for reason in reasons)
-    if not told:
+    if not by_reasons:
         yield f"at {time:g} s nothing moves"
 
 

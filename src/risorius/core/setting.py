@@ -272,8 +272,8 @@ def rows(table: type) -> Mapping[str, Row]:
 
 def _kind(hint: Any) -> tuple[ValueKind, bool]:
     if typing.get_origin(hint) in (typing.Union, types.UnionType):
-        (kept,) = (part for part in typing.get_args(hint) if part is not types.NoneType)
-        return _KINDS[kept], True
+        (inner,) = (part for part in typing.get_args(hint) if part is not types.NoneType)
+        return _KINDS[inner], True
     return _KINDS[hint], False
 
 

@@ -47,8 +47,8 @@ class RegionRow(Sizes):
 
     def __post_init__(self) -> None:
         if len(self._layouts()) != 1:
-            found = ", ".join(self._layouts()) or "none"
-            raise InputError(f"has the layouts {found}; expected one of {', '.join(_LAYOUTS)}")
+            names = ", ".join(self._layouts()) or "none"
+            raise InputError(f"has the layouts {names}; expected one of {', '.join(_LAYOUTS)}")
 
     def _layouts(self) -> dict[str, Lines | Fan | Fold | Dimples]:
         return {name: getattr(self, name) for name in _LAYOUTS if getattr(self, name) is not None}
