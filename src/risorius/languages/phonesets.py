@@ -97,7 +97,7 @@ def is_ipa_vowel(symbol: str) -> bool:
 
 
 def is_vowel(symbol: str) -> bool:
-    """Tell whether a phone (ARPAbet or IPA) is a vowel; silence is none."""
+    """Tell whether a phone (ARPAbet or IPA) is a vowel; silence is not."""
     return symbol in VOWELS if symbol in ARPABET else is_ipa_vowel(symbol)
 
 

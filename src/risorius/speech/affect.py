@@ -48,16 +48,16 @@ def _displayed(display: Display) -> Feeling:
     return Feeling({display.emotion: display.intensity}, start, end)
 
 
-def common_manner(found: Sequence[Feeling]) -> Manner | None:
+def common_manner(felt: Sequence[Feeling]) -> Manner | None:
     """Return the manner of the whole where the emotions colour all of it, else None."""
-    if not all(feeling.throughout for feeling in found):
+    if not all(feeling.throughout for feeling in felt):
         return None
-    return _manner(found)
+    return _manner(felt)
 
 
-def coloured(script: Script, found: Sequence[Feeling], plain: Utterance) -> Script:
+def coloured(script: Script, felt: Sequence[Feeling], plain: Utterance) -> Script:
     """Return the script with each word's manner, found where `plain`, the same without emotion, has it."""
-    manners = [_manner([f for f in found if f.holds(word, plain)]) for word in plain.words]
+    manners = [_manner([f for f in felt if f.holds(word, plain)]) for word in plain.words]
     return replace(script, lines=tuple(_coloured_line(line, plain.words, manners) for line in script.lines))
 
 
@@ -75,9 +75,9 @@ def _spans(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -
             yield DirectedSpan(run[0].source_start - first, run[-1].source_end - first, line.place, manner)
 
 
-def _manner(found: Sequence[Feeling]) -> Manner:
+def _manner(felt: Sequence[Feeling]) -> Manner:
     intensities: dict[str, float] = {}
-    for feeling in found:
+    for feeling in felt:
         for name, value in feeling.intensities.items():
             intensities[name] = max(intensities.get(name, 0.0), value)
     return voice_manner(intensities)

@@ -116,13 +116,13 @@ def _speak(
     for number, stretch in enumerate(stretches):
         spoken = normalise(text, stretch.start, stretch.end, language)
         last = number + 1 == len(stretches)
-        asked = replace(
+        stretch_request = replace(
             request,
             text=spoken.text,
             end_pause=stretch.ends_sentence and not last,
             directions=tuple(placed(directions, spoken, stretch.start, stretch.end, last=last)),
         )
-        part = SpokenPart(stretch, spoken, scale_pauses(engine.speak(asked), request.manner.pauses))
+        part = SpokenPart(stretch, spoken, scale_pauses(engine.speak(stretch_request), request.manner.pauses))
         guessed.update(dict.fromkeys(part.rendition.guessed))
         yield part
         if progress is not None:

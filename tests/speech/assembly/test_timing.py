@@ -19,13 +19,13 @@ def ms(*milliseconds: float) -> list[int]:
 
 
 def chain(
-    *spans: tuple[str, float], closures: dict[int, int] | None = None, kept: bool = False
+    *spans: tuple[str, float], closures: dict[int, int] | None = None, intended: bool = False
 ) -> list[Segment]:
     segments, edge = [], 0
     for index, (symbol, length) in enumerate(spans):
         start, edge = edge, edge + ms(length)[0]
         segments.append(
-            Segment(symbol, start, edge, closure=(closures or {}).get(index, 0), token=0, kept=kept)
+            Segment(symbol, start, edge, closure=(closures or {}).get(index, 0), token=0, intended=intended)
         )
     return segments
 
@@ -47,7 +47,7 @@ def test_a_closure_takes_at_most_60_percent_and_leaves_20_milliseconds(before, r
 
 
 def test_a_closure_may_take_all_of_a_silence() -> None:
-    settled = settle(chain(("AA", 100), ("", 30), ("P", 60), kept=True, closures={2: CLOSURE}), RATE)
+    settled = settle(chain(("AA", 100), ("", 30), ("P", 60), intended=True, closures={2: CLOSURE}), RATE)
     assert lengths(settled) == [("AA", 100), ("P", 90)]
 
 
@@ -57,7 +57,7 @@ def test_without_a_closure_nothing_moves(symbol) -> None:
 
 
 @pytest.mark.parametrize(
-    ("silence", "kept", "expected"),
+    ("silence", "intended", "expected"),
     [
         (59, False, [("AA", 159), ("M", 80)]),
         (61, False, [("AA", 100), ("", 61), ("M", 80)]),
@@ -65,9 +65,9 @@ def test_without_a_closure_nothing_moves(symbol) -> None:
         (9, True, [("AA", 109), ("M", 80)]),
     ],
 )
-def test_short_silence_belongs_to_the_sound_before_unless_it_is_meant(silence, kept, expected) -> None:
+def test_short_silence_belongs_to_the_sound_before_unless_it_is_meant(silence, intended, expected) -> None:
     segments = chain(("AA", 100), ("", silence), ("M", 80))
-    segments[1].kept = kept
+    segments[1].intended = intended
     assert lengths(settle(segments, RATE)) == expected
 
 
@@ -107,9 +107,11 @@ def test_a_sound_without_duration_borrows_from_its_longer_neighbour() -> None:
 )
 def test_the_same_span_is_covered_without_a_gap(spans) -> None:
     segments, edge = [], 0
-    for symbol, length, closure, kept in spans:
+    for symbol, length, closure, intended in spans:
         start, edge = edge, edge + length
-        segments.append(Segment(symbol, start, edge, closure=closure if symbol == "P" else 0, kept=kept))
+        segments.append(
+            Segment(symbol, start, edge, closure=closure if symbol == "P" else 0, intended=intended)
+        )
     settled = settle(segments, RATE)
     assert settled[0].start == 0
     assert settled[-1].end == edge

@@ -118,11 +118,11 @@ ANSWERS = [
     ("print('{\"sample_rate\": 8000}')", "printed another object"),
     ("import sys; sys.exit('no voice today')", "failed with exit code 1: no voice today"),
     ('print(\'{"sample_rate": 0, "audio": "AAAA"}\')', "sample_rate = 0; expected 4000 to 192000"),
-    ('print(\'{"sample_rate": 8000, "audio": "%%"}\')', "audio is no base64"),
+    ('print(\'{"sample_rate": 8000, "audio": "%%"}\')', "audio is not base64"),
     ('print(\'{"sample_rate": 8000, "audio": "AAAA"}\')', "audio is not 16-bit samples"),
 ]
 PHONES = [
-    ("3", "phones is no list"),
+    ("3", "phones is not a list"),
     ('[["B"]]', r"phones\[0\] = \['B'\]; expected \[symbol, start in seconds"),
     ('[["B", "x"]]', "expected numbers from 0 on"),
     ('[["B", -1]]', "expected numbers from 0 on"),
@@ -155,7 +155,7 @@ def test_voices_that_are_no_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     text.write_text("hello")
     for name, message in (
         (str(tmp_path / "none.onnx"), "there is no voice"),
-        (str(text), "is no program; expected an executable file"),
+        (str(text), "is not a program; expected an executable file"),
         (piper_model(tmp_path), "needs the program piper"),
     ):
         with pytest.raises(RisoriusError, match=message):

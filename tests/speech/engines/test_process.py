@@ -35,7 +35,7 @@ def test_a_program_that_does_not_exist() -> None:
         ("", "ended without an answer"),
         ("import sys; sys.stdin.readline(); sys.exit('out of luck')", "exit code 1: out of luck"),
         ("import sys; sys.stdin.readline(); print('no JSON', flush=True)", "ended without an answer"),
-        ("import sys; sys.stdin.readline(); print('[1]', flush=True)", "no JSON object"),
+        ("import sys; sys.stdin.readline(); print('[1]', flush=True)", "not a JSON object"),
         ("import sys; sys.stdin.readline(); print('{\"bytes\": 9}', flush=True)", "in the midst"),
     ],
 )

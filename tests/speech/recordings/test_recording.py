@@ -72,7 +72,7 @@ def test_no_numbers_become_silence_with_a_warning(written) -> None:
     samples = tone(1.0)
     samples[4_000:4_010] = np.nan
     samples[8_000] = np.inf
-    with pytest.warns(SpeechWarning, match=r"x.wav: 11 samples are no numbers, the first at 0.250 s"):
+    with pytest.warns(SpeechWarning, match=r"x.wav: 11 samples are not numbers, the first at 0.250 s"):
         audio = read_recording(written(samples, subtype="FLOAT"))
     assert not audio.read(4_000, 10).any()
     assert audio.frames == 16_000

@@ -34,7 +34,7 @@ _YEARS = range(1100, 2100)
 
 
 def number_readings(text: str) -> tuple[str, ...]:
-    """Return how a whole number may be read, in words; nothing for what is none.
+    """Return how a whole number may be read, in words; nothing if it is not a number.
 
     >>> number_readings("105")
     ('one hundred five', 'one hundred and five', 'one oh five', 'one zero five')

@@ -42,7 +42,7 @@ class AlignmentError(Exception):
     """The words cannot be found in the sound."""
 
 
-class Found(NamedTuple):
+class AlignedPhone(NamedTuple):
     """A phone, or silence of word -1, in [start, end) seconds. `score`: mean log likelihood per frame."""
 
     symbol: str
@@ -59,7 +59,7 @@ class Decoders:
     one.
     """
 
-    def align_words(self, sound: Array, words: Sequence[Readings]) -> list[Found]:
+    def align_words(self, sound: Array, words: Sequence[Readings]) -> list[AlignedPhone]:
         """Return the phones and silences of `sound` (16 kHz), in which all `words` are said in order.
 
         They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
@@ -146,8 +146,8 @@ def _segments(decoder: Decoder) -> list[Any]:
     return [] if decoder.hyp() is None else list(decoder.seg())
 
 
-def _phones(alignment: Any, duration: float) -> Iterator[Found]:
-    """Yield what was found, cut to [0, duration]: what lies in the padding has no length left."""
+def _phones(alignment: Any, duration: float) -> Iterator[AlignedPhone]:
+    """Yield the aligned phones, cut to [0, duration]: a phone in the padding has no length left."""
     index = -1
     for word in alignment:
         spoken = not word.name.startswith(UNSPOKEN)
@@ -158,4 +158,4 @@ def _phones(alignment: Any, duration: float) -> Iterator[Found]:
             start, end = min(max(start, 0.0), duration), min(max(end, 0.0), duration)
             if spoken or start < end:
                 symbol = phone.name if spoken else SILENCE
-                yield Found(symbol, start, end, index if spoken else -1, phone.score / phone.duration)
+                yield AlignedPhone(symbol, start, end, index if spoken else -1, phone.score / phone.duration)

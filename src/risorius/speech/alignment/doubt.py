@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...errors import InputError, SpeechWarning, warn
-from .decoder import Found
+from .decoder import AlignedPhone
 from .lexicon import ScriptWord
 
 # Mean log likelihood per 10 ms frame, in pocketsphinx's units. In 80 read sentences one word in a hundred was
@@ -19,12 +19,12 @@ DOUBTFUL_SILENCE, LEAST_MISSING = -40.0, 0.15
 _SHOWN = 8
 
 
-def check_words(words: Sequence[ScriptWord], found: Sequence[Found]) -> None:
+def check_words(words: Sequence[ScriptWord], aligned: Sequence[AlignedPhone]) -> None:
     """Raise InputError if the words as a whole do not fit; warn (SpeechWarning) of those that may not."""
-    spans = _spans(len(words), found)
+    spans = _spans(len(words), aligned)
     doubtful = [index for index, span in enumerate(spans) if mean_score(span) < DOUBTFUL_WORD]
     missing = [
-        f for f in found if f.word < 0 and f.score < DOUBTFUL_SILENCE and f.end - f.start >= LEAST_MISSING
+        f for f in aligned if f.word < 0 and f.score < DOUBTFUL_SILENCE and f.end - f.start >= LEAST_MISSING
     ]
     reasons = []
     if doubtful:
@@ -42,16 +42,16 @@ def check_words(words: Sequence[ScriptWord], found: Sequence[Found]) -> None:
         warn(reason, SpeechWarning)
 
 
-def mean_score(found: Sequence[Found]) -> float:
+def mean_score(aligned: Sequence[AlignedPhone]) -> float:
     """Return the mean log likelihood per frame, 0 for nothing."""
-    seconds = _seconds(found)
+    seconds = _seconds(aligned)
     if seconds <= 0.0:
         return 0.0
-    return sum(f.score * (f.end - f.start) for f in found) / seconds
+    return sum(f.score * (f.end - f.start) for f in aligned) / seconds
 
 
-def _seconds(found: Sequence[Found]) -> float:
-    return sum(f.end - f.start for f in found)
+def _seconds(aligned: Sequence[AlignedPhone]) -> float:
+    return sum(f.end - f.start for f in aligned)
 
 
 def _listed(items: Sequence[str]) -> str:
@@ -59,9 +59,9 @@ def _listed(items: Sequence[str]) -> str:
     return ", ".join(items[:_SHOWN]) + more
 
 
-def _spans(count: int, found: Sequence[Found]) -> list[list[Found]]:
-    spans: list[list[Found]] = [[] for _ in range(count)]
-    for phone in found:
+def _spans(count: int, aligned: Sequence[AlignedPhone]) -> list[list[AlignedPhone]]:
+    spans: list[list[AlignedPhone]] = [[] for _ in range(count)]
+    for phone in aligned:
         if phone.word >= 0:
             spans[phone.word].append(phone)
     return spans

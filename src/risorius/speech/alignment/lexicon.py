@@ -41,15 +41,15 @@ def read_transcript(text: str) -> tuple[Utterance, tuple[ScriptWord, ...]]:
 def stresses_of(reading: Sequence[str], engine: Sequence[int]) -> list[int]:
     """Return the stress of every phone of a reading (-1 for consonants), given the engine's per vowel."""
     vowels = [index for index, phone in enumerate(reading) if phonesets.is_vowel(phone)]
-    found = [-1] * len(reading)
+    stresses = [-1] * len(reading)
     for number, index in enumerate(vowels):
         if not engine:
-            found[index] = 0
+            stresses[index] = 0
         elif len(engine) == len(vowels):
-            found[index] = engine[number]
+            stresses[index] = engine[number]
         else:
-            found[index] = engine[round(number * (len(engine) - 1) / max(len(vowels) - 1, 1))]
-    return found
+            stresses[index] = engine[round(number * (len(engine) - 1) / max(len(vowels) - 1, 1))]
+    return stresses
 
 
 def _script_word(spoken: Utterance, word: Word) -> ScriptWord:
@@ -65,12 +65,12 @@ def written_readings(text: str) -> Readings:
     plain = text.translate(_CURLY)
     if numbers := language_of(MODEL_LANGUAGE).number_readings(plain):
         return _first(reading for words in numbers for reading in _read_all(words.split()))
-    found = [*_dictionary().get(plain.lower(), ())]
+    readings = [*_dictionary().get(plain.lower(), ())]
     if len(plain) > 1 and plain.isupper() and plain.isalpha():
-        found += _read_all(list(plain))
-    if not found and "-" in plain:
-        found += _read_all([part for part in plain.split("-") if part])
-    return _first(iter(found))
+        readings += _read_all(list(plain))
+    if not readings and "-" in plain:
+        readings += _read_all([part for part in plain.split("-") if part])
+    return _first(iter(readings))
 
 
 def _first(readings: Iterator[Reading]) -> Readings:

@@ -29,7 +29,7 @@ def silence(writer: AudioWriter, seconds: float) -> list[Segment]:
     """Write silence, and return its segment unless it has no length."""
     start = writer.frames
     writer.silence(seconds)
-    return [Segment(SILENCE, start, writer.frames, kept=True)] if writer.frames > start else []
+    return [Segment(SILENCE, start, writer.frames, intended=True)] if writer.frames > start else []
 
 
 def place(part: SpokenPart, tokens: Sequence[Token], offset: int, transcribe: Transcriber) -> list[Segment]:
@@ -62,7 +62,7 @@ def assemble(
 ) -> tuple[tuple[Phone, ...], tuple[Word, ...]]:
     """Mend the times of all segments and return phones and words in seconds.
 
-    A token without phones ("*") is no word.
+    A token without phones ("*") is not a word.
     """
     _keep_punctuated(segments, text, tokens)
     settled = settle(segments, sample_rate)
@@ -92,8 +92,8 @@ def _keep_punctuated(segments: list[Segment], text: str, tokens: Sequence[Token]
             waiting.append(segment)
             continue
         if waiting and before not in (NO_TOKEN, segment.token):
-            asked = punctuation_kind(text[tokens[before].end : tokens[segment.token].start]) is not None
+            punctuated = punctuation_kind(text[tokens[before].end : tokens[segment.token].start]) is not None
             for silence in waiting:
-                silence.kept |= asked
+                silence.intended |= punctuated
         waiting = []
         before = segment.token

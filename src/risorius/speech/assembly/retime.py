@@ -133,16 +133,16 @@ def _counted(
     pieces: Sequence[_Piece], words: Sequence[Word], rate: int
 ) -> tuple[tuple[Phone, ...], tuple[Word, ...]]:
     """Return phones and words at their new times."""
-    found: list[Phone] = []
+    retimed: list[Phone] = []
     placed: list[Word] = []
     at = 0
     for piece in pieces:
-        first = len(found)
+        first = len(retimed)
         for phone, length in piece.phones:
             if length:
-                found.append(replace(phone, start=at / rate, end=(at + length) / rate))
+                retimed.append(replace(phone, start=at / rate, end=(at + length) / rate))
                 at += length
         if piece.word >= 0:
-            word = replace(words[piece.word], start=found[first].start, end=found[-1].end)
-            placed.append(replace(word, first_phone=first, last_phone=len(found)))
-    return tuple(found), tuple(placed)
+            word = replace(words[piece.word], start=retimed[first].start, end=retimed[-1].end)
+            placed.append(replace(word, first_phone=first, last_phone=len(retimed)))
+    return tuple(retimed), tuple(placed)

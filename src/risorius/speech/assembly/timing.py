@@ -28,7 +28,8 @@ NO_TOKEN = -1
 class Segment:
     """A phone or silence [start, end) in samples, of the token with index `token`.
 
-    `closure`: by how many samples a stop's closure precedes `start`. `kept`: silence that is meant.
+    `closure`: by how many samples a stop's closure precedes `start`. `intended`: a silence that punctuation
+    asks for.
     """
 
     symbol: str
@@ -37,7 +38,7 @@ class Segment:
     stress: int = -1
     closure: int = 0
     token: int = NO_TOKEN
-    kept: bool = False
+    intended: bool = False
 
     @property
     def length(self) -> int:
@@ -64,7 +65,7 @@ def _join_silences(segments: list[Segment]) -> list[Segment]:
     for segment in segments:
         if segment.silent and joined and joined[-1].silent:
             joined[-1].end = segment.end
-            joined[-1].kept |= segment.kept
+            joined[-1].intended |= segment.intended
         else:
             joined.append(segment)
     return joined
@@ -75,29 +76,29 @@ def _close_stops(segments: list[Segment], sample_rate: int) -> None:
         if before.silent:
             room = before.length
         else:
-            kept = max(before.length * KEPT_SHARE, KEPT_SECONDS * sample_rate)
-            room = before.length - math.ceil(kept)
+            remaining = max(before.length * KEPT_SHARE, KEPT_SECONDS * sample_rate)
+            room = before.length - math.ceil(remaining)
         moved = max(0, min(stop.closure, room))
         before.end -= moved
         stop.start -= moved
 
 
 def _absorb_silences(segments: list[Segment], sample_rate: int) -> list[Segment]:
-    kept: list[Segment] = []
+    settled: list[Segment] = []
     # Samples at the beginning that fall to the first sound.
     early = 0
     for segment in segments:
-        short = segment.length < round((SHORTEST_PHONE if segment.kept else SHORTEST_PAUSE) * sample_rate)
+        short = segment.length < round((SHORTEST_PHONE if segment.intended else SHORTEST_PAUSE) * sample_rate)
         if segment.silent and short:
-            if kept:
-                kept[-1].end = segment.end
+            if settled:
+                settled[-1].end = segment.end
             else:
                 early = segment.length
             continue
         segment.start -= early
         early = 0
-        kept.append(segment)
-    return kept or segments
+        settled.append(segment)
+    return settled or segments
 
 
 def _lend_time(segments: list[Segment], sample_rate: int) -> None:

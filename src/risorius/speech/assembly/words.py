@@ -36,9 +36,9 @@ def assign(
     """
     if not tokens:
         raise ValueError("phones without a token to belong to")
-    found = accumulate((_token_at(tokens, _source(spoken, position)) for position in positions), max)
+    at_places = accumulate((_token_at(tokens, _source(spoken, position)) for position in positions), max)
     owners: list[int] = []
-    runs = [(token, len(list(run))) for token, run in groupby(found)]
+    runs = [(token, len(list(run))) for token, run in groupby(at_places)]
     for (token, count), (following, _) in zip(runs, [*runs[1:], (len(tokens), 0)], strict=True):
         run = symbols[len(owners) : len(owners) + count]
         shared = range(token, following)

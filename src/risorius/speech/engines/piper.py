@@ -63,10 +63,10 @@ def _wave(file: Path, name: str) -> tuple[np.ndarray[tuple[int], np.dtype[np.int
         with wave.open(str(file), "rb") as sound:
             data = sound.readframes(sound.getnframes())
             if (sound.getnchannels(), sound.getsampwidth()) != (1, 2) or not data:
-                raise SpeechError(f"the voice '{name}': Piper wrote no 16-bit mono sound")
+                raise SpeechError(f"the voice '{name}': Piper did not write 16-bit mono sound")
             return np.frombuffer(data, "<i2"), sound.getframerate()
     except (OSError, EOFError, wave.Error):
-        raise SpeechError(f"the voice '{name}': Piper wrote no sound") from None
+        raise SpeechError(f"the voice '{name}': Piper did not write a sound file") from None
 
 
 @VOICE_FILES.register(".onnx")

@@ -106,7 +106,7 @@ def _read_answer(stream: IO[bytes]) -> Answer:
         raise ValueError("end of its output")
     header = json.loads(line)
     if not isinstance(header, dict):
-        raise ValueError("an answer that is no JSON object")
+        raise ValueError("an answer that is not a JSON object")
     size = int(header.pop("bytes", 0))
     data = stream.read(size)
     if len(data) < size:

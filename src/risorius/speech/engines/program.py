@@ -115,14 +115,14 @@ class ProgramEngine:
         try:
             data = base64.b64decode(str(audio), validate=True)
         except binascii.Error:
-            raise self._fault("audio is no base64") from None
+            raise self._fault("audio is not base64") from None
         if len(data) % 2 or not data:
             raise self._fault("audio is not 16-bit samples")
         return np.frombuffer(data, "<i2").astype(np.int16)
 
     def _phones(self, rows: object, rate: int, frames: int, characters: int) -> tuple[SpokenPhone, ...]:
         if not isinstance(rows, list):
-            raise self._fault("phones is no list")
+            raise self._fault("phones is not a list")
         found: list[SpokenPhone] = []
         for number, row in enumerate(rows):
             phone = self._phone(row, rate, characters, f"phones[{number}]")
@@ -189,5 +189,5 @@ def python_voice(path: Path, language: str | None) -> SpeechEngine:
 def program_voice(path: Path, language: str | None) -> SpeechEngine:
     """Return the voice that an executable file is."""
     if not os.access(path, os.X_OK):
-        raise SpeechError(f"the voice '{path}' is no program; expected an executable file, .py or .onnx")
+        raise SpeechError(f"the voice '{path}' is not a program; expected an executable file, .py or .onnx")
     return ProgramEngine([str(path.resolve())], str(path), language or "en-us")

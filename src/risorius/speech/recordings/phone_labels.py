@@ -46,7 +46,7 @@ class PhoneLabel(NamedTuple):
 def read_phones(labels: Sequence[Label], source: str) -> tuple[bool, list[PhoneLabel]]:
     """Return whether the labels are ARPAbet (else IPA), and what each stands for.
 
-    Raises InputError, with the line, for a label that is no phone.
+    Raises InputError, with the line, for a label that is not a phone.
     """
     spoken = [label for label in labels if not is_silence(label.text)]
     arpabet = all(_arpabet(label.text) for label in spoken)

@@ -26,9 +26,9 @@ from ..alignment.decoder import (
     MIDDLE,
     PAD_SECONDS,
     UNSPOKEN,
+    AlignedPhone,
     AlignmentError,
     Decoders,
-    Found,
     decode,
     prepared,
 )
@@ -79,15 +79,15 @@ class RecognizingDecoders(Decoders):
 def recognize(audio: Audio) -> Utterance:
     """Return what seems to be said when in a recording. Raises InputError if nothing is."""
     resampled, decoders = Resampled(audio), RecognizingDecoders()
-    found: list[Found] = []
+    aligned: list[AlignedPhone] = []
     names: list[str] = []
     for start, end in stretches(resampled):
         phones, words = _recognized(resampled.read(start, end), decoders)
-        found += refined(resampled, without_gaps(moved(phones, start, end, len(names))))
+        aligned += refined(resampled, without_gaps(moved(phones, start, end, len(names))))
         names += words
     if not names:
         raise InputError("no speech was recognized; expected a recorded voice")
-    return assembled(audio, " ".join(names), found, list(_script_words(names)))
+    return assembled(audio, " ".join(names), aligned, list(_script_words(names)))
 
 
 def stretches(resampled: Resampled) -> Iterator[tuple[float, float]]:
@@ -113,21 +113,21 @@ def _longest_run(true: BoolArray, shortest: int) -> int | None:
     return int(edges[lengths.argmax()].mean())
 
 
-def _recognized(sound: Array, decoders: RecognizingDecoders) -> tuple[list[Found], list[str]]:
+def _recognized(sound: Array, decoders: RecognizingDecoders) -> tuple[list[AlignedPhone], list[str]]:
     """Return the phones of a stretch, and the names of its words."""
     names = [_ALTERNATIVE.sub("", segment.word) for segment in _spoken(decoders.words, sound)]
     if names:
         with contextlib.suppress(AlignmentError):
-            found = decoders.align_words(sound, [written_readings(name) for name in names])
-            if mean_score([f for f in found if f.word >= 0]) >= POOR_WORD:
-                return found, names
+            aligned = decoders.align_words(sound, [written_readings(name) for name in names])
+            if mean_score([f for f in aligned if f.word >= 0]) >= POOR_WORD:
+                return aligned, names
     return _phone_runs(sound, decoders.phones)
 
 
-def _phone_runs(sound: Array, decoder: Decoder) -> tuple[list[Found], list[str]]:
+def _phone_runs(sound: Array, decoder: Decoder) -> tuple[list[AlignedPhone], list[str]]:
     """Return the phones that a loop over all phones hears; each run without a pause is called a word."""
     duration = len(sound) / RATE
-    found: list[Found] = []
+    aligned: list[AlignedPhone] = []
     names: list[str] = []
     for segment in _segments(decoder, sound):
         start = max(segment.start_frame * FRAME + MIDDLE - PAD_SECONDS, 0.0)
@@ -135,13 +135,13 @@ def _phone_runs(sound: Array, decoder: Decoder) -> tuple[list[Found], list[str]]
         if start >= end:
             continue
         if segment.word not in phonesets.ARPABET:
-            found.append(Found(SILENCE, start, end, NO_WORD, 0.0))
+            aligned.append(AlignedPhone(SILENCE, start, end, NO_WORD, 0.0))
             continue
-        if not found or found[-1].word == NO_WORD:
+        if not aligned or aligned[-1].word == NO_WORD:
             names.append("")
         names[-1] += segment.word
-        found.append(Found(segment.word, start, end, len(names) - 1, 0.0))
-    return found or [Found(SILENCE, 0.0, duration, NO_WORD, 0.0)], names
+        aligned.append(AlignedPhone(segment.word, start, end, len(names) - 1, 0.0))
+    return aligned or [AlignedPhone(SILENCE, 0.0, duration, NO_WORD, 0.0)], names
 
 
 def _script_words(names: list[str]) -> Iterator[ScriptWord]:

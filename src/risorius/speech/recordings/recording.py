@@ -38,7 +38,7 @@ def read_recording(path: str | PathLike[str]) -> Audio:
 
     Raises InputError for a file that is missing or cannot be decoded, that is silent, shorter than 0.1 s or
     longer than 6 h, or sampled at less than 8 or more than 96 kHz. Warns (SpeechWarning) of clipped sound,
-    and of samples that are no numbers, which become silence.
+    and of samples that are not numbers, which become silence.
     """
     place = Place(str(path))
     with _opened(Path(path), place) as source:
@@ -105,7 +105,7 @@ class _Checks:
     odd_from: int = -1
 
     def mended(self, block: Float32Array, offset: int) -> Float32Array:
-        """Return the block that starts at sample `offset`, with zeros for what is no number."""
+        """Return the block that starts at sample `offset`, with zeros for samples that are not numbers."""
         odd = ~np.isfinite(block)
         if odd.any():
             self.odd_from = offset + int(np.argmax(odd)) if self.odd_from < 0 else self.odd_from
@@ -130,7 +130,7 @@ class _Checks:
             raise InputError("is silent; expected speech", place)
         if self.odd:
             at = self.odd_from / self.sample_rate
-            _warn(place, f"{self.odd:,} samples are no numbers, the first at {at:.3f} s; taken as silence")
+            _warn(place, f"{self.odd:,} samples are not numbers, the first at {at:.3f} s; taken as silence")
         if self.clipped > CLIPPED_SHARE * audio.frames:
             share, at = 100.0 * self.clipped / audio.frames, self.clipped_from / self.sample_rate
             _warn(place, f"the sound is clipped ({share:.2g} %, first at {at:.3f} s); expect coarser times")

@@ -10,7 +10,7 @@ from ...languages import Language, plain_word
 
 # The punctuation that ends a text has a pause of at most so many seconds; the rest is the final pause.
 PUNCTUATION_AT_END = 0.3
-# Shorter silence that no punctuation asks for is no pause (seconds).
+# Shorter silence that no punctuation asks for is not a pause (seconds).
 SHORTEST_UNASKED = 0.15
 
 _KINDS = (
@@ -30,7 +30,7 @@ def find_pauses(
     Silence before the first word is INITIAL. After the last word comes the pause of its punctuation, for
     0.3 s at most and half of the silence, then FINAL for the rest. Elsewhere the punctuation between the
     words decides; without any, silence of at least 0.15 s is a COMMA. A comma after "um" and its like is a
-    HESITATION. Silence inside a word is no pause.
+    HESITATION. Silence inside a word is not a pause.
     """
     return tuple(
         pause for index in range(len(phones)) for pause in _pause(text, phones, words, index, language)
