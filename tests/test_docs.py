@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import shlex
 import shutil
+from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
@@ -12,14 +13,19 @@ import pytest
 
 from risorius.cli import commands, run
 from risorius.core.channels import CHANNELS
-from risorius.ports.formats import FORMATS
+from risorius.errors import UnreadError
+from risorius.ports.formats import FORMATS, FileFormat, format_for
+from risorius.settings import Settings
+from risorius.unread import refuse_unwritten
 from tests.profiles import samples
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
-SMALL = {"--size": "64x64"} | samples({}, everyday={"--fps": "6"})
-"""Options of commands that have them, unless they are given."""
+SMALL = {"--size": ("64x64", Settings(size=(64, 64)))} | samples(
+    {}, everyday={"--fps": ("6", Settings(fps=Fraction(6)))}
+)
+"""Options of commands that have them, unless they are given or change no output."""
 
 
 def blocks(page: Path, language: str) -> list[str]:
@@ -36,7 +42,21 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def smaller(arguments: list[str]) -> list[str]:
     """Return options by which a command has less to draw."""
     known = {name for option in commands.commands[arguments[0]].params for name in option.opts}
-    return [text for name, value in SMALL.items() if name in known - {*arguments} for text in (name, value)]
+    formats = [format_for(Path(b)) for a, b in pairwise(arguments) if a == "-o"]
+    return [
+        text
+        for name, (value, settings) in SMALL.items()
+        if name in known - {*arguments} and changes_output(settings, formats)
+        for text in (name, value)
+    ]
+
+
+def changes_output(settings: Settings, formats: list[FileFormat]) -> bool:
+    try:
+        refuse_unwritten(settings, formats)
+    except UnreadError:
+        return False
+    return True
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
