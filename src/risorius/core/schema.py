@@ -22,6 +22,7 @@ from functools import cache
 from typing import Annotated, Any, Literal, TypeVar
 
 from ..errors import InputError, RisoriusError, unknown
+from .frozen import FrozenDict
 from .hints import MOST_DIGITS, ChooseType, Range, Then, describe, shown
 from .positions import KeyPath
 from .source_text import SourceText, Syntax
@@ -262,6 +263,7 @@ def _missing_key(key: str, hint: Any) -> MisfitError:
 def _mapping(hint: Any, keys: Any, inner: Any) -> Converter:
     convert = converter(inner)
     known = typing.get_args(keys) if typing.get_origin(keys) is Literal else None
+    frozen = typing.get_origin(hint) is Mapping  # tables are shared by all runs
 
     def read(value: object) -> object:
         if not isinstance(value, Mapping):
@@ -275,7 +277,7 @@ def _mapping(hint: Any, keys: Any, inner: Any) -> Converter:
             except MisfitError as misfit:
                 misfit.path = (key, *misfit.path)
                 raise
-        return items
+        return FrozenDict(items) if frozen else items
 
     return read
 
