@@ -31,11 +31,14 @@ def character(path: Path, names: list[str], *, named: bool = True) -> Path:
 @pytest.mark.parametrize(
     ("data", "message"),
     [
-        (b"", "no binary glTF"),
-        (b"glTF" + struct.pack("<II", 1, 12), "no binary glTF 2.0"),
+        (b"", "is not binary glTF"),
+        (b"glTF" + struct.pack("<II", 1, 12), "is not binary glTF 2.0"),
         (b"glTF" + struct.pack("<II", 2, 99), "is cut off"),
-        (b"glTF" + struct.pack("<II", 2, 12), "no binary glTF"),
-        (b"glTF" + struct.pack("<II", 2, 24) + struct.pack("<I4s", 4, b"JSON") + b"{no}", "no binary glTF"),
+        (b"glTF" + struct.pack("<II", 2, 12), "is not binary glTF"),
+        (
+            b"glTF" + struct.pack("<II", 2, 24) + struct.pack("<I4s", 4, b"JSON") + b"{no}",
+            "is not binary glTF",
+        ),
         (b"glTF" + struct.pack("<II", 2, 24) + struct.pack("<I4s", 4, b"JSON") + b"[]  ", "no glTF document"),
     ],
 )
