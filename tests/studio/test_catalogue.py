@@ -13,7 +13,8 @@ from risorius.rules.rule_set import shipped
 from risorius.settings import Settings
 from risorius.studio.catalogue import catalogue, catalogue_json
 from risorius.studio.choices import settings_of
-from risorius.studio.wire import Choices, Export
+from risorius.studio.wire.requests import Export
+from risorius.studio.wire.shared import Choices
 
 
 def test_it_is_json_with_every_table_whole():

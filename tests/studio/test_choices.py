@@ -10,7 +10,7 @@ from risorius.rules.rule_set import rule_set_of
 from risorius.rules.tuned import tuned_text
 from risorius.settings import Settings
 from risorius.studio.choices import settings_of
-from risorius.studio.wire import Choices
+from risorius.studio.wire.shared import Choices
 
 WRONG = [
     ({"head": "/etc/passwd"}, "unknown head '/etc/passwd'"),

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.edits import Move
-from risorius.studio import wire
 from risorius.studio.messages import BadRequestError, answer, decode, encoded, event, refusal
+from risorius.studio.wire import answers, events, requests, shared
 
 BAD = [
     ("", None, "is not JSON"),
@@ -62,7 +62,7 @@ anything = st.recursive(
 fields = st.dictionaries(st.sampled_from(["take", "source", "movement", "values", "kind", "x"]), anything)
 
 
-@given(st.sampled_from([*wire.VERBS, "edit"]), fields)
+@given(st.sampled_from([*requests.VERBS, "edit"]), fields)
 def test_any_message_is_understood_or_refused(verb, given_):
     try:
         number = decode(json.dumps({**given_, "id": 3, "do": verb})).id
@@ -75,14 +75,14 @@ def test_null_is_what_is_left_out():
     text = '{"id": 1, "do": "edit", "kind": "stretch", "movement": "a", "end": 2, "start": null}'
     assert decode(text).asked.start is None
     spans = '{"id": 1, "do": "choose", "emotions": [{"emotion": "joy", "intensity": 1, "start": null}]}'
-    assert decode(spans).asked.emotions == (wire.EmotionSpan("joy", 1.0),)
+    assert decode(spans).asked.emotions == (shared.EmotionSpan("joy", 1.0),)
 
 
 def test_what_is_sent_can_be_asked_again():
-    asked = wire.Perform(
-        wire.Source("Oh."),
-        wire.Choices(age=40.0, rules_off=("head",)),
-        (wire.EmotionSpan("joy", 0.5, first=0, last=2),),
+    asked = requests.Perform(
+        shared.Source("Oh."),
+        shared.Choices(age=40.0, rules_off=("head",)),
+        (shared.EmotionSpan("joy", 0.5, first=0, last=2),),
     )
     text = json.dumps({"id": 1, "do": "perform", **encoded(asked)})
     assert decode(text).asked == asked
@@ -91,13 +91,13 @@ def test_what_is_sent_can_be_asked_again():
 
 
 def test_answers_and_events_are_one_line_of_json():
-    assert json.loads(answer(3, wire.Sent(4))) == {"re": 3, "ok": {"sent": 4}}
+    assert json.loads(answer(3, answers.FacesSent(4))) == {"re": 3, "ok": {"sent": 4}}
     assert json.loads(refusal(None, "no")) == {"re": None, "error": "no"}
-    assert json.loads(event(wire.Saved())) == {"event": "saved", "error": ""}
+    assert json.loads(event(events.Saved())) == {"event": "saved", "error": ""}
 
 
 def test_a_preview_holds_the_edit():
     asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1}').asked
-    assert asked == wire.Preview(Move("a", 1.0))
+    assert asked == requests.Preview(Move("a", 1.0))
     asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1, "face": 2}').asked
-    assert asked == wire.Preview(Move("a", 1.0), 2.0)
+    assert asked == requests.Preview(Move("a", 1.0), 2.0)

@@ -7,10 +7,11 @@ import selectors
 from concurrent.futures import Executor, Future
 from types import SimpleNamespace
 
-from risorius.studio import pose_preview, wire
+from risorius.studio import pose_preview
 from risorius.studio.pose_preview import PosePreview
 from risorius.studio.session_files import SessionFiles
 from risorius.studio.solvers import Solvers
+from risorius.studio.wire import requests
 
 
 class AtOnce(Executor):
@@ -52,7 +53,7 @@ def test_a_dragged_dial_has_one_face_for_each_turn(monkeypatch, tmp_path):
         page = PosePreview(AtOnce(), Solvers(), send)
         page._dial, page._looks = dial, ("standard", None)
         for number in range(turns):
-            await page.turn(number, wire.Dial(), SessionFiles(tmp_path))
+            await page.turn(number, requests.Dial(), SessionFiles(tmp_path))
             await asyncio.sleep(0.045)
         dragged = len(sent)
         await page.stop()

@@ -12,16 +12,17 @@ from risorius.core.edits import Add, Delete, Keys, Move
 from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
 from risorius.ports.score_json import score_to_json
-from risorius.studio import describe, looking, performer, wire
+from risorius.studio import describe, looking, performer
 from risorius.studio.autosave import FILE, Autosave
 from risorius.studio.project import open_project, project_file
 from risorius.studio.session import Session
+from risorius.studio.wire import answers, requests, shared
 
 LINE = "Oh really? I like it very much."
 
 
 def perform(session, script=LINE, choices=None, emotions=(), **source):
-    asked = wire.Perform(wire.Source(script, **source), choices or wire.Choices(), emotions)
+    asked = requests.Perform(shared.Source(script, **source), choices or shared.Choices(), emotions)
     return session.perform(asked, quiet)
 
 
@@ -58,10 +59,10 @@ WRONG = [
     ({"script": "x" * 200_001}, "longer than 200000 characters"),
     ({"script": "Hello", "recording": "../x.wav"}, "unknown recording '../x.wav'"),
     (
-        {"script": "Hello", "emotions": (wire.EmotionSpan("/tmp/x.toml", 1.0),)},
+        {"script": "Hello", "emotions": (shared.EmotionSpan("/tmp/x.toml", 1.0),)},
         "unknown emotion '/tmp/x.toml'",
     ),
-    ({"script": "Hello", "emotions": (wire.EmotionSpan("joy", 1.0, first=90),)}, "no word stands in"),
+    ({"script": "Hello", "emotions": (shared.EmotionSpan("joy", 1.0, first=90),)}, "no word stands in"),
 ]
 
 
@@ -83,13 +84,13 @@ def test_a_take_has_an_end(session):
 def test_before_the_first_take_there_is_nothing_to_change(session):
     for act, asked in (
         (session.edit, Delete("a")),
-        (session.choose, wire.Choose()),
-        (session.compare, wire.Compare(wire.Choices())),
-        (session.undo, wire.Undo()),
+        (session.choose, requests.Choose()),
+        (session.compare, requests.Compare(shared.Choices())),
+        (session.undo, requests.Undo()),
     ):
         with pytest.raises(RisoriusError):
             act(asked, quiet)
-    assert session.open(wire.Open(), quiet).take is None
+    assert session.open(requests.Open(), quiet).take is None
 
 
 def test_a_path_is_spoken_as_words_never_opened(session, tmp_path):
@@ -102,31 +103,31 @@ def test_a_score_is_performed_as_it_says_and_may_then_be_chosen_otherwise(sessio
     perform(session)
     held = score_to_json(session.current.take.score, session.current.take.utterance)
     held["settings"]["conflict"] = "inhibit"
-    take = perform(session, json.dumps(held), format="score", choices=wire.Choices(fps="25"))
+    take = perform(session, json.dumps(held), format="score", choices=shared.Choices(fps="25"))
     assert (take.made.choices.conflict, take.fps) == ("inhibit", "25")
     assert [word.text for word in take.speech.words][:2] == ["Oh", "really"]
-    again = session.choose(wire.Choose(wire.Choices(conflict="sum")), quiet)
+    again = session.choose(requests.Choose(shared.Choices(conflict="sum")), quiet)
     assert again.made.choices.conflict == "sum"
     assert {b.id for b in again.blocks} == {b.id for b in take.blocks}
 
 
 def test_other_choices_need_no_other_voice(session, spoken):
     perform(session)
-    for choices in (wire.Choices(conflict="sum"), wire.Choices(profile="lively"), wire.Choices(seed=3)):
-        session.choose(wire.Choose(choices), quiet)
-    session.compare(wire.Compare(wire.Choices(lips="lookahead")), quiet)
+    for choices in (shared.Choices(conflict="sum"), shared.Choices(profile="lively"), shared.Choices(seed=3)):
+        session.choose(requests.Choose(choices), quiet)
+    session.compare(requests.Compare(shared.Choices(lips="lookahead")), quiet)
     assert len(spoken) == 1
-    mute = wire.Choices(voice_emotion=False)
-    session.choose(wire.Choose(mute), quiet)
+    mute = shared.Choices(voice_emotion=False)
+    session.choose(requests.Choose(mute), quiet)
     assert len(spoken) == 2
-    session.choose(wire.Choose(mute, (wire.EmotionSpan("anger", 1.0),)), quiet)
+    session.choose(requests.Choose(mute, (shared.EmotionSpan("anger", 1.0),)), quiet)
     assert len(spoken) == 2
-    session.choose(wire.Choose(wire.Choices(), (wire.EmotionSpan("anger", 1.0),)), quiet)
+    session.choose(requests.Choose(shared.Choices(), (shared.EmotionSpan("anger", 1.0),)), quiet)
     assert len(spoken) == 3
 
 
 def test_an_emotion_over_characters_lasts_from_word_to_word(session):
-    span = wire.EmotionSpan("joy", 0.8, first=13, last=20)
+    span = shared.EmotionSpan("joy", 0.8, first=13, last=20)
     take = perform(session, emotions=(span,))
     words = [word for word in take.speech.words if word.last > 13 and word.first < 20]
     (block,) = (b for b in take.blocks if b.rule == "emotion.display")
@@ -150,10 +151,10 @@ def test_what_is_done_and_undone_is_the_take_before(session):
         states.append(_state(session))
     assert len({json.dumps(state) for state in states}) == len(states)
     for state in reversed(states[:-1]):
-        session.undo(wire.Undo(), quiet)
+        session.undo(requests.Undo(), quiet)
         assert _state(session) == state
     for state in states[1:]:
-        session.redo(wire.Redo(), quiet)
+        session.redo(requests.Redo(), quiet)
         assert _state(session) == state
 
 
@@ -198,41 +199,41 @@ def test_edits_are_made_again_on_another_plan_and_what_does_not_fit_is_named(ses
     block = next(b for b in take.blocks if b.channel == "signals")
     edit(session, Move(block.id, 0.1))
     edit(session, Add("emotion", 0.2, 1.0, {"AU12": 0.5}))
-    again = session.choose(wire.Choose(wire.Choices(conflict="inhibit")), quiet)
+    again = session.choose(requests.Choose(shared.Choices(conflict="inhibit")), quiet)
     moved = {b.id: b for b in again.blocks}
     assert moved[block.id].start == 0.1
     assert moved[block.id].edited
     assert "hand.1" in moved
     assert not again.warnings
-    without = session.choose(wire.Choose(wire.Choices(without=("signals",))), quiet)
+    without = session.choose(requests.Choose(shared.Choices(without=("signals",))), quiet)
     (warning,) = without.warnings
     assert f"an edit was left out (move {block.id}): unknown block" in warning
     assert "hand.1" in {b.id for b in without.blocks}
-    session.undo(wire.Undo(), quiet)
+    session.undo(requests.Undo(), quiet)
     assert session.current.blocks[block.id].start == 0.1
 
 
 def test_explanations_say_by_hand_and_name_the_block(session):
-    perform(session, emotions=(wire.EmotionSpan("joy", 1.0),))
+    perform(session, emotions=(shared.EmotionSpan("joy", 1.0),))
     edit(session, Keys("zygomatic_major.left", ((0.5, 0.3), (1.5, 0.3))))
     take = session.current.number
-    told = looking.explain(session, wire.Explain(take, 1.0, "zygomatic_major.left"), quiet)
+    told = looking.explain(session, requests.Explain(take, 1.0, "zygomatic_major.left"), quiet)
     (reason,) = told.reasons
     assert reason.value == pytest.approx(0.3)
     assert (reason.winner.channel, reason.winner.rule) == ("manual", "by hand")
     assert any(part.movement.startswith("emotion.1") for part in reason.losers)
     assert any("by hand" in line for line in told.sentences)
-    rules = looking.rules_fired(session, wire.RulesFired(take), quiet).rules
+    rules = looking.rules_fired(session, requests.RulesFired(take), quiet).rules
     named = {block for rule in rules for block in rule.blocks}
     assert named == {b.id for b in session.current.blocks.values() if b.editable}
-    detail = looking.channel_curves(session, wire.ChannelCurves(take, "zygomatic_major.left"), quiet)
+    detail = looking.channel_curves(session, requests.ChannelCurves(take, "zygomatic_major.left"), quiet)
     assert "emotion" in {channel.channel for channel in detail.channels}
 
 
 def test_few_takes_are_kept_and_never_the_present_one_lost(session):
     perform(session, "Hm.")
     for seed in range(12):
-        session.compare(wire.Compare(wire.Choices(seed=seed)), quiet)
+        session.compare(requests.Compare(shared.Choices(seed=seed)), quiet)
     assert len(session.takes) == 6
     assert session.current.number in session.takes
     with pytest.raises(RisoriusError, match="there is no take 2"):
@@ -242,10 +243,10 @@ def test_few_takes_are_kept_and_never_the_present_one_lost(session):
 def test_a_project_opens_exactly_elsewhere(session, tmp_path):
     session.files.save_emotion("grin", {"AU12": 1.0})
     session.files.save_pose("smirk", {"zygomatic_major.left": 1.0})
-    perform(session, emotions=(wire.EmotionSpan("grin", 0.9, first=3, last=9),))
+    perform(session, emotions=(shared.EmotionSpan("grin", 0.9, first=3, last=9),))
     edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
     edit(session, Keys("masseter", ((0.5, 0.0), (1.0, 0.7))))
-    session.keep_view(wire.View({"tab": "rules"}), quiet)
+    session.keep_view(requests.View({"tab": "rules"}), quiet)
     folder = tmp_path / "other"
     folder.mkdir()
     other = Session("two", folder)
@@ -255,8 +256,8 @@ def test_a_project_opens_exactly_elsewhere(session, tmp_path):
     assert other.files.poses() == {"smirk": {"zygomatic_major.left": 1.0}}
     assert _state(other) == _state(session)
     for _ in range(2):
-        other.undo(wire.Undo(), quiet)
-        session.undo(wire.Undo(), quiet)
+        other.undo(requests.Undo(), quiet)
+        session.undo(requests.Undo(), quiet)
         assert _state(other) == _state(session)
 
 
@@ -310,14 +311,14 @@ def test_a_session_saves_itself_and_goes_on_after_a_crash(session, tmp_path):
     autosave = Autosave(tmp_path)
     autosave.save(session)
     edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
-    session.keep_view(wire.View({"camera": 2}), quiet)
+    session.keep_view(requests.View({"camera": 2}), quiet)
     autosave.save(session)
     again = Session("one", tmp_path)
     assert Autosave(tmp_path).load(again) == ()
     _assert_same(again, session)
     assert again.current.number > session.current.number
-    again.undo(wire.Undo(), quiet)
-    session.undo(wire.Undo(), quiet)
+    again.undo(requests.Undo(), quiet)
+    session.undo(requests.Undo(), quiet)
     assert _state(again) == _state(session)
 
 
@@ -342,7 +343,7 @@ def test_a_sound_that_is_saved_over_is_still_heard_after_an_undo(session, tmp_pa
     perform(again, "Well.")
     autosave.save(again)
     assert len(list(tmp_path.glob("voice-*.wav"))) == 1
-    again.undo(wire.Undo(), quiet)
+    again.undo(requests.Undo(), quiet)
     assert again.current.take.utterance.audio.read().any()
 
 
@@ -394,9 +395,9 @@ def test_names_are_plain(session, name):
 
 def test_an_emotion_saved_anew_is_the_new_one(session):
     session.files.save_emotion("grin", {"AU12": 1.0})
-    one = perform(session, "Hm.", emotions=(wire.EmotionSpan("grin", 1.0),))
+    one = perform(session, "Hm.", emotions=(shared.EmotionSpan("grin", 1.0),))
     session.files.save_emotion("grin", {"AU12": 0.5})
-    two = perform(session, "Hm.", emotions=(wire.EmotionSpan("grin", 1.0),))
+    two = perform(session, "Hm.", emotions=(shared.EmotionSpan("grin", 1.0),))
     strengths = [
         next(b.targets["zygomatic_major.left"] for b in take.blocks if b.rule == "emotion.display")
         for take in (one, two)
@@ -407,7 +408,9 @@ def test_an_emotion_saved_anew_is_the_new_one(session):
 
 
 def prepare(session, script=LINE, emotions=(), **source):
-    return session.prepare(wire.Prepare(wire.Source(script, **source), wire.Choices(), emotions), quiet)
+    return session.prepare(
+        requests.Prepare(shared.Source(script, **source), shared.Choices(), emotions), quiet
+    )
 
 
 @pytest.mark.parametrize(
@@ -415,13 +418,13 @@ def prepare(session, script=LINE, emotions=(), **source):
     [("", {}), ("Hello", {"format": "xml"}), ("Hello", {"recording": "x.wav"}), ("No. " * 251, {})],
 )
 def test_what_is_no_short_text_is_not_prepared_and_nothing_is_said_of_it(session, spoken, script, source):
-    assert prepare(session, script, **source) == wire.Done()
+    assert prepare(session, script, **source) == answers.Done()
     assert spoken == []
 
 
 def test_what_cannot_be_performed_is_said_when_it_is_asked_for(session):
-    span = wire.EmotionSpan("cheese", 1.0)
-    assert prepare(session, emotions=(span,)) == wire.Done()
+    span = shared.EmotionSpan("cheese", 1.0)
+    assert prepare(session, emotions=(span,)) == answers.Done()
     with pytest.raises(RisoriusError, match="cheese"):
         perform(session, emotions=(span,))
 
@@ -440,9 +443,9 @@ def test_what_is_prepared_changes_nothing_and_is_performed_as_if_it_had_not_been
 
 def test_an_emotion_that_is_saved_anew_is_not_that_which_was_prepared(session):
     def save(value):
-        looking.name_pose(session, wire.SavePose("mine", "emotion", {"AU12": value}), quiet)
+        looking.name_pose(session, requests.SavePose("mine", "emotion", {"AU12": value}), quiet)
 
-    span = wire.EmotionSpan("mine", 1.0)
+    span = shared.EmotionSpan("mine", 1.0)
     save(0.2)
     prepare(session, emotions=(span,))
     save(0.9)
@@ -461,7 +464,7 @@ def test_blocks_after_changes_are_those_of_the_score_described_whole(session):
     kept = [name for name, old in held.items() if session.current.blocks[name] is old]
     assert set(kept) == set(held) - {block.id}
     edit(session, Delete(block.id))
-    session.undo(wire.Undo(), quiet)
+    session.undo(requests.Undo(), quiet)
     assert session.current.blocks == describe.blocks(session.current.version.score)
     perform(session, "Something else.")
     assert session.current.blocks == describe.blocks(session.current.version.score)

@@ -25,8 +25,8 @@ from ..rules.tuned import numbers_of
 from ..speech.engines.voices import voices
 from . import limits, tables
 from .messages import encoded
-from .wire import Choices, Format
-from .wire_settings import EXPORTED, LARGEST_WHOLE, chosen_rows, exported_rows, on_wire
+from .wire.choices import EXPORTED, LARGEST_WHOLE, chosen_rows, exported_rows, on_wire
+from .wire.shared import Choices, Format
 
 ONSET_STEPS = 25
 MOST_STEPS = 100

@@ -15,8 +15,8 @@ from ..settings import BlendChoices, Settings
 from ..settings import settings_of as settings_from
 from ..speech.engines.registry import is_voice_file
 from .session_files import kept_table
-from .wire import Choices
-from .wire_settings import chosen_rows, on_wire
+from .wire.choices import chosen_rows, on_wire
+from .wire.shared import Choices
 
 LARGEST_PROFILE = 100_000
 

@@ -11,12 +11,13 @@ from typing import Any
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ..errors import RisoriusError
-from . import limits, wire
+from . import limits
 from .messages import BadRequestError, answer, decode, event, refusal
 from .pose_preview import PosePreview
 from .shared_session import SharedSession
 from .solvers import Solvers
 from .streaming import Streams
+from .wire import answers, events, requests
 
 OWN = 2  # tasks of a page that are no requests
 LOG = logging.getLogger(__name__)
@@ -94,32 +95,34 @@ class Connection:
 
     async def _done(self, number: int, asked: Any) -> Any:
         shared = self._shared
-        if isinstance(asked, wire.Faces):
+        if isinstance(asked, requests.Faces):
             return await self._streams.send(shared.session.live(asked.take), asked)
-        if isinstance(asked, wire.FaceAt):
+        if isinstance(asked, requests.FaceAt):
             return await self._streams.moment(shared.session.live(asked.take), asked)
-        if isinstance(asked, wire.Preview):
+        if isinstance(asked, requests.Preview):
             take, previewed = await shared.preview(asked.edit)
             if asked.face is not None:
                 await self._streams.held(take, previewed.take, asked.face)
             return previewed
-        if isinstance(asked, wire.Cancel):
+        if isinstance(asked, requests.Cancel):
             self._streams.cancel(asked.take)
-            return wire.Done()
-        if isinstance(asked, wire.Dial):
+            return answers.Done()
+        if isinstance(asked, requests.Dial):
             return await self._pose_preview.turn(number, asked, shared.session.files)
-        if isinstance(asked, wire.Export):
+        if isinstance(asked, requests.Export):
             return shared.export(asked)
-        if isinstance(asked, wire.CancelExport):
+        if isinstance(asked, requests.CancelExport):
             shared.exports.stop(asked.job)
-            return wire.Done()
-        if isinstance(asked, wire.Project):
-            return wire.Download(f"/api/session/{shared.session.name}/project", "performance.risorius.json")
+            return answers.Done()
+        if isinstance(asked, requests.Project):
+            return answers.Download(
+                f"/api/session/{shared.session.name}/project", "performance.risorius.json"
+            )
         return await shared.handle(asked, self._progress(number), self)
 
     def _progress(self, number: int) -> Any:
         def told(stage: str, done: int = 0, total: int = 0) -> None:
-            progress = wire.Progress(stage, done, total, re=number)
+            progress = events.ProgressEvent(stage, done, total, re=number)
             self._loop.call_soon_threadsafe(self.tell, progress)
 
         return told
@@ -138,11 +141,11 @@ class Connection:
 
     async def _send_events(self) -> None:
         if not self._warm.is_set():
-            self.tell(wire.Ready("warming"))
+            self.tell(events.Ready("warming"))
             self._keep(self._tell_warm())
         while True:
             await self._say(event(await self._events.get()))
 
     async def _tell_warm(self) -> None:
         await self._warm.wait()
-        self.tell(wire.Ready("warm"))
+        self.tell(events.Ready("warm"))

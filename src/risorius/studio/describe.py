@@ -15,46 +15,48 @@ from ..core.movement import Cause, LipSegment, ManualCurve, Movement, fitted
 from ..core.parameters import NAMES, NEUTRAL
 from ..core.score import Score
 from ..core.utterance import Utterance
-from . import wire
+from .wire import takes
 
 # Seconds of sound to a bucket of the waveform, coarse to fine; none has more buckets than MOST_BUCKETS.
 ZOOMS = (0.064, 0.016, 0.004)
 MOST_BUCKETS = 200_000
 
-Blocks = dict[str, wire.Block]
+Blocks = dict[str, takes.Block]
 
 
-def spoken(utterance: Utterance, sound: str) -> wire.Spoken:
+def spoken(utterance: Utterance, sound: str) -> takes.SpeechView:
     """Return what is said; `sound` is the path that the page fetches it from."""
-    words = tuple(wire.Word(w.text, w.start, w.end, w.source_start, w.source_end) for w in utterance.words)
-    phones = tuple(wire.Phone(p.symbol, p.start, p.end, p.stress, p.word) for p in utterance.phones)
-    accents = [wire.Tone(a.time, a.label, a.word, True, a.nuclear) for a in utterance.accents]
-    ends = [wire.Tone(b.time, b.label, b.word, False, False) for b in utterance.boundaries]
+    words = tuple(
+        takes.WordView(w.text, w.start, w.end, w.source_start, w.source_end) for w in utterance.words
+    )
+    phones = tuple(takes.PhoneView(p.symbol, p.start, p.end, p.stress, p.word) for p in utterance.phones)
+    accents = [takes.Tone(a.time, a.label, a.word, True, a.nuclear) for a in utterance.accents]
+    ends = [takes.Tone(b.time, b.label, b.word, False, False) for b in utterance.boundaries]
     tones = tuple(sorted((*accents, *ends), key=lambda tone: tone.time))
-    pauses = tuple(wire.Pause(p.start, p.end, str(p.kind)) for p in utterance.pauses)
-    return wire.Spoken(
+    pauses = tuple(takes.PauseView(p.start, p.end, str(p.kind)) for p in utterance.pauses)
+    return takes.SpeechView(
         utterance.text, utterance.language, sound, words, phones, tones, pauses, waves(utterance.audio)
     )
 
 
-def waves(audio: Audio) -> tuple[wire.Wave, ...]:
+def waves(audio: Audio) -> tuple[takes.Wave, ...]:
     """Return the sound's peaks, coarse to fine."""
     samples = audio.read()
     zooms = [z for z in ZOOMS if audio.duration / z <= MOST_BUCKETS] or [audio.duration / MOST_BUCKETS]
     return tuple(_wave(samples, round(zoom * audio.sample_rate), audio.sample_rate) for zoom in zooms)
 
 
-def _wave(samples: Int16Array, size: int, rate: int) -> wire.Wave:
+def _wave(samples: Int16Array, size: int, rate: int) -> takes.Wave:
     edges = np.arange(0, max(len(samples), 1), size)
     padded = samples if len(samples) else np.zeros(1, np.int16)
     low, high = np.minimum.reduceat(padded, edges), np.maximum.reduceat(padded, edges)
     pairs = (np.stack([low, high], axis=1) >> 8).astype(np.int8)
-    return wire.Wave(size / rate, base64.b64encode(pairs.tobytes()).decode())
+    return takes.Wave(size / rate, base64.b64encode(pairs.tobytes()).decode())
 
 
 def blocks(score: Score, like: tuple[Score, Blocks] | None = None) -> Blocks:
     """Return all movements and lip segments as blocks by id; those that `like` has too are its own."""
-    known: dict[int, wire.Block] = {}
+    known: dict[int, takes.Block] = {}
     if like is not None:
         before, made = like
         known = {id(m): made[m.id] for m in before.movements}
@@ -67,10 +69,10 @@ def blocks(score: Score, like: tuple[Score, Blocks] | None = None) -> Blocks:
     return found
 
 
-def _block(m: Movement) -> wire.Block:
+def _block(m: Movement) -> takes.Block:
     onset, offset = fitted(m.onset, m.offset, m.end - m.start)
     priority = CHANNELS.get(m.channel).priority if m.priority is None else m.priority
-    return wire.Block(
+    return takes.Block(
         id=m.id,
         channel=m.channel,
         layer=m.layer,
@@ -88,8 +90,8 @@ def _block(m: Movement) -> wire.Block:
     )
 
 
-def _segment(name: str, s: LipSegment) -> wire.Block:
-    return wire.Block(
+def _segment(name: str, s: LipSegment) -> takes.Block:
+    return takes.Block(
         id=name,
         channel="lips",
         layer="",
@@ -113,13 +115,13 @@ def sentence(cause: Cause) -> str:
     return f"{cause.trigger} ({by})" if cause.trigger and by else cause.trigger or by
 
 
-def drawn(score: Score) -> tuple[wire.Drawn, ...]:
+def drawn(score: Score) -> tuple[takes.DrawnCurve, ...]:
     """Return the curves drawn by hand, one for each parameter."""
     return tuple(_drawn(name, curve) for curve in score.manual for name in curve.keys)
 
 
-def _drawn(name: str, curve: ManualCurve) -> wire.Drawn:
-    return wire.Drawn(name, tuple(curve.keys[name]), sentence(curve.cause), curve.replaces)
+def _drawn(name: str, curve: ManualCurve) -> takes.DrawnCurve:
+    return takes.DrawnCurve(name, tuple(curve.keys[name]), sentence(curve.cause), curve.replaces)
 
 
 def curves(values: Array) -> dict[str, str]:

@@ -15,8 +15,9 @@ from ..ports.formats import FORMATS
 from ..ports.targets import check_targets
 from ..settings import Settings, settings_of
 from ..take import Take
-from . import limits, wire
-from .wire_settings import exported_rows
+from . import limits
+from .wire import requests
+from .wire.choices import exported_rows
 
 _NAME = re.compile(r"[^\w -]+")
 _MOST_JOBS = 20
@@ -52,7 +53,7 @@ class Exports:
             raise InputError(f"there is no export {job}")
         self._jobs[job].set()
 
-    def write(self, job: int, take: Take, asked: wire.Export, progress: Progress) -> tuple[str, ...]:
+    def write(self, job: int, take: Take, asked: requests.Export, progress: Progress) -> tuple[str, ...]:
         """Write the files and return their names. Raises RisoriusError; then nothing is kept."""
         stopped, writing = self._jobs[job], threading.get_ident()
 
@@ -77,7 +78,7 @@ class Exports:
         return self._files[job, name]
 
 
-def check(take: Take, asked: wire.Export) -> None:
+def check(take: Take, asked: requests.Export) -> None:
     """Raise InputError or OutputError where an export cannot be made as asked."""
     if not 0 < len(asked.suffixes) <= limits.EXPORTED:
         raise InputError(f"{len(asked.suffixes)} files are asked for; expected 1 to {limits.EXPORTED}")
@@ -85,18 +86,18 @@ def check(take: Take, asked: wire.Export) -> None:
     check_targets(_names(asked), alpha=settings.look.transparent)
 
 
-def exported_take(take: Take, asked: wire.Export) -> Take:
+def exported_take(take: Take, asked: requests.Export) -> Take:
     """Return a take drawn as an export asks."""
     return Take(take.performance, _settings(take.settings, asked), take.utterance, take.sound, take.planned)
 
 
-def _names(asked: wire.Export) -> tuple[str, ...]:
+def _names(asked: requests.Export) -> tuple[str, ...]:
     """Return the files' names: letters, digits, - and spaces of the name asked for, and each suffix."""
     stem = _NAME.sub("", asked.name).strip()[:60] or "performance"
     return tuple(f"{stem}{FORMATS.get(suffix).suffix}" for suffix in asked.suffixes)
 
 
-def _settings(settings: Settings, asked: wire.Export) -> Settings:
+def _settings(settings: Settings, asked: requests.Export) -> Settings:
     values = {row.name: getattr(asked, row.name) for row in exported_rows()}
     return settings_of({**values, "background": _background(asked.background)}, settings)
 

@@ -15,43 +15,45 @@ from ..core.score import Score
 from ..rules.rule_set import rule_set_of
 from ..rules.tuned import tuned_text
 from ..take import Take
-from . import wire
 from .describe import packed
 from .session import Session
+from .wire import answers, requests
 
 
-def explain(session: Session, asked: wire.Explain, progress: Progress) -> wire.Explained:
+def explain(session: Session, asked: requests.Explain, progress: Progress) -> answers.Explanations:
     """Say why parameters have their values at a time."""
     take = session.live(asked.take).take
     found = take.explain(asked.time, asked.parameter)
     ids = {m.id for m in take.score.movements}
     reasons = tuple(_reason(e, ids) for e in found)
-    return wire.Explained(asked.time, reasons, tuple(narrate(found, asked.time)))
+    return answers.Explanations(asked.time, reasons, tuple(narrate(found, asked.time)))
 
 
-def _reason(e: Explanation, ids: set[str]) -> wire.Reason:
+def _reason(e: Explanation, ids: set[str]) -> answers.Reason:
     winner = None if e.winner is None else _part(e.winner, ids)
     losers = tuple(_part(part, ids) for part in e.losers)
-    return wire.Reason(e.parameter, e.value, PARAMETERS[INDEX[e.parameter]].unit, winner, losers, e.notes)
+    return answers.Reason(e.parameter, e.value, PARAMETERS[INDEX[e.parameter]].unit, winner, losers, e.notes)
 
 
-def _part(part: Contribution, ids: set[str]) -> wire.Part:
+def _part(part: Contribution, ids: set[str]) -> answers.ContributionView:
     cause = part.cause
     block = part.label if part.label in ids else ""
-    return wire.Part(
+    return answers.ContributionView(
         part.channel, part.what, cause.rule, cause.place, part.requested, part.applied, part.reason, block
     )
 
 
-def channel_curves(session: Session, asked: wire.ChannelCurves, progress: Progress) -> wire.ParameterDetail:
+def channel_curves(
+    session: Session, asked: requests.ChannelCurves, progress: Progress
+) -> answers.ParameterDetail:
     """Return what each channel asks of a parameter and gets."""
     take = session.live(asked.take).take
-    return wire.ParameterDetail(
+    return answers.ParameterDetail(
         asked.parameter, tuple(_channel(trace, take) for trace in take.traces(asked.parameter))
     )
 
 
-def _channel(trace: Trace, take: Take) -> wire.ChannelCurve:
+def _channel(trace: Trace, take: Take) -> answers.ChannelCurve:
     times, step = take.times, float(1 / take.performance.fps)
 
     def spans(runs: Iterable[tuple[int, int]]) -> tuple[tuple[float, float], ...]:
@@ -59,10 +61,10 @@ def _channel(trace: Trace, take: Take) -> wire.ChannelCurve:
         return tuple((float(times[first]), float(times[last]) + step) for first, last in runs)
 
     asked, given = packed(trace.requested), packed(trace.applied)
-    return wire.ChannelCurve(trace.channel, asked, given, spans(trace.inhibited), spans(trace.limited))
+    return answers.ChannelCurve(trace.channel, asked, given, spans(trace.inhibited), spans(trace.limited))
 
 
-def rules_fired(session: Session, asked: wire.RulesFired, progress: Progress) -> wire.Fired:
+def rules_fired(session: Session, asked: requests.RulesFired, progress: Progress) -> answers.FiredRules:
     """Return the rules that fired in a take."""
     live = session.live(asked.take)
     rule_set = rule_set_of(live.take.settings.rules)
@@ -70,8 +72,8 @@ def rules_fired(session: Session, asked: wire.RulesFired, progress: Progress) ->
     for rule, movements in sorted(_by_rule(live.take.score).items()):
         comment = rule_set.entries[rule].rule.comment if rule in rule_set.entries else ""
         times = tuple(m.start for m in movements)
-        rules.append(wire.FiredRule(rule, comment, tuple(m.id for m in movements), times))
-    return wire.Fired(tuple(rules))
+        rules.append(answers.FiredRule(rule, comment, tuple(m.id for m in movements), times))
+    return answers.FiredRules(tuple(rules))
 
 
 def _by_rule(score: Score) -> dict[str, list[Movement]]:
@@ -81,17 +83,17 @@ def _by_rule(score: Score) -> dict[str, list[Movement]]:
     return found
 
 
-def profile_save(session: Session, asked: wire.ProfileText, progress: Progress) -> wire.ProfileFile:
+def profile_save(session: Session, asked: requests.ProfileText, progress: Progress) -> answers.ProfileFile:
     """Return a profile with other numbers as a file; without any, and under its own name, as it stands."""
-    return wire.ProfileFile(asked.name, tuned_text(asked.base, asked.name, asked.numbers))
+    return answers.ProfileFile(asked.name, tuned_text(asked.base, asked.name, asked.numbers))
 
 
-def name_pose(session: Session, asked: wire.SavePose, progress: Progress) -> wire.PoseFile:
+def name_pose(session: Session, asked: requests.SavePose, progress: Progress) -> answers.PoseFile:
     """Keep a face under a name, and return it as a file for the command line."""
     session.forget_prefetch()
     if asked.kind == "emotion":
         text = session.files.save_emotion(asked.name, asked.values)
-        return wire.PoseFile(asked.name, f"{asked.name}.toml", text)
+        return answers.PoseFile(asked.name, f"{asked.name}.toml", text)
     session.files.save_pose(asked.name, asked.values)
     words = [f"{name}={value:g}" for name, value in resolve_targets(asked.values).items() if value]
-    return wire.PoseFile(asked.name, f"{asked.name}.txt", f"risorius pose {' '.join(words)} -o face.png\n")
+    return answers.PoseFile(asked.name, f"{asked.name}.txt", f"risorius pose {' '.join(words)} -o face.png\n")

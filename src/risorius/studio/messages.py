@@ -11,7 +11,8 @@ from ..core.schema import build, converter
 from ..core.source_text import SourceText, Syntax
 from ..core.units import Seconds
 from ..errors import InputError, RisoriusError, unknown
-from .wire import EDITS, EVENTS, VERBS, Preview
+from .wire.events import EVENTS
+from .wire.requests import EDITS, VERBS, Preview
 
 T = TypeVar("T")
 MOST_ID = 2**53

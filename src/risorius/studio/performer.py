@@ -25,7 +25,7 @@ from .scores import adopted, parsed, read_score
 from .session_files import SessionFiles
 from .stage_cache import StageCache
 from .version import Version
-from .wire import EmotionSpan, Made, Source
+from .wire.shared import EmotionSpan, Source, TakeInputs
 
 _MOST_VOICES = 8
 
@@ -39,7 +39,7 @@ class Performer:
         self._heard: StageCache[tuple[Script, Utterance]] = StageCache(_MOST_VOICES)
         self._scores: StageCache[ScoreFile] = StageCache(1)
 
-    def perform(self, made: Made, progress: Progress) -> Version:
+    def perform(self, made: TakeInputs, progress: Progress) -> Version:
         """Plan what a page asks. Raises RisoriusError with one line on what is wrong."""
         if len(made.source.script) > limits.SCRIPT and made.source.format != "score":
             raise InputError(f"the script is longer than {limits.SCRIPT} characters")
@@ -56,13 +56,13 @@ class Performer:
         spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (time.perf_counter() - said)}
         return Version(made, score, score, settings, utterance, warnings=tuple(odd), milliseconds=spent)
 
-    def adopted(self, made: Made) -> Made:
+    def adopted(self, made: TakeInputs) -> TakeInputs:
         """Return a request to perform a score with the score's own settings in its choices."""
         if made.source.format != "score":
             return made
         return replace(made, choices=adopted(made.choices, self._score_file(made.source).score.settings))
 
-    def _scored(self, made: Made, settings: Settings) -> Version:
+    def _scored(self, made: TakeInputs, settings: Settings) -> Version:
         held = self._score_file(made.source)
         score = identified(replace(held.score, settings=blend_of(made.choices)))
         return Version(made, score, score, settings, held.utterance)

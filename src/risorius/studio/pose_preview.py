@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import Awaitable, Callable
 from concurrent.futures import Executor
 from contextlib import ExitStack
 
@@ -15,14 +14,14 @@ from ..core.parameters import NAMES
 from ..errors import InputError, unknown
 from ..face.head import shipped_heads
 from ..settings import Settings
-from . import wire
-from .dials import SETTLED, Dial, dialled
+from .dials import SETTLED, DialledFace, dialled
 from .session_files import SessionFiles
 from .solvers import Solvers, stage_of
 from .stage import DIALLED
+from .streaming import Send
 from .threads import on_thread
+from .wire import answers, requests
 
-Send = Callable[[bytes], Awaitable[None]]
 RATE = 30.0  # faces a second while the skin moves
 SOONEST = 1.0 / 60.0  # seconds between two faces at least, if a dial was turned
 DRAGGED = 0.1  # seconds between turns of a dial that is dragged
@@ -37,7 +36,7 @@ class PosePreview:
         self._loop = asyncio.get_running_loop()
         self._held = ExitStack()
         self._looks: tuple[str, float | None] | None = None
-        self._dial: Dial | None = None
+        self._dial: DialledFace | None = None
         self._values: Array = np.zeros(len(NAMES))
         self._number, self._until = 0, 0.0
         self._last_turn, self._dragged = 0.0, False
@@ -45,7 +44,7 @@ class PosePreview:
         self._turning = asyncio.Lock()
         self._turned = asyncio.Event()
 
-    async def turn(self, number: int, asked: wire.Dial, files: SessionFiles) -> wire.DialState:
+    async def turn(self, number: int, asked: requests.Dial, files: SessionFiles) -> answers.DialState:
         """Set new values; send the faces on the way there as they are solved. Raises ParameterError."""
         if asked.head not in shipped_heads():
             raise InputError(unknown("head", asked.head, shipped_heads()))
@@ -61,7 +60,7 @@ class PosePreview:
         self._turned.set()
         if self._moving is None or self._moving.done():
             self._moving = self._loop.create_task(self._move())
-        return wire.DialState(values)
+        return answers.DialState(values)
 
     async def stop(self) -> None:
         """Stop sending faces and return the solver."""
@@ -75,7 +74,7 @@ class PosePreview:
         lent = self._solvers.lent(Settings(head=head, age=age))
         solver = await on_thread(self._threads, lent.__enter__)
         self._held.push(lent.__exit__)
-        self._dial, self._looks = Dial(solver), (head, age)
+        self._dial, self._looks = DialledFace(solver), (head, age)
 
     async def _move(self) -> None:
         """Send faces until the skin rests and no dial was turned meanwhile; the last face is at rest."""

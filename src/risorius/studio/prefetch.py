@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from ..take import Take
 from . import limits
 from .version import Version
-from .wire import Made, Source
+from .wire.shared import Source, TakeInputs
 
 
 @dataclass(frozen=True, slots=True)
 class Prefetch:
     """A take of the text that a page shows."""
 
-    made: Made
+    made: TakeInputs
     version: Version
     take: Take
 

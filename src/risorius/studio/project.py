@@ -19,6 +19,7 @@ import numpy as np
 import soundfile
 
 from ..core.audio import Audio, AudioWriter
+from ..core.edits import Edit
 from ..core.hints import Then
 from ..core.schema import placed, within
 from ..core.utterance import Utterance
@@ -26,17 +27,17 @@ from ..errors import InputError, unknown
 from ..pipeline import with_profile
 from ..ports.readable import ScoreFile
 from ..ports.score_json import ScoreDocument, score_to_json
-from . import wire
 from .choices import settings_of
 from .messages import encoded, read_message
 from .scores import parsed, score_file
 from .session import Session
 from .session_files import SessionFiles
 from .version import Version
+from .wire import requests, shared
 
 VERSION = 1
 _PLACE = "project"
-_KINDS = {cls: kind for kind, cls in wire.EDITS.items()}
+_KINDS = {cls: kind for kind, cls in requests.EDITS.items()}
 
 
 def _known_version(version: int) -> int:
@@ -45,21 +46,21 @@ def _known_version(version: int) -> int:
     return version
 
 
-def _made(members: Mapping[str, object]) -> wire.Made:
-    return read_message(wire.Made, members)
+def _made(members: Mapping[str, object]) -> shared.TakeInputs:
+    return read_message(shared.TakeInputs, members)
 
 
-def _edit(members: Mapping[str, object]) -> wire.Edit:
+def _edit(members: Mapping[str, object]) -> Edit:
     kind = members.get("kind")
-    if not isinstance(kind, str) or kind not in wire.EDITS:
-        raise InputError(unknown("kind of edit", str(kind), wire.EDITS))
-    edit: wire.Edit = read_message(wire.EDITS[kind], {k: v for k, v in members.items() if k != "kind"})
+    if not isinstance(kind, str) or kind not in requests.EDITS:
+        raise InputError(unknown("kind of edit", str(kind), requests.EDITS))
+    edit: Edit = read_message(requests.EDITS[kind], {k: v for k, v in members.items() if k != "kind"})
     return edit
 
 
 ProjectVersion = Annotated[int, Then(_known_version)]
-SavedMade = Annotated[wire.Made, Then(_made, of=Mapping[str, object])]
-SavedEdits = tuple[Annotated[wire.Edit, Then(_edit, of=Mapping[str, object])], ...]
+SavedMade = Annotated[shared.TakeInputs, Then(_made, of=Mapping[str, object])]
+SavedEdits = tuple[Annotated[Edit, Then(_edit, of=Mapping[str, object])], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,14 +151,16 @@ def _opened(held: ProjectDocument, files: SessionFiles) -> Opened:
 
 
 def version_of(
-    made: wire.Made, held: ScoreFile, edits: tuple[wire.Edit, ...], files: SessionFiles
+    made: shared.TakeInputs, held: ScoreFile, edits: tuple[Edit, ...], files: SessionFiles
 ) -> Version:
     """Return the version of a session that a score and its edits are."""
     settings = with_profile(settings_of(made.choices, files.folder))
     return Version(made, held.score, held.score, settings, held.utterance, edits)
 
 
-def _with_recording(made: wire.Made, recording: RecordingEntry, files: SessionFiles) -> wire.Made:
+def _with_recording(
+    made: shared.TakeInputs, recording: RecordingEntry, files: SessionFiles
+) -> shared.TakeInputs:
     uploaded = files.temporary(_bytes(recording.data))
     try:
         name = files.add_recording(recording.name, uploaded)

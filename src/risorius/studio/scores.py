@@ -13,7 +13,7 @@ from ..errors import InputError, Place
 from ..ports.readable import ScoreFile
 from ..ports.score_json import ScoreDocument
 from ..settings import BlendChoices
-from .wire import Choices
+from .wire.shared import Choices
 
 
 def parsed(data: bytes | str, name: str) -> JsonDocument:

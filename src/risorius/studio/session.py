@@ -10,17 +10,19 @@ from time import perf_counter
 
 import numpy as np
 
+from ..core.edits import Edit
 from ..core.performance import frame_count
 from ..core.progress import Progress, quiet
 from ..errors import InputError, RisoriusError
 from ..pipeline import combine
 from ..take import Take
-from . import describe, limits, wire
+from . import describe, limits
 from .history import History
 from .performer import Performer
 from .prefetch import Prefetch, worth_it
 from .session_files import SessionFiles
 from .version import Version, worded
+from .wire import answers, requests, shared, takes
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
 SETTLING = 0.5
@@ -52,69 +54,69 @@ class Session:
         self._number = 0
         self._prefetch: Prefetch | None = None
 
-    def open(self, asked: wire.Open, progress: Progress) -> wire.State:
+    def open(self, asked: requests.Open, progress: Progress) -> takes.State:
         """Return the session as it stands."""
         take = None if self.current is None else self.described(self.current)
         files = self.files
-        return wire.State(
+        return takes.State(
             self.name, take, files.recordings(), tuple(files.emotions()), files.poses(), self.view, self.notes
         )
 
-    def perform(self, asked: wire.Perform, progress: Progress) -> wire.TakeView:
+    def perform(self, asked: requests.Perform, progress: Progress) -> takes.TakeView:
         """Perform a script; edits made on the one before are made again where it is the same script."""
-        made = self._performer.adopted(wire.Made(asked.source, asked.choices, asked.emotions))
+        made = self._performer.adopted(shared.TakeInputs(asked.source, asked.choices, asked.emotions))
         return self._planned(made, "perform", progress)
 
-    def prepare(self, asked: wire.Prepare, progress: Progress) -> wire.Done:
+    def prepare(self, asked: requests.Prepare, progress: Progress) -> answers.Done:
         """Have ready what `perform` will need for the same, where that is a short text."""
-        made = wire.Made(asked.source, asked.choices, asked.emotions)
+        made = shared.TakeInputs(asked.source, asked.choices, asked.emotions)
         if worth_it(made.source) and not self._prefetched(made):
             # What cannot be performed is said when it is asked for.
             with suppress(RisoriusError):
                 version = self._performer.perform(made, quiet)
                 self._prefetch = Prefetch(made, version, self._performed(version))
-        return wire.Done()
+        return answers.Done()
 
     def forget_prefetch(self) -> None:
         """Forget what was prepared: a name in it may mean something else now."""
         self._prefetch = None
 
-    def choose(self, asked: wire.Choose, progress: Progress) -> wire.TakeView:
+    def choose(self, asked: requests.Choose, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices."""
         made = self._made(asked.choices, asked.emotions)
         return self._planned(made, "change the settings", progress)
 
-    def compare(self, asked: wire.Compare, progress: Progress) -> wire.TakeView:
+    def compare(self, asked: requests.Compare, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices, beside the session's take, with the same edits."""
         version = self._performer.perform(self._made(asked.choices, asked.emotions), progress)
         return self.described(self._live(version.with_edits(self.version().edits)))
 
-    def edit(self, asked: wire.Edit, progress: Progress) -> wire.TakeChange:
+    def edit(self, asked: Edit, progress: Progress) -> takes.TakeChange:
         """Make an edit."""
         version = self.version().changed(asked)
         self.history.push(version, worded(version.edits[-1]))
         return self._changed(version)
 
-    def preview(self, edit: wire.Edit) -> tuple[Take, wire.Previewed]:
+    def preview(self, edit: Edit) -> tuple[Take, takes.Previewed]:
         """Return the take that an edit would make, and which curves it would change; nothing is changed."""
         version, live = self.version().changed(edit), self.current
         assert live is not None
         take = combine(version.score, version.settings, version.utterance, live.take)
         changed = describe.changed_curves(live.curves, describe.curves(take.performance.values))
-        return take, wire.Previewed(live.number, changed)
+        return take, takes.Previewed(live.number, changed)
 
-    def undo(self, asked: wire.Undo, progress: Progress) -> wire.TakeChange:
+    def undo(self, asked: requests.Undo, progress: Progress) -> takes.TakeChange:
         """Take the last change back."""
         return self._changed(self.history.undo())
 
-    def redo(self, asked: wire.Redo, progress: Progress) -> wire.TakeChange:
+    def redo(self, asked: requests.Redo, progress: Progress) -> takes.TakeChange:
         """Make the change that was taken back last again."""
         return self._changed(self.history.redo())
 
-    def keep_view(self, asked: wire.View, progress: Progress) -> wire.Done:
+    def keep_view(self, asked: requests.View, progress: Progress) -> answers.Done:
         """Keep what the page shows."""
         self.view = dict(asked.view)
-        return wire.Done()
+        return answers.Done()
 
     def live(self, number: int) -> Live:
         """Return a take by its number; raise InputError if it is not kept any more."""
@@ -147,15 +149,17 @@ class Session:
             raise InputError("nothing is performed yet; expected 'perform' first")
         return version
 
-    def _made(self, choices: wire.Choices | None, emotions: tuple[wire.EmotionSpan, ...] | None) -> wire.Made:
+    def _made(
+        self, choices: shared.Choices | None, emotions: tuple[shared.EmotionSpan, ...] | None
+    ) -> shared.TakeInputs:
         made = self.version().made
-        return wire.Made(
+        return shared.TakeInputs(
             made.source,
             made.choices if choices is None else choices,
             made.emotions if emotions is None else emotions,
         )
 
-    def _planned(self, made: wire.Made, what: str, progress: Progress) -> wire.TakeView:
+    def _planned(self, made: shared.TakeInputs, what: str, progress: Progress) -> takes.TakeView:
         before = self.history.present
         ready = self._prefetched(made)
         version = ready.version if ready else self._performer.perform(made, progress)
@@ -166,7 +170,7 @@ class Session:
         self.current = live
         return self.described(live)
 
-    def _changed(self, version: Version) -> wire.TakeChange:
+    def _changed(self, version: Version) -> takes.TakeChange:
         before = self.current
         self.current = after = self._live(version)
         assert before is not None
@@ -206,15 +210,15 @@ class Session:
         version.milliseconds["blend"] = 1e3 * (perf_counter() - begun)
         return take
 
-    def _prefetched(self, made: wire.Made) -> Prefetch | None:
+    def _prefetched(self, made: shared.TakeInputs) -> Prefetch | None:
         held = self._prefetch
         return held if held is not None and held.made == made else None
 
-    def described(self, live: Live) -> wire.TakeView:
+    def described(self, live: Live) -> takes.TakeView:
         """Return a take whole."""
         take, version = live.take, live.version
         sound = f"/api/session/{self.name}/take/{live.number}/sound.wav"
-        return wire.TakeView(
+        return takes.TakeView(
             take=live.number,
             duration=take.duration,
             fps=str(take.performance.fps),
@@ -230,11 +234,11 @@ class Session:
             milliseconds=version.milliseconds,
         )
 
-    def _difference(self, before: Live, after: Live) -> wire.TakeChange:
+    def _difference(self, before: Live, after: Live) -> takes.TakeChange:
         whole = None if _alike(before, after) else self.described(after)
         first, last = (0, 0) if whole else _frames_changed(before.take, after.take)
         blocks = () if whole else _changed_blocks(before.blocks, after.blocks)
-        return wire.TakeChange(
+        return takes.TakeChange(
             take=after.number,
             before=before.number,
             blocks=blocks,
@@ -251,7 +255,7 @@ class Session:
         )
 
 
-def _changed_blocks(before: describe.Blocks, after: describe.Blocks) -> tuple[wire.Block, ...]:
+def _changed_blocks(before: describe.Blocks, after: describe.Blocks) -> tuple[takes.Block, ...]:
     # Most are the same object; to compare them by their parts takes long in a long take.
     return tuple(b for n, b in after.items() if (held := before.get(n)) is not b and held != b)
 

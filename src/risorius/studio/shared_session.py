@@ -8,37 +8,39 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
+from ..core.edits import Edit
 from ..core.progress import Progress
 from ..errors import OutputError, RisoriusError
 from ..take import Take
-from . import exports, looking, wire
+from . import exports, looking
 from .autosave import Autosave
 from .exports import Exports
 from .project import open_project, project_file
 from .session import Session
+from .wire import answers, events, requests, takes
 
 T = TypeVar("T")
 Handler = Callable[[Session, Any, Progress], Any]
 
 HANDLERS: dict[type, Handler] = {
-    wire.Open: Session.open,
-    wire.Perform: Session.perform,
-    wire.Prepare: Session.prepare,
-    wire.Choose: Session.choose,
-    wire.Compare: Session.compare,
-    **dict.fromkeys(wire.EDITS.values(), Session.edit),
-    wire.Undo: Session.undo,
-    wire.Redo: Session.redo,
-    wire.View: Session.keep_view,
-    wire.Explain: looking.explain,
-    wire.ChannelCurves: looking.channel_curves,
-    wire.RulesFired: looking.rules_fired,
-    wire.ProfileText: looking.profile_save,
-    wire.SavePose: looking.name_pose,
+    requests.Open: Session.open,
+    requests.Perform: Session.perform,
+    requests.Prepare: Session.prepare,
+    requests.Choose: Session.choose,
+    requests.Compare: Session.compare,
+    **dict.fromkeys(requests.EDITS.values(), Session.edit),
+    requests.Undo: Session.undo,
+    requests.Redo: Session.redo,
+    requests.View: Session.keep_view,
+    requests.Explain: looking.explain,
+    requests.ChannelCurves: looking.channel_curves,
+    requests.RulesFired: looking.rules_fired,
+    requests.ProfileText: looking.profile_save,
+    requests.SavePose: looking.name_pose,
 }
 """The handler of each request; it runs on the session's thread."""
-CHANGING = (wire.Perform, wire.Choose, *wire.EDITS.values(), wire.Undo, wire.Redo)
-SAVING = (*CHANGING, wire.View)
+CHANGING = (requests.Perform, requests.Choose, *requests.EDITS.values(), requests.Undo, requests.Redo)
+SAVING = (*CHANGING, requests.View)
 
 
 class Page(Protocol):
@@ -80,7 +82,7 @@ class SharedSession:
             self._hold(asyncio.get_running_loop().create_task(self.save()), self._tasks)
         return answer
 
-    async def preview(self, edit: wire.Edit) -> tuple[Take, wire.Previewed]:
+    async def preview(self, edit: Edit) -> tuple[Take, takes.Previewed]:
         """Return the take that an edit would make, and the answer for the page."""
         return await self._run(lambda: self.session.preview(edit))
 
@@ -89,9 +91,9 @@ class SharedSession:
         try:
             await self._run(lambda: self._autosave.save(self.session))
         except OutputError as error:
-            await self.tell(wire.Saved(str(error)))
+            await self.tell(events.Saved(str(error)))
         else:
-            await self.tell(wire.Saved())
+            await self.tell(events.Saved())
 
     async def project(self) -> bytes:
         """Return the project as a file."""
@@ -112,7 +114,7 @@ class SharedSession:
         """Save an uploaded recording; return the name that it was given."""
         return await self._run(lambda: self.session.files.add_recording(name, uploaded))
 
-    def export(self, request: wire.Export) -> wire.Job:
+    def export(self, request: requests.Export) -> answers.Job:
         """Begin an export; the pages are told its progress. Raises RisoriusError if it cannot be made."""
         take = self.session.live(request.take).take
         exports.check(take, request)
@@ -120,22 +122,22 @@ class SharedSession:
         loop = asyncio.get_running_loop()
 
         def report(stage: str, done: int = 0, total: int = 0) -> None:
-            event = wire.Progress(stage, done, total, job=job)
+            event = events.ProgressEvent(stage, done, total, job=job)
             asyncio.run_coroutine_threadsafe(self.tell(event), loop)
 
-        def write() -> wire.Exported:
+        def write() -> events.Exported:
             try:
                 names = self.exports.write(job, take, request, report)
             except RisoriusError as error:
-                return wire.Exported(job, (), str(error))
+                return events.Exported(job, (), str(error))
             path = f"/api/session/{self.session.name}/export/{job}/"
-            return wire.Exported(job, tuple(wire.Download(path + name, name) for name in names))
+            return events.Exported(job, tuple(answers.Download(path + name, name) for name in names))
 
         async def run() -> None:
             await self.tell(await loop.run_in_executor(self._exporter, write))
 
         self._hold(loop.create_task(run()), self._exporting)
-        return wire.Job(job)
+        return answers.Job(job)
 
     async def tell(self, event: Any) -> None:
         """Send an event to all pages; a page that reads slowly does not delay the others."""
@@ -146,7 +148,7 @@ class SharedSession:
         """Tell all pages but `page` that the session has a new take."""
         current = self.session.current
         for other in self.pages - {page}:
-            other.tell(wire.Changed(0 if current is None else current.number))
+            other.tell(events.Changed(0 if current is None else current.number))
 
     async def finish(self) -> None:
         """Finish and save the work that pages asked for, then close; running exports are dropped."""

@@ -10,11 +10,11 @@ from ..face.frame import FaceFrame
 from ..face.solve import FaceSolver
 from ..settings import Settings
 from ..take import Take
-from . import wire
 from .session import Live
 from .solvers import Solvers, stage_of
 from .stage import FRAMES, MOMENT, FacePacker
 from .threads import on_thread
+from .wire import answers, requests
 
 Send = Callable[[bytes], Awaitable[None]]
 CHUNK = 4  # faces to a message
@@ -29,7 +29,7 @@ class Streams:
         self._threads, self._solvers, self._send = threads, solvers, send
         self._stopped: dict[int, asyncio.Event] = {}
 
-    async def send(self, live: Live, asked: wire.Faces) -> wire.Sent:
+    async def send(self, live: Live, asked: requests.Faces) -> answers.FacesSent:
         """Send a window; the one before of the same take ends."""
         self.cancel(asked.take)
         stopped = self._stopped[asked.take] = asyncio.Event()
@@ -50,9 +50,9 @@ class Streams:
                     await _until(begun + float(ahead) / asked.pace)
         if self._stopped.get(asked.take) is stopped:
             del self._stopped[asked.take]
-        return wire.Sent(max(first - asked.first, 0))
+        return answers.FacesSent(max(first - asked.first, 0))
 
-    async def moment(self, live: Live, asked: wire.FaceAt) -> wire.Sent:
+    async def moment(self, live: Live, asked: requests.FaceAt) -> answers.FacesSent:
         """Send the face at a time."""
         if asked.still:
             return await self.held(live.take, asked.take, asked.time)
@@ -62,7 +62,7 @@ class Streams:
 
         return await self._face(live.take, asked.take, asked.time, solved)
 
-    async def held(self, take: Take, number: int, time: float) -> wire.Sent:
+    async def held(self, take: Take, number: int, time: float) -> answers.FacesSent:
         """Send the face at a time of a take, the skin at rest, as that of take `number`."""
 
         def solved(frame: int, solver: FaceSolver) -> FaceFrame:
@@ -72,7 +72,7 @@ class Streams:
 
     async def _face(
         self, take: Take, number: int, time: float, solved: Callable[[int, FaceSolver], FaceFrame]
-    ) -> wire.Sent:
+    ) -> answers.FacesSent:
         def face() -> bytes:
             performance, settings = take.performance, take.settings
             frame = min(round(time * performance.fps), len(performance.values) - 1)
@@ -81,7 +81,7 @@ class Streams:
             return stage_for(settings).packed(MOMENT, number, frame, [found])
 
         await self._send(await on_thread(self._threads, face))
-        return wire.Sent(1)
+        return answers.FacesSent(1)
 
     def cancel(self, take: int) -> None:
         """End the window of a take that is being sent, if one is."""

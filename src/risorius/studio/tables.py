@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from .wire import Choices
+from .wire.shared import Choices
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,14 +10,14 @@ from ..core.score import Score
 from ..core.utterance import Utterance
 from ..errors import RisoriusError
 from ..settings import Settings
-from .wire import Made
+from .wire.shared import TakeInputs
 
 
 @dataclass(frozen=True, slots=True)
 class Version:
     """What a take is made from. `base`: the score as planned; `score`: with all edits made."""
 
-    made: Made
+    made: TakeInputs
     base: Score
     score: Score
     settings: Settings

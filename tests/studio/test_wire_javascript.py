@@ -2,17 +2,22 @@
 
 from pathlib import Path
 
-from risorius.studio import wire
-from risorius.studio.wire_types import FILE, source
+from risorius.studio.wire import answers, events, requests
+from risorius.studio.wire.javascript import FILE, source
 
 
 def test_the_file_is_up_to_date():
-    assert FILE.read_text(encoding="utf-8") == source(), "run python -m risorius.studio.wire_types"
+    assert FILE.read_text(encoding="utf-8") == source(), "run python -m risorius.studio.wire.javascript"
 
 
 def test_every_message_is_in_it():
     text = source()
-    for cls in (*wire.VERBS.values(), *wire.EDITS.values(), *wire.ANSWERS, *wire.EVENTS.values()):
+    for cls in (
+        *requests.VERBS.values(),
+        *requests.EDITS.values(),
+        *answers.ANSWERS,
+        *events.EVENTS.values(),
+    ):
         assert f"@typedef {{Object}} {cls.__name__}\n" in text
     assert '@property {"move"} kind' in text
     assert "@property {Array<EmotionSpan>} [emotions]" in text
@@ -21,7 +26,7 @@ def test_every_message_is_in_it():
 
 def test_every_verb_edit_and_event_is_in_the_manual():
     manual = (Path(__file__).parents[2] / "docs" / "studio-server.md").read_text(encoding="utf-8")
-    for name in (*wire.VERBS, *wire.EDITS, *wire.EVENTS, "edit"):
+    for name in (*requests.VERBS, *requests.EDITS, *events.EVENTS, "edit"):
         assert f"`{name}`" in manual, name
-    for answer in wire.ANSWERS:
+    for answer in answers.ANSWERS:
         assert f"`{answer.__name__}`" in manual, answer.__name__

@@ -1,7 +1,7 @@
 """The settings that a page may choose, as messages: derived from the table of settings.
 
-What shapes the performance is chosen with it (`choices_class`), what pictures are like with an export
-(`export_class`). The name of a file is never among them.
+Settings that shape the performance are chosen with it (`choices_class`); settings of pictures and files are
+chosen with an export (`export_class`). A message never holds the name of a file on the server.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from collections.abc import Iterator
 from dataclasses import field, make_dataclass
 from typing import Annotated, Any
 
-from ..core.hints import Range
-from ..core.setting import Row, Stage, ValueKind, rows
-from ..settings import Settings
+from ...core.hints import Range
+from ...core.setting import Row, Stage, ValueKind, rows
+from ...settings import Settings
 
 EXPORTED = (Stage.PICTURE, Stage.OUTPUT)
-LARGEST_WHOLE = 2**31  # a browser's numbers are floats
+LARGEST_WHOLE = 2**31  # numbers in a browser are floats
 _TYPES: dict[ValueKind, Any] = {
     ValueKind.TEXT: str,
     ValueKind.SWITCH: bool,
@@ -37,23 +37,23 @@ def exported_rows() -> Iterator[Row]:
 
 
 def choices_class(module: str) -> type:
-    """Return the class of a page's choices for a performance."""
+    """Return the class of a page's choices for a performance, as if defined in `module`."""
     texts: Fields = [
         ("profile_text", str | None, field(default=None)),
         ("rules_off", tuple[str, ...], field(default=())),
     ]
-    words = """The settings of a performance that a page may choose; null is the library's own default.
+    doc = """The settings of a performance that a page may choose; null means the library's default.
 
-    `rules_off`: ids of rules, or their beginnings up to a dot, that do not hold. `profile_text`: a profile
-    edited in the page (TOML); it goes before `profile`.
+    `rules_off`: rules that are switched off, by id or by the part of it before a dot. `profile_text`: a
+    profile edited in the page (TOML); it takes precedence over `profile`.
     """
-    return _made("Choices", words, module, [*map(_field, chosen_rows()), *texts])
+    return _dataclass("Choices", doc, module, [*map(_field, chosen_rows()), *texts])
 
 
-def export_class(module: str, own: Fields) -> type:
-    """Return the class of a request to export, with fields of its `own` before the settings."""
-    words = """Write a take as files of these suffixes; answered by Job, then progress and exported events."""
-    return _made("Export", words, module, [*own, *map(_field, exported_rows())])
+def export_class(module: str, first_fields: Fields) -> type:
+    """Return the class of a request to export: `first_fields`, then the settings of an export."""
+    doc = """Write a take as files with these suffixes; answered by Job, then progress and exported events."""
+    return _dataclass("Export", doc, module, [*first_fields, *map(_field, exported_rows())])
 
 
 def on_wire(row: Row, value: Any) -> Any:
@@ -65,10 +65,10 @@ def _on_page(row: Row) -> bool:
     return row.entry.on_page and row.kind in (*_TYPES, ValueKind.NUMBER, ValueKind.WHOLE)
 
 
-def _made(name: str, words: str, module: str, entries: Fields) -> type:
-    made = make_dataclass(name, entries, frozen=True, slots=True, namespace={"__doc__": words})
-    made.__module__ = module
-    return made
+def _dataclass(name: str, doc: str, module: str, entries: Fields) -> type:
+    cls = make_dataclass(name, entries, frozen=True, slots=True, namespace={"__doc__": doc})
+    cls.__module__ = module
+    return cls
 
 
 def _field(row: Row) -> tuple[str, Any, Any]:

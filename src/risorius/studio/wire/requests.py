@@ -1,0 +1,233 @@
+"""The requests of a page, by verb."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from ...core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Retarget, Stretch
+from ...core.hints import Range
+from ...core.units import Seconds, Share
+from .choices import export_class
+from .shared import Choices, EmotionSpan, Source, Whole
+
+
+@dataclass(frozen=True, slots=True)
+class Open:
+    """Ask for the session's state; answered by State."""
+
+
+@dataclass(frozen=True, slots=True)
+class Perform:
+    """Perform a script; edits of blocks that exist in the new take are applied again. Answered by TakeView.
+
+    The voice is synthesized only if something that it depends on has changed.
+    """
+
+    source: Source
+    choices: Choices = field(default_factory=Choices)
+    emotions: tuple[EmotionSpan, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Prepare:
+    """Prepare the answer to Perform with the same fields if the script is short. Always answered by Done."""
+
+    source: Source
+    choices: Choices = field(default_factory=Choices)
+    emotions: tuple[EmotionSpan, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Choose:
+    """Perform the same script with other choices or emotions; null keeps them. Answered by TakeView."""
+
+    choices: Choices | None = None
+    emotions: tuple[EmotionSpan, ...] | None = None
+
+
+EDITS: Mapping[str, type] = {
+    "move": Move,
+    "stretch": Stretch,
+    "retarget": Retarget,
+    "add": Add,
+    "delete": Delete,
+    "keys": Keys,
+    "clear_keys": ClearKeys,
+}
+"""The kinds of `{"do": "edit", "kind": KIND, …}`, which are the library's own; answered by TakeChange."""
+
+
+@dataclass(frozen=True, slots=True)
+class Preview:
+    """Ask for the effect of an edit without applying it: `{"do": "preview", "kind": KIND, …}`.
+
+    Answered by Previewed. With `face`, a time, the face held at that time is sent before the answer.
+    """
+
+    edit: Edit
+    face: Seconds | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Undo:
+    """Undo the last change; answered by TakeChange."""
+
+
+@dataclass(frozen=True, slots=True)
+class Redo:
+    """Redo the change that was undone last; answered by TakeChange."""
+
+
+@dataclass(frozen=True, slots=True)
+class Faces:
+    """Send the faces of frames [first, last) of a take in binary messages; answered when all are sent.
+
+    A new request for the same take replaces the previous one, which is then answered with the count of faces
+    sent so far. With `pace`, at most that many frames a second are sent after those of the first second.
+    """
+
+    take: Whole
+    first: Whole
+    last: Whole
+    pace: Annotated[float, Range(1.0, 1e6)] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FaceAt:
+    """Send the face of the frame nearest to a time.
+
+    `still`: as if the face were held there, with the skin at rest. This is much faster: it is for scrubbing.
+    """
+
+    take: Whole
+    time: Seconds
+    still: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Cancel:
+    """Stop sending a take's faces."""
+
+    take: Whole
+
+
+@dataclass(frozen=True, slots=True)
+class Dial:
+    """Show a pose: parameters, action units and emotions by name. Answered by DialState; faces follow.
+
+    `live`: the skin moves there as its springs do; otherwise the face is at rest there at once.
+    """
+
+    values: Mapping[str, float] = field(default_factory=dict)
+    emotions: Mapping[str, Share] = field(default_factory=dict)
+    live: bool = True
+    head: str = "standard"
+    age: Annotated[float, Range(0.0, 100.0)] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SavePose:
+    """Save the dialled face under a name, as a pose or as an emotion; answered by PoseFile."""
+
+    name: str
+    kind: Literal["pose", "emotion"]
+    values: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Explain:
+    """Explain the value of a parameter, or of all that move if it is null; answered by Explanations."""
+
+    take: Whole
+    time: Seconds
+    parameter: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelCurves:
+    """Ask what each channel asks of a parameter over the take and is given; answered by ParameterDetail."""
+
+    take: Whole
+    parameter: str
+
+
+@dataclass(frozen=True, slots=True)
+class Compare:
+    """Perform the session's script with other choices, as a second take; answered by TakeView."""
+
+    choices: Choices
+    emotions: tuple[EmotionSpan, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RulesFired:
+    """Ask which rules fired and when; answered by FiredRules."""
+
+    take: Whole
+
+
+@dataclass(frozen=True, slots=True)
+class ProfileText:
+    """Ask for a profile as TOML, with numbers changed by dotted key ("blinks.wait"); answered by ProfileFile.
+
+    `base`: the name of the profile to start from. `name`: the name of the new one.
+    """
+
+    base: str
+    name: str
+    numbers: Mapping[str, float] = field(default_factory=dict)
+
+
+if TYPE_CHECKING:
+    Export = Any
+else:
+    Export = export_class(
+        __name__,
+        [("take", Whole), ("suffixes", tuple[str, ...]), ("name", str, field(default="performance"))],
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class CancelExport:
+    """Stop an export."""
+
+    job: Whole
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """Ask for the project file; answered by Download."""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """Save the page's view (camera, tab, playhead …) with the project; the server does not interpret it."""
+
+    view: Mapping[str, object]
+
+
+VERBS: Mapping[str, type] = {
+    "open": Open,
+    "perform": Perform,
+    "prepare": Prepare,
+    "choose": Choose,
+    "undo": Undo,
+    "redo": Redo,
+    "faces": Faces,
+    "face_at": FaceAt,
+    "cancel": Cancel,
+    "dial": Dial,
+    "name_pose": SavePose,
+    "explain": Explain,
+    "channel_curves": ChannelCurves,
+    "compare": Compare,
+    "rules_fired": RulesFired,
+    "profile_save": ProfileText,
+    "export": Export,
+    "cancel_export": CancelExport,
+    "project": Project,
+    "view": View,
+}
+"""All requests except `edit` and `preview`, whose class EDITS names by their `kind`."""

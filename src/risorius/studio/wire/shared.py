@@ -1,0 +1,52 @@
+"""What both sides send: a script or recording, the choices and the emotions that a take is performed from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from ...core.hints import Range
+from ...core.units import Seconds, Share
+from .choices import choices_class
+
+Whole = Annotated[int, Range(0, 2**31)]
+Format = Literal["text", "xml", "utt", "ssml", "bml", "score", "TextGrid"]
+
+
+@dataclass(frozen=True, slots=True)
+class EmotionSpan:
+    """An emotion over the whole clip, over seconds, or over characters [first, last) of the text."""
+
+    emotion: str
+    intensity: Share
+    start: Seconds | None = None
+    end: Seconds | None = None
+    first: Whole | None = None
+    last: Whole | None = None
+
+
+if TYPE_CHECKING:
+    Choices = Any
+else:
+    Choices = choices_class(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """What is performed: a script as text of a format, or a recording by the name that its upload received.
+
+    With a recording, the text is its transcript; if the text is empty, the words are recognized.
+    """
+
+    script: str = ""
+    format: Format = "text"
+    recording: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class TakeInputs:
+    """What a take is performed from: the fields of the request `perform`."""
+
+    source: Source
+    choices: Choices
+    emotions: tuple[EmotionSpan, ...]
