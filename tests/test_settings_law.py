@@ -274,7 +274,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[object]:
         monkeypatch.setattr(api, name, watched(name, FakeTake(asked)))
     character = SimpleNamespace(shapes={}, missing=(), unused=())
     monkeypatch.setattr(api, "rig", watched("rig", (character, [])))
-    monkeypatch.setattr(stream, "send_take", watched("send_take", stream.Sent(1, 0)))
+    monkeypatch.setattr(stream, "send_take", watched("send_take", stream.SendCounts(1, 0)))
     monkeypatch.setattr(server, "serve", watched("serve", None))
     monkeypatch.setattr(sys.modules["risorius.cli.studio"], "leave", lambda: None)
     return asked

@@ -15,7 +15,7 @@ from risorius.errors import InputError, OutputError
 from risorius.stream import PROTOCOLS, Address, clock, send_take, wait_for_greeting
 from risorius.stream.ifacialmocap import GREETINGS
 from risorius.stream.protocols import Asked
-from risorius.stream.send import Sent
+from risorius.stream.send import SendCounts
 from risorius.take import Take
 
 from .clocks import SleepingClock
@@ -107,7 +107,7 @@ def test_a_receiver_greets_and_is_sent_the_performance(
     port = PROTOCOLS.get("ifacialmocap").port
     assert port == 49983
     clip.arkit  # noqa: B018  (fitted before anyone waits)
-    sent: list[Sent] = []
+    sent: list[SendCounts] = []
     with udp(PC, port) as receiver, greeting(port, said):
         thread = threading.Thread(target=lambda: sent.append(send_take(clip, "ifacialmocap", listen=PHONE)))
         thread.start()
@@ -126,7 +126,7 @@ def test_a_receiver_greets_and_is_sent_the_performance(
 def test_a_receiver_greets_and_is_sent_a_stream(clip: Take, sleeping: SleepingClock) -> None:
     """The app connects to the receiver's port 49986; frames end with a mark, wherever the stream is cut."""
     clip.arkit  # noqa: B018  (fitted before anyone waits)
-    sent: list[Sent] = []
+    sent: list[SendCounts] = []
     with socket.create_server((PC, PROTOCOLS.get("ifacialmocap-tcp").port)) as receiver:
         assert receiver.getsockname()[1] == 49986
         receiver.settimeout(20.0)

@@ -14,7 +14,7 @@ import pytest
 
 from risorius.core.audio import silence
 from risorius.errors import InputError, OutputError
-from risorius.stream import Address, line, parse_address, send
+from risorius.stream import Address, parse_address, receiver_socket, send
 from risorius.stream import clock as clocks
 from risorius.stream.clock import MachineClock, SoundClock
 
@@ -115,7 +115,7 @@ def test_a_receiver_that_goes_away_is_named() -> None:
 
 
 def test_a_receiver_that_does_not_read_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(line, "PATIENCE", 0.2)
+    monkeypatch.setattr(receiver_socket, "PATIENCE", 0.2)
     with socket.create_server(("127.0.0.1", 0)) as server:
         to = Address(*server.getsockname())
         with pytest.raises(OutputError, match=rf"'{to}' has not answered for 0.2 s"):

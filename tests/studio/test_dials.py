@@ -10,12 +10,12 @@ from risorius.core.parameters import INDEX, NAMES, NEUTRAL
 from risorius.errors import ParameterError
 from risorius.face.head import load_head
 from risorius.face.solve import FaceSolver
-from risorius.studio.dials import Dial, dialled
+from risorius.studio.dials import DialledFace, dialled
 
 
 @pytest.fixture(scope="module")
 def dial():
-    return Dial(FaceSolver(load_head()))
+    return DialledFace(FaceSolver(load_head()))
 
 
 @pytest.mark.parametrize("values", [{"AU99": 1.0}, {"zygomatic": 1.0}, {"masseter": 1.5}, {"AU1": -0.1}])

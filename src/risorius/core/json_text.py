@@ -12,6 +12,7 @@ from .positions import KeyPath
 from .schema import build
 from .source_text import SourceText, Syntax, read_file
 
+JsonObject = dict[str, Any]
 T = TypeVar("T")
 MAX_BYTES = 200_000_000
 

@@ -30,8 +30,8 @@ from .readable import ReadOptions, ScoreFile
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
-Line = tuple[int, list[str]]
-"""Where a line stands, and its words."""
+NumberedWords = tuple[int, list[str]]
+"""The number of a line in the file, and its words."""
 
 VERSION = "2.1"
 FARTHEST = 1_000_000  # more than a half turn in 1e-5 rad, the finest of the units
@@ -123,7 +123,7 @@ def _warn_of_left_out(take: FapTake, path: Path) -> None:
         warn(f"{path}: FAP {named} cannot be shown; left out")
 
 
-def _pairs(lines: Iterator[Line], path: Path) -> Iterator[tuple[Line, Line]]:
+def _pairs(lines: Iterator[NumberedWords], path: Path) -> Iterator[tuple[NumberedWords, NumberedWords]]:
     """Yield the mask and the values of each frame."""
     for mask in lines:
         values = next(lines, None)

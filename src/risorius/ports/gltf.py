@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 
 from ..core.arrays import AnyArray, Array, Float32Array, FloatArray
+from ..core.json_text import JsonObject
 from .glb_file import GlbFile, save_glb
-
-Json = dict[str, Any]
 
 _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 _COMPONENTS = {
@@ -27,11 +26,11 @@ class Gltf:
     """A document that grows: lists of objects by kind, and the bytes that they point into."""
 
     def __init__(self, **asset: Any) -> None:
-        self.document: Json = {"asset": {"version": "2.0", **asset}}
+        self.document: JsonObject = {"asset": {"version": "2.0", **asset}}
         self._bytes: list[bytes] = []
         self._size = 0
 
-    def add(self, kind: str, entry: Json) -> int:
+    def add(self, kind: str, entry: JsonObject) -> int:
         """Add an object to a list such as "nodes"; return its index."""
         entries = self.document.setdefault(kind, [])
         entries.append(entry)
@@ -81,7 +80,7 @@ class Gltf:
         save_glb(GlbFile(path, self.document, b"".join(self._bytes)), path)
 
     @staticmethod
-    def _described(values: AnyArray) -> Json:
+    def _described(values: AnyArray) -> JsonObject:
         components = 1 if values.ndim == 1 else values.shape[1]
         flat = values.reshape(len(values), components)
         return {
@@ -99,8 +98,8 @@ class Animation:
     def __init__(self, gltf: Gltf, times: Array) -> None:
         self._gltf = gltf
         self._clock = gltf.accessor(times.astype(np.float32))
-        self._samplers: list[Json] = []
-        self._channels: list[Json] = []
+        self._samplers: list[JsonObject] = []
+        self._channels: list[JsonObject] = []
 
     def drive(self, node: int, path: str, values: FloatArray) -> None:
         """Let `path` ("weights", "rotation" …) of a node go through values, straight from key to key."""

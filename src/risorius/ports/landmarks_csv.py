@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core.progress import Progress
 from .formats import register
-from .table import Row, table_lines, write_lines
+from .table import TableRow, table_lines, write_lines
 from .writable import WritableTake, WriteOptions
 
 MEASURES = (
@@ -41,7 +41,7 @@ def write_landmarks_csv(take: WritableTake, path: Path, options: WriteOptions) -
     write_lines(path, table_lines(COLUMNS, _rows(take, options.progress), [6] + [5] * (len(COLUMNS) - 1)))
 
 
-def _rows(take: WritableTake, progress: Progress) -> Iterator[Row]:
+def _rows(take: WritableTake, progress: Progress) -> Iterator[TableRow]:
     for time, frame in zip(take.performance.times, take.faces(progress=progress), strict=True):
         yield np.concatenate([[time], np.asarray(take.measures(frame), dtype=np.float64)])
 

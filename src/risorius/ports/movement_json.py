@@ -11,6 +11,7 @@ from ..core.articulators import ARTICULATORS, check_lip_target
 from ..core.channels import CHANNELS
 from ..core.functions import DEFAULT_FUNCTION
 from ..core.hints import ChooseType, Range, Then
+from ..core.json_text import JsonObject
 from ..core.movement import (
     Cause,
     Dominance,
@@ -29,7 +30,6 @@ from ..errors import InputError, ParameterError, RisoriusError, unknown
 from .layout import to_record
 
 V = TypeVar("V")
-Json = dict[str, Any]
 NumberPair = tuple[float, float]
 KeyTime = Annotated[float, Range(-MAX_SECONDS, MAX_SECONDS)]
 YieldRate = Annotated[float, Range(0.0)]
@@ -171,7 +171,7 @@ Entry = Annotated[Movement | LipSegment | ManualCurve, ChooseType(_kind_of)]
 """Targets may be action units, aliases and names without side."""
 
 
-def entry_to_json(entry: Movement | LipSegment | ManualCurve) -> Json:
+def entry_to_json(entry: Movement | LipSegment | ManualCurve) -> JsonObject:
     """Return a movement, lip segment or manual curve as an object; what has its default is left out."""
     if isinstance(entry, Movement):
         return _movement_to_json(entry)
@@ -182,8 +182,8 @@ def entry_to_json(entry: Movement | LipSegment | ManualCurve) -> Json:
     return {"channel": "manual", "keys": keys} | replaces | _cause_to_json(entry.cause)
 
 
-def _movement_to_json(m: Movement) -> Json:
-    optional: Json = {
+def _movement_to_json(m: Movement) -> JsonObject:
+    optional: JsonObject = {
         "priority": m.priority,
         "release_priority": m.release_priority,
         "function": None if m.function == DEFAULT_FUNCTION else m.function,
@@ -202,7 +202,7 @@ def _movement_to_json(m: Movement) -> Json:
     }
 
 
-def _lips_to_json(segment: LipSegment) -> Json:
+def _lips_to_json(segment: LipSegment) -> JsonObject:
     limits = {name: list(pair) for name, pair in segment.limits.items()}
     dominance = {name: to_record(value) for name, value in segment.dominance.items()}
     return {
@@ -218,6 +218,6 @@ def _lips_to_json(segment: LipSegment) -> Json:
     }
 
 
-def _cause_to_json(cause: Cause) -> Json:
+def _cause_to_json(cause: Cause) -> JsonObject:
     record = to_record(cause)
     return {"cause": record} if record else {}

@@ -9,10 +9,10 @@ import numpy as np
 
 from ..core.arrays import Array
 
-Row = Sequence[float] | Array
+TableRow = Sequence[float] | Array
 
 
-def table_lines(columns: Sequence[str], rows: Iterable[Row], decimals: Sequence[int]) -> Iterator[str]:
+def table_lines(columns: Sequence[str], rows: Iterable[TableRow], decimals: Sequence[int]) -> Iterator[str]:
     """Yield the header, then `rows`, each of len(columns) numbers, with `decimals` digits per column.
 
     Lines have no end. Raises ValueError for a row of another length.

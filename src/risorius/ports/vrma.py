@@ -14,6 +14,7 @@ import numpy as np
 
 from ..core.arkit import SHAPES
 from ..core.arrays import Array
+from ..core.json_text import JsonObject
 from ..core.parameters import INDEX
 from ..face.expressions import expressions, preset_weights
 from ..face.rotations import head_rotation
@@ -21,7 +22,6 @@ from .formats import register
 from .gltf import Animation, Gltf, quaternions
 from .writable import WritableTake, WriteOptions
 
-Json = dict[str, object]
 EXTENSION, VERSION = "VRMC_vrm_animation", "1.0"
 # The bones that a humanoid must have above its head, and where each stands above the one before, in metres.
 BONES = {"hips": 1.0, "spine": 0.12, "chest": 0.2, "neck": 0.22, "head": 0.08}
@@ -72,7 +72,7 @@ def _nodes(gltf: Gltf, names: tuple[str, ...]) -> dict[str, int]:
     return {name: gltf.add("nodes", {"name": name}) for name in names}
 
 
-def _named(nodes: dict[str, int]) -> Json:
+def _named(nodes: dict[str, int]) -> JsonObject:
     return {name: {"node": node} for name, node in nodes.items()}
 
 

@@ -2,10 +2,10 @@
 
 from .greeting import wait_for_greeting
 from .ifacialmocap import GREETINGS, ifacialmocap_packets, ifacialmocap_pieces
-from .line import Address, parse_address
 from .livelink import livelink_packets
 from .protocols import PROTOCOLS, Options, Packets, Protocol, check_options, register
-from .send import Sent, send
+from .receiver_socket import Address, parse_address
+from .send import SendCounts, send
 from .take import PATIENCE, send_take
 from .vmc import vmc_packets
 
@@ -27,7 +27,7 @@ __all__ = [
     "Options",
     "Packets",
     "Protocol",
-    "Sent",
+    "SendCounts",
     "check_options",
     "parse_address",
     "send",

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from .clock import Clock
-from .line import Address, Line
 from .protocols import Packets
+from .receiver_socket import Address, ReceiverSocket
 
 
 @dataclass(frozen=True, slots=True)
-class Sent:
+class SendCounts:
     """How many frames were sent, and how many were dropped because their time had passed."""
 
     frames: int
@@ -20,7 +20,7 @@ class Sent:
 
 def send(
     packets: Packets, frames: int, fps: Fraction, to: Address, clock: Clock, *, tcp: bool = False
-) -> Sent:
+) -> SendCounts:
     """Send `frames` frames at `fps` in real time, as datagrams or over `tcp`.
 
     A frame leaves when its time has come; one that is due while another is still being sent is dropped as
@@ -28,7 +28,7 @@ def send(
     there or goes away.
     """
     sent, last = 0, -1
-    with Line(to, tcp=tcp) as line, clock:
+    with ReceiverSocket(to, tcp=tcp) as receiver, clock:
         while last < frames - 1:
             due = int(clock.now() * fps)
             if due <= last or due < 0:
@@ -36,6 +36,6 @@ def send(
                 continue
             last = min(due, frames - 1)
             for packet in packets(last):
-                line.send(packet)
+                receiver.send(packet)
             sent += 1
-    return Sent(sent, frames - sent)
+    return SendCounts(sent, frames - sent)

@@ -9,9 +9,9 @@ from ..errors import InputError
 from ..take import Take
 from . import clock
 from .greeting import wait_for_greeting
-from .line import Address, check_host, parse_address
 from .protocols import PROTOCOLS, Options, check_options
-from .send import Sent, send
+from .receiver_socket import Address, check_host, parse_address
+from .send import SendCounts, send
 
 # Seconds to wait for a greeting.
 PATIENCE = 60.0
@@ -27,7 +27,7 @@ def send_take(
     options: Options | None = None,
     sound: bool = False,
     progress: Progress = quiet,
-) -> Sent:
+) -> SendCounts:
     """Send a take to another program in real time; return how many frames were sent and dropped.
 
     `protocol` is livelink, vmc, ifacialmocap or ifacialmocap-tcp, `to` HOST or HOST:PORT. With `listen`, HOST

@@ -1,4 +1,4 @@
-"""The line to a receiver: datagrams (UDP), or one stream of bytes (TCP)."""
+"""The socket to a receiver: datagrams (UDP), or one stream of bytes (TCP)."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ def check_host(to: Address) -> None:
     _place_of(to, socket.SOCK_DGRAM)
 
 
-class Line:
-    """An open line, to be used in a `with` block.
+class ReceiverSocket:
+    """An open socket to a receiver, to be used in a `with` block.
 
     Raises OutputError for a host that is not known, a receiver that is not there, and one that goes away.
     """
@@ -76,7 +76,7 @@ class Line:
         except OSError as error:
             raise _fault(self._to, error) from None
 
-    def __enter__(self) -> Line:
+    def __enter__(self) -> ReceiverSocket:
         return self
 
     def __exit__(
