@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.movement import LipSegment, Movement
+from risorius.core.movement import LipSegment, ManualCurve, Movement
+from risorius.core.score import Score
 from risorius.core.time import TICKS_PER_SECOND, on_tick, on_ticks, seconds_of, ticks_of
 from risorius.core.utterance import Accent, Ending, Pause, PauseKind, Phone, Phrase, Syllable, Word
 
@@ -91,3 +92,11 @@ def test_movements_and_lip_segments_stand_on_ticks() -> None:
     second = Movement("emotion", start, 1.0, 0.3, 1.0 / 3.0 + 1e-11, {})
     assert (first.end, first.onset, first.offset) == (second.start, second.onset, second.offset)
     assert LipSegment("M", 0.0, end, {}).end == LipSegment("AA", start, 1.0, {}).start
+
+
+def test_drawn_curves_and_the_end_of_a_score_stand_on_ticks() -> None:
+    start, end = 0.1 + 0.2, 0.3
+    keys = ((0.0, 0.5), (end, 0.25))
+    assert ManualCurve({"masseter": keys}).keys["masseter"] is keys
+    assert ManualCurve({"masseter": ((0.0, 0.5), (start, 0.25))}).keys == {"masseter": keys}
+    assert Score(start).duration == Score(end).duration == end

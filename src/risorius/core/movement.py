@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from ..errors import InputError, ParameterError, unknown
 from .action_units import Targets
 from .articulators import leader
 from .channels import CHANNELS
 from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS, FunctionName
 from .parameters import INDEX, PARAMETERS, check_value
-from .time import put_on_ticks
+from .time import on_ticks, put_on_ticks
 from .units import Seconds
+
+CurveKeys = tuple[tuple[float, float], ...]
+"""The keys (time in seconds, value) of a curve."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,13 +122,27 @@ class LipSegment:
 class ManualCurve:
     """Curves drawn by hand: for each parameter its keys (time, value), joined by straight lines.
 
-    `replaces`: from its first to its last key a curve replaces every other channel in its parameter, so that
-    it can also be lower; else the highest value shows.
+    Times in seconds, read to the nearest tick. `replaces`: from its first to its last key a curve replaces
+    every other channel in its parameter, so that it can also be lower; else the highest value shows.
     """
 
-    keys: Mapping[str, tuple[tuple[float, float], ...]]
+    keys: Mapping[str, CurveKeys]
     cause: Cause = field(default_factory=Cause)
     replaces: bool = False
+
+    def __post_init__(self) -> None:
+        keys = {name: _on_ticks(curve) for name, curve in self.keys.items()}
+        if any(keys[name] is not curve for name, curve in self.keys.items()):
+            object.__setattr__(self, "keys", keys)
+
+
+def _on_ticks(keys: CurveKeys) -> CurveKeys:
+    """Return keys whose times are whole ticks; the same object if they are already."""
+    times = np.fromiter((time for time, _ in keys), np.float64, len(keys))
+    rounded = on_ticks(times)
+    if np.array_equal(rounded, times):
+        return keys
+    return tuple(zip(rounded.tolist(), (value for _, value in keys), strict=True))
 
 
 def check_movement(m: Movement) -> None:

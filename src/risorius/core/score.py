@@ -12,6 +12,7 @@ from .articulators import check_lip_target
 from .functions import FunctionName
 from .hints import Range
 from .movement import LipSegment, ManualCurve, Movement, check_movement, check_span, check_target
+from .time import put_on_ticks
 from .units import Share
 
 MAX_SECONDS = 86_400.0
@@ -39,7 +40,7 @@ class BlendSettings:
 
 @dataclass(frozen=True, slots=True)
 class Score:
-    """Movements, lip segments and hand-drawn curves over [0, duration] seconds."""
+    """Movements, lip segments and hand-drawn curves over [0, duration] seconds, read to the nearest tick."""
 
     duration: float
     movements: tuple[Movement, ...] = ()
@@ -48,6 +49,9 @@ class Score:
     settings: BlendSettings = field(default_factory=BlendSettings)
     text: str = ""
     seed: int = 0
+
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "duration")
 
 
 def check_score(score: Score) -> None:
