@@ -16,7 +16,7 @@ PAGE = ROOT.parent / "docs" / "paper-b.md"
 ROWS = [line.strip("|").split(" | ") for line in PAGE.read_text().splitlines() if line.startswith("| ")][1:]
 HABITS = {
     emotion.POSTURE, gaze.AVERSION, gaze.SCAN, gaze.REST, head.NOISE, head.MELODY, head.POSTURE,
-    manipulators.RANDOM, manipulators.PERIODIC,
+    manipulators.NATURAL, manipulators.ITTI, manipulators.PELACHAUD,
 }  # fmt: skip
 ID = re.compile(rf"`((?:{'|'.join(RULED_CHANNELS)})\.[\w.]+)`")
 TEST = re.compile(r"`([\w/]+\.py)::(\w+)`")

@@ -52,6 +52,7 @@ CASES: dict[str, object] = {
     "tail": 0.25,
     "profile": "lively",
     "attitudes": ("ironic",),
+    "blinks": "none",
     "lively": False,
     "manner": "whisper",
     "articulation": 0.5,

@@ -35,6 +35,7 @@ PLANNING = [
     {"voice": "de"}, {"language": "de"}, {"rate": 100}, {"voice_emotion": False}, {"lead": 0.0},
     {"tail": 1.0}, {"articulation": 1.5}, {"manner": "whisper"}, {"lively": False}, {"seed": 4},
     {"without": ("gaze",)}, {"profile": "lively"}, {"attitudes": ("polite",)}, {"rules": Path("x.toml")},
+    {"blinks": "itti"},
 ]  # fmt: skip
 
 

@@ -61,7 +61,7 @@ def compose(script: Script, utterance: Utterance | None, emotions: Displays, set
         articulation=settings.articulation,
         manner=settings.manner,
         lively=settings.lively,
-        profile=profile_of(settings.profile),
+        profile=profile_of(settings.profile, settings.blinks),
         attitudes=tuple(attitude(name) for name in settings.attitudes),
         rules=rule_set_of(settings.rules),
     )

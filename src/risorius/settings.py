@@ -154,6 +154,9 @@ class Settings:
     attitudes: tuple[str, ...] = _manner(
         "Attitudes", (), "What the speaker wants to convey, over the profile. May be given several times.",
         flag="--attitude", names="rules.profiles:attitudes")
+    blinks: str | None = _manner(
+        "Blinks", None, "How blinks are timed: natural, itti, pelachaud or none.",
+        names="rules.profiles:BLINK_MODELS", what="model of blinks", unset="the profile's own")
     lively: bool = _manner(
         "Rules, blinks, gaze", True, "Only what is said and marked: no rules, nothing random.",
         flag="--still")

@@ -1,7 +1,6 @@
 """Appended text changes no movement that ends more than the horizon before the end of the last sentence."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -11,7 +10,7 @@ from risorius.channels import HORIZON, ChannelInputs, Display, compose
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.utterance import Utterance
 from risorius.pipeline import speak
-from risorius.rules.profiles import Profile, profile, profiles
+from risorius.rules.profiles import BLINK_MODELS, Profile, profile_of, profiles
 from risorius.script import read_script
 from risorius.settings import Settings
 
@@ -44,10 +43,8 @@ DISPLAYS = st.builds(
 
 @st.composite
 def speakers(draw: st.DrawFn) -> Profile:
-    """Draw one of the package's profiles, in one of the manners of blinking."""
-    speaker = profile(draw(st.sampled_from(sorted(profiles()))))
-    manner = draw(st.sampled_from(["random", "periodic", "both"]))
-    return replace(speaker, blinks=replace(speaker.blinks, manner=manner))
+    """Draw one of the package's profiles, with one of the models of blinks."""
+    return profile_of(draw(st.sampled_from(sorted(profiles()))), draw(st.sampled_from(BLINK_MODELS)))
 
 
 def moved_before(time: float, said: Utterance, seed: int, **inputs: object) -> Moved:

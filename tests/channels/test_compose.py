@@ -4,15 +4,11 @@ import numpy as np
 import pytest
 
 from risorius.channels import ChannelInputs, Display, built_channels, compose
-from risorius.channels.manipulators import blink_interval
 from risorius.core.channels import CHANNELS
-from risorius.core.counted import Counted
 from risorius.core.movement import Cause, Movement
 from risorius.core.score import Score
 from risorius.errors import InputError, ParameterError
-from risorius.rules.profiles import profile
 
-WAIT = profile("neutral").blinks.wait
 BLINK = "orbicularis_oculi_palpebralis.left"
 
 
@@ -67,7 +63,7 @@ def test_both_eyes_blink_at_human_intervals() -> None:
     blinks = _by_channel(compose(ChannelInputs(600.0)))["manipulators"]
     starts = np.array([m.start for m in blinks])
     assert all(m.targets[BLINK] == m.targets[BLINK.replace("left", "right")] for m in blinks)
-    assert np.diff(starts).min() > WAIT
+    assert np.diff(starts).min() > 0.3
     # facts: science/03, section 3.5: 10.5 to 32.5 a minute in conversation
     assert 10.5 < len(blinks) / 10 < 32.5
 
@@ -80,14 +76,6 @@ def test_random_blinks_keep_clear_of_marked_ones() -> None:
     ends = sorted((m.start, m.end) for m in blinks)
     assert len(ends) >= len(marked)
     assert all(a[1] <= b[0] for a, b in pairwise(ends))
-
-
-def test_blink_intervals_lie_between_one_and_three_waits() -> None:
-    intervals = np.array([blink_interval(Counted(0, number), WAIT) for number in range(20_000)])
-    assert intervals.min() >= WAIT
-    assert intervals.max() <= 3 * WAIT
-    # Mean of a wait of 1.8 s and then one blink a second, cut at 3.6 s: 1.8 + (1 - e^-1.8) + …
-    assert intervals.mean() == pytest.approx(WAIT + (1 - np.exp(-WAIT)) + 0.1 * np.exp(-WAIT), abs=0.02)
 
 
 def test_without_liveliness_nothing_random_is_left() -> None:

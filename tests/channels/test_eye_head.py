@@ -1,15 +1,17 @@
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.blend import combine
+from risorius.blend import at, combine
 from risorius.channels.eye_head import GazeShift, head_duration, head_help, head_share, shifts_of
 from risorius.core.counted import Counted
 from risorius.core.movement import Cause, Movement
+from risorius.core.parameters import INDEX
 from risorius.core.score import Score
 from risorius.rules.profiles import profile
 from risorius.rules.saccade import saccade_duration
@@ -31,7 +33,7 @@ def performed(*shifts: tuple[float, tuple[float, float]], duration: float = 6.0)
 @given(ANGLES)
 def test_small_shifts_are_the_eyes_alone(shift: float) -> None:
     share = head_share(shift, 0.0)
-    assert share == 0.0 if abs(shift) < 11.2 else 0.0 <= share / shift < 0.72
+    assert share == 0.0 if abs(shift) < 10.0 else 0.0 <= share / shift < 0.72
 
 
 @given(ANGLES, st.floats(-20.0, 20.0), st.floats(0.0, 0.01))
@@ -82,6 +84,30 @@ def test_any_shifts_make_a_score_without_jumps(shifts: list[tuple[float, tuple[f
     for name in ("gaze_pitch", "gaze_yaw", "head_pitch", "head_yaw"):
         # 600 degrees a second at most.
         assert np.abs(np.diff(curves[name])).max() < 1.6
+
+
+@pytest.mark.parametrize("degrees", [1.0, 2.0, 5.0, 8.0, 9.9, 12.0, 15.0, 20.0])
+def test_saccades_follow_the_main_sequence_on_the_curves(degrees: float) -> None:
+    """Peak speed 473(1 - e^(-A/7.8)) degrees a second, 25 ms + 2.4 ms a degree: science/03."""
+    cause = Cause("test")
+    shifts = tuple(shifts_of([GazeShift(0.5, (0.0, degrees), cause)], 1.5, UNBLINKING, (), Counted(0)))
+    times = np.arange(0.4, 0.8, 1e-4)
+    columns = at(Score(1.5, shifts), times)
+    world = columns[:, INDEX["gaze_yaw"]] + columns[:, INDEX["head_yaw"]]
+    speed = np.gradient(world, times)
+    moving = np.flatnonzero(speed > 1.0)
+    assert (moving[-1] - moving[0]) * 1e-4 == pytest.approx(0.025 + 0.0024 * degrees, rel=0.1)
+    assert speed.max() == pytest.approx(473.0 * (1.0 - np.exp(-degrees / 7.8)), rel=0.1)
+    assert 1.5 <= speed.max() / speed[moving].mean() <= 1.7
+
+
+def test_saccades_are_at_least_50_ms_apart() -> None:
+    close = [(0.5 + 0.01 * k, (0.0, 8.0 * (k % 2))) for k in range(60)]
+    cause = Cause("test")
+    found = shifts_of([GazeShift(t, d, cause) for t, d in close], 2.0, UNBLINKING, (), Counted(0))
+    eyes = sorted((m.start, m.start + m.onset) for m in found if m.function == "saccade")
+    assert len(eyes) > 5
+    assert min(b[0] - a[1] for a, b in pairwise(eyes)) >= 0.05 - 1e-9
 
 
 def test_large_shifts_blink_and_small_ones_hardly_ever() -> None:

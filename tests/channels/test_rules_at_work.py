@@ -11,7 +11,7 @@ import pytest
 from risorius.channels import ChannelInputs, Display, built_channels, compose
 from risorius.core.movement import Movement
 from risorius.core.utterance import Accent, PauseKind, Utterance
-from risorius.rules.profiles import attitude, profile, profiles
+from risorius.rules.profiles import BLINK_MODELS, attitude, profile, profile_of, profiles
 from risorius.rules.rule_set import extended, shipped
 
 Maker = Callable[..., Utterance]
@@ -191,7 +191,7 @@ def test_emotion_changes_neither_place_nor_type_of_accents(felt: str, sentence_o
 
 def test_periodic_blinks_fill_what_is_left_between_voluntary_ones(sentence_of: Maker) -> None:
     said = sentence_of(LONG)
-    habits = replace(profile("neutral").blinks, manner="periodic", period=1.5)
+    habits = replace(profile("neutral").blinks, model="pelachaud", period=1.5)
     found = movements(said, "punctuators.lids.comma", profile=replace(profile("neutral"), blinks=habits))
     blinks = sorted((m for m in found if LID in m.targets), key=lambda m: m.start)
     assert {m.channel for m in blinks} >= {"manipulators", "punctuators"}
@@ -201,7 +201,7 @@ def test_periodic_blinks_fill_what_is_left_between_voluntary_ones(sentence_of: M
 
 def test_blinks_of_paper_b_last_a_quarter_of_a_second_on_phonemes(sentence_of: Maker) -> None:
     said = sentence_of(LONG, phone=0.085)
-    habits = replace(profile("neutral").blinks, kinematics="paper")
+    habits = replace(profile("neutral").blinks, model="pelachaud")
     found = movements(said, "signals.lids", profile=replace(profile("neutral"), blinks=habits))
     blinks = by_rule(found, "signals.lids.blink")
     edges = np.array([p.end for p in said.phones])
@@ -330,13 +330,12 @@ def test_at_the_end_the_head_goes_back_to_rest(sentence_of: Maker) -> None:
 
 
 @pytest.mark.parametrize("who", list(profiles()))
-@pytest.mark.parametrize("manner", ["random", "periodic", "both", "none"])
+@pytest.mark.parametrize("model", BLINK_MODELS)
 def test_any_seed_and_speaker_make_a_score_that_can_be_performed(
-    who: str, manner: str, sentence_of: Maker
+    who: str, model: str, sentence_of: Maker
 ) -> None:
     said = sentence_of(SAID)
-    speaker = profile(who)
-    speaker = replace(speaker, blinks=replace(speaker.blinks, manner=manner))
+    speaker = profile_of(who, model)
     for seed in range(25):
         score = compose(ChannelInputs(said.duration, said, profile=speaker), seed=seed)
         assert all(0.0 <= m.start < m.end for m in score.movements)

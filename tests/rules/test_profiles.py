@@ -28,7 +28,7 @@ HABITS = ("gaze.aversion", "head", "head.noise.idle", "head.melody.pitch")
         (SMALL + "[rates]\nsignals = -1.0\n", "mine.toml:6:1: rates.signals = -1.0 is out of range"),
         (SMALL + "[posture]\nAU99 = 0.1\n", "unknown action unit 'AU99'"),
         (SMALL + "[posture]\ngaze_yaw = 5.0\n", "gaze_yaw cannot be held as a posture"),
-        (SMALL + '[blinks]\nmanner = "often"\n', "expected one of random, periodic, both, none"),
+        (SMALL + '[blinks]\nmodel = "often"\n', "expected one of natural, itti, pelachaud, none"),
         (SMALL + "[gaze.directions]\nfront = 0.5\n", "unknown direction 'front'"),
         ('name = "mine"\ndescription = "d"\nsource = "s"\n', "key 'blinks' is missing"),
         (SMALL + "[gaze.directions]\nup = 0\ndown = 0\nside = 0\n", "directions of gaze have no weight"),

@@ -1,18 +1,20 @@
-"""One blink, as people make it or as paper B describes it."""
+"""One blink, as people make it or as the sources of the two papers describe it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import accumulate
 
+from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
 from ..rules.profiles import BlinkHabits
-from ..rules.synchrony import MovementPhases, nearest, snapped
+from ..rules.synchrony import MovementPhases, nearest
 
 # Paper B, section 5.2: an eighth of a second of closure, 1/24 closed, 1/12 of aperture.
-PAPER = (1 / 8, 1 / 24, 1 / 12)
-# Lids close no faster (seconds).
-FASTEST = 0.04
+PELACHAUD = (1 / 8, 1 / 24, 1 / 12)
+# Itti, Dhavale and Pighin 2003, by their laboratory's code: 190 ms in all; how they are divided is ours.
+ITTI = (0.06, 0.02, 0.11)
 
 
 def blink(
@@ -24,10 +26,15 @@ def blink(
     cause: Cause,
     layer: str = "",
 ) -> Movement:
-    """Return a blink that closes both eyes by `depth` 0..1 from `start` on, or the phoneme nearest to it."""
-    span = (
-        phonemic(start, boundaries) if habits.kinematics == "paper" else _measured(start, habits, boundaries)
-    )
+    """Return a blink that closes both eyes by `depth` 0..1 from `start` on, or the phoneme nearest to it.
+
+    Itti's blinks begin when they are drawn, not where phonemes do.
+    """
+    if habits.model == "pelachaud":
+        span = phonemic(start, boundaries)
+    else:
+        parts = ITTI if habits.model == "itti" else (habits.closing, habits.closed, habits.opening)
+        span = _timed(start if habits.model == "itti" else nearest(start, boundaries), parts)
     return Movement(
         channel,
         span.start,
@@ -42,20 +49,38 @@ def blink(
     )
 
 
+def blink_seconds(habits: BlinkHabits) -> float:
+    """Return how long a blink lasts, on average where phonemes time it."""
+    if habits.model == "pelachaud":
+        return sum(PELACHAUD)
+    return sum(ITTI) if habits.model == "itti" else habits.closing + habits.closed + habits.opening
+
+
+def blink_depth(habits: BlinkHabits, numbers: Counted) -> float:
+    """Return how far a blink closes the eyes, 0..1: a share of natural blinks is not complete."""
+    if habits.model != "natural" or numbers.uniform("incomplete") >= habits.incomplete:
+        return 1.0
+    low, high = habits.depth
+    return numbers.uniform("depth", low=low, high=high)
+
+
 def phonemic(start: float, boundaries: Sequence[float]) -> MovementPhases:
-    """Return paper B's blink: the phonemes closest to its average speed begin, hold and end it."""
-    closing, closed, opening = PAPER
-    plain = MovementPhases(
-        start, start + closing, start + closing + closed, start + closing + closed + opening
-    )
-    found = snapped(plain, boundaries)
-    apex = max(found.apex, found.start + FASTEST)
-    release = max(found.release, apex)
-    return MovementPhases(found.start, apex, release, max(found.end, release + FASTEST))
+    """Return paper B's blink: the phonemes whose times are the closest to its average speed begin, hold and
+    end it.
+
+    The eyes are shut, begin to open and are open again at the phonemes closest to these times after the
+    start, if that leaves each part half of its average length at least; else it has its average length. So
+    the eyes are closed for a while in every blink.
+    """
+    times = [nearest(start, boundaries)]
+    for average, until in zip(PELACHAUD, accumulate(PELACHAUD), strict=True):
+        end = nearest(times[0] + until, boundaries)
+        times.append(end if end - times[-1] >= 0.5 * average else times[-1] + average)
+    return MovementPhases(*times)
 
 
-def _measured(start: float, habits: BlinkHabits, boundaries: Sequence[float]) -> MovementPhases:
-    start = nearest(start, boundaries)
-    apex = start + habits.closing
-    release = apex + habits.closed
-    return MovementPhases(start, apex, release, release + habits.opening)
+def _timed(start: float, parts: tuple[float, float, float]) -> MovementPhases:
+    """Return a blink that closes, is closed and opens for so many seconds."""
+    closing, closed, opening = parts
+    apex = start + closing
+    return MovementPhases(start, apex, apex + closed, apex + closed + opening)

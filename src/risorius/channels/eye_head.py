@@ -2,8 +2,9 @@
 
 Freedman 2001, as used by Itti, Dhavale and Pighin 2003: within a dead zone the eyes go alone; beyond it the
 head takes a share that grows with the shift. The share printed there jumps at the zone's edge; ours is the
-same line begun there. The eyes land first; while the head follows they counter-rotate, so that gaze stays
-where it landed.
+same line begun there. The zone is 10 degrees where theirs is 11.2: head and eyes follow the same behaviour
+(paper B, section 5.2), and most looks away are hardly larger. The eyes land first; while the head follows
+they counter-rotate, so that gaze stays where it landed.
 """
 
 from __future__ import annotations
@@ -28,6 +29,10 @@ HEAD = ("head_pitch", "head_yaw")
 # Shifts back to within this of straight ahead bring the head to rest (paper B, section 5.2), degrees.
 _AHEAD = 5.0
 _OVERLAP = 0.02
+# The dead zone as a share of 20 degrees, less half of what the eyes are already turned.
+_ZONE = 0.5
+# Seconds between two saccades at least (Lee, Badler and Badler 2002).
+_REFRACTORY = 0.05
 BLINK = "gaze.lids.shift"
 # The shift at which the probability of a blink is the profile's, degrees.
 _LARGE = 33.0
@@ -45,7 +50,7 @@ class GazeShift:
 def head_share(shift: float, eye: float) -> float:
     """Return how far the head goes in a shift of gaze by `shift` degrees from an eye at `eye` in the head."""
     ahead = eye if shift >= 0.0 else -eye
-    zone = max(0.0, 0.56 * (20.0 - 0.5 * ahead))
+    zone = max(0.0, _ZONE * (20.0 - 0.5 * ahead))
     slope = min(1.0, 0.65 * (abs(ahead) / 35.0 + 1.1))
     return math.copysign(max(abs(shift) - zone, 0.0) * slope, shift)
 
@@ -118,12 +123,12 @@ class _Pose:
         landing = saccade_duration(math.dist(first, self.eye))
         self.eyes.add(start, landing, first, "saccade", cause)
         self.eye = (direction[0] - head[0], direction[1] - head[1])
-        self.ready = start + landing
+        self.ready = start + landing + _REFRACTORY
         if moved := math.dist(head, self.head):
             onset = head_duration(moved)
-            self.eyes.add(self.ready, onset, self.eye, "minimum_jerk", cause)
-            self.heads.add(self.ready, onset, head, "minimum_jerk", cause)
-            self.ready += onset
+            self.eyes.add(start + landing, onset, self.eye, "minimum_jerk", cause)
+            self.heads.add(start + landing, onset, head, "minimum_jerk", cause)
+            self.ready = start + landing + max(onset, _REFRACTORY)
         self.head = head
         return size
 
@@ -137,6 +142,14 @@ class _Pose:
         return pitch, yaw
 
 
+def blinks_with(degrees: float, habits: BlinkHabits, numbers: Counted) -> bool:
+    """Draw whether a shift of gaze brings a blink.
+
+    The probability grows with the square of the angle (that it grows: Evinger et al. 1994).
+    """
+    return numbers.uniform("chance") < habits.shift * min(abs(degrees) / _LARGE, 1.0) ** 2
+
+
 def shifts_of(
     shifts: Sequence[GazeShift],
     duration: float,
@@ -147,8 +160,7 @@ def shifts_of(
     """Yield the movements of eyes, head and lids for shifts of gaze in order of time.
 
     A shift that comes while the last one is under way waits for it, and is left out where the next one comes
-    first. `habits` say how probable a blink is with a shift by 33 degrees; it grows with the square of the
-    angle (that it grows: Evinger et al. 1994).
+    first. `habits` say how probable a blink is with a shift by 33 degrees; see `blinks_with`.
     """
     pose = _Pose()
     for number, (shift, following) in enumerate(pairwise([*shifts, None])):
@@ -157,7 +169,7 @@ def shifts_of(
         if start >= (following.start if following else duration):
             continue
         size = pose.shift(start, shift.direction, shift.cause)
-        if numbers.uniform("blink", number) < habits.shift * min(size / _LARGE, 1.0) ** 2:
+        if blinks_with(size, habits, numbers.under("blink", number)):
             yield blink("gaze", start, 1.0, habits, boundaries, Cause(BLINK, shift.cause.trigger), "lids")
     yield from pose.eyes.movements(duration)
     yield from pose.heads.movements(duration)

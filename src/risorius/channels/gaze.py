@@ -14,21 +14,27 @@ from itertools import count
 
 from ..core.counted import Counted
 from ..core.movement import Cause, Movement
+from ..rules.emotions import emotion_key
 from ..rules.markup import markup_table
-from ..rules.match import Event
+from ..rules.match import EYES, Event
 from ..rules.modulation import rate_of
 from ..rules.profiles import Aversion
 from ..rules.rule import AWAY, TurnState
-from .eye_head import Angles, GazeShift, head_help, shifts_of
+from ..rules.synchrony import MovementPhases
+from .blinks import blink
+from .eye_head import BLINK, Angles, GazeShift, blinks_with, head_help, shifts_of
 from .inputs import ChannelInputs, Context
 from .registry import register
 from .ruled import movements_of_rules
 
+HAPPY = "happiness"
+# Happiness of this intensity is seen as a smile.
+_SMILING = 0.2
 AVERSION, SCAN, REST = "gaze.aversion.habit", "gaze.scan.face", "gaze.rest.listener"
 LISTENER: Angles = (0.0, 0.0)
 # A look shorter than this is not begun, seconds.
 _SHORTEST = 0.3
-# Seconds from one fixation to the next at least (Lee, Badler and Badler 2002: 50 to 100 ms between saccades).
+# Seconds from the start of one saccade to the next at least (50 to 100 ms between two: Lee et al. 2002).
 _REFRACTORY = 0.15
 # An aversion is not begun if another look would end it within this time, seconds; a later one cuts it short.
 _FORESIGHT = 3.0
@@ -56,12 +62,39 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     if not inputs.lively:
         return
     # While listening the eyes are as free as else: only who is looked at is marked.
-    asked = [m for m in marked if (m.start, m.end) not in inputs.listening]
-    looks = [Glance(m.start, m.end, LISTENER, m.cause, fixed=True) for m in asked]
+    looking = [m for m in marked if (m.start, m.end) not in inputs.listening]
+    yield from _blinks(looking, inputs, context.numbers)
+    looks = [Glance(m.start, m.end, LISTENER, m.cause, fixed=True) for m in looking]
     numbers = context.numbers
     looks = _averted(inputs, _commanded(inputs, _apart(looks), context), numbers)
     shifts = list(_fixations(inputs, looks, numbers))
     yield from shifts_of(shifts, inputs.duration, inputs.profile.blinks, inputs.units.boundaries, numbers)
+
+
+def _blinks(looking: Sequence[Movement], inputs: ChannelInputs, numbers: Counted) -> Iterator[Movement]:
+    """Yield the blinks with marked looks, as with all others."""
+    habits, boundaries = inputs.profile.blinks, inputs.units.boundaries
+    for number, mark in enumerate(looking):
+        degrees = math.hypot(*(mark.targets.get(eye, 0.0) for eye in EYES))
+        if blinks_with(degrees, habits, numbers.under("marked", number)):
+            cause = Cause(BLINK, mark.label)
+            yield blink("gaze", mark.start, 1.0, habits, boundaries, cause, f"lids.{number}")
+
+
+def _smiles(inputs: ChannelInputs) -> list[Glance]:
+    """Return the spans in which the speaker feels happy, as looks at the listener."""
+    shown = [d for d in inputs.situation.felt if emotion_key(d.emotion) == HAPPY and d.intensity >= _SMILING]
+    spans = [(d.start or 0.0, inputs.duration if d.end is None else d.end) for d in shown]
+    return [Glance(start, end, LISTENER, Cause(REST, "a smile")) for start, end in spans]
+
+
+def _silence(inputs: ChannelInputs) -> list[Glance]:
+    """Return the time after the last word, up to the next listening, as a look at the listener."""
+    if inputs.utterance is None or not inputs.utterance.words:
+        return []
+    start = inputs.utterance.words[-1].end
+    end = min([inputs.duration, *(first for first, last in inputs.listening if last > start)])
+    return [Glance(start, end, LISTENER, Cause(REST, "all is said"))] if end > start else []
 
 
 def _apart(looks: Sequence[Glance]) -> list[Glance]:
@@ -74,13 +107,20 @@ def _apart(looks: Sequence[Glance]) -> list[Glance]:
 def _commanded(inputs: ChannelInputs, marked: Sequence[Glance], context: Context) -> list[Glance]:
     """Return the marked looks, and those of rules where they do not stand against them, one after another."""
     looks = list(marked)
-    asked = [e for e in context.events if e.rule.effect.look is not None]
-    for event in sorted(asked, key=lambda e: (e.rule.channel != "gaze", -e.span.start, e.rule.id)):
+    events = [e for e in context.events if e.rule.effect.look is not None]
+    smiles = _smiles(inputs)
+    for event in sorted(events, key=lambda e: (e.rule.channel != "gaze", -e.span.start, e.rule.id)):
+        if event.rule.effect.look == AWAY and any(_meets(event.span, smile) for smile in smiles):
+            continue
         direction = _aimed(event, inputs, context.numbers)
         end = min([event.span.end, *(k.start for k in looks if k.end > event.span.start)])
         if end - event.span.start >= _SHORTEST:
             looks.append(Glance(event.span.start, end, direction, Cause(event.rule.id, event.unit.text)))
     return sorted(looks, key=lambda k: k.start)
+
+
+def _meets(span: MovementPhases, look: Glance) -> bool:
+    return span.start < look.end and look.start < span.end
 
 
 def _aimed(event: Event, inputs: ChannelInputs, numbers: Counted) -> Angles:
@@ -109,8 +149,12 @@ def _around(normal: tuple[float, float], numbers: Counted, what: str) -> float:
 
 
 def _averted(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -> list[Glance]:
-    """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013)."""
+    """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013).
+
+    No smile looks away, and nobody who has said all.
+    """
     found = list(looks)
+    looks = sorted([*looks, *_smiles(inputs), *_silence(inputs)], key=lambda k: k.start)
     time = numbers.uniform("first aversion") * _aversion(inputs, 0.0).gap[0]
     for number in count():
         if time >= inputs.duration:

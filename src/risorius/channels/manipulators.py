@@ -1,8 +1,12 @@
-"""Manipulators: blinks that wet the eyes, random (paper A, channel 1) or periodic (paper B, section 5.2)."""
+"""Manipulators: blinks that wet the eyes (paper A, channel 1; paper B, section 5.2), by one of three models.
+
+Whatever the model, the blinks that rules, shifts of gaze and the script ask for count as the last ones.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Callable, Iterator, Sequence
 from itertools import count
 
 from ..core.counted import Counted
@@ -10,90 +14,113 @@ from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
 from ..rules.profiles import BlinkHabits
 from ..rules.synchrony import nearest
-from .blinks import blink
+from .blinks import blink, blink_depth, blink_seconds
 from .inputs import ChannelInputs, Context
 from .registry import register
 from .ruled import marked_and_ruled
 
-RANDOM, PERIODIC = "manipulators.lids.random", "manipulators.lids.periodic"
-# Blinks a second after the wait, and after twice the wait (Itti, Dhavale and Pighin 2003, as hazards).
-_HAZARD, _LATE_HAZARD = 1.0, 10.0
+NATURAL, ITTI, PELACHAUD = (f"manipulators.lids.{name}" for name in ("natural", "itti", "pelachaud"))
+# Blinks a second after one, two and three waits (facts: science/03, section 3.1, for its step of 0.1 ms).
+_HAZARDS = (1.0, 10.0, 1000.0)
 # What closes the eyes so far for no longer than this is a blink, seconds.
 _SHUT, _LONGEST = 0.5, 0.8
 # Seconds between two blinks at least.
 _APART = 0.3
+
+NextBlink = Callable[[float, Counted], float]
+"""(end of what the wait runs from, numbers) -> when the next blink comes, seconds."""
+Event = tuple[float, float, float]
+"""Start and end of what the wait begins anew after, and how long before it no blink begins, seconds."""
 
 
 def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the marked blinks, those of rules, and others where too much time passes without one."""
     known = list(marked_and_ruled(inputs, context))
     yield from known
-    if not inputs.lively:
-        return
-    voluntary = sorted((m for m in (*known, *context.built) if _is_blink(m)), key=lambda m: m.start)
     habits, boundaries = inputs.profile.blinks, inputs.units.boundaries
-    starts = _starts(habits, voluntary, boundaries, inputs.duration, context.numbers)
-    for number, (start, why) in enumerate(starts):
-        depth = _depth(habits, context.numbers.under("depth", number))
-        yield blink("manipulators", start, depth, habits, boundaries, Cause(why, "eyes to wet"))
+    if not inputs.lively or habits.model == "none":
+        return
+    rule, following = _model(habits, boundaries)
+
+    def added(start: float, number: int) -> Movement:
+        depth = blink_depth(habits, context.numbers.under("depth", number))
+        return blink("manipulators", start, depth, habits, boundaries, Cause(rule, "eyes to wet"))
+
+    length = blink_seconds(habits)
+    events = _events([*known, *context.built], length, saccades=habits.model == "itti")
+    yield from _between(events, inputs.duration - length, following, added, context.numbers)
 
 
-def _depth(habits: BlinkHabits, numbers: Counted) -> float:
-    """Return how far a blink closes the eyes, 0..1."""
-    if numbers.uniform("incomplete") >= habits.incomplete:
-        return 1.0
-    low, high = habits.depth
-    return numbers.uniform("depth", low=low, high=high)
+def _events(others: Sequence[Movement], length: float, *, saccades: bool) -> list[Event]:
+    """Return the blinks among other movements, and if wanted the saccades, in order."""
+    found = [(m.start, m.end, length + _APART) for m in others if _is_blink(m)]
+    if saccades:
+        found += [(m.start, m.start + m.onset, 0.0) for m in others if _is_saccade(m)]
+    return sorted(found)
 
 
 def _is_blink(m: Movement) -> bool:
     return m.targets.get(LIDS[0], 0.0) >= _SHUT and m.end - m.start <= _LONGEST
 
 
-def _starts(
-    habits: BlinkHabits,
-    voluntary: Sequence[Movement],
-    boundaries: Sequence[float],
-    duration: float,
+def _is_saccade(m: Movement) -> bool:
+    return m.channel == "gaze" and m.function == "saccade"
+
+
+def _model(habits: BlinkHabits, boundaries: Sequence[float]) -> tuple[str, NextBlink]:
+    """Return the rule by which blinks come, and when the next one does."""
+    if habits.model == "itti":
+        return ITTI, lambda last, numbers: last + itti_wait(numbers, habits.wait)
+    if habits.model == "pelachaud":
+        return PELACHAUD, lambda last, _: max(nearest(last + habits.period, boundaries), last + _APART)
+    return NATURAL, lambda last, numbers: last + natural_interval(numbers, *habits.interval)
+
+
+def _between(
+    events: list[Event],
+    latest: float,
+    following: NextBlink,
+    added: Callable[[float, int], Movement],
     numbers: Counted,
-) -> Iterator[tuple[float, str]]:
-    """Yield when blinks are added, between those that happen anyway, and by which rule."""
-    if habits.manner == "none":
-        return
-    length = habits.closing + habits.closed + habits.opening
-    last = -numbers.uniform("first", high=min(habits.wait, habits.period))
-    others = list(voluntary)
+) -> Iterator[Movement]:
+    """Yield the blinks that are added between events, the last one at the `latest` time, seconds.
+
+    The first comes after a part of its wait: the eyes have blinked before the clip.
+    """
+    last = 0.0
     for number in count():
-        start, why = _next(habits, last, boundaries, numbers.under("interval", number))
-        while others and others[0].start < last:
-            others.pop(0)
-        if others and others[0].start < start + length + _APART:
-            last = others.pop(0).end
-            continue
-        if start + length >= duration:
+        own = numbers.under("interval", number)
+        start = following(last, own)
+        if number == 0:
+            start *= own.uniform("elapsed")
+        if events and events[0][0] < start + events[0][2]:
+            last = events.pop(0)[1]
+        elif start >= latest:
             return
-        yield start, why
-        last = start + length
+        else:
+            movement = added(start, number)
+            yield movement
+            last = movement.end
+        while events and events[0][0] < last:
+            last = max(last, events.pop(0)[1])
 
 
-def _next(
-    habits: BlinkHabits, last: float, boundaries: Sequence[float], numbers: Counted
-) -> tuple[float, str]:
-    """Return when the next blink comes after the one that ended at `last`."""
-    random = last + blink_interval(numbers, habits.wait), RANDOM
-    periodic = max(nearest(last + habits.period, boundaries), last + _APART), PERIODIC
-    if habits.manner == "both":
-        return min(random, periodic)
-    return periodic if habits.manner == "periodic" else random
+def natural_interval(numbers: Counted, median: float, deviation: float) -> float:
+    """Return a log-normal time in seconds; `deviation`: the standard deviation of its logarithm."""
+    return median * math.exp(numbers.normal("normal", deviation=deviation))
 
 
-def blink_interval(numbers: Counted, wait: float) -> float:
-    """Return a random time in seconds from the end of a blink to the start of the next, 1 to 3 waits."""
-    budget = numbers.exponential()
-    early = _HAZARD * wait
-    if budget < early:
-        return wait + budget / _HAZARD
-    return min(2.0 * wait + (budget - early) / _LATE_HAZARD, 3.0 * wait)
+def itti_wait(numbers: Counted, wait: float) -> float:
+    """Return a random time in seconds from a saccade or blink to the next blink.
+
+    None comes before the typical wait; then they come at random, ever more often after two and three waits.
+    """
+    budget, passed = numbers.exponential(), wait
+    for hazard in _HAZARDS[:-1]:
+        if budget < hazard * wait:
+            return passed + budget / hazard
+        budget, passed = budget - hazard * wait, passed + wait
+    return passed + budget / _HAZARDS[-1]
 
 
 # A blink's timing: paper B, section 5 (1/8 s of closure, 1/24 s closed, 1/12 s of aperture). Built last: no

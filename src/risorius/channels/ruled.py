@@ -11,7 +11,7 @@ from ..rules.gestures import gesture_parts, gesture_seconds
 from ..rules.markup import markup_table
 from ..rules.match import Event
 from ..rules.resolve import APART
-from .blinks import blink
+from .blinks import blink, blink_depth
 from .inputs import ChannelInputs, Context
 
 # While the head moves the eyes stay on what they look at: the vestibulo-ocular reflex, of gain 1.
@@ -40,7 +40,8 @@ def movements_of_rules(inputs: ChannelInputs, context: Context) -> Iterator[Move
         if event.rule.effect.gesture is not None:
             yield from _gesture(event, following)
         if event.rule.effect.blink is not None:
-            depth = min(event.rule.effect.blink, 1.0)
+            own = context.numbers.under(event.rule.id, event.unit.phrase, event.unit.number)
+            depth = event.rule.effect.blink * blink_depth(inputs.profile.blinks, own)
             yield blink(
                 context.name,
                 event.span.start,

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, cast
 
 from ..core.action_units import resolve_targets
 from ..core.frozen import FrozenDict
@@ -25,21 +25,26 @@ Normal = tuple[HabitSeconds, HabitSeconds]
 """Mean and standard deviation."""
 
 
+BLINK_MODELS = ("natural", "itti", "pelachaud", "none")
+"""How blinks that no rule asks for come: as measured, as the sources of papers A and B print, or not."""
+
+
 @dataclass(frozen=True, slots=True)
 class BlinkHabits:
-    """How the eyes are kept wet.
+    """How the eyes are kept wet. Seconds.
 
-    `manner`: "random" (paper A), "periodic" (paper B), "both" or "none". `wait`: no random blink so soon
-    after another, and one at the latest after three times as long; `period`: of periodic ones. `kinematics`:
-    "measured" or "paper" (paper B's, snapped to phonemes); closing, closed and opening seconds of the
-    measured. `incomplete`: the share of blinks that close only in part, within `depth`. `shift`: the
-    probability that a turn of the eyes by 33 degrees brings one.
+    `model`: one of `BLINK_MODELS`. `interval`: of the log-normal distribution of "natural" times from the end
+    of a blink to the next, the median and the standard deviation of the logarithm. `wait`: the typical wait
+    of "itti" after a saccade or blink. `period`: from blink to blink of "pelachaud". `closing`, `closed` and
+    `opening` of a natural blink; the others' are printed in their sources. `incomplete`: the share of blinks
+    that close only in part, within `depth`. `shift`: the probability that a shift of gaze by 33 degrees
+    brings a blink.
     """
 
-    manner: Literal["random", "periodic", "both", "none"]
+    model: Literal["natural", "itti", "pelachaud", "none"]
+    interval: tuple[Annotated[float, Range(0.2, 60.0)], Annotated[float, Range(0.0, 2.0)]]
     wait: Annotated[float, Range(0.2, 60.0)]
     period: Annotated[float, Range(0.5, 60.0)]
-    kinematics: Literal["measured", "paper"]
     closing: Annotated[float, Range(0.04, 1.0)]
     closed: HabitSeconds
     opening: Annotated[float, Range(0.04, 1.0)]
@@ -207,11 +212,20 @@ def attitudes() -> Mapping[str, Attitude]:
     return FrozenDict({a.name: a for a in load_folder(Attitude, "attitudes").values()})
 
 
-def profile_of(given: str) -> Profile:
-    """Return the profile of that name, or of a file (`.toml`) whose base, if any, is one of ours."""
-    if not given.endswith(".toml"):
-        return profile(given)
-    return profile_from(read_text(Path(given)), given, profile_texts())
+def profile_of(name: str, blinks: str | None = None) -> Profile:
+    """Return the profile of that name, or of a file (`.toml`) whose base, if any, is one of ours.
+
+    `blinks`: a model of blinks in place of the profile's own, one of `BLINK_MODELS`.
+    """
+    if name.endswith(".toml"):
+        chosen = profile_from(read_text(Path(name)), name, profile_texts())
+    else:
+        chosen = profile(name)
+    if blinks is None:
+        return chosen
+    if blinks not in BLINK_MODELS:
+        raise ParameterError(unknown("model of blinks", blinks, BLINK_MODELS))
+    return replace(chosen, blinks=replace(chosen.blinks, model=cast(Any, blinks)))
 
 
 def profile(name: str) -> Profile:

@@ -129,7 +129,8 @@ class Effect:
     """What a rule does: targets at full size, a gesture of the head, a look, a blink.
 
     `targets`: action units, muscles, degrees. `gesture`: a name in `markup.toml`, made `times` times at
-    `size` times its amplitude. `look`: a direction there; "away" draws one. `blink`: how far the lids close.
+    `size` times its amplitude. `look`: a direction there; "away" draws one. `blink`: how far the lids
+    close, in a natural blink that is complete.
     `emblem`: an emotion's. `vary`: the standard deviation of the size from one event to the next, as a share.
     `mirror`: the head's turns and tilts go to either side, by the speaker's preference; `grouped`: alike for
     related utterances.

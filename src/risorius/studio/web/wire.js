@@ -93,6 +93,7 @@
  * @property {number} [tail]
  * @property {string} [profile]
  * @property {Array<string>} [attitudes]
+ * @property {string|null} [blinks]
  * @property {boolean} [lively]
  * @property {string} [manner]
  * @property {number} [articulation]

@@ -14,6 +14,7 @@ const OFFERED = [
   "profile",
   "attitudes",
   "lively",
+  "blinks",
   "manner",
   "articulation",
   "dynamics",
