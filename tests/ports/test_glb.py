@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from threadpoolctl import threadpool_limits
 
 from risorius.api import pose
 from risorius.core.arkit import SHAPES
@@ -106,6 +107,10 @@ def test_a_still_is_the_posed_face_without_animation(folder: Path) -> None:
     assert np.abs(np.array(turned) @ quaternion(frame.head_rotation)) == pytest.approx(1.0, abs=1e-6)
 
 
-def test_the_same_clip_gives_the_same_bytes(folder: Path, clip: Take, tmp_path: Path) -> None:
-    clip.write(tmp_path / "x.rig.glb", tmp_path / "x.wav")
-    assert (tmp_path / "x.rig.glb").read_bytes() == (folder / "x.rig.glb").read_bytes()
+def test_the_same_clip_gives_the_same_bytes_however_many_threads_linear_algebra_has(
+    folder: Path, clip: Take, tmp_path: Path
+) -> None:
+    with threadpool_limits(3, user_api="blas"):
+        clip.write(tmp_path / "x.glb", tmp_path / "x.rig.glb", tmp_path / "x.wav")
+    for name in ("x.glb", "x.rig.glb"):
+        assert (tmp_path / name).read_bytes() == (folder / name).read_bytes()

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..core.arrays import Array
+from ..core.blas import one_thread
 from ..core.parameters import INDEX, PARAMETERS, check_value
 from ..errors import ParameterError
 from .ageing import DEFAULT_AGE
@@ -78,6 +79,7 @@ class FaceSolver:
     per machine. Raises InputError if the table of links does not fit or age or wrinkles are out of range.
     """
 
+    @one_thread()
     def __init__(
         self,
         head: Head,

@@ -9,6 +9,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ..core.blas import one_thread
 from ..errors import OutputError, Place
 from .atomic import os_failure, replacing
 from .formats import FORMATS, FileFormat, Need, format_for
@@ -81,7 +82,8 @@ def _shows(entry: FileFormat) -> bool:
 def write_targets(take: WritableTake, targets: Sequence[Target], options: WriteOptions | None = None) -> None:
     """Write all targets; they appear together, when the last is complete, or not at all.
 
-    A score refers to the `.wav` among the targets, if there is one. Raises OutputError.
+    A score refers to the `.wav` among the targets, if there is one. The bytes do not depend on the number of
+    threads that linear algebra has. Raises OutputError.
     """
     options = options or WriteOptions()
     if options.alpha:
@@ -89,7 +91,7 @@ def write_targets(take: WritableTake, targets: Sequence[Target], options: WriteO
     if options.voice is None:
         voices = [target.path for target in targets if target.format.suffix == ".wav"]
         options = replace(options, voice=voices[0] if voices else None)
-    with ExitStack() as stack:
+    with one_thread(), ExitStack() as stack:
         beside = [stack.enter_context(replacing(target.path)) for target in targets]
         for target, temporary in zip(targets, beside, strict=True):
             _write_one(take, target, temporary, options)
