@@ -23,6 +23,7 @@ from risorius.core.edits import (
 )
 from risorius.core.movement import Cause, LipSegment, ManualCurve, Movement
 from risorius.core.score import Score, check_score
+from risorius.core.time import on_tick
 from risorius.errors import RisoriusError
 
 DURATION = 10.0
@@ -76,8 +77,9 @@ def test_an_impossible_edit_is_named(edit, message):
 seconds = st.floats(0.0, 9.9)
 names = st.sampled_from("abc")
 values = st.floats(0.0, 1.0)
-keys = st.lists(st.tuples(seconds, values), min_size=1, max_size=5, unique_by=lambda key: key[0]).map(
-    lambda found: tuple(sorted(found))
+ticks = seconds.map(on_tick)
+keys = st.lists(st.tuples(ticks, values), min_size=1, max_size=5, unique_by=lambda key: key[0]).map(
+    lambda pairs: tuple(sorted(pairs))
 )
 edits = st.one_of(
     st.builds(Move, names, seconds),
@@ -194,3 +196,8 @@ def test_every_movement_gets_an_id_of_its_own(given_, expected):
 
 def test_ids_that_are_there_stay():
     assert identified(SCORE) == SCORE
+
+
+def test_keys_are_read_to_the_nearest_tick():
+    score = edited(SCORE, Keys("masseter", ((0.1 + 0.2, 0.5),)))
+    assert score.manual[-1].keys["masseter"] == ((0.3, 0.5),)

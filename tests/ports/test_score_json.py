@@ -14,6 +14,7 @@ from risorius.core.functions import ONSET_FUNCTIONS
 from risorius.core.movement import Cause, Dominance, LipSegment, ManualCurve, Movement
 from risorius.core.parameters import PARAMETERS
 from risorius.core.score import BlendSettings, Score
+from risorius.core.time import on_tick
 from risorius.errors import InputError
 from risorius.ports.score_json import read_score_file, score_to_json, write_score_json
 from risorius.ports.writable import WritableTake, WriteOptions
@@ -44,9 +45,9 @@ def _limits(parameter: Any) -> st.SearchStrategy[tuple[float, float]]:
 
 
 def _keys(parameter: Any) -> st.SearchStrategy[tuple[tuple[float, float], ...]]:
-    key = st.tuples(_times(-5.0), _value(parameter))
+    key = st.tuples(_times(-5.0).map(on_tick), _value(parameter))
     keys = st.lists(key, min_size=1, max_size=4, unique_by=lambda k: k[0])
-    return keys.map(lambda found: tuple(sorted(found)))
+    return keys.map(lambda pairs: tuple(sorted(pairs)))
 
 
 CAUSES = st.builds(Cause, st.text(max_size=5), st.text(max_size=5), st.text(max_size=5))
