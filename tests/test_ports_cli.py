@@ -25,7 +25,7 @@ FAST = ["--fps", "10"]
         (["rig", "none.glb"], "none.glb: cannot be read"),
         (["rig", "none.glb", "--perform", "Hi."], "--perform and -o go together"),
         (["speak", "Hi.", "-o", "none/x.glb"], "the folder 'none' does not exist"),
-        (["pose", "AU12=1", "-o", "x.visemes.json"], ".visemes.json needs speech, and here is none"),
+        (["pose", "AU12=1", "-o", "x.visemes.json"], ".visemes.json needs speech, but there is none here"),
     ],
 )
 def test_faults_are_one_line(
@@ -84,7 +84,7 @@ def test_what_the_weights_leave_over_is_said(capsys: pytest.CaptureFixture[str],
     told = [
         line
         for line in capsys.readouterr().err.splitlines()
-        if line.startswith("ARKit weights leave over 0.")
+        if line.startswith("ARKit weights miss the face by 0.")
     ]
     assert len(told) == 1
     assert told[0].endswith(" mm at worst")

@@ -87,7 +87,7 @@ CASES: dict[str, object] = {
 }
 """A value that is not the default for every setting."""
 NO_BYTE = {
-    "patience": "how long a receiver's greeting is waited for",
+    "patience": "how long the command waits for a receiver's greeting",
     "without_sound": "which clock counts while frames are sent",
     "port": "where the studio's page is",
     "no_browser": "who opens the studio's page",

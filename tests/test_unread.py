@@ -125,7 +125,7 @@ def test_labels_and_silent_and_timed_scripts_refuse_what_no_voice_reads(tmp_path
     timed.write_text('<PHONEME time="0" text="Oh." />')
     with pytest.raises(UnreadError, match="rate has no effect: the words are timed by a TextGrid"):
         risorius.speak("x.TextGrid", settings=Settings(rate=100))
-    with pytest.raises(UnreadError, match="rate has no effect: the script says nothing"):
+    with pytest.raises(UnreadError, match="rate has no effect: the script has no words"):
         risorius.speak(str(silent), settings=Settings(rate=100))
     with pytest.raises(UnreadError, match="lead has no effect: the times of this script are absolute"):
         risorius.speak(str(timed), settings=Settings(lead=1.0, rate=200))
@@ -142,7 +142,7 @@ def test_a_performance_keeps_its_curves(score: str) -> None:
         Settings(blend=BlendChoices(conflict="sum")),
         Settings(seed=1),
     ):
-        with pytest.raises(UnreadError, match="the curves of a performance stay as they are"):
+        with pytest.raises(UnreadError, match="the curves of a performance are final"):
             risorius.play("x.performance.json", settings=settings)
 
 
@@ -159,13 +159,13 @@ def test_a_capture_a_pose_and_a_character_refuse_what_they_do_not_read() -> None
     ("options", "expected"),
     [
         (["rig", "x.glb", "--fps", "24"], "--fps has no effect: a character"),
-        (["speak", "--audio", "x.wav", "--text"], "--text has no effect: there is no INPUT"),
+        (["speak", "--audio", "x.wav", "--text"], "--text has no effect: INPUT is missing"),
         (
             ["stream", "Oh.", "--names", "arkit"],
-            "--names has no effect: livelink sends no such thing; expected one of vmc",
+            "--names has no effect: livelink does not send it; expected the protocol vmc",
         ),
-        (["stream", "Oh.", "--protocol", "vmc", "--subject", "me"], "--subject has no effect: vmc sends"),
-        (["stream", "Oh.", "--patience", "2"], "--patience has no effect: no greeting is waited for"),
+        (["stream", "Oh.", "--protocol", "vmc", "--subject", "me"], "--subject has no effect: vmc does not"),
+        (["stream", "Oh.", "--patience", "2"], "--patience has no effect: nothing waits for a greeting"),
     ],
 )
 def test_options_of_other_commands(
@@ -188,7 +188,7 @@ def test_options_of_other_commands(
         ),
         (["--fps", "24"], ["x.score.json", "x.TextGrid"], "--fps has no effect: no output has frames"),
         (["--hair", "bald"], ["x.arkit.csv"], "--hair has no effect: no output shows hair"),
-        (["--seed", "3"], ["x.visemes.json"], "--seed has no effect: no output holds movements"),
+        (["--seed", "3"], ["x.visemes.json"], "--seed has no effect: no output has movements"),
     ],
 )
 def test_what_changes_no_output_is_refused(

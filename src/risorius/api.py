@@ -168,7 +168,7 @@ def rig(
     if take is not None and output is not None:
         (target,) = check_targets((output,))
         if target.format.suffix not in (".glb", ".rig.glb"):
-            raise InputError("is no .glb; expected one for the character", Place(str(output)))
+            raise InputError("is not a .glb file; expected one for the character", Place(str(output)))
         check_performable(found)
         take = take if isinstance(take, Take) else take()
         track = ArkitFit(take.head, found.shapes).track(take.faces())

@@ -53,18 +53,18 @@ class Look:
     """How a head is drawn; frozen, checked on creation (InputError names the choice at fault)."""
 
     style: str = _picture(
-        "Style", "realistic", "What the head looks like: realistic, clay, muscles or wireframe.",
+        "Style", "realistic", "Style of the picture: realistic, clay, muscles or wireframe.",
         names=looks.STYLES)
     camera: str = _picture(
         "Camera", "portrait",
-        "portrait, close-up, eyes, mouth, three-quarter or profile; after a colon its lens in mm.",
+        "portrait, close-up, eyes, mouth, three-quarter or profile; after a colon, the focal length in mm.",
         metavar="NAME[:MM]", names=looks.FRAMINGS, read=looks.parse_camera, fills=("camera", "lens"))
     lens: float = _picture(
         "Lens, mm", looks.USUAL_LENS, "Focal length in mm on 24 × 36 mm film.",
         flag=None, metavar="MM", low=20.0, high=400.0, step=1.0)
     light: str = _picture("Light", "studio", "studio, daylight or dark.", names=looks.LIGHTS)
     background: str | None = _picture(
-        "Background", None, "A colour as CSS writes it, a picture, or 'transparent' (.png, .webm, .mov).",
+        "Background", None, "A CSS colour, a picture file, or 'transparent' (.png, .webm, .mov).",
         metavar="WHAT", unset="the light's own")
     quality: str = _picture("Quality", "normal", "draft, normal or high.", names=looks.QUALITIES)
     hair: str | None = _appearance(
@@ -74,7 +74,7 @@ class Look:
         "Complexion", None, "fair, light, tan, brown, dark, or 0 (the fairest) to 1 (the darkest).",
         low=0.0, high=1.0, names="core.look:COMPLEXIONS", read=looks.parse_complexion, unset="the head's own")
     overlay: tuple[str, ...] = _picture(
-        "Overlay", (), "What explains the picture: caption, phones, bars, lanes; several with commas.",
+        "Overlay", (), "Explanations in the picture: caption, phones, bars, lanes; separated by commas.",
         metavar="NAME,…", names=looks.OVERLAYS, read=looks.parse_overlay)
 
     def __post_init__(self) -> None:
@@ -93,22 +93,22 @@ class BlendChoices:
     """
 
     conflict: str | None = _model(
-        "Conflicts", None, "What rival muscles do to each other.",
+        "Conflicts", None, "How conflicts between rival muscles are resolved.",
         metavar="POLICY", usual="graded", names="blend.conflict:POLICIES")
     activation_threshold: float | None = _model(
         "Threshold", None, "Activity of a rival above which a muscle gives way.",
         flag=None, low=0.0, high=1.0, step=0.01, unset="by muscle")
     min_onset: float | None = _model(
-        "Least onset, s", None, "Least seconds in which a muscle comes back after a rival.",
+        "Minimum onset, s", None, "Shortest time (s) in which a muscle returns after a rival.",
         flag=None, low=0.0, high=10.0, step=0.01, unset="by muscle")
     min_offset: float | None = _model(
-        "Least offset, s", None, "Least seconds in which a muscle gives way to a rival.",
+        "Minimum offset, s", None, "Shortest time (s) in which a muscle gives way to a rival.",
         flag=None, low=0.0, high=10.0, step=0.01, unset="by muscle")
     onset_function: str | None = _model(
-        "Onsets", None, "How all movements rise and fall.",
+        "Onsets", None, "The onset and offset function of all movements.",
         names="core.functions:ONSET_FUNCTIONS", unset="by channel")
     contact: bool | None = _model(
-        "Lips always close", None, "Drop the lips' contact goals, to see what they do.",
+        "Lips always close", None, "Switch off the lips' contact goals, to see their effect.",
         flag="--without-contact", usual=True)
     lips: str | None = _model(
         "Lips", None, "Model of coarticulation.",
@@ -135,7 +135,7 @@ class Settings:
     """All settings of a performance; frozen, checked on creation (InputError names the one at fault)."""
 
     language: str | None = _voice(
-        "Language", None, "Speak a language with its first voice: de, fr, cmn …",
+        "Language", None, "Language, spoken by its first voice: de, fr, cmn …",
         metavar="CODE", names="speech.engines.voices:languages", unset="of the voice")
     voice: str | None = _voice(
         "Voice", None, "The voice ('risorius list voices'), or its file.",
@@ -144,7 +144,7 @@ class Settings:
         "Words per minute", None, "Words per minute, 80 to 440.",
         metavar="WPM", low=80, high=440, step=5, unset="the voice's own")
     voice_emotion: bool = _voice(
-        "Emotion is heard", True, "Whether emotions change the voice.", metavar="on|off")
+        "Emotional voice", True, "Whether emotions change the voice.", metavar="on|off")
     lead: float = _silence(
         "Silence before, s", 0.5, "Silence before plain text.", metavar="S", low=0.0, high=60.0, step=0.1)
     tail: float = _silence(
@@ -152,13 +152,13 @@ class Settings:
     profile: str = _manner(
         "Profile", "neutral", "Who speaks: a profile, or a .toml file.", names="rules.profiles:profiles")
     attitudes: tuple[str, ...] = _manner(
-        "Attitudes", (), "What the speaker wants to convey, over the profile. May be given several times.",
+        "Attitudes", (), "Attitude of the speaker, added to the profile. May be given several times.",
         flag="--attitude", names="rules.profiles:attitudes")
     blinks: str | None = _manner(
         "Blinks", None, "How blinks are timed: natural, itti, pelachaud or none.",
         names="rules.profiles:BLINK_MODELS", what="model of blinks", unset="the profile's own")
     lively: bool = _manner(
-        "Rules, blinks, gaze", True, "Only what is said and marked: no rules, nothing random.",
+        "Rules, blinks, gaze", True, "Perform only words and marks: no rules, nothing random.",
         flag="--still")
     manner: str = _manner(
         "Speaks", "plain", "Manner of speech: plain, whisper, murmur or shout.", names="rules.lips:manners")
@@ -168,7 +168,7 @@ class Settings:
         "Leave out", (), "Leave a channel out ('risorius list channels').",
         metavar="CHANNEL", names="core.channels:CHANNELS")
     rules: Path | None = _manner(
-        "Rules", None, "A file of rules that adds to ours, replaces or deletes them.",
+        "Rules", None, "A file of rules that adds to the built-in ones, replaces or deletes them.",
         metavar="FILE", on_page=False)
     head: str = _head(
         "Head", "standard", "The head that performs: its name, or its folder.", names="face.head:head_titles")
@@ -198,9 +198,9 @@ class Settings:
         "Size", (720, 720), "Size of the picture in pixels.",
         metavar="WxH", low=16, high=LARGEST_SIDE, read=parse_size)
     at: float | None = _output(
-        "At, s", None, "Second that a .png shows.", metavar="S", low=0.0, high=DAY, unset="the middle")
+        "At, s", None, "Time of a .png in seconds.", metavar="S", low=0.0, high=DAY, unset="the middle")
     every: int | None = _output(
-        "Every", None, "A .png is a sheet of every N-th frame.", metavar="N", low=1, high=1_000_000)
+        "Every", None, "Make each .png a sheet of every N-th frame.", metavar="N", low=1, high=1_000_000)
     look: Look = field(default_factory=Look)
     blend: BlendChoices = field(default_factory=BlendChoices)
 

@@ -214,7 +214,7 @@ class Take:
         fitted = "arkit" in vars(self)
         rms, worst = self.arkit.residual
         if not fitted:
-            progress(f"ARKit weights leave over {rms:.2f} mm root mean square, {worst:.1f} mm at worst")
+            progress(f"ARKit weights miss the face by {rms:.2f} mm root mean square, {worst:.1f} mm at worst")
         return self.arkit
 
     @cached_property

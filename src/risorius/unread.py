@@ -28,12 +28,12 @@ class InputKind:
 SCORE = InputKind(
     "a score",
     (Stage.COMBINE, Stage.FRAMES, *SHOWN, Stage.OUTPUT),
-    "the movements of a score are planned; expected only what acts later, such as conflict, fps or head",
+    "the movements of a score are planned already; expected only e.g. conflict, fps or head",
 )
 PERFORMANCE = InputKind(
     "a performance",
     (*SHOWN, Stage.OUTPUT),
-    "the curves of a performance stay as they are; expected only head, skin or pictures",
+    "the curves of a performance are final; expected only head, skin or pictures",
 )
 CAPTURE = InputKind(
     "a captured face",
@@ -43,26 +43,26 @@ CAPTURE = InputKind(
 RECORDING = InputKind(
     "a recording",
     [stage for stage in Stage if stage is not Stage.VOICE],
-    "the voice is recorded; expected no choice of a synthesized one",
+    "the voice is recorded; expected no option of a synthesized voice",
 )
 LABELS = InputKind(
     "a TextGrid",
     RECORDING.stages,
-    "the words are timed by a TextGrid; expected no choice of a synthesized voice",
+    "the words are timed by a TextGrid; expected no option of a synthesized voice",
 )
 SILENCE = InputKind(
     "a script that says nothing",
     RECORDING.stages,
-    "the script says nothing; expected no choice of a voice",
+    "the script has no words; expected no option of a voice",
 )
 POSE = InputKind("a pose", SHOWN, "a pose is one face at rest; expected only head, skin or pictures")
 CHARACTER = InputKind(
     "a character",
     (Stage.HEAD, Stage.SHAPE),
-    "a character is measured by a head; expected only head, age or shape",
+    "a character is compared with a head; expected only head, age or shape",
 )
 INPUTS = (RECORDING, LABELS, SILENCE, SCORE, PERFORMANCE, CAPTURE, POSE, CHARACTER)
-SCHEDULED = "the times of this script are absolute; expected them where silence is added around plain text"
+SCHEDULED = "the times of this script are absolute; silence is added around plain text only"
 
 
 _SAID = (Stage.VOICE,)
@@ -80,8 +80,8 @@ NEEDED: Mapping[Need, Collection[Stage]] = {
 """The stages whose settings change a file that needs something."""
 UNWRITTEN: Mapping[Stage, str] = {
     Stage.VOICE: "no output depends on the voice; expected e.g. -o x.wav",
-    Stage.PLAN: "no output holds movements; expected e.g. -o x.score.json",
-    Stage.COMBINE: "no output holds movements; expected e.g. -o x.muscles.csv",
+    Stage.PLAN: "no output has movements; expected e.g. -o x.score.json",
+    Stage.COMBINE: "no output has movements; expected e.g. -o x.muscles.csv",
     Stage.FRAMES: "no output has frames; expected e.g. -o x.muscles.csv",
     Stage.HEAD: "no output depends on the head; expected e.g. -o x.glb",
     Stage.SHAPE: "no output depends on the shape of the head; expected e.g. -o x.glb",

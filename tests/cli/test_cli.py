@@ -73,7 +73,7 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["pose", "AU1=1", "--overlay", "lane", "-o", "x.png"], "did you mean 'lanes'"),
         (
             ["speak", "Hi.", "--background", "transparent", "-o", "x.mp4"],
-            ".mp4 has no transparent background",
+            ".mp4 cannot have a transparent background",
         ),
         (["speak", "Hello.", "-o", "nowhere/x.mp4"], "does not exist"),
         (["speak", "Hello.", "-o", "x.mp5"], "did you mean '.mp4'"),

@@ -54,7 +54,7 @@ IMPOSSIBLE = [
     (Add("signal", 1.0, 2.0, BROWS), "unknown channel 'signal'; did you mean 'signals'"),
     (Add("lips", 1.0, 2.0, BROWS), "draw keys instead"),
     (Add("manual", 1.0, 2.0, BROWS), "draw keys instead"),
-    (Add("signals", 1.0, 2.0, BROWS, id="a"), "there is a block 'a' already"),
+    (Add("signals", 1.0, 2.0, BROWS, id="a"), "block 'a' already exists"),
     (Add("signals", 11.0, 12.0, BROWS), "after the end"),
     (Add("signals", 1.0, 2.0, BROWS, function="bouncy"), "unknown onset function 'bouncy'"),
     (Delete("d"), "unknown block 'd'"),

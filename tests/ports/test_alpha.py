@@ -39,7 +39,9 @@ def _write(take: WritableTake, path: Path) -> None:
 def test_a_format_without_alpha_is_refused_before_anything_is_drawn(
     take: WritableTake, tmp_path: Path
 ) -> None:
-    with pytest.raises(OutputError, match=r"\.mp4 has no transparent background; expected one of \.webm"):
+    with pytest.raises(
+        OutputError, match=r"\.mp4 cannot have a transparent background; expected one of \.webm"
+    ):
         _write(take, tmp_path / "x.mp4")
     assert list(tmp_path.iterdir()) == []
 

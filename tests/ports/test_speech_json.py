@@ -60,7 +60,7 @@ def speech_from_json(speech: dict[str, Any], folder: Path, duration: float) -> U
         (
             {"phones": [{"symbol": "", "start": 0, "end": 1, "word": 0}]},
             '{"symbol"',
-            "refers to a phone, word or syllable that is not there",
+            "refers to a phone, word or syllable that does not exist",
         ),
         (
             {"phones": [{"symbol": "", "start": 0, "end": 1, "wrd": 0}]},
@@ -70,7 +70,7 @@ def speech_from_json(speech: dict[str, Any], folder: Path, duration: float) -> U
         (
             {"words": [WORD | {"last_phone": 3}]},
             '{"text"',
-            "refers to a phone, word or syllable that is not there",
+            "refers to a phone, word or syllable that does not exist",
         ),
         ({"words": [WORD | {"end": -9}]}, '"end": -9', "words[0].end = -9 is out of range"),
         ({"words": [WORD | {"start": 9}]}, '{"text"', "ends at 1 s, before it starts at 9 s"),

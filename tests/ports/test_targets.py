@@ -62,7 +62,7 @@ def test_an_impossible_name_is_refused(tmp_path: Path, name: str) -> None:
 
 
 def test_a_need_that_is_not_available_is_named(tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match=r"x\.wav: \.wav needs speech, and here is none$"):
+    with pytest.raises(OutputError, match=r"x\.wav: \.wav needs speech, but there is none here$"):
         check_target(tmp_path / "x.wav", {"curves"})
     assert check_target(tmp_path / "x.muscles.csv", {"curves"}).format.suffix == ".muscles.csv"
 

@@ -25,7 +25,7 @@ def _written(utterance: Utterance, take_of: Callable[..., WritableTake], path: P
 
 
 def test_nothing_said_is_an_error(tmp_path: Path, take_of: Callable[..., WritableTake]) -> None:
-    with pytest.raises(OutputError, match="nothing said"):
+    with pytest.raises(OutputError, match="there is no speech"):
         write_textgrid(take_of(), tmp_path / "x.TextGrid", WriteOptions())
 
 

@@ -27,7 +27,7 @@ WRITERS = (
 
 @pytest.mark.parametrize("write", WRITERS)
 def test_nothing_said_is_an_error(tmp_path: Path, take_of: Callable[..., WritableTake], write) -> None:
-    with pytest.raises(OutputError, match="nothing said"):
+    with pytest.raises(OutputError, match="there is no speech"):
         write(take_of(), tmp_path / "x", WriteOptions())
 
 

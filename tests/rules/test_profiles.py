@@ -31,7 +31,7 @@ HABITS = ("gaze.aversion", "head", "head.noise.idle", "head.melody.pitch")
         (SMALL + '[blinks]\nmodel = "often"\n', "expected one of natural, itti, pelachaud, none"),
         (SMALL + "[gaze.directions]\nfront = 0.5\n", "unknown direction 'front'"),
         ('name = "mine"\ndescription = "d"\nsource = "s"\n', "key 'blinks' is missing"),
-        (SMALL + "[gaze.directions]\nup = 0\ndown = 0\nside = 0\n", "directions of gaze have no weight"),
+        (SMALL + "[gaze.directions]\nup = 0\ndown = 0\nside = 0\n", "all directions of gaze have weight 0"),
         ("name = ", "not a TOML file"),
     ],
 )
@@ -42,7 +42,7 @@ def test_bad_profiles_are_refused_with_their_place(text: str, message: str) -> N
 
 
 def test_a_profile_that_rests_on_itself_is_refused() -> None:
-    with pytest.raises(InputError, match="rests on itself"):
+    with pytest.raises(InputError, match="is based on itself"):
         profile_from(SMALL, "mine.toml", {"neutral": 'name = "neutral"\nbase = "mine"', "mine": SMALL})
 
 

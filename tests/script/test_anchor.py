@@ -70,7 +70,7 @@ def test_anchors_without_a_moment_are_refused(text: str, message: str) -> None:
 
 
 def test_a_word_where_nothing_is_said() -> None:
-    with pytest.raises(InputError, match="expected none, for nothing is said"):
+    with pytest.raises(InputError, match="expected none: the script has no words"):
         parse_anchor("time", "word:1").resolve((), 2.0)
 
 

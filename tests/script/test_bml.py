@@ -21,7 +21,7 @@ def in_block(inside: str) -> str:
 
 
 BAD = [
-    ("<bml></bml>", "x.bml:1: nothing is said or shown"),
+    ("<bml></bml>", "x.bml:1: the script has no behaviour"),
     ("<speak>a</speak>", "x.bml:1:1: <speak> stands outside; expected one <bml>"),
     ("<bml>hello</bml>", "x.bml:1:6: 'hello' stands in <bml>"),
     (f"<bml>{SPEECH}", "x.bml:1:1: bml is not closed"),

@@ -38,9 +38,9 @@ BAD_MARKS = r"""
 <BLINK time="nan"/>
 2:8: time = 'nan' is not a time; expected seconds, word:3
 <BLINK time="2" end="1"/>
-2:17: BLINK: end = 1 comes not after time = 2; expected it later
+2:17: BLINK: end = 1 is not after time = 2; expected a later end
 <SIGNAL time="word:1" end="word:1"/>
-2:23: SIGNAL: end = word:1 comes not after time = word:1
+2:23: SIGNAL: end = word:1 is not after time = word:1
 <BLINK time="2" duration="0"/>
 2:17: duration = '0' is out of range; expected more than 0 seconds
 <BLINK time="2" duration="-1"/>

@@ -20,8 +20,8 @@ PAPER = """<PHONEME time="0" text="Oh really? I like it very much." />
 """  # noqa: W291
 SAID = '<PHONEME text="hi"/>\n'
 BAD = [
-    ("nothing", "", "f:1: nothing is said: there is no PHONEME; expected at least one"),
-    ("marks alone", '<BLINK time="0"/>', "f:1: nothing is said"),
+    ("nothing", "", "f:1: the script has no words; expected at least one PHONEME"),
+    ("marks alone", '<BLINK time="0"/>', "f:1: the script has no words"),
     ("no text", '<PHONEME time="0"/>', 'f:1:1: PHONEME: text is missing; expected e.g. text="Hello."'),
     ("empty text", '<PHONEME text=" "/>', "f:1:10: the text is empty; expected words to speak"),
     ("no letter", '<PHONEME text="?!"/>', "f:1:10: nothing can be spoken in '?!'"),
@@ -45,12 +45,12 @@ BAD = [
     (
         "speech reversed",
         '<PHONEME time="2" text="a"/>\n<PHONEME time="1" text="b"/>',
-        "f:2:1: PHONEME: time = 1 comes not after 2, the time of the text before",
+        "f:2:1: PHONEME: time = 1 is not after 2, the time of the text before; expected a later time",
     ),
     (
         "speech together",
         '<PHONEME time="2" text="a"/><PHONEME text="c"/>\n<PHONEME time="2" text="b"/>',
-        "f:2:1: PHONEME: time = 2 comes not after 2",
+        "f:2:1: PHONEME: time = 2 is not after 2",
     ),
     ("attribute of speech", '<PHONEME txt="a"/>', "f:1:10: unknown attribute 'txt'; did you mean 'text'?"),
     ("element", "<EMOTIONDISPLY/>", "f:1:1: unknown element 'EMOTIONDISPLY'; did you mean 'EMOTIONDISPLAY'?"),

@@ -29,7 +29,7 @@ BAD = [
     ('<speak>a <prosody volume="9">b</prosody></speak>', "x.ssml:1:19: unknown volume '9'"),
     ('<speak>a <emphasis level="much">b</emphasis></speak>', "x.ssml:1:20: unknown level 'much'"),
     ('<speak>a <phoneme ph="hB">b</phoneme></speak>', "x.ssml:1:19: unknown phone 'hB'"),
-    ('<speak>a <phoneme ph="">b</phoneme></speak>', "x.ssml:1:19: ph holds no sound"),
+    ('<speak>a <phoneme ph="">b</phoneme></speak>', "x.ssml:1:19: ph has no phones"),
     ("<speak>a <phoneme>b</phoneme></speak>", "x.ssml:1:10: <phoneme>: ph is missing"),
     (
         '<speak>a <phoneme alphabet="arpabet" ph="HH QX">b</phoneme></speak>',

@@ -9,7 +9,7 @@ from risorius.script.utt import parse_utterance
 from risorius.speech import feelings, say
 
 BAD = [
-    ("", "x.utt:1: nothing is said: there is no 'text:'"),
+    ("", "x.utt:1: the script has no words; expected at least one line 'text: …'"),
     ("txet: (A)", "x.utt:1:1: unknown key 'txet'; did you mean 'text'"),
     ("hello", "x.utt:1:1: 'hello' is not a line of an utterance"),
     ("emotion: hapiness 0.3\ntext: (A)", "x.utt:1:10: unknown emotion 'hapiness'; did you mean 'happiness'"),

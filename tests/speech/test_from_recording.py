@@ -130,4 +130,4 @@ def test_a_recording_alone_says_that_this_is_weaker(voice: Path, capsys: pytest.
     with warnings.catch_warnings():
         warnings.simplefilter("always")
         assert run(["align", "line.wav", "-o", "x.TextGrid"]) == 0
-    assert "risorius: warning: line.wav: no transcript was given" in capsys.readouterr().err
+    assert "risorius: warning: line.wav: there is no transcript" in capsys.readouterr().err

@@ -79,7 +79,7 @@ def test_a_port_that_is_taken_and_an_address_of_another_machine() -> None:
 
 
 def test_a_protocol_without_a_greeting(clip: Take) -> None:
-    with pytest.raises(InputError, match=r"no greeting asks for livelink first; .* one of ifacialmocap$"):
+    with pytest.raises(InputError, match=r"livelink has no greeting to wait for; .* one of ifacialmocap$"):
         send_take(clip, "livelink", listen="127.0.0.2")
 
 

@@ -110,7 +110,7 @@ def test_a_receiver_that_goes_away_is_named() -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         to = Address(*server.getsockname())
         threading.Thread(target=lambda: server.accept()[0].close()).start()
-        with pytest.raises(OutputError, match=rf"the receiver at {to} has gone"):
+        with pytest.raises(OutputError, match=rf"the receiver at {to} has closed the connection"):
             send(lambda k: [b"x" * 1000], 500, FPS, to, MachineClock(), tcp=True)
 
 

@@ -62,7 +62,7 @@ WRONG = [
         {"script": "Hello", "emotions": (shared.EmotionSpan("/tmp/x.toml", 1.0),)},
         "unknown emotion '/tmp/x.toml'",
     ),
-    ({"script": "Hello", "emotions": (shared.EmotionSpan("joy", 1.0, first=90),)}, "no word stands in"),
+    ({"script": "Hello", "emotions": (shared.EmotionSpan("joy", 1.0, first=90),)}, "there is no word in"),
 ]
 
 
@@ -207,7 +207,7 @@ def test_edits_are_made_again_on_another_plan_and_what_does_not_fit_is_named(ses
     assert not again.warnings
     without = session.choose(requests.Choose(shared.Choices(without=("signals",))), quiet)
     (warning,) = without.warnings
-    assert f"an edit was left out (move {block.id}): unknown block" in warning
+    assert f"an edit could not be applied again (move {block.id}): unknown block" in warning
     assert "hand.1" in {b.id for b in without.blocks}
     session.undo(requests.Undo(), quiet)
     assert session.current.blocks[block.id].start == 0.1
@@ -328,7 +328,7 @@ def test_what_is_spoilt_is_put_aside_and_said(session, tmp_path):
     (tmp_path / FILE).write_text('{"risorius_project": 1,', encoding="utf-8")
     again = Session("one", tmp_path)
     (note,) = Autosave(tmp_path).load(again)
-    assert "put aside as project-broken.json" in note
+    assert "renamed to project-broken.json" in note
     assert again.current is None
     assert (tmp_path / "project-broken.json").exists()
     assert Autosave(tmp_path).load(again) == ()
@@ -403,7 +403,7 @@ def test_an_emotion_saved_anew_is_the_new_one(session):
         for take in (one, two)
     ]
     assert strengths == [1.0, 0.5]
-    with pytest.raises(RisoriusError, match="is an emotion of Risorius"):
+    with pytest.raises(RisoriusError, match="is the name of an emotion of Risorius"):
         session.files.save_emotion("joy", {"AU12": 0.5})
 
 

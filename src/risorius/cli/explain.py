@@ -17,13 +17,13 @@ from .options import Command, option
     group="Output",
     type=float,
     metavar="S",
-    help="The second to explain; a summary of the clip without it.",
+    help="Time to explain, in seconds. Without it, a summary of the clip.",
 )
 @option(
     "--parameter",
     group="Output",
     metavar="NAME",
-    help="One muscle or other parameter; all that move without it.",
+    help="Explain one muscle or other parameter. Without it, all that move.",
 )
 def explain(performance: Path, at: float | None, parameter: str | None) -> None:
     """Say why the face does what it does, from a PERFORMANCE (.performance.json).

@@ -26,17 +26,17 @@ def tell(summary: Mapping[str, Tally]) -> Iterator[str]:
 
 def tell_rig(rig: Rig, rows: Sequence[Shown], *, guessed: bool) -> Iterator[str]:
     """Yield lines on what a character can show; a guessed map is shown as TOML, to correct and give back."""
-    yield f"# {len(rig.shapes)} of 52 ARKit shapes{' by name; correct what is wrong' if guessed else ''}"
+    yield f"# {len(rig.shapes)} of 52 ARKit shapes{' by name; correct wrong ones' if guessed else ''}"
     yield "[shapes]"
     yield from (f"{shape} = {json.dumps(target, ensure_ascii=False)}" for shape, target in rig.shapes.items())
     yield ""
     if rig.missing:
         yield f"# missing: {', '.join(rig.missing)}"
     if rig.unused:
-        yield f"# targets that are no ARKit shape: {', '.join(rig.unused)}"
+        yield f"# targets that are not ARKit shapes: {', '.join(rig.unused)}"
     for verdict in ("well", "partly", "not"):
         names = [row for row in rows if row.verdict == verdict]
         if names:
             told = ", ".join(f"{row.parameter} ({row.left_over:.0%}, {row.rms:.1f} mm)" for row in names)
             yield f"# shown {verdict}: {told}" if verdict != "not" else f"# not shown: {told}"
-    yield "# in brackets: what is left over of the movement, and that in mm (root mean square on our head)"
+    yield "# in brackets: the share of the movement that is not shown, and its root mean square in mm"

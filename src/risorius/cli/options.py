@@ -146,7 +146,7 @@ output_option = option(
     group="Output",
     multiple=True,
     type=click.Path(path_type=Path, dir_okay=True),
-    help="File to write; its suffix says what ('risorius list outputs'). May be given several times.",
+    help="File to write; its suffix is the format ('risorius list outputs'). May be given several times.",
 )
 rules_option = setting_options(names=("rules",))
 emotion_option = option(

@@ -20,7 +20,7 @@ from .options import Command, option, setting_options, settings_from
     "map_file",
     group="Input",
     type=click.Path(path_type=Path),
-    help="TOML that says which target is which.",
+    help="TOML file that names the morph target of each ARKit shape.",
 )
 @option(
     "--perform",

@@ -31,7 +31,11 @@ LONGEST_INPUT = 4_000_000
 @click.argument("source", metavar="[INPUT]", required=False)
 @output_option
 @option(
-    "--text", "is_text", group="Input", is_flag=True, help="INPUT is the text itself, whatever it looks like."
+    "--text",
+    "is_text",
+    group="Input",
+    is_flag=True,
+    help="Speak INPUT as text, even if it looks like a file name.",
 )
 @emotion_option
 @option("--audio", group="Input", metavar="FILE", help="A recorded voice: WAV, FLAC, OGG or MP3.")
@@ -39,7 +43,7 @@ LONGEST_INPUT = 4_000_000
     "--transcript",
     group="Input",
     metavar="TEXT|FILE",
-    help="What the recording says, or a file with it.  [default: INPUT]",
+    help="The words of the recording, or a file that holds them.  [default: INPUT]",
 )
 @setting_options((Stage.VOICE, Stage.PLAN, Stage.COMBINE, *SHOWN))
 def speak(
@@ -61,7 +65,7 @@ def speak(
     if source is None and audio is None:
         raise InputError("nothing to perform; expected a text, a file or --audio")
     if source is None and is_text:
-        raise UnreadError(["text"], "there is no INPUT; expected one, or --transcript TEXT")
+        raise UnreadError(["text"], "INPUT is missing; expected a text, or --transcript TEXT")
     settings = settings_from(chosen)
     targets = outputs or (Path(DEFAULT_OUTPUT),)
     with Console() as console:

@@ -20,12 +20,14 @@ from .options import Command, displays, emotion_option, option, setting_options,
     metavar="NAME",
     help="livelink, vmc, ifacialmocap or ifacialmocap-tcp.  [default: livelink]",
 )
-@option("--to", group="Receiver", metavar="HOST[:PORT]", help="Who receives it.  [default: 127.0.0.1]")
+@option(
+    "--to", group="Receiver", metavar="HOST[:PORT]", help="Address of the receiver.  [default: 127.0.0.1]"
+)
 @option(
     "--listen",
     group="Receiver",
     metavar="HOST[:PORT]",
-    help="Send to the one that greets here, as receivers of iFacialMocap do.",
+    help="Wait here for a receiver's greeting, as of iFacialMocap, and send to that receiver.",
 )
 @option(
     "--patience",
@@ -51,7 +53,7 @@ from .options import Command, displays, emotion_option, option, setting_options,
     "--without-sound",
     group="Receiver",
     is_flag=True,
-    help="Do not play the voice here; the machine's clock counts.",
+    help="Do not play the voice; send by the machine's clock.",
 )
 @emotion_option
 @setting_options(names=("fps", "head"))
@@ -75,7 +77,7 @@ def stream(
     options = Options(**{name: value for name, value in given.items() if value is not None})
     check_options(protocol, options)
     if listen is None and patience != PATIENCE:
-        raise UnreadError(["patience"], "no greeting is waited for; expected --listen as well")
+        raise UnreadError(["patience"], "nothing waits for a greeting; expected --listen as well")
     if to is not None and listen is not None:
         raise InputError("--to and --listen exclude each other; expected one of them")
     to = to or "127.0.0.1"

@@ -18,14 +18,14 @@ from .options import Command, option
     "--port",
     group="Server",
     type=click.IntRange(0, 65535),
-    help="Port; 0 is any that is free.  [default: 8765]",
+    help="Port; 0 chooses a free one.  [default: 8765]",
 )
 @option("--no-browser", group="Server", is_flag=True, help="Do not open a browser.")
 @option(
     "--folder",
     group="Server",
     type=click.Path(path_type=Path),
-    help="Where sessions are kept.  [default: the user's data]",
+    help="Folder of the sessions.  [default: the user's data]",
 )
 def studio(port: int | None, no_browser: bool, folder: Path | None) -> None:
     """See, hear and shape a performance in the browser, on this machine alone."""

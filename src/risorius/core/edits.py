@@ -183,7 +183,7 @@ def _add(score: Score, edit: Add) -> Score:
     assert isinstance(named_edit, Add)
     name = str(named_edit.id)
     if any(m.id == name for m in score.movements):
-        raise InputError(f"there is a block '{name}' already; expected another id")
+        raise InputError(f"block '{name}' already exists; expected another id")
     added = Movement(
         edit.channel,
         edit.start,

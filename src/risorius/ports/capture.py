@@ -157,7 +157,7 @@ def _fault_of(name: str, before: Sequence[str]) -> str:
         return f"'{name[:30]}' is not a column's name; expected a header in the first line"
     for other in (";", "\t"):
         if other in name:
-            return f"columns are parted by {other!r}; expected ','"
+            return f"columns are separated by {other!r}; expected ','"
     return f"column '{name[:30]}' is given twice" if name in before else ""
 
 
@@ -180,7 +180,7 @@ def _cells(line: str, place: Place) -> tuple[str, ...]:
     try:
         (row,) = csv.reader([line], strict=True)
     except csv.Error:
-        raise InputError("has a quoted cell that does not end well", place) from None
+        raise InputError("has a quoted cell that is not closed; expected a quotation mark", place) from None
     return tuple(cell.strip() for cell in row)
 
 

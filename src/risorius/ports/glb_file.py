@@ -93,13 +93,13 @@ def read_glb(path: Path) -> GlbFile:
         if magic != b"glTF" or version != 2:
             raise InputError("is not binary glTF 2.0; expected a .glb file", place)
         if length != len(data):
-            raise InputError(f"has {len(data)} bytes and says {length}: it is cut off", place)
+            raise InputError(f"has {len(data)} bytes, but its header says {length}: it is cut off", place)
         chunks = _chunks(data)
         document = json.loads(chunks[b"JSON"])
     except (struct.error, KeyError, ValueError, RecursionError):
         raise InputError("is not binary glTF 2.0; expected a .glb file", place) from None
     if not isinstance(document, dict):
-        raise InputError("holds no glTF document", place)
+        raise InputError("has no glTF document", place)
     return GlbFile(path, document, chunks.get(b"BIN\0", b""))
 
 

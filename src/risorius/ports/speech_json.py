@@ -62,14 +62,14 @@ class SpeechDocument:
             for number, part in enumerate(getattr(self, name)):
                 if not is_within(part, self):
                     message = (
-                        "refers to a phone, word or syllable that is not there; expected a number of one"
+                        "refers to a phone, word or syllable that does not exist; expected the number of one"
                     )
                     raise MisfitError(message, name, number)
         for name in _SPANS:
             for number, part in enumerate(getattr(self, name)):
                 if part.end < part.start:
                     message = (
-                        f"ends at {part.end:g} s, before it starts at {part.start:g} s; expected after it"
+                        f"ends at {part.end:g} s, before it starts at {part.start:g} s; expected a later end"
                     )
                     raise MisfitError(message, name, number)
 
@@ -103,7 +103,9 @@ _REFERENCES: Mapping[str, Callable[[Any, SpeechDocument], bool]] = MappingProxyT
 
 def _audio(name: str, folder: Path) -> Audio:
     if Path(name).is_absolute():
-        raise MisfitError(f"'{name}' is an absolute path; expected one from the score's folder on", "audio")
+        raise MisfitError(
+            f"'{name}' is an absolute path; expected one relative to the score's folder", "audio"
+        )
     path = folder / name
     try:
         with wave.open(str(path), "rb") as file:

@@ -39,7 +39,9 @@ def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Ta
     target = Target(file, format_for(file))
     missing = sorted(need for need in target.format.needs if need not in available)
     if missing:
-        raise OutputError(f"{target.format.suffix} needs {missing[0]}, and here is none", Place(str(file)))
+        raise OutputError(
+            f"{target.format.suffix} needs {missing[0]}, but there is none here", Place(str(file))
+        )
     try:
         _check_place(file)
     except OSError as error:
@@ -71,7 +73,7 @@ def check_alpha(targets: Iterable[Target]) -> None:
     for target in targets:
         if target.format.opaque:
             kept = ", ".join(s for s in FORMATS if not FORMATS.get(s).opaque and _shows(FORMATS.get(s)))
-            message = f"{target.format.suffix} has no transparent background; expected one of {kept}"
+            message = f"{target.format.suffix} cannot have a transparent background; expected one of {kept}"
             raise OutputError(message, Place(str(target.path)))
 
 

@@ -20,7 +20,7 @@ _STRESS_DIGIT = {0: "0", 1: "2", 2: "1"}
 def write_textgrid(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write tiers `words`, `phones`, `accents` and `boundaries`. Raises OutputError if nothing is said."""
     if take.utterance is None:
-        raise OutputError("there is nothing said to write; expected a performance that speaks")
+        raise OutputError("there is no speech to write; expected a performance that speaks")
     write_lines(path, utterance_lines(take.utterance))
 
 

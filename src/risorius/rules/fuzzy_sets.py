@@ -15,7 +15,9 @@ from ..errors import InputError
 def check_centres(centres: Sequence[float]) -> None:
     """Raise InputError unless there are two centres at least, in rising order."""
     if len(centres) < 2 or any(not a < b for a, b in pairwise(centres)):
-        raise InputError(f"centres {list(centres)} do not rise; expected two numbers at least, in order")
+        raise InputError(
+            f"centres {list(centres)} do not increase; expected at least two numbers in increasing order"
+        )
 
 
 def memberships(value: float, centres: Sequence[float]) -> list[float]:

@@ -131,7 +131,7 @@ class Profile:
             if name not in ("up", "down", "side"):
                 raise ParameterError(unknown("direction", name, ("up", "down", "side")))
         if not sum(self.gaze.directions.values()) > 0.0:
-            raise InputError("the directions of gaze have no weight; expected one at least above 0")
+            raise InputError("all directions of gaze have weight 0; expected at least one above 0")
 
     @property
     def modulation(self) -> Modulation:
@@ -190,7 +190,7 @@ def profile_from(text: str, name: str, bases: Mapping[str, str]) -> Profile:
         if base not in bases:
             raise source.error(("base",), unknown("profile", str(base), bases))
         if base in seen:
-            raise source.error(("base",), f"profile '{base}' rests on itself; expected another base")
+            raise source.error(("base",), f"profile '{base}' is based on itself; expected another base")
         seen.append(base)
         under = read_tables(bases[base], base)
         data = {**_merged(under, data), "base": under.get("base")}

@@ -73,7 +73,7 @@ class Anchor:
         if self.base in (Base.TEXT, Base.TEXT_END):
             return self._in_text(words)
         if not 1 <= self.word <= len(words):
-            known = f"words 1 to {len(words)}" if words else "none, for nothing is said"
+            known = f"words 1 to {len(words)}" if words else "none: the script has no words"
             raise InputError(f"'{self}': there is no word {self.word}; expected {known}", self.place)
         word = words[self.word - 1]
         return word.start if self.base is Base.WORD else word.end

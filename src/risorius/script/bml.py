@@ -142,7 +142,7 @@ class _Reading:
         marks = [mark for name in self.nodes for mark in self._marks(name, table)]
         check_apart((mark, mark.start) for mark in marks)
         if not marks and not self.lines:
-            raise InputError("nothing is said or shown; expected a behaviour", Place(self.source, 1))
+            raise InputError("the script has no behaviour; expected at least one", Place(self.source, 1))
         lines = tuple(self._placed(name) for name in self.lines)
         return script_of(lines, tuple(marks), timed=True, source=self.source)
 

@@ -87,7 +87,7 @@ class _Common:
 
     def _checked(self, start: Anchor, end: Anchor) -> tuple[Anchor, Anchor]:
         if start.same_base(end) and not start.seconds < end.seconds:
-            message = f"end = {end} comes not after time = {start}; expected it later"
+            message = f"end = {end} is not after time = {start}; expected a later end"
             raise self.attributes.error(message, end.place)
         return start, end
 

@@ -50,7 +50,9 @@ def _line(attributes: Attributes, before: list[SpokenLine]) -> SpokenLine:
     check_speakable(text.value, text.place.file, text.place)
     last = max((line.start for line in before if line.start is not None), default=None)
     if start is not None and last is not None and start <= last:
-        raise attributes.error(f"time = {start:g} comes not after {last:g}, the time of the text before")
+        raise attributes.error(
+            f"time = {start:g} is not after {last:g}, the time of the text before; expected a later time"
+        )
     if accents is None:
         return SpokenLine(text.value, start, attributes.place)
     tunes = [read_tune(bracket) for bracket in read_brackets(accents.value, _somewhere(accents))]
@@ -78,5 +80,5 @@ def _language(attributes: Attributes, before: str | None) -> str | None:
 
 def _check_spoken(lines: list[SpokenLine], source: str) -> None:
     if not lines:
-        raise InputError(f"nothing is said: there is no {SPOKEN}; expected at least one", Place(source, 1))
+        raise InputError(f"the script has no words; expected at least one {SPOKEN}", Place(source, 1))
     check_length(sum(len(line.text) for line in lines), lines[-1].place)

@@ -128,7 +128,7 @@ class _Stream:
         if match is None:
             raise self.fault(f"the file ends before {what}; expected a whole TextGrid")
         if match.lastgroup != kind:
-            raise self.fault(f"{quoted(match.group())} stands where {what} should; expected a {kind}")
+            raise self.fault(f"{quoted(match.group())} stands in place of {what}; expected a {kind}")
         return match[kind]
 
     def string(self, what: str) -> str:
@@ -137,7 +137,7 @@ class _Stream:
     def number(self, what: str) -> float:
         number = float(self._next("number", what).rstrip("%"))
         if not math.isfinite(number):
-            raise self.fault(f"{what} is beyond all bounds; expected a number")
+            raise self.fault(f"{what} is too large; expected a finite number")
         return number
 
     def flag(self) -> str:

@@ -41,7 +41,7 @@ def read_ipa(attribute: Attribute) -> tuple[str, ...]:
         except ParameterError as error:
             raise error.at(attribute.place) from None
     if not phones:
-        raise InputError(f"{attribute.name} holds no sound; expected e.g. həˈləʊ", attribute.place)
+        raise InputError(f"{attribute.name} has no phones; expected e.g. həˈləʊ", attribute.place)
     return tuple(phones)
 
 
@@ -54,5 +54,5 @@ def read_arpabet(attribute: Attribute) -> tuple[str, ...]:
             known = (*table.phones, *table.diphthongs)
             raise ParameterError(unknown("phone", one_line(phone), known), attribute.place)
     if not phones:
-        raise InputError(f"{attribute.name} holds no sound; expected e.g. HH AH0 L OW1", attribute.place)
+        raise InputError(f"{attribute.name} has no phones; expected e.g. HH AH0 L OW1", attribute.place)
     return phones

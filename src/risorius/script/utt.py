@@ -55,7 +55,7 @@ def parse_utterance(text: str, source: str = "text") -> Script:
     head = [e for e in entries if e.key in HEAD]
     sentences = _sentences(entries)
     if not sentences:
-        raise InputError("nothing is said: there is no 'text:'; expected at least one", Place(source, 1))
+        raise InputError("the script has no words; expected at least one line 'text: …'", Place(source, 1))
     language = _only(head, "language")
     line = _joined([_written(sentence) for sentence in sentences], sentences[0].text.place)
     check_length(len(line.text), line.place)
@@ -71,9 +71,8 @@ def _entries(text: str, source: str) -> Iterator[_Entry]:
         match = _LINE.match(line.lstrip())
         indent = len(line) - len(line.lstrip())
         if match is None:
-            message = (
-                f"{quoted(line.strip())} is not a line of an utterance; expected e.g. text: (JUlia prefers)"
-            )
+            shown = quoted(line.strip())
+            message = f"{shown} is not a line of an utterance file; expected e.g. text: (JUlia prefers)"
             raise InputError(message, Place(source, number, indent + 1))
         key = match["key"].lower()
         if key not in (*HEAD, *BODY):
@@ -94,11 +93,13 @@ def _sentences(entries: Sequence[_Entry]) -> list[_Sentence]:
     for entry in entries:
         if entry.key in HEAD:
             if sentences:
-                raise InputError(f"{entry.key} comes after the text; expected it at the head", entry.place)
+                raise InputError(
+                    f"{entry.key} comes after the text; expected it before the first text", entry.place
+                )
         elif entry.key == "text":
             sentences.append(_Sentence(entry))
         elif not sentences:
-            raise InputError(f"{entry.key} comes before the text; expected it below", entry.place)
+            raise InputError(f"{entry.key} comes before the text; expected it after its text", entry.place)
         elif entry.key in sentences[-1].rest:
             raise InputError(f"{entry.key} is given twice; expected it once for a text", entry.place)
         else:

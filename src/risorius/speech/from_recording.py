@@ -21,9 +21,7 @@ from .recordings.recording import read_recording
 from .recordings.tone_labels import tells_accents, tells_boundaries
 from .structure.accents import intone
 
-WEAKER = (
-    "no transcript was given: words are guessed from the sound, which is weaker; check them in a TextGrid"
-)
+WEAKER = "there is no transcript: words are recognized from the sound, with errors; check them in a TextGrid"
 
 
 @dataclass(frozen=True, slots=True)

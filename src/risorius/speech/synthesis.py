@@ -129,7 +129,7 @@ def _speak(
             progress((number + 1) / len(stretches))
     if guessed:
         names = ", ".join(f"'{name}'" for name in guessed)
-        warn(f"sounds shown as the nearest class of sounds: {names}", SpeechWarning)
+        warn(f"unknown phones are shown as the nearest class of phones: {names}", SpeechWarning)
 
 
 def _check_text(text: str) -> None:

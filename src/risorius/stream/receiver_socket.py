@@ -98,7 +98,7 @@ def _fault(to: Address, error: OSError | UnicodeError) -> OutputError:
     if isinstance(error, ConnectionRefusedError):
         return OutputError(f"nothing listens at {to}; expected a receiver that is running")
     if isinstance(error, BrokenPipeError | ConnectionResetError):
-        return OutputError(f"the receiver at {to} has gone")
+        return OutputError(f"the receiver at {to} has closed the connection")
     if isinstance(error, TimeoutError):
         return OutputError(f"'{to}' has not answered for {PATIENCE:g} s; expected a receiver")
     return OutputError(f"'{to}' cannot be reached: {getattr(error, 'strerror', None) or error}")

@@ -41,7 +41,7 @@ def send_take(
     address = parse_address(listen or to, chosen.port)
     if listen is not None and not chosen.greetings:
         greeted = ", ".join(name for name in PROTOCOLS if PROTOCOLS.get(name).greetings)
-        raise InputError(f"no greeting asks for {protocol} first; expected --to, or one of {greeted}")
+        raise InputError(f"{protocol} has no greeting to wait for; expected --to, or one of {greeted}")
     check_options(protocol, options)
     if listen is None:
         check_host(address)

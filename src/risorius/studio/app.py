@@ -56,7 +56,7 @@ class Studio:
         Raises InputError if the name is not valid, the session does not exist, or too many are open.
         """
         if not NAME.fullmatch(name):
-            raise InputError("the session's name is not one; expected up to 40 of a-z, 0-9 and -")
+            raise InputError("the session's name cannot be used; expected 1 to 40 of a-z, 0-9 and -")
         if name not in self.sessions:
             folder = self.folder / name
             if not create and not folder.is_dir():
@@ -72,7 +72,7 @@ class Studio:
             return
         unseen = next((name for name, shared in self.sessions.items() if not shared.pages), None)
         if unseen is None:
-            raise InputError(f"{limits.SESSIONS} sessions are open; expected one to be closed first")
+            raise InputError(f"{limits.SESSIONS} sessions are open already; close one first")
         self.sessions.pop(unseen).close()
 
     def app(self) -> Starlette:
@@ -126,7 +126,7 @@ class Studio:
         live = self._requested(request).session.live(request.path_params["take"])
         audio = live.take.utterance.audio if live.take.utterance else None
         if audio is None:
-            raise InputError("nothing is said in this take")
+            raise InputError("this take has no sound")
         return FileResponse(audio.path, media_type="audio/wav", headers={"cache-control": "no-cache"})
 
     async def recording(self, request: Request) -> Response:

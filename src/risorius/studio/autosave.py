@@ -88,7 +88,7 @@ class Autosave:
         except (RisoriusError, OSError, ValueError) as error:
             aside = path.with_name("project-broken.json")
             path.replace(aside)
-            return (f"what was saved cannot be opened and was put aside as {aside.name}: {error}",)
+            return (f"the saved project cannot be opened and was renamed to {aside.name}: {error}",)
         return ()
 
     def _read(self, path: Path, files: SessionFiles) -> tuple[Opened, int]:

@@ -81,7 +81,7 @@ class Exports:
 def check(take: Take, asked: requests.Export) -> None:
     """Raise InputError or OutputError where an export cannot be made as asked."""
     if not 0 < len(asked.suffixes) <= limits.EXPORTED:
-        raise InputError(f"{len(asked.suffixes)} files are asked for; expected 1 to {limits.EXPORTED}")
+        raise InputError(f"{len(asked.suffixes)} files in one export; expected 1 to {limits.EXPORTED}")
     settings = _settings(take.settings, asked)
     check_targets(_names(asked), alpha=settings.look.transparent)
 

@@ -65,7 +65,7 @@ async def _refuse(scope: Scope, receive: Receive, send: Send) -> None:
     if scope["type"] == "websocket":
         await send({"type": "websocket.close", "code": 1008, "reason": "not from this page"})
         return
-    response = PlainTextResponse("only the page of this server may ask\n", status_code=403)
+    response = PlainTextResponse("only the page of this server may send requests\n", status_code=403)
     await response(scope, receive, send)
 
 

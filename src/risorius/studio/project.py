@@ -189,7 +189,9 @@ def _sounding(utterance: Utterance | None, sound: str | None) -> Utterance | Non
     try:
         return replace(utterance, audio=_sound(sound))
     except ValueError as error:
-        raise InputError(f"the sound does not fit what is said: {error}; expected one as long") from None
+        raise InputError(
+            f"the sound does not fit the speech: {error}; expected one of the same length"
+        ) from None
 
 
 def _sound(text: str) -> Audio:

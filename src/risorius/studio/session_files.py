@@ -56,7 +56,7 @@ class SessionFiles:
         folder = self.folder / "recordings"
         folder.mkdir(exist_ok=True)
         if len(self.recordings()) >= _MOST:
-            raise InputError(f"there are {_MOST} recordings already; expected a new session")
+            raise InputError(f"this session has {_MOST} recordings already; expected a new session")
         plain = re.sub(r"[^\w-]+", "-", stem, flags=re.ASCII).strip("-")[:40] or "recording"
         mark = digest(uploaded.read_bytes())[:8]
         kept = f"{plain.removesuffix(f'-{mark}')}-{mark}{suffix}"
@@ -94,7 +94,7 @@ class SessionFiles:
         """Save an emotion whose full display is `values`; return the text of its file."""
         self._check(name, self._emotions)
         if name.lower() in emotion_names():
-            raise InputError(f"'{name}' is an emotion of Risorius; expected another name")
+            raise InputError(f"'{name}' is the name of an emotion of Risorius; expected another name")
         text = emotion_text(name, values)
         # Files are found by what is in them: the library keeps what it has read by its path.
         self._emotions[name] = kept_table(text, "emotion", self.folder).name
@@ -112,7 +112,7 @@ class SessionFiles:
         if not _NAME.fullmatch(name):
             raise InputError(f"'{name[:60]}' is not a name; expected up to 60 letters, digits, - and spaces")
         if name not in known and len(known) >= _MOST:
-            raise InputError(f"there are {_MOST} already; expected a name that is there")
+            raise InputError(f"{_MOST} are saved already; expected one of their names")
 
 
 def write_text(path: Path, text: str) -> None:

@@ -44,7 +44,7 @@ class Version:
             try:
                 version = version.changed(edit)
             except RisoriusError as error:
-                dropped.append(f"an edit was left out ({worded(edit)}): {error}")
+                dropped.append(f"an edit could not be applied again ({worded(edit)}): {error}")
         return replace(version, warnings=tuple(dropped), milliseconds=self.milliseconds)
 
 
@@ -63,5 +63,5 @@ _WORDS = {
     "Add": "add",
     "Delete": "delete",
     "Keys": "draw",
-    "ClearKeys": "clear what is drawn for",
+    "ClearKeys": "delete the drawn curve of",
 }

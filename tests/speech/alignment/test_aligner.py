@@ -30,14 +30,14 @@ def quietly(audio: Audio, text: str) -> Utterance:
 
 def test_another_lines_transcript_is_refused_with_the_words_in_doubt(spoken: Utterance) -> None:
     with pytest.raises(
-        InputError, match=r"does not fit the recording; not sure .* \(\d+ of 10 words\): '\w+' at"
+        InputError, match=r"does not fit the recording; perhaps not .* \(\d+ of 10 words\): '\w+' at"
     ):
         align(spoken.audio, WRONG)
 
 
 def test_more_words_than_there_is_time_for_are_refused(spoken: Utterance) -> None:
     with pytest.raises(
-        InputError, match=r"does not fit the recording; \d+ words cannot be said from 0.00 to 2.\d+ s"
+        InputError, match=r"does not fit the recording; \d+ words do not fit into 0.00 to 2.\d+ s"
     ):
         align(spoken.audio, WRONG * 5)
 
@@ -49,12 +49,12 @@ def test_a_transcript_without_words_is_refused(text: str, spoken: Utterance) -> 
 
 
 def test_words_that_are_not_said_are_named(spoken: Utterance) -> None:
-    with pytest.warns(SpeechWarning, match=r"not sure to be said in the recording .*'scissors' at"):
+    with pytest.warns(SpeechWarning, match=r"perhaps not said in the recording .*'scissors' at"):
         align(spoken.audio, spoken.text.replace("big", "scissors"))
 
 
 def test_what_the_transcript_lacks_is_told(spoken: Utterance) -> None:
-    with pytest.warns(SpeechWarning, match=r"something is said that the transcript lacks: \d\.\d\d to"):
+    with pytest.warns(SpeechWarning, match=r"said in the recording, but not in the transcript: \d\.\d\d to"):
         align(spoken.audio, "My baby brother put the big map by")
 
 

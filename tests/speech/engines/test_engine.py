@@ -59,7 +59,7 @@ def test_another_engine_by_registration() -> None:
 
 
 def test_guessed_sounds_are_reported() -> None:
-    with pytest.warns(SpeechWarning, match="nearest class of sounds: 'ǁ'"):
+    with pytest.warns(SpeechWarning, match="nearest class of phones: 'ǁ'"):
         synthesize("Word.", engine=Beeper(guessed=("ǁ",)))
 
 

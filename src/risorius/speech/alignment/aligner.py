@@ -73,9 +73,7 @@ def decoded(resampled: Resampled, words: Sequence[Readings]) -> Iterator[list[Al
             aligned = decoders.align_words(resampled.read(window.start, window.end), inside)
         except AlignmentError:
             span = f"{window.start:.2f} to {window.end:.2f} s"
-            message = (
-                f"the transcript does not fit the recording; {len(inside)} words cannot be said from {span}"
-            )
+            message = f"the transcript does not fit the recording; {len(inside)} words do not fit into {span}"
             raise InputError(message) from None
         yield without_gaps(moved(aligned, window.start, window.end, window.first))
 

@@ -29,12 +29,10 @@ def check_words(words: Sequence[ScriptWord], aligned: Sequence[AlignedPhone]) ->
     reasons = []
     if doubtful:
         named = _listed([f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful])
-        reasons.append(
-            f"not sure to be said in the recording ({len(doubtful)} of {len(words)} words): {named}"
-        )
+        reasons.append(f"perhaps not said in the recording ({len(doubtful)} of {len(words)} words): {named}")
     if missing:
         places = _listed([f"{f.start:.2f} to {f.end:.2f} s" for f in missing])
-        reasons.append(f"something is said that the transcript lacks: {places}")
+        reasons.append(f"said in the recording, but not in the transcript: {places}")
     wrong = _seconds(missing) + sum(_seconds(span) for span in spans if mean_score(span) < POOR_WORD)
     if wrong > WRONG_SHARE * (_seconds(missing) + sum(map(_seconds, spans))):
         raise InputError("; ".join(["the transcript does not fit the recording", *reasons]))

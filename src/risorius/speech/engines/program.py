@@ -91,7 +91,7 @@ class ProgramEngine:
             last = done.stderr.decode("utf-8", "replace").strip().splitlines()[-1:] or [""]
             raise self._fault(f"failed with exit code {done.returncode}: {last[0]}".rstrip(": "))
         if len(done.stdout) > LONGEST_ANSWER:
-            raise self._fault("gave too long an answer")
+            raise self._fault("gave an answer that is too long")
         return done.stdout
 
     def _read(self, output: bytes, request: SpeechRequest) -> Rendition:
@@ -100,7 +100,7 @@ class ProgramEngine:
         except ValueError as error:
             raise self._fault(f"printed no JSON ({error}); expected one object") from None
         if not isinstance(answer, dict) or not {"sample_rate", "audio"} <= set(answer) <= _KEYS:
-            raise self._fault("printed another object; expected sample_rate, audio and phones")
+            raise self._fault("printed an object with other keys; expected sample_rate, audio and phones")
         rate = answer["sample_rate"]
         if not isinstance(rate, int) or not _RATES[0] <= rate <= _RATES[1]:
             raise self._fault(f"sample_rate = {rate!r}; expected {_RATES[0]} to {_RATES[1]}")
@@ -135,7 +135,7 @@ class ProgramEngine:
         if not isinstance(row, list) or len(row) not in (2, 3) or not isinstance(row[0], str):
             raise self._fault(f"{where} = {row!r}; expected [symbol, start in seconds, index in the text]")
         if not all(isinstance(n, int | float) and not isinstance(n, bool) and n >= 0 for n in row[1:]):
-            raise self._fault(f"{where} = {row!r}; expected numbers from 0 on")
+            raise self._fault(f"{where} = {row!r}; expected numbers of at least 0")
         symbol, stress = self._symbol(row[0], where)
         position = min(int(row[2]), max(characters - 1, 0)) if len(row) == 3 else 0
         return SpokenPhone(symbol, round(row[1] * rate), stress, 0, position)

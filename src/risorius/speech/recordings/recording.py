@@ -133,7 +133,9 @@ class _Checks:
             _warn(place, f"{self.odd:,} samples are not numbers, the first at {at:.3f} s; taken as silence")
         if self.clipped > CLIPPED_SHARE * audio.frames:
             share, at = 100.0 * self.clipped / audio.frames, self.clipped_from / self.sample_rate
-            _warn(place, f"the sound is clipped ({share:.2g} %, first at {at:.3f} s); expect coarser times")
+            _warn(
+                place, f"the sound is clipped ({share:.2g} %, first at {at:.3f} s); times will be less exact"
+            )
 
 
 def _warn(place: Place, message: str) -> None:
