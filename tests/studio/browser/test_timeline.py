@@ -510,7 +510,7 @@ def test_everything_that_can_be_used_has_a_name_for_screen_readers(timeline: Tim
     page = timeline.page
     block = timeline.block()
     timeline.select(block)
-    timeline.explained("How far it goes")
+    timeline.explained("Targets")
     timeline.tool("Graphs…").click()
     tree = page.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
     used = [node for node in tree if node.get("role", {}).get("value") in NAMED and not node["ignored"]]

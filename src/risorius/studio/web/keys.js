@@ -14,9 +14,9 @@ export function listenToKeys(studio, help) {
   const shortcuts = [
     [" ", "Space", "Play or pause", () => playOrPause(studio)],
     ["ArrowLeft", "←", "One frame back", () => clock.step(-1)],
-    ["ArrowRight", "→", "One frame on", () => clock.step(1)],
+    ["ArrowRight", "→", "One frame forward", () => clock.step(1)],
     ["Shift+ArrowLeft", "Shift ←", "One second back", () => clock.seek(clock.time - 1)],
-    ["Shift+ArrowRight", "Shift →", "One second on", () => clock.seek(clock.time + 1)],
+    ["Shift+ArrowRight", "Shift →", "One second forward", () => clock.seek(clock.time + 1)],
     ["Home", "Home", "To the start", () => clock.seek(0)],
     ["End", "End", "To the end", () => clock.seek(clock.duration)],
     ["l", "L", "Loop on or off", () => toggleLoop(clock)],

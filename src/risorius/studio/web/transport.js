@@ -35,7 +35,7 @@ export function mountTransport(element, studio) {
     icon("start", "To the start", "Home", () => clock.seek(0)),
     icon("back", "One frame back", "←", () => clock.step(-1)),
     play,
-    icon("next", "One frame on", "→", () => clock.step(1)),
+    icon("next", "One frame forward", "→", () => clock.step(1)),
     time,
     place,
     loop,

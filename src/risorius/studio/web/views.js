@@ -33,7 +33,7 @@ function mountNote(note, { store, clock, headPlayers }) {
     const behind = store.get("dial") === null && headPlayers.players[0].behind;
     missingSince = behind ? missingSince || performance.now() : 0;
     const late = missingSince > 0 && performance.now() - missingSince > PATIENCE;
-    const text = late ? "The face is on its way …" : emptyNote(store);
+    const text = late ? "Loading the face …" : emptyNote(store);
     if (note.textContent !== text) note.textContent = text;
   }
 }

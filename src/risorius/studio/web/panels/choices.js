@@ -133,7 +133,7 @@ function makeSeveral({ label, choices }, value, set) {
 }
 
 function newSeed(act) {
-  return button("Another seed", { title: "The same with other random blinks and glances", onclick: act });
+  return button("Another seed", { title: "Perform again with other random blinks and glances", onclick: act });
 }
 
 /** Voices that speak; those named +… only change the timbre of another. */

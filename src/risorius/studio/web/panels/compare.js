@@ -32,10 +32,10 @@ export function mountCompare(element, studio) {
   const note = make(
     "p",
     { class: "hint" },
-    "The take stands at the left. At the right, the same line with these settings:",
+    "The take is on the left. On the right is the same line with these settings:",
   );
   const show = button("Show side by side", { class: "primary", id: "compare", onclick: compare });
-  const end = button("One head again", { id: "compare-end", onclick: () => store.set({ other: null }) });
+  const end = button("Show one head", { id: "compare-end", onclick: () => store.set({ other: null }) });
   const table = make("div", { class: "stack tight" });
   element.append(note, form, table, make("div", { class: "panel-foot" }, show, end));
   const again = settled(() => store.get("other") && compare(), WAIT);
@@ -69,7 +69,7 @@ export function mountCompare(element, studio) {
   }
 
   async function compare() {
-    store.set({ busy: "Performing the other …" });
+    store.set({ busy: "Performing the other take …" });
     const answer = await actions.ask("compare", { choices: { ...store.get("choices"), ...other } });
     store.set({ busy: "" });
     if (answer) store.set({ other: { ...takeOf(answer), label: labelOf(other) }, dial: null });

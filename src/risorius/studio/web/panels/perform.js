@@ -39,7 +39,7 @@ function formatField({ store }) {
   const change = (format) => store.set({ source: { ...store.get("source"), format } });
   const list = choice(options, { value: store.get("source").format, change });
   store.watch(["source"], () => list.show(store.get("source").format));
-  const row = field("Written as", list, { hint: "What kind of script the line is" });
+  const row = field("Written as", list, { hint: "Format of the script" });
   row.dataset.choice = "format";
   return row;
 }

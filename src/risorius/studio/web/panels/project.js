@@ -7,7 +7,7 @@ import { openProject } from "../dropping.js";
 import { mountExports } from "./exports.js";
 
 const NOTE =
-  "Everything is saved as you go. A project file opens again exactly, also when dropped on the page.";
+  "Everything is saved automatically. A project file restores this state exactly; it may also be dropped on the page.";
 
 /** @param {HTMLElement} element @param {object} studio */
 export function mountProject(element, studio) {
@@ -39,7 +39,7 @@ function projectOf(studio) {
     title: "Open a project's file",
     onclick: () => file.click(),
   });
-  const fresh = button("New", { title: "Begin another project", onclick: begin });
+  const fresh = button("New", { title: "Start a new project", onclick: begin });
   store.watch(["take"], () => {
     save.disabled = store.get("take") === null;
   });

@@ -31,7 +31,7 @@ class Rules {
       oninput: filter,
     });
     this.#onlyFired = make("input", { type: "checkbox", checked: true, onchange: filter });
-    const only = make("label", { class: "check" }, this.#onlyFired, "Only those that fired, or are off");
+    const only = make("label", { class: "check" }, this.#onlyFired, "Only rules that fired or are off");
     const profile = make("div", {});
     element.append(this.#search, only, this.#list, profile);
     this.#store.watch(["catalogue", "take", "tab"], () => this.#update(profile));

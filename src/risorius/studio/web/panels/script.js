@@ -11,7 +11,7 @@ import { hueOf } from "./hues.js";
  */
 export function mountScript({ store }) {
   const marks = make("div", { class: "marks", "aria-hidden": "true" });
-  const text = make("textarea", { id: "script", rows: 3, spellcheck: "true", placeholder: "What is said …" });
+  const text = make("textarea", { id: "script", rows: 3, spellcheck: "true", placeholder: "Text to say …" });
   const label = make("label", { for: "script", class: "label" }, "Line");
   const paper = make("div", { class: "paper" }, marks, text);
   const calls = [];

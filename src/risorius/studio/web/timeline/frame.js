@@ -43,7 +43,7 @@ export function fitted({ root, scroller, canvas, frame, depth, status }, control
   scroller.append(frame, depth);
   root.append(scroller, status);
   const overview = new Overview(root, controller);
-  root.append(h("p", { class: "tl-empty" }, "The timeline of what you perform stands here."));
+  root.append(h("p", { class: "tl-empty" }, "The timeline of your performance appears here."));
   const why = new Why(explanation, controller);
   listen(canvas, controller, { add, walk });
   shortcuts(root, controller, add);

@@ -220,6 +220,6 @@ class Timeline {
     const drawn = model.take.blocks.length;
     status.textContent = `${drawn} movements`;
     canvas.setAttribute("aria-label", `Timeline of ${model.duration.toFixed(1)} seconds with ${drawn} movements; `
-      + "the list of movements has them for the keyboard"); // prettier-ignore
+      + "with the keyboard, use the list of movements"); // prettier-ignore
   }
 }

@@ -21,7 +21,7 @@ export class KeyTable {
     const keys = this.#controller.edits.keys(parameter);
     const { unit, low, high } = this.#controller.scene.model.parameters.get(parameter);
     const add = h("button", { id: "tl-key-add", onclick: () => this.#add(parameter, time) }, "Set a key here");
-    const clear = h("button", { id: "tl-key-clear", onclick: () => this.#send(parameter, []) }, "Take all back");
+    const clear = h("button", { id: "tl-key-clear", onclick: () => this.#send(parameter, []) }, "Delete all keys");
     const head = h("tr", {}, ...["Time, s", `Value${unit ? `, ${unit}` : ""}`, ""].map((text) => h("th", { scope: "col" }, text)));
     const rows = keys.slice(0, MOST).map((key, index) => this.#row(parameter, key, index, { low, high }));
     return h("section", { class: "stack" },

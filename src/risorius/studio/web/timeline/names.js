@@ -71,7 +71,7 @@ export class Names {
     return [
       h("button", { class: "tl-graph-name", "data-name": base, title, onclick: explain }, number + spoken(base)),
       this.#side(base),
-      h("button", { "aria-label": `Put the graph of ${spoken(base)} away`, title: "Put away", onclick: away }, "×"),
+      h("button", { "aria-label": `Remove the graph of ${spoken(base)}`, title: "Remove", onclick: away }, "×"),
     ];
   }
 

@@ -18,7 +18,7 @@ export class Overview {
   constructor(parent, controller) {
     this.#controller = controller;
     this.#box = h("div", {
-      class: "tl-overview", role: "scrollbar", tabindex: "0", "aria-label": "Part of the take in sight",
+      class: "tl-overview", role: "scrollbar", tabindex: "0", "aria-label": "Visible part of the take",
       "aria-orientation": "horizontal", "aria-valuemin": "0", "aria-controls": "tl-canvas",
     }, this.#canvas, this.#thumb); // prettier-ignore
     this.#box.addEventListener("pointerdown", (event) => this.#down(event));

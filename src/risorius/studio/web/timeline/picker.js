@@ -14,7 +14,7 @@ export class Picker {
   constructor(parent, controller, graphs) {
     this.#controller = controller;
     this.#graphs = graphs;
-    const reset = h("button", { onclick: () => this.#reset() }, "Those that move most");
+    const reset = h("button", { onclick: () => this.#reset() }, "Muscles that move most");
     this.#box = h("div", { class: "tl-picker", popover: "auto", id: "tl-picker", role: "dialog", "aria-label": "Graphs" },
       this.#search, this.#found, reset); // prettier-ignore
     this.#search.addEventListener("input", () => this.#show());

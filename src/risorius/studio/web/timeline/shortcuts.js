@@ -8,16 +8,16 @@ const ZOOM = 1.4;
 export const TIMELINE_KEYS = [
   { keys: "Ctrl wheel, + −", does: "Timeline: zoom" },
   { keys: "N", does: "Timeline: add a movement at the playhead" },
-  { keys: "D", does: "Timeline: draw on the graphs, or not" },
-  { keys: "↑ ↓", does: "Movements: the one before, the next" },
-  { keys: "Page ↑ ↓", does: "Movements: the lane before, the next" },
+  { keys: "D", does: "Timeline: drawing on the graphs on or off" },
+  { keys: "↑ ↓", does: "Movements: previous, next" },
+  { keys: "Page ↑ ↓", does: "Movements: previous lane, next lane" },
   { keys: "← →", does: "Movements: move by a frame" },
   { keys: "Shift ← →", does: "Movements: stretch the end" },
   { keys: "Alt ← →", does: "Movements: stretch the start" },
   { keys: "Ctrl ← →", does: "Movements: longer or shorter onset" },
   { keys: "Ctrl Shift ← →", does: "Movements: longer or shorter offset" },
   { keys: "Delete", does: "Movements: delete" },
-  { keys: "Escape", does: "Movements: select none; a drag: give up" },
+  { keys: "Escape", does: "Movements: select none; cancel a drag" },
 ];
 
 /** @param {HTMLElement} root @param {import("./controller.js").TimelineController} controller @param {() => void} add */

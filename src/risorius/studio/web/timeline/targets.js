@@ -14,7 +14,7 @@ export class Targets {
   /** @param {import("../wire.js").Block} block */
   element(block) {
     const rows = this.#groups(block).map((group, k) => this.#row(block, group, k));
-    return h("details", { open: rows.length <= 4 }, h("summary", {}, "How far it goes"),
+    return h("details", { open: rows.length <= 4 }, h("summary", {}, "Targets"),
       h("div", { class: "stack" }, ...rows)); // prettier-ignore
   }
 

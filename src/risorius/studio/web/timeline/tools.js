@@ -19,12 +19,12 @@ export class Tools {
     this.#remove = button("Delete", () => controller.remove(), { title: "Delete the selected movement or key (Delete)" });
     parent.append(h("div", { class: "tl-tools", role: "toolbar", "aria-label": "Timeline tools" },
       button("Add…", add, { title: "Add a movement at the playhead (N)" }),
-      this.#remove, button("Movements", blocks, { title: "Go to the list of movements: arrows walk in it and shape them" }),
+      this.#remove, button("Movements", blocks, { title: "Go to the list of movements; arrow keys select and edit them" }),
       graphs,
       toggle("Draw", (on) => (controller.draws = on), false, "Draw curves by hand on the graphs (D)", "tl-draw"),
       h("span", { class: "tl-gap" }),
       toggle("Snap", (on) => (controller.snaps = on), true, "Edits snap to the phones' edges; Alt does the opposite"),
-      toggle("Follow", (on) => (controller.follows = on), true, "Keep the playhead in sight while it plays"),
+      toggle("Follow", (on) => (controller.follows = on), true, "Keep the playhead visible while it plays"),
       button("−", () => controller.zoom(1 / STEP), { "aria-label": "Zoom out", title: "Zoom out (Ctrl+wheel, −)" }),
       button("+", () => controller.zoom(STEP), { "aria-label": "Zoom in", title: "Zoom in (Ctrl+wheel, +)" }),
       button("Fit", () => controller.fit(), { title: "Show the whole take" }))); // prettier-ignore

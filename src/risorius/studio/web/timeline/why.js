@@ -62,7 +62,7 @@ export class Why {
       const title = reasons.length ? [] : [h("h3", {}, spoken(parameter)), h("p", {}, "At rest: nothing moves it.")];
       return [when, ...title, ...told, this.#keys.element(parameter, time)];
     }
-    const idle = h("p", {}, "At this time it shows in nothing.");
+    const idle = h("p", {}, "At this time it has no visible effect.");
     const told = reasons.length ? reasons.map((one) => this.#reason(one)) : [idle];
     return [...this.#head(block), when, ...told, ...(block.editable ? this.#shape(block) : [])];
   }
