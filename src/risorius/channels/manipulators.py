@@ -29,8 +29,8 @@ _APART = 0.3
 
 NextBlink = Callable[[float, Counted], float]
 """(end of what the wait runs from, numbers) -> when the next blink comes, seconds."""
-Event = tuple[float, float, float]
-"""Start and end of what the wait begins anew after, and how long before it no blink begins, seconds."""
+WaitReset = tuple[float, float, float]
+"""Start and end of what restarts the wait for a blink, and how long before it no blink begins, seconds."""
 
 
 def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
@@ -51,7 +51,7 @@ def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     yield from _between(events, inputs.duration - length, following, added, context.numbers)
 
 
-def _events(others: Sequence[Movement], length: float, *, saccades: bool) -> list[Event]:
+def _events(others: Sequence[Movement], length: float, *, saccades: bool) -> list[WaitReset]:
     """Return the blinks among other movements, and if wanted the saccades, in order."""
     found = [(m.start, m.end, length + _APART) for m in others if _is_blink(m)]
     if saccades:
@@ -77,7 +77,7 @@ def _model(habits: BlinkHabits, boundaries: Sequence[float]) -> tuple[str, NextB
 
 
 def _between(
-    events: list[Event],
+    events: list[WaitReset],
     latest: float,
     following: NextBlink,
     added: Callable[[float, int], Movement],
