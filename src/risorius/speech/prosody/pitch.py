@@ -10,10 +10,10 @@ speaker's range, from what was heard before and from the first path (De Looze an
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.signal import firwin
 
 from ...core.arrays import Array, BoolArray, Int64Array
 from ..recordings.resampled import RATE, Resampled
@@ -31,8 +31,7 @@ SILENCE_BELOW = 35.0
 # The speaker's range: shares of the quartiles of what the first path found, and the cost outside of it.
 FLOOR_OF_LOWER, CEILING_OF_UPPER, OUTSIDE_COST = 0.72, 1.9, 0.15
 _CHUNK_SECONDS = 10.0
-# What is above 2.5 kHz is mostly noise.
-_LOW_PASS = firwin(31, 2_500.0, fs=RATE)
+_NOISE = 2_500.0  # Hz above which speech is mostly noise
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,8 +87,9 @@ def _candidates(resampled: Resampled, frames: range) -> _Candidates:
     # Frame k looks at a window and its copies up to `longest` later, all of it around k STEP.
     lead = 0.5 * (size + longest) / RATE
     start, end = frames.start * STEP - lead, (frames.stop - 1) * STEP + lead
-    half = len(_LOW_PASS) // 2
-    sound = np.convolve(resampled.read(start - half / RATE, end + (1 + half) / RATE), _LOW_PASS, mode="valid")
+    low_pass = _low_pass()
+    half = len(low_pass) // 2
+    sound = np.convolve(resampled.read(start - half / RATE, end + (1 + half) / RATE), low_pass, mode="valid")
     hop = round(STEP * RATE)
     rows = np.lib.stride_tricks.sliding_window_view(
         _long_enough(sound, frames, hop, size + longest), size + longest
@@ -116,6 +116,15 @@ def _normalised_difference(rows: Array, size: int, longest: int) -> Array:
     normalised = np.ones_like(difference)
     normalised[:, 1:] = difference[:, 1:] / (mean + 1e-9)
     return normalised
+
+
+@cache
+def _low_pass() -> Array:
+    from scipy.signal import firwin  # takes longer to import than all of Risorius
+
+    taps: Array = firwin(31, _NOISE, fs=RATE)
+    taps.setflags(write=False)
+    return taps
 
 
 def _minima(normalised: Array) -> _Candidates:

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.signal import resample_poly
 
 from ...core.arrays import Array, Float32Array, Int32Array
 from ...core.audio import Audio
@@ -93,6 +92,8 @@ def _frame_levels(audio: Audio, frames: range, step: float) -> Float32Array:
 
 def _resampled(audio: Audio, first: int, count: int) -> Array:
     """Return `count` samples at 16 kHz from sample `first` (at 16 kHz) on, zeros where there is no sound."""
+    from scipy.signal import resample_poly  # takes longer to import than all of Risorius
+
     divisor = math.gcd(RATE, audio.sample_rate)
     up, down = RATE // divisor, audio.sample_rate // divisor
     # The filter's phase repeats every `down` samples: begin at such a sample, with room for the filter.
