@@ -24,7 +24,7 @@ FITTED = [name for name in SHAPES if not name.startswith("eyeLook") and name != 
 
 @pytest.fixture(scope="module")
 def fit(head):
-    return ArkitFit(head)
+    return ArkitFit.of(head)
 
 
 def test_a_head_without_shapes_is_named(head, tmp_path: Path) -> None:
@@ -90,7 +90,7 @@ def test_a_muscle_is_its_shape(fit, face, targets: dict[str, float], shape: str)
 @pytest.mark.parametrize("name", everyday(["standard", "kenji"], ["standard"]))
 def test_a_lid_that_is_shut_is_a_whole_blink(name: str) -> None:
     """So that another character's eyes shut, too; and a whole blink shuts ours."""
-    fit, solver = ArkitFit(load_head(name)), FaceSolver(load_head(name))
+    fit, solver = ArkitFit.of(load_head(name)), FaceSolver(load_head(name))
     values = NEUTRAL.copy()
     for shut in (0.5, 1.0):
         values[PARAMETER["orbicularis_oculi_palpebralis.left"]] = shut

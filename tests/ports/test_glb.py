@@ -68,7 +68,7 @@ def test_the_rig_has_the_52_shapes_by_name_and_their_weights(folder: Path, clip:
     assert tuple(mesh["extras"]["targetNames"]) == SHAPES
     weights = document.output("skin", "weights")
     assert np.abs(weights - clip.arkit.weights).max() < 1e-6
-    made = ArkitFit(clip.head).skin(clip.arkit.weights[8])
+    made = ArkitFit.of(clip.head).skin(clip.arkit.weights[8])
     assert np.abs(document.morphed("skin", 8) - made).max() < 0.01
 
 

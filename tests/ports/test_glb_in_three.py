@@ -111,7 +111,7 @@ def turned(clip: Take, skin: np.ndarray, frame: FaceFrame) -> np.ndarray:
 def wanted(clip: Take, file: str, number: int, frame: FaceFrame) -> tuple[np.ndarray, float]:
     """Where the skin should be in mm, and how far off it may be: what the file states, and rounding."""
     if file == "x.rig.glb":  # what the weights make of our head's own shapes
-        return turned(clip, ArkitFit(clip.head).skin(clip.arkit.weights[number]), frame), ROUNDED
+        return turned(clip, ArkitFit.of(clip.head).skin(clip.arkit.weights[number]), frame), ROUNDED
     return turned(clip, frame.skin, frame), ROUNDED
 
 
@@ -133,7 +133,7 @@ def test_the_rig_is_the_face_within_the_stated_residual(at, clip: Take, folder: 
         pytest.skip("the clip's own shapes are compared vertex by vertex")
     extras = Document(folder / at.file).json["asset"]["extras"]
     squares = []
-    fit = ArkitFit(clip.head)
+    fit = ArkitFit.of(clip.head)
     for number in (4, 8):
         (frame,) = clip.faces([number])
         away = np.linalg.norm(at(number, "skin")["places"] - turned(clip, frame.skin, frame), axis=1)

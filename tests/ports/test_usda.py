@@ -34,7 +34,7 @@ def test_pixar_s_reader_finds_the_same_face(clip: Take, tmp_path: Path) -> None:
     # Baked by the reader's own blend shapes and skinning, the skin is what the weights and the head make.
     UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath("/head")))
     baked = 1000.0 * np.array(UsdGeom.Mesh(stage.GetPrimAtPath("/head/skin")).GetPointsAttr().Get(8))
-    made = ArkitFit(clip.head).skin(clip.arkit.weights[8])
+    made = ArkitFit.of(clip.head).skin(clip.arkit.weights[8])
     frame = next(clip.faces([8]))
     pivot, share = clip.head.head_pivot, np.asarray(clip.head.skin.matrix @ clip.head.neck_weight)[:, None]
     turned = made + share * ((made - pivot) @ frame.head_rotation.T + pivot - made)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy.optimize import nnls
@@ -86,6 +87,12 @@ class ArkitFit:
         lips = head.skin.matrix @ head.masks["lips"]
         self._heavy = self._fitted * np.repeat(1.0 + LIPS * lips[self.counted], 3)
         self._normal = _regular(self._heavy @ self._fitted.T)
+
+    @classmethod
+    @lru_cache(maxsize=2)
+    def of(cls, head: Head) -> ArkitFit:
+        """Return the fit by all shapes of `head`, which is the same for the same head."""
+        return cls(head)
 
     def weights(self, frame: FaceFrame) -> Array:
         """Return the weights (52,) of a frame, 0..1."""

@@ -11,6 +11,7 @@ every activation.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -78,6 +79,7 @@ class Crowding:
     allowance: Array
 
     @classmethod
+    @lru_cache(maxsize=4)
     def of(cls, head: Head) -> Crowding:
         """Find the distances that all muscles of `head` together could shorten too far."""
         fields = _fields(head)

@@ -59,10 +59,11 @@ class Tongue:
     subdivision: Subdivision
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Head:
     """A head at rest and all that moves it; read-only arrays, mm, x to the subject's left, y up.
 
+    A head equals only itself, so that what is measured on it can be cached.
     `rest` (N0, 3), `quads` (Q0, 4), `uv` (N0, 2), `masks` name → (N0,) 0..1, `mirror` (N0,) index of the
     mirrored vertex; `fields` parameter name → `Field`, for every muscle but the masseter, and `lip_tuck`;
     fields hold in the frame before the jaw's rotation. The jaw turns a skin vertex by `jaw_weight * masseter

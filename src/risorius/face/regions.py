@@ -108,7 +108,8 @@ def check_factors(factors: Mapping[str, float]) -> Array:
     return result
 
 
-def place_regions(head: Head) -> list[PlacedRegion]:
+@lru_cache(maxsize=4)
+def place_regions(head: Head) -> tuple[PlacedRegion, ...]:
     """Lay all regions out on a head; a mirrored vertex gets the same phase and mask."""
     marks = Marks.of(head)
     fine = head.skin.matrix @ head.rest
@@ -116,7 +117,7 @@ def place_regions(head: Head) -> list[PlacedRegion]:
     seen = np.ones(len(fine))
     for name in _HIDDEN:
         seen *= 1.0 - np.clip(head.skin.matrix @ head.masks[name], 0.0, 1.0)
-    return [_place(region, marks, fine, middles, seen) for region in regions()]
+    return tuple(_place(region, marks, fine, middles, seen) for region in regions())
 
 
 def _place(region: Region, marks: Marks, fine: Array, middles: Array, seen: Array) -> PlacedRegion:

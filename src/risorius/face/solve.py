@@ -101,7 +101,7 @@ class FaceSolver:
         self._stiffening = self._second_phase()
         self._lids = both_lids(head)
         self._lips = Lips(head, self.jaw)
-        self._teeth = Teeth.of(head, self.jaw)
+        self._teeth = Teeth.of(head)
         self._tongue = TongueShapes.of(head)
         self._wrinkles = Wrinkles(head, age, wrinkles)
         self._refine = SparseRows.of(head.skin.matrix)

@@ -7,7 +7,7 @@ is read in the frame of the jaw.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from functools import lru_cache
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -47,8 +47,9 @@ class Teeth:
     jaw: Jaw
 
     @classmethod
-    def of(cls, head: Head, jaw: Jaw | None = None) -> Self:
-        """Measure the teeth of `head`; `jaw` is the head's, if it exists already."""
+    @lru_cache(maxsize=4)
+    def of(cls, head: Head) -> Teeth:
+        """Measure the teeth of `head`."""
         rest = head.skin.matrix @ head.rest
         rows = (head.teeth_upper, head.teeth_lower)
         soft = head.skin.matrix @ np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > 0.3
@@ -63,7 +64,7 @@ class Teeth:
             ToothRow.of(head.teeth_upper, 1.0),
             ToothRow.of(head.teeth_lower, -1.0),
             places,
-            jaw or Jaw.of(head),
+            Jaw.of(head),
         )
 
     def keep_out(self, skin: Array, opening: float) -> None:

@@ -6,7 +6,7 @@ Here the height of a fold has a closed form, because its shape is known (docs/wr
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -93,7 +93,7 @@ class _Raised:
         _step(self._vertices, self._step, fine)
 
 
-def _law(placed: list[PlacedRegion], skin: SkinAge, factor: Array, unit: float) -> Array:
+def _law(placed: Sequence[PlacedRegion], skin: SkinAge, factor: Array, unit: float) -> Array:
     """Return one row per region: width, give, gain, depth at rest, cap."""
     return np.array(
         [

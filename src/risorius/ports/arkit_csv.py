@@ -109,7 +109,7 @@ def read_arkit_capture(path: Path, options: ReadOptions) -> ScoreFile:
     take = read_arkit_csv(path)
     options.progress("Fitting muscles …")
     head = options.head()
-    fit = ArkitFit(head)
+    fit = ArkitFit.of(head)
     open_, close = take.weights[:, INDEX["jawOpen"]], take.weights[:, INDEX["mouthClose"]]
     # Lips that are closed over an open jaw are brought together by contact, not by muscles against the jaw.
     apart = take.weights.copy()

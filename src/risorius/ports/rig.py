@@ -138,7 +138,7 @@ def guess_map(names: Sequence[str]) -> dict[str, str]:
 
 def report(rig: Rig, head: Head) -> list[Shown]:
     """Return how well the character shows each of our muscles, measured by `head`'s own sculpted shapes."""
-    every, some = ArkitFit(head), ArkitFit(head, rig.shapes)
+    every, some = ArkitFit.of(head), ArkitFit(head, rig.shapes)
     solver = FaceSolver(head)
     rows = []
     for name in FITTED:
