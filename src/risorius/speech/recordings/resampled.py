@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
@@ -101,9 +101,18 @@ def _resampled(audio: Audio, first: int, count: int) -> Array:
     begin = (first * down // up - margin) // down * down
     end = -(-(first + count) * down // up) + margin
     source = _padded(audio, begin, end)
-    resampled = resample_poly(source, up, down)
+    factor = max(up, down)
+    resampled = source if factor == 1 else resample_poly(source, up, down, window=_low_pass(factor))
     skipped = first - begin // down * up
     return np.ascontiguousarray(resampled[skipped : skipped + count])
+
+
+@cache
+def _low_pass(rate: int) -> Array:
+    """Return the filter that `resample_poly` would design anew in each call; `rate`: the greater factor."""
+    from scipy.signal import firwin
+
+    return np.asarray(firwin(20 * rate + 1, 1.0 / rate, window=("kaiser", 5.0)))
 
 
 def _padded(audio: Audio, begin: int, end: int) -> Array:
