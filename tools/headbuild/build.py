@@ -21,7 +21,7 @@ from .lining import lining
 from .masks import masks, neck_weight
 from .mouth import LipSeal, lip_pairs
 from .muscles import muscle_fields, read_recipes
-from .pack import quantized, settled
+from .pack import quantized, settled, short
 from .source import Source
 from .teeth import build_teeth, incisor_edge
 from .tongue import tongue, tongue_fields
@@ -107,18 +107,18 @@ def build(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
 def _skin(shape: Shape) -> dict[str, AnyArray]:
     bust = shape.bust
     return {
-        "rest": _short(shape.rest),
+        "rest": short(shape.rest),
         "quads": _index(bust.quads),
-        "uv": _short(bust.uv),
+        "uv": short(bust.uv),
         "mirror": _index(bust.mirror),
         "head_pivot": settled(shape.pivot),
-        "neck_weight": _short(neck_weight(bust)),
+        "neck_weight": short(neck_weight(bust)),
         "lip_pairs": _index(lip_pairs(bust, shape.rest)),
         "lid_pairs_left": _index(lid_pairs(bust, "left")),
         "lid_pairs_right": _index(lid_pairs(bust, "right")),
         "eye_centre": settled(bust.eye_centre),
         "eye_radius": settled(bust.eye_radius),
-        **{f"mask/{name}": _short(mask) for name, mask in masks(bust).items()},
+        **{f"mask/{name}": short(mask) for name, mask in masks(bust).items()},
     }
 
 
@@ -127,7 +127,7 @@ def _jaw(jaw: Jaw) -> dict[str, AnyArray]:
         "jaw_point": settled(jaw.point),
         "jaw_axis": jaw.axis,
         "jaw_angle": settled(np.array(jaw.angle)),
-        "jaw_weight": _short(jaw.weight),
+        "jaw_weight": short(jaw.weight),
         **packed({"jaw/corrective": jaw.corrective}),
     }
 
@@ -135,21 +135,21 @@ def _jaw(jaw: Jaw) -> dict[str, AnyArray]:
 def _teeth(line: float, bite: Bite) -> dict[str, AnyArray]:
     arrays = {}
     for name, part in build_teeth(line).items():
-        arrays[f"{name}/vertices"] = _short(bite.place(part.vertices))
+        arrays[f"{name}/vertices"] = short(bite.place(part.vertices))
         arrays[f"{name}/triangles"] = _index(part.triangles)
-        arrays[f"{name}/material"] = _short(part.material)
+        arrays[f"{name}/material"] = short(part.material)
     return arrays
 
 
 def _tongue(template: Bust, bite: Bite) -> dict[str, AnyArray]:
     rest, quads = tongue(template)
     fields = {f"tongue/{name}": field for name, field in tongue_fields(rest).items()}
-    return {"tongue/rest": _short(bite.place(rest)), "tongue/quads": _index(quads), **packed(fields)}
+    return {"tongue/rest": short(bite.place(rest)), "tongue/quads": _index(quads), **packed(fields)}
 
 
 def _landmarks(shape: Shape) -> dict[str, AnyArray]:
     triangles, weights = shape.landmarks
-    return {"landmark_triangles": _index(triangles), "landmark_weights": _short(weights)}
+    return {"landmark_triangles": _index(triangles), "landmark_weights": short(weights)}
 
 
 def packed(fields: dict[str, AnyArray]) -> dict[str, AnyArray]:
@@ -157,10 +157,6 @@ def packed(fields: dict[str, AnyArray]) -> dict[str, AnyArray]:
     return {
         f"{name}/{key}": value for name, field in fields.items() for key, value in quantized(field).items()
     }
-
-
-def _short(values: AnyArray) -> AnyArray:
-    return values.astype(np.float32)
 
 
 def _index(values: AnyArray) -> AnyArray:

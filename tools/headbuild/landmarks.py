@@ -10,6 +10,7 @@ from risorius.core.arrays import AnyArray
 from .bust import Bust
 from .lids import lid_pairs, margin
 from .mouth import VERMILION, LipSeal
+from .pack import NOISE
 
 # The middle line of the left brow: |x| and y in mm, from the inner to the outer end.
 BROW = np.array([[9.5, 12.7], [17.5, 16.1], [26.0, 18.1], [34.5, 17.8], [43.0, 13.4]])
@@ -73,8 +74,14 @@ class Surface:
         return np.array([x, y, float(z.max())])
 
     def _nearest(self, point: AnyArray, candidates: AnyArray) -> tuple[AnyArray, AnyArray]:
-        found = [(t, _closest_weights(self.points[t], point)) for t in candidates]
-        return min(found, key=lambda item: float(np.linalg.norm(item[1] @ self.points[item[0]] - point)))
+        """Return the triangle and the weights; of equally near ones, the first by its vertices."""
+        nearest = [(t, _closest_weights(self.points[t], point)) for t in candidates]
+
+        def order(item: tuple[AnyArray, AnyArray]) -> tuple[float, tuple[int, ...]]:
+            distance = float(np.linalg.norm(item[1] @ self.points[item[0]] - point))
+            return round(distance / NOISE) * NOISE, tuple(map(int, item[0]))
+
+        return min(nearest, key=order)
 
 
 def _closest_weights(corners: AnyArray, point: AnyArray) -> AnyArray:

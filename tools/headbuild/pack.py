@@ -21,6 +21,15 @@ def quantized(field: AnyArray, smallest: float = 0.004, step: float | None = Non
     return {"vertices": vertices.astype(np.uint16), "values": values, "scale": np.asarray(scale)}
 
 
+NOISE = 1e-9
+"""What is smaller in coordinates (mm), weights and masks is rounding, which differs between processors."""
+
+
+def short(values: AnyArray) -> AnyArray:
+    """Return the values in single precision, zero where they are below `NOISE`."""
+    return np.where(np.abs(values) < NOISE, 0.0, values).astype(np.float32)
+
+
 def settled(values: AnyArray) -> AnyArray:
     """The values to a nanometre (or a nanoradian): beyond that, libraries of linear algebra differ."""
     return np.round(values, 6)
