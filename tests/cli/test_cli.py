@@ -181,16 +181,40 @@ def test_help_loads_nothing_heavy() -> None:
     assert not {"numpy", "numba", "scipy", "av", "rich", "PIL"} & set(done.stderr.split())
 
 
-@pytest.mark.parametrize("asked", [signal.SIGINT, signal.SIGTERM])
-def test_an_interrupt_leaves_nothing(asked: signal.Signals, folder: Path) -> None:
-    command = [sys.executable, "-m", "risorius", "speak", "Hello there. " * 40, "-o", "x.mp4"]
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupt_leaves_nothing(number: signal.Signals, folder: Path) -> None:
+    command = [
+        sys.executable,
+        "-m",
+        "risorius",
+        "speak",
+        "Hello there. " * 40,
+        "--size",
+        "64x64",
+        "-o",
+        "x.mp4",
+    ]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-        time.sleep(4)
-        process.send_signal(asked)
-        _, said = process.communicate(timeout=60)
+        while process.poll() is None and not list(folder.iterdir()):
+            time.sleep(0.02)  # until the video is begun
+        process.send_signal(number)
+        _, lines = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert "Traceback" not in said
+    assert "Traceback" not in lines
     assert list(folder.iterdir()) == []
+
+
+def test_an_interrupt_within_exec_has_our_exit_code(folder: Path) -> None:
+    Path("program.py").write_text("""
+import os, signal, sys
+from risorius import cli
+cli.commands.command("wait")(lambda: exec("os.kill(os.getpid(), signal.SIGTERM)"))
+sys.argv = ["risorius", "wait"]
+cli.main()
+""")
+    done = subprocess.run([sys.executable, "-m", "program"], capture_output=True, text=True)
+    assert done.returncode == 130, done.stderr
+    assert "risorius: interrupted; nothing was written" in done.stderr
 
 
 def test_explain_answers_why(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

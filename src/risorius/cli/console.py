@@ -19,10 +19,18 @@ if TYPE_CHECKING:
 _interrupted = threading.Event()
 
 
+class Interrupted(KeyboardInterrupt):
+    """The program is asked to end.
+
+    Of a plain KeyboardInterrupt that passes through `exec`, Python remembers that nobody handled it, and ends
+    by a signal in place of our exit code.
+    """
+
+
 def interrupt(number: int, frame: FrameType | None) -> None:
     """Handle a signal: stop here, or at the next step where the exception is lost in foreign code."""
     _interrupted.set()
-    raise KeyboardInterrupt
+    raise Interrupted
 
 
 def say(line: str) -> None:
@@ -48,7 +56,7 @@ class Console:
     def progress(self, stage: str, done: int = 0, total: int = 0) -> None:
         """Say that `stage` goes on: `done` of `total` steps, or that it began where total is 0."""
         if _interrupted.is_set():
-            raise KeyboardInterrupt
+            raise Interrupted
         if total == 0:
             self.say(stage)
         elif sys.stderr.isatty():
