@@ -3,13 +3,18 @@
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
 
 from risorius.blend import combine
 from risorius.channels import ChannelInputs, compose
+from risorius.channels.head import noise_steps
 from risorius.core.counted import Counted
+from risorius.core.time import on_tick
 from risorius.core.utterance import Utterance
 
 Maker = Callable[..., Utterance]
@@ -94,3 +99,20 @@ def test_the_melody_is_quick_on_accents_and_slow_between_them(sentence_of: Maker
     melody = [m for m in found if m.cause.rule == "head.melody.pitch"]
     assert [m.targets["head_pitch"] > 1.0 for m in melody] == [False, True, False, False]
     assert [round(m.onset, 2) for m in melody] == [0.48, 0.24, 0.72, 0.3]
+
+
+SAMPLE = 22_050
+EDGES = st.lists(st.integers(0, 5 * SAMPLE), max_size=8, unique=True).map(
+    lambda samples: [sample / SAMPLE for sample in sorted(samples)]
+)
+
+
+@given(EDGES, st.integers(0, 1000))
+@example([0.00816326530612245, 0.1509297052154195, 0.8868480725623583, 2.586621315192744], 141)
+def test_each_movement_of_the_noise_begins_where_the_last_one_ends(edges: list[float], seed: int) -> None:
+    steps = list(noise_steps((0.5, 1.3), edges, edges[-1:], 5.0, Counted(seed)))
+    assert steps[0][0] == 0.0
+    assert steps[-1][1] >= 5.0
+    assert all(a[1] == b[0] and on_tick(a[0]) < on_tick(b[0]) for a, b in pairwise(steps))
+    assert {edge for edge in edges if 0.0 < edge < 5.0} <= {start for start, _, _ in steps}
+    assert all(0.0 < share <= 1.0 for _, _, share in steps)

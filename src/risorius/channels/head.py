@@ -6,7 +6,7 @@ Paper A, section 2 (noise); paper B, section 2.1 (a final pause is stillness), a
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import count
 from statistics import fmean
@@ -29,6 +29,8 @@ NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.pitch", "head.posture.s
 _OVERLAP = 0.02
 # Seconds in which the melody goes back when a pause begins, and the head when all is said.
 _RELEASE = 0.3
+# Seconds that a movement of the noise lasts at least, unless an edge of a pause cuts it.
+_SHORTEST = 0.01
 
 
 def head(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
@@ -105,7 +107,7 @@ def _noise(inputs: ChannelInputs, numbers: Counted) -> Iterator[Movement]:
     deviations = dict(zip(HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
     calm = _Calm(inputs)
     targets = dict.fromkeys(HEAD, 0.0)
-    steps = _steps(habits.dwell, calm, inputs.duration, numbers)
+    steps = noise_steps(habits.dwell, calm.edges, calm.last, inputs.duration, numbers)
     for number, (start, end, share) in enumerate(steps):
         left, size = calm.at(start), size_of(NOISE, inputs.modulations_at(start))
         for name, sd in deviations.items():
@@ -115,27 +117,31 @@ def _noise(inputs: ChannelInputs, numbers: Counted) -> Iterator[Movement]:
         yield _link(start, end, dict(targets), "noise", Cause(NOISE, "a living head"))
 
 
-def _steps(
-    dwell: tuple[float, float], calm: _Calm, duration: float, numbers: Counted
+def noise_steps(
+    dwell: tuple[float, float],
+    edges: Sequence[float],
+    last: Collection[float],
+    duration: float,
+    numbers: Counted,
 ) -> Iterator[tuple[float, float, float]]:
-    """Yield start and end of each movement, and what share of its way there is time for.
+    """Yield start and end in seconds of each movement, and the share 0..1 of its way that there is time for.
 
-    The head sets out for the next target at random, and anew where a pause begins or ends; when all is said
-    it goes home at once.
+    The head sets out for the next target at random, after `dwell` seconds (lowest, highest), and anew at
+    `edges`, where pauses begin or end, in order. At `last`, when all is said, it goes home at once.
     """
     low, high = dwell
     start = 0.0
     for number in count():
         if start >= duration:
             return
-        wanted = numbers.uniform("dwell", number, low=low, high=high)
-        if start in calm.last:
-            wanted = min(wanted, _RELEASE)
-        index = bisect_right(calm.edges, start)
-        following = min([start + wanted, *calm.edges[index : index + 1]])
-        length = following - start
-        yield start, following, length / wanted
-        start = following
+        dwell_time = numbers.uniform("dwell", number, low=low, high=high)
+        if start in last:
+            dwell_time = min(dwell_time, _RELEASE)
+        next_edges = edges[(index := bisect_right(edges, start)) : index + 1]
+        # An edge that comes just after the end is the end: no movement is shorter than `_SHORTEST`.
+        end = next((edge for edge in next_edges if edge < start + dwell_time + _SHORTEST), start + dwell_time)
+        yield start, end, min((end - start) / dwell_time, 1.0)
+        start = end
 
 
 def _link(start: float, end: float, targets: dict[str, float], layer: str, cause: Cause) -> Movement:
