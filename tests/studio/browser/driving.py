@@ -71,7 +71,7 @@ class Page:
         """Return the value of an expression."""
         return self.run(f"return {expression}")
 
-    def wait(self, expression: str, seconds: float = 60.0) -> Any:
+    def wait(self, expression: str, seconds: float = 180.0) -> Any:
         """Return an expression's value as soon as it is true."""
         return waited(lambda: self.get(expression), expression, seconds)
 

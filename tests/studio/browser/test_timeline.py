@@ -15,7 +15,7 @@ from .acts import MOVED, remember_face
 from .driving import Page
 
 LINE = "Oh really? I like it very much."
-BROWS = "signals.brows"
+BROWS = "signals.brows.unmarked"
 TIMELINE = "document.querySelector('#timeline').timeline"
 FRAME = 1 / 30
 JUMP = 0.3  # s by which a block is moved: further than any edge that it could snap to
