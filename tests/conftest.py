@@ -110,7 +110,7 @@ def sentence_of() -> UtteranceMaker:
     """Return a function from marked text to an utterance: a syllable /D AA/ per word.
 
     `[H*]` after a word accents it, the last one before a pause being nuclear; punctuation makes a pause of
-    0.3 s, or of `pause`; the boundary tone after it is L-L%.
+    0.3 s, or of `pause`, after the last word of that and `tail`; the boundary tone after it is L-L%.
     """
 
     def make(
@@ -120,7 +120,7 @@ def sentence_of() -> UtteranceMaker:
         said.silence(lead, PauseKind.INITIAL)
         for token in _TOKEN.finditer(marked):
             said.word(token["text"], token["tone"], token["mark"], token["gap"])
-        said.silence(tail, PauseKind.FINAL)
+        said.end(tail)
         return said.utterance()
 
     return make
@@ -146,6 +146,15 @@ class _Said:
     def silence(self, seconds: float, kind: PauseKind) -> None:
         found = self._add("", seconds)
         self.pauses.append(Pause(found.start, found.end, kind))
+
+    def end(self, seconds: float) -> None:
+        """Make the last silence so much longer."""
+        if self.phones[-1].symbol:
+            self.silence(seconds, PauseKind.FINAL)
+            return
+        end = round(self.phones[-1].end + seconds, 9)
+        self.phones[-1] = replace(self.phones[-1], end=end)
+        self.pauses[-1] = replace(self.pauses[-1], end=end)
 
     def word(self, text: str, tone: str | None, mark: str, gap: str) -> None:
         number, first = len(self.words), len(self.phones)

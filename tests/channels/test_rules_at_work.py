@@ -3,13 +3,16 @@
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
 import pytest
 
+from risorius.blend import combine
 from risorius.channels import ChannelInputs, Display, built_channels, compose
 from risorius.core.movement import Movement
+from risorius.core.score import Score
 from risorius.core.utterance import Accent, PauseKind, Utterance
 from risorius.rules.profiles import BLINK_MODELS, attitude, profile, profile_of, profiles
 from risorius.rules.rule_set import extended, shipped
@@ -77,6 +80,34 @@ def test_pauses_are_punctuated_by_their_kind_from_start_to_end(
     assert found[0].end == pytest.approx(pause.end)
     assert pause.start - 0.25 <= found[0].start <= pause.start
     assert found[0].targets[moved] > 0.0
+
+
+@pytest.mark.parametrize("tail", [0.3, 0.7, 4.0])
+def test_the_last_silence_is_punctuated_once_and_held_to_the_end(tail: float, sentence_of: Maker) -> None:
+    said = sentence_of("One two, three four.", tail=tail)
+    found = movements(said, "punctuators.mouth", emotions=(Display("happiness", 0.6),))
+    after = [m for m in found if m.channel == "punctuators" and m.end > said.words[-1].end]
+    assert len(after) == 1
+    assert after[0].end - after[0].offset > said.duration
+    smile = combine(Score(said.duration, tuple(found)), Fraction(100)).curves["zygomatic_major.left"]
+    still = smile[round(100 * (after[0].start + after[0].onset)) + 1 :]
+    assert np.ptp(still) < 1e-9
+    assert still[0] > 0.7
+
+
+@pytest.mark.parametrize("intensity", [0.3, 0.5, 0.7, 0.8, 1.0])
+@pytest.mark.parametrize(("felt", "moved"), [("anger", FROWN), ("disgust", "levator_labii_nasi.left")])
+def test_punctuators_are_seen_above_the_display_at_every_intensity(
+    felt: str, moved: str, intensity: float, sentence_of: Maker
+) -> None:
+    said = sentence_of("One two, three four.", pause=0.5)
+    prefix = "punctuators.brows.angry" if felt == "anger" else "punctuators.nose"
+    found = movements(said, prefix, emotions=(Display(felt, intensity),))
+    curve = combine(Score(said.duration, tuple(found)), Fraction(100)).curves[moved]
+    (comma,) = (p for p in said.pauses if p.kind is PauseKind.COMMA)
+    middle = round(50 * (comma.start + comma.end))
+    before = curve[round(100 * comma.start) - 20]
+    assert curve[middle] - before > 0.05
 
 
 @pytest.mark.parametrize(

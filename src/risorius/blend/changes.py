@@ -38,7 +38,7 @@ def changed_span(before: Plan, after: Plan) -> TimeSpan | None:
     a, b = before.score, after.score
     if after.lips is not before.lips or a.settings != b.settings or a.duration != b.duration:
         return None
-    channels = [{c.name: c for c in plan.channels} for plan in (before, after)]
+    channels = [{c.key: c for c in plan.channels} for plan in (before, after)]
     spans: list[TimeSpan] = []
     for name in channels[0].keys() | channels[1].keys():
         one, two = (by_name.get(name) for by_name in channels)

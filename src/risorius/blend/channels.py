@@ -22,12 +22,22 @@ from .mouth.lips import CompiledLips, LipCurve
 
 @dataclass(slots=True)
 class Channel:
-    """A channel: its priority, and all curves by parameter, one for each layer that moves it."""
+    """A channel: its priority, and all curves by parameter, one for each layer that moves it.
+
+    `on_top`: these curves are of movements that add to what the others leave; the rest of the channel is
+    another Channel of the same name.
+    """
 
     name: str
     levels: Levels
     curves: dict[str, list[Curve]]
+    on_top: bool = False
     _above: dict[tuple[str, float], Spans] = field(default_factory=dict)
+
+    @property
+    def key(self) -> str:
+        """What tells it from all other channels of a plan."""
+        return f"{self.name} on top" if self.on_top else self.name
 
     def sample(self, parameter: str, times: Array) -> tuple[IndexArray, Array]:
         """Return the times at which a parameter is not at rest, and the highest value of all layers."""
@@ -61,29 +71,31 @@ def _highest(sampled: Iterable[tuple[IndexArray, Array]], count: int) -> Array:
 
 def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, ...]:
     """Return the channels that the score uses, highest default priority first."""
-    movements: dict[str, dict[str, list[Movement]]] = defaultdict(lambda: defaultdict(list))
+    movements: dict[str, dict[tuple[bool, str], list[Movement]]] = defaultdict(lambda: defaultdict(list))
     for movement in score.movements:
-        movements[movement.channel][movement.layer].append(movement)
+        movements[movement.channel][movement.on_top, movement.layer].append(movement)
     function = score.settings.onset_function
     drawn = {name: list[Curve](curves) for name, curves in key_curves(score.manual).items()}
     replaced = replaced_spans(score.manual)
     channels = []
     for name in CHANNELS:
-        layers = [concatenate(in_layer, function) for _, in_layer in sorted(movements[name].items())]
-        curves = _layered(layers)
+        layers = {key: concatenate(in_layer, function) for key, in_layer in sorted(movements[name].items())}
+        curves = _layered(layer for (on_top, _), layer in layers.items() if not on_top)
         if name == "lips" and lips is not None:
             curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
         curves = _joined(drawn, curves) if name == "manual" else _under(replaced, curves)
-        if curves:
-            levels = levels_of(_claims(name, layers, lips), CHANNELS.get(name).priority)
-            channels.append(Channel(name, levels, dict(sorted(curves.items()))))
+        raised = _under(replaced, _layered(layer for (on_top, _), layer in layers.items() if on_top))
+        levels = levels_of(_claims(name, layers.values(), lips), CHANNELS.get(name).priority)
+        for part, on_top in ((curves, False), (raised, True)):
+            if part:
+                channels.append(Channel(name, levels, dict(sorted(part.items())), on_top))
     return tuple(channels)
 
 
 Curves = dict[str, list[Curve]]
 
 
-def _layered(layers: Sequence[LayerCurves]) -> Curves:
+def _layered(layers: Iterable[LayerCurves]) -> Curves:
     """Return the curves of all layers by parameter."""
     curves: Curves = defaultdict(list)
     for layer in layers:
@@ -104,7 +116,7 @@ def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
     }
 
 
-def _claims(name: str, layers: Sequence[LayerCurves], lips: CompiledLips | None) -> list[PriorityClaim]:
+def _claims(name: str, layers: Iterable[LayerCurves], lips: CompiledLips | None) -> list[PriorityClaim]:
     """Return what decides the channel's priority; speech without a break counts as one movement."""
     claims = [step.claim() for layer in layers for step in layer.steps]
     if name == "lips" and lips is not None:

@@ -40,6 +40,7 @@ class Contribution:
 
     `label` names it, `cause` says why it exists. `requested` and `applied` are deviations from the
     parameter's neutral. `reason`: why less is applied than requested, or why it does not show; else "".
+    `on_top`: whether it adds to what the others leave.
     """
 
     channel: str
@@ -49,6 +50,7 @@ class Contribution:
     requested: float
     applied: float
     reason: str = ""
+    on_top: bool = False
 
     @property
     def what(self) -> str:
@@ -93,7 +95,10 @@ def _lost(loser: Contribution, winner: Contribution | None, adds: bool) -> Contr
     """Return a loser with its reason: the winner, unless it has one already."""
     if loser.reason or winner is None:
         return loser
-    return replace(loser, reason="added" if adds else f"lower than {winner.what} ({winner.channel})")
+    if adds or loser.on_top:
+        return replace(loser, reason="added" if adds else f"on top of {winner.what} ({winner.channel})")
+    below = "below" if winner.on_top else "lower than"
+    return replace(loser, reason=f"{below} {winner.what} ({winner.channel})")
 
 
 def _moving(sample: PlanSample, name: str) -> Iterator[Contribution]:
@@ -185,7 +190,9 @@ def _reason(sample: PlanSample, name: str, entry: LedgerEntry) -> str:
 
 def _because(plan: Plan, suppressor: Suppressor) -> str:
     """Say what a rival does, and what caused the rival."""
-    channel = next(c for c in plan.channels if c.name == suppressor.channel)
+    channel = next(
+        c for c in plan.channels if c.name == suppressor.channel and suppressor.parameter in c.curves
+    )
     sample = PlanSample(plan, np.array([suppressor.time]))
     requested = {
         _origin(sample, channel, curve).what: _only(curve.sample(sample.times)[1])
@@ -207,7 +214,7 @@ def _origin(sample: PlanSample, channel: Channel, curve: Curve) -> Contribution:
 def _contribution(channel: str, origin: Origin) -> Contribution:
     """Return the contribution of a movement, a segment or a drawn curve, still without values."""
     if isinstance(origin, Movement):
-        return Contribution(channel, origin.layer, origin.label, origin.cause, 0.0, 0.0)
+        return Contribution(channel, origin.layer, origin.label, origin.cause, 0.0, 0.0, on_top=origin.on_top)
     if isinstance(origin, LipSegment):
         label = f"/{origin.phone}/" if origin.phone else "silence"
         return Contribution(channel, "", label, origin.cause, 0.0, 0.0)

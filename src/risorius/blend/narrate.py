@@ -24,8 +24,11 @@ def narrate(explanations: Iterable[Explanation], time: float) -> Iterator[str]:
 def _lines(explanation: Explanation) -> Iterator[str]:
     unit = PARAMETERS[INDEX[explanation.parameter]].unit
     yield f"{explanation.value:.3f}{f' {unit}' if unit else ''}"
-    yield _sentence(explanation.winner) if explanation.winner else "at rest"
-    yield from (f"not {_sentence(loser)}" for loser in explanation.losers)
+    winner = explanation.winner
+    yield _sentence(winner) if winner else "at rest"
+    for loser in explanation.losers:
+        both = loser.on_top or (winner is not None and winner.on_top)
+        yield f"{'and' if both else 'not'} {_sentence(loser)}"
     yield from explanation.notes
 
 

@@ -163,6 +163,7 @@ class PlanSample:
         ledger, lips = self.ledger(name), self.plan.lips
         others = self._others(ledger)
         total = ledger.speech + others if self.plan.adds(name) else np.maximum(ledger.speech, others)
+        total = self._raised(ledger, total)
         if lips is None:
             return np.minimum(total, 1.0)
         if name in lips.mouth.raised:
@@ -176,10 +177,24 @@ class PlanSample:
         """Return what all channels but speech apply together, shape (n,)."""
         total = np.zeros(len(self.times))
         for channel in ledger.channels:
-            if channel.name != LIPS:
+            if channel.name != LIPS and (self.plan.sums or not channel.on_top):
                 entry = ledger.entry(channel)
                 index, values = entry.index, entry.applied
                 total[index] = total[index] + values if self.plan.sums else np.maximum(total[index], values)
+        return total
+
+    def _raised(self, ledger: Ledger, total: Array) -> Array:
+        """Return what all apply together with what is marked to add to it, within the limits of speech."""
+        if self.plan.sums:
+            return total
+        for entry in (ledger.entry(c) for c in ledger.channels if c.on_top):
+            here, limits = np.minimum(total[entry.index], 1.0), self.plan.limits
+            raised = here + (1.0 - here) * entry.applied
+            if limits is not None and limits.bind(entry.channel, ledger.name):
+                limit = limits.limit(entry.channel, ledger.name, self.times[entry.index])
+                raised = np.minimum(raised, np.maximum(here, limit))
+            total = total.copy()
+            total[entry.index] = raised
         return total
 
     def mouth_gaps(self, rig: LipRig) -> MouthGaps | None:

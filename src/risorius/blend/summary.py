@@ -44,6 +44,7 @@ def _count(sample: PlanSample, name: str, tallies: dict[str, Tally]) -> None:
     for entry in sample.ledger(name).entries():
         tally, active, applied = tallies[entry.channel.name], entry.requested > _LEAST, entry.applied
         tally.active += int(active.sum())
-        tally.won += int((active & (applied > _LEAST) & (applied >= shown[entry.index] - _LEAST)).sum())
+        shows = applied >= shown[entry.index] - _LEAST
+        tally.won += int((active & (applied > _LEAST) & (shows | entry.channel.on_top)).sum())
         tally.inhibited += int((active & (applied <= _LEAST)).sum())
         tally.limited += int((active & (applied > _LEAST) & (applied < entry.requested - _LEAST)).sum())

@@ -65,8 +65,10 @@ def traces(plan: Plan, parameter: str, times: Array) -> tuple[Trace, ...]:
     for batch in plan.batches(all_times) if len(all_times) else ():
         sample, here = PlanSample(plan, batch), slice(start, start + len(batch))
         for channel, requested, applied in (_turned if parameter in SIGNED else _moved)(sample, parameter):
-            by_channel[channel].requested[here] += requested
-            by_channel[channel].applied[here] += applied
+            join = np.add if parameter in SIGNED else np.maximum
+            trace = by_channel[channel]
+            trace.requested[here] = join(trace.requested[here], requested)
+            trace.applied[here] = join(trace.applied[here], applied)
         start += len(batch)
     return tuple(by_channel.values())
 

@@ -19,6 +19,8 @@ from .ruled import marked_and_ruled
 
 POSTURE = "emotion.posture.speaker"
 _OVERLAP = 0.05
+# What lasts as long as the clip is released so long after its end, seconds: later than any frame's time.
+_BEYOND = 0.1
 
 
 def emotion(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
@@ -28,7 +30,7 @@ def emotion(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
         yield from _posture(inputs)
     displays = [_placed(display, inputs.duration) for display in inputs.emotions]
     for number, display in enumerate(displays, 1):
-        yield from _movements(display, number, displays)
+        yield from _movements(display, number, displays, inputs.duration)
 
 
 def _posture(inputs: ChannelInputs) -> Iterator[Movement]:
@@ -51,16 +53,22 @@ def _placed(display: Display, duration: float) -> Display:
     return Display(emotion_key(display.emotion), check_intensity(found.name, display.intensity), start, end)
 
 
-def _movements(display: Display, number: int, displays: Sequence[Display]) -> Iterator[Movement]:
-    """Yield a display, in parts where others begin or end beside it: in company it may show less."""
+def _movements(
+    display: Display, number: int, displays: Sequence[Display], duration: float
+) -> Iterator[Movement]:
+    """Yield a display, in parts where others begin or end beside it: in company it may show less.
+
+    One that lasts as long as the clip is not released in it: the last pause is stillness.
+    """
     found = find_emotion(display.emotion)
     first, last = float(display.start or 0.0), float(display.end or 0.0)
+    after = found.offset + _BEYOND if display.end == duration else 0.0
     edges = {t for d in displays for t in (d.start, d.end) if t is not None and first < t < last}
     for start, end, targets in _parts(display.emotion, [first, *sorted(edges), last], displays):
         yield Movement(
             "emotion",
             start,
-            end if end == last else end + _OVERLAP,
+            end + after if end == last else end + _OVERLAP,
             found.onset,
             found.offset if end == last else _OVERLAP,
             targets,

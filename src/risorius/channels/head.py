@@ -160,8 +160,13 @@ class _Calm:
         still = {PauseKind.COMMA: habits.comma, PauseKind.HESITATION: habits.comma}
         self._situation, self._listening = inputs.situation, habits.listening
         pauses = inputs.utterance.pauses if inputs.utterance else ()
-        self.last = [p.start for p in pauses if p.kind is PauseKind.FINAL]
-        self._spans = [(p.start, p.end, still.get(p.kind, habits.final)) for p in pauses]
+        words = inputs.utterance.words if inputs.utterance else ()
+        said = words[-1].end if words else inputs.duration
+        self.last = [p.start for p in pauses if p.start >= said]
+        self._spans = [
+            (p.start, p.end, habits.final if p.start >= said else still.get(p.kind, habits.final))
+            for p in pauses
+        ]
         self.edges = sorted({t for start, end, _ in self._spans for t in (start, end)})
 
     def at(self, time: float) -> float:

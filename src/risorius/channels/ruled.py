@@ -75,6 +75,7 @@ def _held(event: Event) -> Movement:
         layer=rule.part,
         function=rule.timing.function or channel_timing(rule.channel).function,
         cause=_cause(event),
+        on_top=rule.effect.on_top,
     )
 
 

@@ -34,7 +34,8 @@ class Movement:
     """An atomic movement (paper A, section 4): targets reached in `onset` and left in `offset` seconds.
 
     Times in seconds, read to the nearest tick. `targets` maps parameter names to values. `priority` and
-    `release_priority` (in the offset phase): None for the priority of the channel.
+    `release_priority` (in the offset phase): None for the priority of the channel. `on_top`: a muscle adds to
+    what the others leave of it, x + (1 - x)·F, where else the larger of both counts.
     """
 
     channel: str
@@ -49,6 +50,7 @@ class Movement:
     release_priority: float | None = None
     function: FunctionName = DEFAULT_FUNCTION
     cause: Cause = field(default_factory=Cause)
+    on_top: bool = False
 
     def __post_init__(self) -> None:
         put_on_ticks(self, "start", "end", "onset", "offset")

@@ -30,7 +30,8 @@ class Questions:
     """Words that tell the kinds of questions apart.
 
     Of the first two words of a question, `openers` not counted, one of `wh` asks for information, one of
-    `yes_no` for yes or no, whichever comes first; after one of `subjects` the latter is a statement's verb.
+    `yes_no` for yes or no, whichever comes first; the latter, as the second word, only if none of `subjects`
+    comes before it and one of `pronouns` after it: else it is a statement's verb.
     If `verb_first`, any word before one of `subjects` that is not a function word is a verb and asks for yes
     or no; so does a word that a hyphen joins to one of `hyphenated`. One of `last` asks for information as
     the last word, one of `alternative` offers a choice. Else a question asks `otherwise`.
@@ -40,6 +41,7 @@ class Questions:
     wh: tuple[str, ...] = ()
     yes_no: tuple[str, ...] = ()
     subjects: tuple[str, ...] = ()
+    pronouns: tuple[str, ...] = ()
     verb_first: bool = False
     hyphenated: tuple[str, ...] = ()
     last: tuple[str, ...] = ()

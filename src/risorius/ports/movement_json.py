@@ -197,6 +197,7 @@ def _movement_to_json(m: Movement) -> JsonObject:
         "onset": m.onset,
         "offset": m.offset,
         **{name: value for name, value in optional.items() if value is not None},
+        **({"on_top": True} if m.on_top else {}),
         "targets": dict(m.targets),
         **_cause_to_json(m.cause),
     }

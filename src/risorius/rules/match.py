@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from ..core.action_units import resolve_targets
 from ..core.counted import Counted
 from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
+from ..core.time import TICK
 from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .modulation import Modulation, rate_of, size_of
-from .rule import ANY, NOTHING_FELT, Rule, RuleAnchor, When
+from .rule import ANY, NOTHING_FELT, Level, Rule, RuleAnchor, When
 from .synchrony import MovementPhases, ended_in_pause, snapped, synchrony
 from .unit import Unit
 from .units import Units
@@ -20,6 +21,8 @@ LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
 HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 EYES = ("gaze_pitch", "gaze_yaw")
 SIDED = ("head_yaw", "head_roll", "gaze_yaw")
+# What is held to the end of a clip is released so long after it, seconds: later than any frame's time.
+_BEYOND = 0.1
 # No event is smaller than this share of its rule's size.
 _SMALLEST = 0.3
 
@@ -141,7 +144,16 @@ def _event(
         span = ended_in_pause(span, units.endings)
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
-    return Event(rule, unit, _inside(span, units.situation.duration), targets, size)
+    duration = units.situation.duration
+    if rule.timing.at is RuleAnchor.WHOLE and rule.level is Level.PAUSE and unit.end > duration - TICK:
+        return Event(rule, unit, _held(span, duration), targets, size)
+    return Event(rule, unit, _inside(span, duration), targets, size)
+
+
+def _held(span: MovementPhases, duration: float) -> MovementPhases:
+    """Return a span that begins in the clip and is released after its end."""
+    span = _inside(span, duration)
+    return MovementPhases(span.start, min(span.apex, duration), duration + _BEYOND, duration + 2.0 * _BEYOND)
 
 
 def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:

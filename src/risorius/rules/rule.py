@@ -132,6 +132,7 @@ class Effect:
     `size` times its amplitude. `look`: a direction there; "away" draws one. `blink`: how far the lids
     close, in a natural blink that is complete.
     `emblem`: an emotion's. `vary`: the standard deviation of the size from one event to the next, as a share.
+    `on_top`: the targets add to what other channels leave of them, as those on a display do.
     `mirror`: the head's turns and tilts go to either side, by the speaker's preference; `grouped`: alike for
     related utterances.
     """
@@ -144,6 +145,7 @@ class Effect:
     blink: Share | None = None
     emblem: str | None = None
     vary: Share = 0.0
+    on_top: bool = False
     mirror: bool = False
     grouped: bool = False
 

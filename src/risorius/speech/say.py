@@ -140,7 +140,8 @@ class _Joiner:
         ]
         self.words += [_moved_word(w, phones, part.line.source_offset) for w in _shifted(said.words, at)]
         self.syllables += [_moved_syllable(s, phones, words) for s in _shifted(said.syllables, at)]
-        self.pauses += _shifted(said.pauses, at)
+        for pause in _shifted(said.pauses, at):
+            self._add_pause(pause)
         self.accents += [
             replace(a, time=a.time + at, word=a.word + words, syllable=a.syllable + syllables)
             for a in said.accents
@@ -152,10 +153,23 @@ class _Joiner:
         edge = self.phones[-1].end if self.phones else 0.0
         if ticks_of(at) - ticks_of(edge) > 1:
             self.phones.append(Phone(SILENCE, edge, at))
-            self.pauses.append(Pause(edge, at, PauseKind.FULL_STOP if self.words else PauseKind.INITIAL))
+            self._add_pause(Pause(edge, at, PauseKind.INITIAL))
         elif self.phones:
             # At some sample rates the end of a line and the start of the next are rounded to two ticks.
             self.phones[-1] = replace(self.phones[-1], end=at)
+
+    def _add_pause(self, pause: Pause) -> None:
+        """Add a pause, which goes on with the one before if nothing is said between them.
+
+        Between two lines is a full stop, unless the first line ends with other punctuation.
+        """
+        if self.words and pause.kind is PauseKind.INITIAL:
+            pause = replace(pause, kind=PauseKind.FULL_STOP)
+        if self.pauses and self.pauses[-1].end == pause.start:
+            last = self.pauses.pop()
+            kind = pause.kind if last.kind is PauseKind.FINAL else last.kind
+            pause = Pause(last.start, pause.end, kind)
+        self.pauses.append(pause)
 
     def utterance(self, text: str, language: str, audio: Audio) -> Utterance:
         """Return what was collected."""

@@ -73,7 +73,7 @@ class SpeechLimits:
 
     def _share_of(self, block: KnotBlock, channel: Channel, name: str) -> Array:
         """Return the share of its request that a channel gets, at a block's knots."""
-        key = (channel.name, name)
+        key = (channel.key, name)
         if key not in block.shares:
             knots, tuning = block.knots, self.mouth.tuning
             requested = np.zeros(len(knots))

@@ -43,7 +43,7 @@ class Inhibit:
 
     def inhibited(self, channel: Channel, parameter: str) -> Spans:
         """Return when a channel's parameter must be 0, shape (n, 2)."""
-        key = (channel.name, parameter)
+        key = (channel.key, parameter)
         if key not in self._inhibited:
             levels = channel.levels
             self._inhibited[key] = union(
@@ -56,7 +56,7 @@ class Inhibit:
 
     def _inhibited_at(self, channel: Channel, level: float, parameter: str) -> Spans:
         """Return when it would have to be 0 if the channel always had this level."""
-        key = (channel.name, level, parameter)
+        key = (channel.key, level, parameter)
         if key not in self._at_level:
             rivals = self._inputs.rivals(channel, parameter, level)
             self._at_level[key] = union([self.active(*rival) for rival in rivals])
@@ -64,7 +64,7 @@ class Inhibit:
 
     def active(self, channel: Channel, level: float, parameter: str) -> Spans:
         """Return when a channel at a level has a resolved parameter above its threshold, shape (n, 2)."""
-        key = (channel.name, level, parameter)
+        key = (channel.key, level, parameter)
         if key not in self._active:
             inputs = self._inputs
             threshold = inputs.tuning.threshold[parameter]

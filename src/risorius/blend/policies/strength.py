@@ -42,7 +42,7 @@ class Strengths:
         return total
 
     def _gain_at(self, channel: Channel, level: float, parameter: str) -> Array:
-        key = (channel.name, level, parameter)
+        key = (channel.key, level, parameter)
         if key not in self._gains:
             strongest = np.zeros(len(self.times))
             for other, above, rival in self._inputs.rivals(channel, parameter, level):
@@ -52,7 +52,7 @@ class Strengths:
 
     def _strength_of(self, channel: Channel, level: float, parameter: str) -> Array:
         """Return how strong a channel at a level is against the rivals of its parameter, shape (n,)."""
-        key = (channel.name, level, parameter)
+        key = (channel.key, level, parameter)
         if key not in self._strengths:
             activity = channel.lines(parameter, self.times)
             activity *= self._gain_at(channel, level, parameter)

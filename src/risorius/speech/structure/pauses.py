@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from ...core.utterance import SILENCE, Pause, PauseKind, Phone, Word
 from ...languages import Language, plain_word
 
-# The punctuation that ends a text has a pause of at most so many seconds; the rest is the final pause.
-PUNCTUATION_AT_END = 0.3
 # Shorter silence that no punctuation asks for is not a pause (seconds).
 SHORTEST_UNASKED = 0.15
 
@@ -27,14 +25,12 @@ def find_pauses(
 ) -> tuple[Pause, ...]:
     """Return the pauses among `phones`, in order.
 
-    Silence before the first word is INITIAL. After the last word comes the pause of its punctuation, for
-    0.3 s at most and half of the silence, then FINAL for the rest. Elsewhere the punctuation between the
-    words decides; without any, silence of at least 0.15 s is a COMMA. A comma after "um" and its like is a
-    HESITATION. Silence inside a word is not a pause.
+    Silence before the first word is INITIAL. Each later silence is one pause, of which the punctuation before
+    it decides; without any, silence after the last word is FINAL, and of at least 0.15 s elsewhere a COMMA. A
+    comma after "um" and its like is a HESITATION. Silence inside a word is not a pause.
     """
-    return tuple(
-        pause for index in range(len(phones)) for pause in _pause(text, phones, words, index, language)
-    )
+    found = (_pause(text, phones, words, index, language) for index in range(len(phones)))
+    return tuple(pause for pause in found if pause is not None)
 
 
 def punctuation_kind(between: str) -> PauseKind | None:
@@ -47,29 +43,29 @@ def punctuation_kind(between: str) -> PauseKind | None:
 
 def _pause(
     text: str, phones: Sequence[Phone], words: Sequence[Word], index: int, language: Language
-) -> Iterator[Pause]:
+) -> Pause | None:
     phone = phones[index]
     if phone.symbol != SILENCE:
-        return
+        return None
     before = phones[index - 1].word if index else -1
     after = phones[index + 1].word if index + 1 < len(phones) else -1
+    kind = _kind(text, phone, words, before, after, language)
+    return None if kind is None else Pause(phone.start, phone.end, kind)
+
+
+def _kind(
+    text: str, phone: Phone, words: Sequence[Word], before: int, after: int, language: Language
+) -> PauseKind | None:
+    """Return what the silence between two words, by their index, stands for; -1: there is no such word."""
     if before < 0:
-        yield Pause(phone.start, phone.end, PauseKind.INITIAL)
-    elif after < 0:
-        yield from _at_end(phone, punctuation_kind(text[words[before].source_end :]))
-    elif before != after:
-        kind = punctuation_kind(text[words[before].source_end : words[after].source_start])
-        if kind is None and phone.duration >= SHORTEST_UNASKED:
-            kind = PauseKind.COMMA
-        if kind is PauseKind.COMMA and plain_word(words[before].text) in language.fillers:
-            kind = PauseKind.HESITATION
-        if kind is not None:
-            yield Pause(phone.start, phone.end, kind)
-
-
-def _at_end(phone: Phone, kind: PauseKind | None) -> Iterator[Pause]:
-    start = phone.start
-    if kind is not None:
-        start += min(PUNCTUATION_AT_END, 0.5 * phone.duration)
-        yield Pause(phone.start, start, kind)
-    yield Pause(start, phone.end, PauseKind.FINAL)
+        return PauseKind.INITIAL
+    if after < 0:
+        return punctuation_kind(text[words[before].source_end :]) or PauseKind.FINAL
+    if before == after:
+        return None
+    kind = punctuation_kind(text[words[before].source_end : words[after].source_start])
+    if kind is None and phone.duration >= SHORTEST_UNASKED:
+        kind = PauseKind.COMMA
+    if kind is PauseKind.COMMA and plain_word(words[before].text) in language.fillers:
+        return PauseKind.HESITATION
+    return kind

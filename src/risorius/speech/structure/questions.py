@@ -29,15 +29,22 @@ def question_of(words: Sequence[str], language: Language) -> Question:
 def _by_first_words(texts: Sequence[str], table: Questions) -> Question | None:
     """Return what the first words ask, of which the first that tells decides; None if none does.
 
-    "Now, what about Julia?", but not "Is it, when you can?"; "Are you there?", but not "You are there?"
+    "Now, what about Julia?", but not "Is it, when you can?"; "Is Peter there?" and "Peter, is he there?", but
+    not "Peter is there?"
     """
     for number, text in enumerate(texts[:_FIRST_WORDS]):
         if any(part in table.wh for part in (text, *text.split("'"))):
             return Question.WH
-        states = number > 0 and texts[0] in table.subjects
-        if (text in table.yes_no and not states) or _holds_subject(text, table):
+        asks = number == 0 or _before_subject(texts, number, table)
+        if (text in table.yes_no and asks) or _holds_subject(text, table):
             return Question.YES_NO
     return None
+
+
+def _before_subject(texts: Sequence[str], number: int, table: Questions) -> bool:
+    """Tell whether a word stands between something that is not its subject and a pronoun that is."""
+    follows = number + 1 < len(texts) and texts[number + 1] in table.pronouns
+    return follows and texts[number - 1] not in table.subjects
 
 
 def _is_inverted(texts: Sequence[str], language: Language) -> bool:
