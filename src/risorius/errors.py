@@ -10,7 +10,9 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
-_LONGEST_NAME = 60  # characters of a name that are shown
+LONGEST_MESSAGE = 280  # characters of an error with its place; with the command line's own, below 300
+_LONGEST_PLACE = 140
+_LONGEST_NAME = 60  # of a name that is shown
 _receiver: ContextVar[Callable[[str], None] | None] = ContextVar("receiver of warnings", default=None)
 
 
@@ -27,14 +29,34 @@ class Place:
         return ":".join(parts)
 
 
+def printable(text: str) -> str:
+    """Return text on one line: users' names may hold line ends, and what a terminal obeys."""
+    return "".join(c if c.isprintable() else "\ufffd" for c in " ".join(text.split()))
+
+
+def shortened(text: str, longest: int, kept: float = 0.6) -> str:
+    """Return text of at most `longest` characters, cut in the middle; a share `kept` of them is its beginning.
+
+    >>> shortened("size 'xxxxxxxxxxxxxxxxxxxx' is not a size", 24)
+    "size 'xxxxxxxx…ot a size"
+    """
+    if len(text) <= longest:
+        return text
+    first = round((longest - 1) * kept)
+    return f"{text[:first]}…{text[len(text) - (longest - 1 - first) :]}"
+
+
 class RisoriusError(Exception):
-    """A fault that a user can mend: one line saying where it is, what is wrong and what was expected."""
+    """A fault that a user can mend: one line saying where it is, what is wrong and what was expected.
+
+    The line is at most `LONGEST_MESSAGE` characters long, all of them printable.
+    """
 
     def __init__(self, message: str, place: Place | None = None) -> None:
-        # Names that users wrote may hold line ends, and what a terminal obeys.
-        self.message = "".join(c if c.isprintable() else "\ufffd" for c in " ".join(message.split()))
         self.place = place
-        super().__init__(self.message if place is None else f"{place}: {self.message}")
+        where = "" if place is None else f"{shortened(printable(str(place)), _LONGEST_PLACE, 0.3)}: "
+        self.message = shortened(printable(message), LONGEST_MESSAGE - len(where))
+        super().__init__(where + self.message)
 
     def at(self, place: Place) -> RisoriusError:
         """Return the same error with its place, unless it has one already."""
@@ -88,7 +110,7 @@ class OutputError(RisoriusError):
 
 def warn(message: str, category: type[RisoriusWarning] = RisoriusWarning) -> None:
     """Warn the caller of the run: by `warnings_to`, or else as Python does, at the caller's own line."""
-    line = " ".join(message.split())
+    line = shortened(printable(message), LONGEST_MESSAGE)
     receive = _receiver.get()
     if receive is None:
         warnings.warn(line, category, stacklevel=_frames_of_ours())

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..core.arrays import Array, FloatArray, Int32Array
 from ..core.parameters import MUSCLES
+from ..core.paths import is_file, is_folder
 from ..errors import HeadError, unknown
 from . import ages as age_file
 from . import identity as identity_file
@@ -247,9 +248,9 @@ def head_titles() -> dict[str, str]:
 
 def _locate(name_or_path: str | Path) -> Path:
     path = Path(name_or_path)
-    if path.is_dir():
+    if is_folder(path):
         path = path / "head.npz"
-    if path.is_file():
+    if is_file(path):
         return path.resolve()
     shipped = {entry.name: Path(str(entry)) / "head.npz" for entry in _shipped()}
     if str(name_or_path) in shipped:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,7 +27,7 @@ class HeadFile:
         """Read all arrays; raise HeadError if the file is not a head file of this format."""
         try:
             arrays = read_arrays(path)
-        except (OSError, ValueError, zipfile.BadZipFile) as error:
+        except (OSError, ValueError) as error:
             raise HeadError(f"not a head file: {error}", Place(str(path))) from error
         file = cls(path, arrays)
         version = int(file.array("format", ()))
@@ -47,7 +46,10 @@ class HeadFile:
 
         It must exist with this shape, and its values must be finite and within the range.
         """
-        values = np.asarray(self._raw(name, shape), dtype=np.float64)
+        raw = self._raw(name, shape)
+        if raw.dtype.kind not in "fiub":
+            raise self.error(name, f"is of type {raw.dtype}; expected numbers")
+        values = np.asarray(raw, dtype=np.float64)
         if not np.isfinite(values).all():
             raise self.error(name, "holds a value that is not a finite number")
         if values.size and (
@@ -62,9 +64,9 @@ class HeadFile:
         raw = self._raw(name, shape)
         if raw.dtype.kind not in "iu":
             raise self.error(name, f"is of type {raw.dtype}; expected whole numbers")
-        values = raw.astype(np.int32)
-        if values.size and (values.min() < 0 or values.max() >= count):
+        if raw.size and (raw.min() < 0 or raw.max() >= count):
             raise self.error(name, f"points outside the {count} vertices")
+        values = raw.astype(np.int32)
         values.setflags(write=False)
         return values
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array
 from ..core.look import ByteColour, parse_colour
+from ..core.paths import is_file
 from ..errors import InputError, Place
 from ..looks.srgb import srgb_decode
 
@@ -24,7 +25,7 @@ def backdrop(
     """
     if background is None:
         return gradient(width, height, centre, edge)
-    if Path(background).is_file():
+    if is_file(Path(background)):
         return _picture(Path(background), width, height)
     colour = srgb_decode(np.array(parse_colour(background)) / 255.0)
     return np.tile(colour.astype(np.float32), (height, width, 1))

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from ...core.paths import is_file
 from ...core.registry import Registry
 from ...errors import SpeechError
 from .protocol import SpeechEngine
@@ -30,13 +31,13 @@ def is_voice_file(name: str | None) -> bool:
     if not name or "\0" in name:
         return False
     path = Path(name)
-    return path.is_absolute() or name[0] == "." or path.suffix.lower() in (".onnx", ".py") or path.is_file()
+    return path.is_absolute() or name[0] == "." or path.suffix.lower() in (".onnx", ".py") or is_file(path)
 
 
 def load_voice_file(name: str, language: str | None = None) -> SpeechEngine:
     """Return the engine of a voice file; raise SpeechError if it does not exist or is not a voice."""
     path = Path(name)
-    if not path.is_file():
+    if not is_file(path):
         raise SpeechError(f"there is no voice '{name}'; expected a program or a Piper model (.onnx)")
     suffix = path.suffix.lower()
     return VOICE_FILES.get(suffix if suffix in VOICE_FILES else "")(path, language)
