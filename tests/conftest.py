@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from dataclasses import replace
@@ -11,6 +12,7 @@ import pytest
 from hypothesis import settings
 
 from risorius.api import speak
+from risorius.cli import STRICT
 from risorius.core.audio import silence
 from risorius.core.utterance import (
     Accent,
@@ -38,6 +40,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    # What the command line says in one line if nobody foresaw it is a failure of the program.
+    os.environ[STRICT] = "1"
     settings.load_profile("full" if config.getoption("full") else "everyday")
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .core.movement import Cause, ManualCurve
+from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import BlendSettings, Score
 from .errors import InputError, Place
@@ -55,7 +56,7 @@ def speak(
     if script is not None and script.lower().endswith(".json") and not text:
         arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
         refuse(settings, SCORE, Place(script), **arguments)
-        return mix(script, settings=settings)
+        return mix(script, settings=settings, progress=progress)
     return perform(Input(script, audio, transcript, text, source), displays, settings, progress)
 
 
@@ -75,6 +76,7 @@ def mix(
     settings: Settings | None = None,
     conflict: str | None = None,
     onset_function: str | None = None,
+    progress: Progress = quiet,
 ) -> Take:
     """Combine the movements of a score file; `conflict`, `onset_function` and what `settings.blend` chooses
     override the score's own.
@@ -86,7 +88,8 @@ def mix(
     file = read_score_file(Path(score))
     blend = settings.blend.over(file.score.settings)
     blend = BlendChoices(conflict=conflict, onset_function=onset_function).over(blend)
-    return combine(replace(file.score, settings=blend), settings, file.utterance)
+    movements = announced(replace(file.score, settings=blend), settings.fps, progress)
+    return combine(movements, settings, file.utterance)
 
 
 def load(performance: FileName, *, settings: Settings | None = None) -> Take:
@@ -123,11 +126,11 @@ def play(
     if kind.suffix == ".performance.json":
         take = load(path, settings=settings)
     elif kind.suffix == ".score.json":
-        take = mix(path, settings=settings)
+        take = mix(path, settings=settings, progress=progress)
     else:
         refuse(settings, CAPTURE, Place(str(capture)))
         file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
-        take = combine(file.score, settings, file.utterance)
+        take = combine(announced(file.score, settings.fps, progress), settings, file.utterance)
     return take if audio is None else replace(take, sound=read_recording(audio))
 
 

@@ -10,7 +10,8 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
-LONGEST_MESSAGE = 280  # characters of an error with its place; with the command line's own, below 300
+LONGEST_LINE = 300  # characters of what the command line prints of an error
+LONGEST_MESSAGE = 280  # of an error with its place
 _LONGEST_PLACE = 140
 _LONGEST_NAME = 60  # of a name that is shown
 _receiver: ContextVar[Callable[[str], None] | None] = ContextVar("receiver of warnings", default=None)
@@ -35,7 +36,7 @@ def printable(text: str) -> str:
 
 
 def shortened(text: str, longest: int, kept: float = 0.6) -> str:
-    """Return text of at most `longest` characters, cut in the middle; a share `kept` of them is its beginning.
+    """Return text of at most `longest` characters, cut in the middle: a share `kept` is its beginning.
 
     >>> shortened("size 'xxxxxxxxxxxxxxxxxxxx' is not a size", 24)
     "size 'xxxxxxxx…ot a size"

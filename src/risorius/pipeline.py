@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from . import channels
 from .blend import Plan, performance_after
+from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import Score
 from .core.utterance import Utterance
@@ -32,7 +33,7 @@ def perform(given: Input, emotions: Displays, settings: Settings, progress: Prog
     else:
         script, utterance = hear(source, progress)
     score = compose(script, utterance, emotions, settings)
-    return combine(score, settings, utterance)
+    return combine(announced(score, settings.fps, progress), settings, utterance)
 
 
 def with_profile(settings: Settings) -> Settings:

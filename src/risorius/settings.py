@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from .core import look as looks
 from .core.frame_rate import parse_fps
 from .core.setting import Group, Row, Stage, ValueKind, check, rows, setting
+from .core.units import MAX_SECONDS
 from .errors import InputError, unknown
 
 if TYPE_CHECKING:
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
 LARGEST_SIDE = 4096
 DYNAMICS = ("springs", "biphasic", "static")
-DAY = 86_400.0
 
 _voice = partial(setting, Stage.VOICE, Group.VOICE)
 _silence = partial(setting, Stage.VOICE, Group.TIME)
@@ -198,7 +198,8 @@ class Settings:
         "Size", (720, 720), "Size of the picture in pixels.",
         metavar="WxH", low=16, high=LARGEST_SIDE, read=parse_size)
     at: float | None = _output(
-        "At, s", None, "Time of a .png in seconds.", metavar="S", low=0.0, high=DAY, unset="the middle")
+        "At, s", None, "Time of a .png in seconds.",
+        metavar="S", low=0.0, high=MAX_SECONDS, unset="the middle")
     every: int | None = _output(
         "Every", None, "Make each .png a sheet of every N-th frame.", metavar="N", low=1, high=1_000_000)
     look: Look = field(default_factory=Look)

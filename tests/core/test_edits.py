@@ -48,7 +48,7 @@ IMPOSSIBLE = [
     (Move("a", 10.0), "would start at 10 s, after the end at 10 s"),
     (Move("a", 3.0), "'a' and 'b' both start at 3 s"),
     (Stretch("a", end=0.5), "end = 0.5 must come after start = 1"),
-    (Stretch("a", onset=-1.0), "onset = -1.0 must be 0 or more"),
+    (Stretch("a", onset=-1.0), "onset = -1.0 is out of range; expected 0 to 21600 seconds"),
     (Retarget("a", {"AU1": 2.0}), "out of range"),
     (Retarget("a", {"frontalis": 1.0}), "unknown"),
     (Add("signal", 1.0, 2.0, BROWS), "unknown channel 'signal'; did you mean 'signals'"),

@@ -26,7 +26,7 @@ from risorius.errors import InputError, ParameterError
         ('{"a": 1, "a": 2}', "x: the key 'a' is given twice in one object; expected it once"),
         ('{"a": NaN}', "x: NaN is not a number; expected a finite one"),
         ('{"a": -Infinity}', "x: -Infinity is not a number; expected a finite one"),
-        ("[" * 100_000, "x: is nested too deeply; expected fewer levels"),
+        ("[" * 100_000, "x: is nested too deeply; expected at most 32 levels"),
         ("9" * 10_000, "x: holds a number with too many digits; expected fewer"),
     ],
 )

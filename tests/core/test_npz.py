@@ -58,9 +58,7 @@ def promising(shape: tuple[int, ...]) -> Callable[[Path], None]:
         (lambda path: np.savez(path, one=np.array([{}], object)), "objects"),
     ],
 )
-def test_damage_is_one_kind_of_error(
-    spoil: Callable[[Path], None], problem: str, tmp_path: Path
-) -> None:
+def test_damage_is_one_kind_of_error(spoil: Callable[[Path], None], problem: str, tmp_path: Path) -> None:
     path = tmp_path / "a.npz"
     spoil(path)
     with pytest.raises(ValueError, match=problem):

@@ -38,7 +38,7 @@ def written(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
             "timestamp, AU01_r, gaze_angle_x, gaze_angle_y\n0, 1, 0, 40",
             ":2:10: gaze_angle_y is '40'; expected radians",
         ),
-        ("timestamp, AU01_r\n0, 1\n90000, 1", ":3: the capture lasts 90000 s; expected at most 86400 s"),
+        ("timestamp, AU01_r\n0, 1\n90000, 1", ":3: the capture lasts 90000 s; expected at most 21600 s"),
         ("timestamp, AU01_r\n0.1, 1\n0.1, 1", ":3: its time does not come after"),
         ("timestamp, success, AU01_r\n0, 0, 1", "no row has success 1"),
         ("timestamp, AU01_r, AU12_x\n0, 1, 1", "unknown column 'AU12_x'; did you mean 'AU12_"),

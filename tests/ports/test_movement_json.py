@@ -44,7 +44,7 @@ HAND: dict[str, Any] = {"channel": "manual", "keys": {"masseter": [[0, 0], [1, 0
     [
         ({}, '"m"', "key 'm.channel' is missing; expected a text"),
         (SMILE | {"channel": "emotoin"}, '"channel"', "unknown channel 'emotoin'; did you mean 'emotion'?"),
-        (SMILE | {"onset": -1}, '"onset"', "m.onset = -1 is out of range; expected a number from 0 to 86400"),
+        (SMILE | {"onset": -1}, '"onset"', "m.onset = -1 is out of range; expected a number from 0 to 21600"),
         (SMILE | {"start": -1}, '"start"', "m.start = -1 is out of range"),
         (SMILE | {"end": 1e6}, '"end"', "m.end = 1000000.0 is out of range"),
         (SMILE | {"end": 0}, '"m"', "'emotion@0': end = 0.0 must come after start = 0.0"),

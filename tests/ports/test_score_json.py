@@ -116,11 +116,11 @@ def _changed(**change: Any) -> str:
         ("[]", "", "holds []; expected an object"),
         (_changed(risorius=...), "", "key 'risorius' is missing; expected a whole number"),
         (_changed(risorius=2), '"risorius"', "version 2 is not known; expected 1"),
-        (_changed(duration=0), "", "duration = 0.0 must be more than 0 seconds"),
+        (_changed(duration=0), "", "duration = 0.0 is out of range; expected more than 0"),
         (
             _changed(duration=1e12),
             '"duration"',
-            "duration = 1000000000000.0 is out of range; expected a number from 0 to 86400",
+            "duration = 1000000000000.0 is out of range; expected a number from 0 to 21600",
         ),
         (_changed(duratoin=7), '"duratoin"', "unknown key 'duratoin'; did you mean 'duration'?"),
         (

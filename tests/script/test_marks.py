@@ -42,13 +42,13 @@ BAD_MARKS = r"""
 <SIGNAL time="word:1" end="word:1"/>
 2:23: SIGNAL: end = word:1 is not after time = word:1
 <BLINK time="2" duration="0"/>
-2:17: duration = '0' is out of range; expected more than 0 seconds
+2:17: duration = '0' is out of range; expected more than 0, at most 21600 s
 <BLINK time="2" duration="-1"/>
 2:17: duration = '-1' is out of range
 <BLINK time="2" duration="1" end="3"/>
 2:1: BLINK: duration and end are both given; expected one of them
 <BLINK time="2" onset="-0.1"/>
-2:17: onset = '-0.1' is out of range; expected 0 to 86400
+2:17: onset = '-0.1' is out of range; expected 0 to 21600
 <BLINK time="2" offset="-0.1"/>
 2:17: offset = '-0.1' is out of range
 <BLINK time="2" onset="inf"/>

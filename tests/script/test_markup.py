@@ -39,7 +39,7 @@ BAD = [
     (
         "negative speech",
         '<PHONEME time="-1" text="a"/>',
-        "f:1:10: time = '-1' is out of range; expected 0 to 86400",
+        "f:1:10: time = '-1' is out of range; expected 0 to 21600",
     ),
     ("speech at a word", '<PHONEME time="word:1" text="a"/>', "f:1:10: time = 'word:1' is not a number"),
     (

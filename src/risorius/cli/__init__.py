@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import errno
+import os
 import signal
 import sys
+import traceback
+from pathlib import Path
 
 import click
 
 from .. import __version__
-from ..errors import RisoriusError, UnreadError
+from ..core.paths import is_file
+from ..errors import LONGEST_LINE, RisoriusError, UnreadError, printable, shortened
 from .align import align
 from .console import interrupt, say
 from .explain import explain
@@ -25,6 +29,9 @@ from .stream import stream
 from .studio import studio
 
 EXIT_FAULT, EXIT_INTERRUPTED = 2, 130
+DEBUG = "--debug"
+STRICT = "RISORIUS_STRICT"
+"""The environment's variable under which unforeseen errors are raised: the tests set it."""
 
 
 def main() -> None:
@@ -37,6 +44,9 @@ def main() -> None:
 
 def run(arguments: list[str]) -> int:
     """Run the command line with `arguments`; return the exit code."""
+    end = arguments.index("--") if "--" in arguments else len(arguments)
+    debug = DEBUG in arguments[:end]
+    arguments = [argument for argument in arguments[:end] if argument != DEBUG] + arguments[end:]
     try:
         commands.main(arguments, prog_name="risorius", standalone_mode=False)
     except click.exceptions.Exit as stop:
@@ -54,21 +64,36 @@ def run(arguments: list[str]) -> int:
         sys.stdout = None  # the reader has gone: nothing more can be said to it
         return 0
     except MemoryError:
-        return _fault("out of memory; expected a smaller --size or a shorter text")
-    except OSError as error:
-        if error.errno != errno.ENOSPC:
-            raise
-        return _fault("no space left on the disk")
+        return _fault("out of memory; expected a smaller file, a shorter text or a smaller --size")
+    except Exception as error:
+        return _unforeseen(error, arguments, debug)
     return 0
 
 
 def _fault(message: str) -> int:
-    say(f"risorius: {' '.join(message.split())}")
+    say(shortened(f"risorius: {printable(message)}", LONGEST_LINE))
     return EXIT_FAULT
+
+
+def _unforeseen(error: Exception, arguments: list[str], debug: bool) -> int:
+    """Say in one line what nobody foresaw: the system's fault, or ours with a file."""
+    if debug:
+        traceback.print_exception(error)
+    if isinstance(error, OSError) and error.errno is not None:
+        if error.errno == errno.ENOSPC:
+            return _fault("no space left on the disk")
+        where = f"{error.filename}: " if error.filename else ""
+        return _fault(f"{where}{os.strerror(error.errno)}; expected a file and a disk that can be used")
+    if os.environ.get(STRICT):
+        raise error
+    files = ", ".join(argument for argument in arguments[1:] if is_file(Path(argument)))
+    where = f"{files}: cannot be used" if files else "an error that was not foreseen"
+    return _fault(f"{where} ({type(error).__name__}: {error}); please report it with what {DEBUG} prints")
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(__version__, prog_name="risorius")
+@click.option(DEBUG, is_flag=True, expose_value=False, help="Print where in the program an error arose.")
 def commands() -> None:
     """Turn a script into a performing face.
 

@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from ..core.setting import Stage
+from .console import Console
 from .options import SHOWN, Command, check_outputs, output_option, setting_options, settings_from
 
 
@@ -29,10 +30,11 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
         check_outputs(outputs, settings)
     else:
         refuse_unwritten(settings, [FORMATS.get(".muscles.csv")])
-    take = combine(score, settings=settings)
-    if outputs:
-        take.write(*outputs)
-    else:
+    with Console() as console:
+        take = combine(score, settings=settings, progress=console.progress)
+        if outputs:
+            take.write(*outputs, progress=console.progress)
+    if not outputs:
         from ..ports.muscles_csv import rows
 
         for row in rows(take.performance):

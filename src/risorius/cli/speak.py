@@ -92,4 +92,6 @@ def speak(
 def _standard_input() -> str:
     from ..script.files import decode
 
+    if sys.stdin is None:
+        raise InputError("standard input is closed; expected a text on it")
     return decode(sys.stdin.buffer.read(LONGEST_INPUT), "stdin")

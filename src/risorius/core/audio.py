@@ -16,6 +16,7 @@ import numpy as np
 
 from .arrays import Int16Array
 
+_BLOCK = 65_536  # samples
 Samples = Int16Array
 """Sound: samples (n,) of one channel, full scale 32,767."""
 
@@ -46,7 +47,7 @@ class Audio:
             data = source.readframes(self.frames if count is None else count)
         return np.frombuffer(data, dtype="<i2").astype(np.int16, copy=False)
 
-    def blocks(self, size: int = 65_536) -> Iterator[Samples]:
+    def blocks(self, size: int = _BLOCK) -> Iterator[Samples]:
         """Yield the sound in blocks of at most `size` samples."""
         for start in range(0, self.frames, size):
             yield self.read(start, size)
@@ -80,7 +81,10 @@ class AudioWriter:
 
     def silence(self, seconds: float) -> None:
         """Add silence, rounded to whole samples."""
-        self.append(np.zeros(round(seconds * self.sample_rate), np.int16))
+        remaining = round(seconds * self.sample_rate)
+        while remaining > 0:
+            self.append(np.zeros(min(remaining, _BLOCK), np.int16))
+            remaining -= _BLOCK
 
     def finish(self) -> Audio:
         """Close the file and return the sound."""
@@ -105,9 +109,5 @@ def _written(samples: Samples, sample_rate: int) -> Audio:
 def silence(seconds: float, sample_rate: int = 22_050) -> Audio:
     """Return `seconds` of silence."""
     with AudioWriter(sample_rate) as writer:
-        remaining = round(seconds * sample_rate)
-        while remaining > 0:
-            block = min(remaining, 65_536)
-            writer.append(np.zeros(block, np.int16))
-            remaining -= block
+        writer.silence(seconds)
         return writer.finish()

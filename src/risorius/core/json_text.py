@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
 from ..errors import InputError, Place
+from .depth import TOO_DEEP, is_too_deep
 from .positions import KeyPath
 from .schema import build
 from .source_text import SourceText, Syntax, read_file
@@ -50,12 +52,14 @@ def parse_json(text: str, name: str) -> JsonDocument:
         message = f"is not JSON: {error.msg[:1].lower()}{error.msg[1:]}"
         raise InputError(message, Place(name, error.lineno, error.colno)) from None
     except RecursionError:
-        raise InputError("is nested too deeply; expected fewer levels", place) from None
+        raise InputError(TOO_DEEP, place) from None
     except InputError as error:
         raise error.at(place) from None
     except ValueError:
         # The only other fault: digits beyond what Python turns into an integer.
         raise InputError("holds a number with too many digits; expected fewer", place) from None
+    if is_too_deep(data):
+        raise InputError(TOO_DEEP, place)
     return JsonDocument(data, SourceText(name, text, Syntax.JSON))
 
 
@@ -63,7 +67,7 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     members = dict(pairs)
     if len(members) < len(pairs):
         names = [name for name, _ in pairs]
-        twice = next(name for i, name in enumerate(names) if name in names[:i])
+        twice = Counter(names).most_common(1)[0][0]
         raise InputError(f"the key '{twice}' is given twice in one object; expected it once")
     return members
 

@@ -14,7 +14,7 @@ from .channels import CHANNELS
 from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS, FunctionName
 from .parameters import INDEX, PARAMETERS, check_value
 from .time import on_ticks, put_on_ticks
-from .units import Seconds
+from .units import MAX_SECONDS, Seconds
 
 CurveKeys = tuple[tuple[float, float], ...]
 """The keys (time in seconds, value) of a curve."""
@@ -152,19 +152,22 @@ def check_movement(m: Movement) -> None:
     CHANNELS.get(m.channel)
     check_span(m.label, m.start, m.end)
     for what, value in (("onset", m.onset), ("offset", m.offset)):
-        if not 0.0 <= value < float("inf"):
-            raise InputError(f"movement '{m.label}': {what} = {value} must be 0 or more seconds")
+        if not 0.0 <= value <= MAX_SECONDS:
+            expected = f"0 to {MAX_SECONDS:g} seconds"
+            raise InputError(f"movement '{m.label}': {what} = {value} is out of range; expected {expected}")
     ONSET_FUNCTIONS.get(m.function)
     for name, value in m.targets.items():
         check_target(name, value)
 
 
 def check_span(label: str, start: float, end: float) -> None:
-    """Raise InputError unless 0 <= start < end, both finite."""
-    if not 0.0 <= start < float("inf"):
-        raise InputError(f"'{label}': start = {start} must be 0 or more seconds")
-    if not start < end < float("inf"):
+    """Raise InputError unless 0 <= start < end <= MAX_SECONDS."""
+    if not 0.0 <= start <= MAX_SECONDS:
+        raise InputError(f"'{label}': start = {start} is out of range; expected 0 to {MAX_SECONDS:g} seconds")
+    if not start < end:
         raise InputError(f"'{label}': end = {end} must come after start = {start}")
+    if not end <= MAX_SECONDS:
+        raise InputError(f"'{label}': end = {end} is out of range; expected at most {MAX_SECONDS:g} seconds")
 
 
 def check_target(name: str, value: float) -> None:

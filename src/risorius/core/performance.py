@@ -7,14 +7,41 @@ from fractions import Fraction
 
 import numpy as np
 
+from ..errors import InputError
 from .arrays import Array
 from .parameters import INDEX, NAMES, parameters_named
+from .progress import Progress
 from .score import Score
+
+MOST_FRAMES = 1_300_000
+"""Frames of a performance: six hours at 60 a second, with 478 MB of curves."""
+MANY_FRAMES = 54_000
+"""Half an hour at 30 frames a second: more are announced."""
 
 
 def frame_count(duration: float, fps: Fraction) -> int:
-    """Return the number of frames at k/fps, k = 0 … round(duration·fps)."""
-    return round(duration * fps) + 1
+    """Return the number of frames at k/fps, k = 0 … round(duration·fps).
+
+    Raises InputError if they are more than `MOST_FRAMES`.
+    """
+    count = round(duration * fps) + 1
+    if count > MOST_FRAMES:
+        rate = f"{duration:g} s at {float(fps):g} frames a second are {frames_text(count)}"
+        raise InputError(f"{rate}; expected at most {MOST_FRAMES:,}: a lower fps, or a shorter performance")
+    return count
+
+
+def frames_text(count: int) -> str:
+    """Return how many frames there are and how much memory their curves take, in words."""
+    return f"{count:,} frames ({count * len(NAMES) * 8 / 1e6:,.0f} MB of curves)"
+
+
+def announced(score: Score, fps: Fraction, progress: Progress) -> Score:
+    """Return a score, and say beforehand how many frames it will have if they are many."""
+    count = frame_count(score.duration, fps)
+    if count > MANY_FRAMES:
+        progress(f"Combining {frames_text(count)} …")
+    return score
 
 
 def frame_times(duration: float, fps: Fraction) -> Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Annotated
@@ -13,10 +12,8 @@ from .functions import FunctionName
 from .hints import Range
 from .movement import LipSegment, ManualCurve, Movement, check_movement, check_span, check_target
 from .time import put_on_ticks
-from .units import Share
+from .units import MAX_SECONDS, Share
 
-MAX_SECONDS = 86_400.0
-"""A day: a longer score is a slip of the pen, and would only fail later."""
 NotNegative = Annotated[float, Range(0.0)]
 
 
@@ -56,8 +53,9 @@ class Score:
 
 def check_score(score: Score) -> None:
     """Raise InputError or ParameterError, with the movement's name, if a score cannot be performed."""
-    if not (score.duration > 0.0 and math.isfinite(score.duration)):
-        raise InputError(f"duration = {score.duration} must be more than 0 seconds")
+    if not 0.0 < score.duration <= MAX_SECONDS:
+        expected = f"more than 0 and at most {MAX_SECONDS:g} seconds"
+        raise InputError(f"duration = {score.duration} is out of range; expected {expected}")
     for m in score.movements:
         check_movement(m)
     check_sequence(score.movements)
@@ -101,7 +99,12 @@ def _check_manual(curve: ManualCurve) -> None:
     for name, keys in curve.keys.items():
         if not keys:
             raise InputError(f"manual curve of {name} has no keys; expected [[time, value], …]")
-        for _, value in keys:
+        for time, value in keys:
             check_target(name, value)
+            if not abs(time) <= MAX_SECONDS:
+                expected = f"at most {MAX_SECONDS:g} seconds from the start"
+                raise InputError(
+                    f"manual curve of {name}: time = {time} is out of range; expected {expected}"
+                )
         if any(not a[0] < b[0] for a, b in pairwise(keys)):
             raise InputError(f"manual curve of {name}: times must increase from key to key")

@@ -305,6 +305,8 @@ def _check_range(row: Row, value: Any, spec: str) -> None:
     if low is None or high is None or row.kind is ValueKind.AMOUNTS:
         return
     for number in value if row.kind is ValueKind.SIZE else (value,):
+        if isinstance(number, str) or not hasattr(number, "__float__"):
+            raise InputError(f"{row.name} = {number!r} is not a number; expected {low:g} to {high:g}")
         if not low <= number <= high:
             what = f"{row.name} {number}" if row.kind is ValueKind.SIZE else row.name
             raise InputError(f"{what} = {number:{spec}} is out of range; expected {low:g} to {high:g}")

@@ -11,16 +11,13 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..errors import InputError, Place
-from .positions import KeyPath
+from .depth import TOO_DEEP, is_too_deep
 from .schema import build
 from .source_text import SourceText, Syntax, read_file
 
 T = TypeVar("T")
 MAX_BYTES = 4_000_000
-MAX_DEPTH = 32  # tables and lists in one another
-_TOO_DEEP = f"is nested too deeply; expected at most {MAX_DEPTH} levels"
-
-_TOML_POSITION = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)$", re.DOTALL)
+_TOML_POSITION = re.compile(r"(?:line (\d{1,9}), column (\d{1,9})|end of document)\)")
 
 
 def load_file(cls: type[T], path: Path) -> T:
@@ -60,28 +57,23 @@ def read_tables(text: str, name: str) -> dict[str, Any]:
     except tomllib.TOMLDecodeError as error:
         raise _toml_error(str(error), name) from None
     except RecursionError:
-        raise InputError(_TOO_DEEP, Place(name)) from None
+        raise InputError(TOO_DEEP, Place(name)) from None
     except ValueError:
         # The only other fault: digits beyond what Python turns into an integer.
         raise InputError("holds a number with too many digits; expected fewer", Place(name)) from None
-    _check_depth(tables, SourceText(name, text), ())
+    for key, value in tables.items():
+        if is_too_deep({key: value}):
+            raise SourceText(name, text).error((key,), TOO_DEEP)
     return tables
 
 
-def _check_depth(value: object, source: SourceText, path: KeyPath) -> None:
-    if len(path) > MAX_DEPTH:
-        raise source.error(path[:1], _TOO_DEEP)
-    if isinstance(value, dict | list):
-        for key, item in value.items() if isinstance(value, dict) else enumerate(value):
-            _check_depth(item, source, (*path, key))
-
-
 def _toml_error(message: str, name: str) -> InputError:
-    position = _TOML_POSITION.match(message)
+    fault, _, place = message.rpartition(" (at ")
+    position = _TOML_POSITION.fullmatch(place)
     if position is None:
         return InputError(f"is not a TOML file: {message}", Place(name))
-    line, column = (int(n) if n else None for n in position.group(2, 3))
-    return InputError(f"is not a TOML file: {position[1]}", Place(name, line, column))
+    line, column = (int(n) if n else None for n in position.groups())
+    return InputError(f"is not a TOML file: {fault}", Place(name, line, column))
 
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")

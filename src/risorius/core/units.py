@@ -14,8 +14,11 @@ Share = Annotated[float, Range(0.0, 1.0)]
 SignedShare = Annotated[float, Range(-1.0, 1.0)]
 """A part of a whole with a direction."""
 
-Seconds = Annotated[float, Range(0.0, 86_400.0)]
-"""A time in a performance, or a duration: up to a day."""
+MAX_SECONDS = 21_600.0
+"""Six hours: the longest performance. A later moment is a slip of the pen, and would only fail later."""
+
+Seconds = Annotated[float, Range(0.0, MAX_SECONDS)]
+"""A time in a performance, or a duration."""
 
 RiseSeconds = Annotated[float, Range(0.0, 10.0)]
 """How long a movement rises or falls, or waits before it begins."""

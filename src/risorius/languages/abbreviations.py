@@ -11,7 +11,8 @@ from typing import NamedTuple
 # Text, and the source offset that it comes from.
 ReadText = tuple[str, int]
 
-_AMOUNT = r"\d+(?:,\d{3})*(?:\.\d+)?"
+# Python refuses to read thousands of digits, and nobody says them.
+_AMOUNT = r"\d{1,15}(?:,\d{3}){0,5}(?:\.\d{1,15})?(?![\d])"
 _MONEY = re.compile(
     r"(?P<sign>.) ?(?P<amount>(?P<whole>\d+(?:,\d{3})*)(?:\.(?P<cents>\d+))?) ?(?P<magnitude>\D*)"
 )

@@ -52,7 +52,7 @@ _POSE = (*(f"pose_T{axis}" for axis in "xyz"), *(f"pose_R{axis}" for axis in "xy
 _PLAIN = ("timestamp", "success")
 _MISSPELT = 0.85  # how alike a name is to that of a column which is not there, to be taken for it
 _TURNED, _LOOKED = _POSE[3:], _GAZE[6:]
-_UNIT = re.compile(r"AU\d+_r")
+_UNIT = re.compile(r"AU\d{1,9}_r")
 COLUMNS = (
     *("frame", "face_id", "timestamp", "confidence", "success", *_GAZE, *_POSE),
     *(f"AU{number:02d}_r" for number in INTENSITIES),
@@ -151,7 +151,7 @@ def _columns(header: Header) -> list[Column]:
     header.require(("timestamp", *([] if units else ["AU01_r"])), "OpenFace")
     absent = sorted({*_PLAIN, *_TURNED, *_LOOKED} - set(header.names))
     for name in (name for name in header.names if name not in COLUMNS):
-        strange = name.startswith("AU") and not re.fullmatch(r"AU\d+_[rc]", name)
+        strange = name.startswith("AU") and not re.fullmatch(r"AU\d{1,9}_[rc]", name)
         if strange or difflib.get_close_matches(name, absent, 1, _MISSPELT):
             raise InputError(unknown("column", name, COLUMNS), header.place(name))
     for name in units:

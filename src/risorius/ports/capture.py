@@ -19,7 +19,8 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.movement import Cause, ManualCurve
 from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
-from ..core.score import MAX_SECONDS, BlendSettings, Score
+from ..core.score import BlendSettings, Score
+from ..core.units import MAX_SECONDS
 from ..errors import InputError, Place
 from .readable import ScoreFile
 

@@ -35,6 +35,7 @@ NumberedWords = tuple[int, list[str]]
 
 VERSION = "2.1"
 FARTHEST = 1_000_000  # more than a half turn in 1e-5 rad, the finest of the units
+_COUNT = re.compile(r"[0-9]{1,9}")
 _WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
 FLAGS = " ".join("1" if number in SHOWN else "0" for number in range(1, COUNT + 1))
 
@@ -135,7 +136,7 @@ def _pairs(lines: Iterator[NumberedWords], path: Path) -> Iterator[tuple[Numbere
 def _header(words: list[str], place: Place) -> tuple[float, int]:
     try:
         _, _, fps, frames = words
-        if not (0.0 < float(fps) <= MAX_FPS and int(frames) > 0):
+        if not (0.0 < float(fps) <= MAX_FPS and _COUNT.fullmatch(frames) and int(frames) > 0):
             raise ValueError
         return float(fps), int(frames)
     except ValueError:

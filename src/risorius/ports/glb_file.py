@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..core.depth import TOO_DEEP, is_too_deep
 from ..errors import InputError, Place
 
 LARGEST = 1_000_000_000  # bytes
@@ -100,6 +101,8 @@ def read_glb(path: Path) -> GlbFile:
         raise InputError("is not binary glTF 2.0; expected a .glb file", place) from None
     if not isinstance(document, dict):
         raise InputError("has no glTF document", place)
+    if is_too_deep(document):
+        raise InputError(TOO_DEEP, place)
     return GlbFile(path, document, chunks.get(b"BIN\0", b""))
 
 

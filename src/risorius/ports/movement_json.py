@@ -24,8 +24,7 @@ from ..core.movement import (
 )
 from ..core.parameters import parameters_named
 from ..core.schema import MisfitError
-from ..core.score import MAX_SECONDS
-from ..core.units import Seconds
+from ..core.units import MAX_SECONDS, Seconds
 from ..errors import InputError, ParameterError, RisoriusError, unknown
 from .layout import to_record
 

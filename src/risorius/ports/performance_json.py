@@ -53,14 +53,12 @@ class PerformanceDocument:
         for name in self.curves:
             if name not in NAMES:
                 raise MisfitError(unknown("parameter", name, NAMES), name)
-        values = np.empty((count, len(NAMES)))
-        for column, name in enumerate(NAMES):
+        for name in NAMES:
             if name not in self.curves:
                 raise MisfitError(f"the curve of {name} is missing; expected one for each parameter")
-            curve = self.curves[name]
-            if len(curve) != count:
-                raise MisfitError(f"{name} has {len(curve)} values; expected {count}", name)
-            values[:, column] = curve
+            if len(self.curves[name]) != count:
+                raise MisfitError(f"{name} has {len(self.curves[name])} values; expected {count}", name)
+        values = np.stack([self.curves[name] for name in NAMES], axis=1)
         _check_ranges(values)
         return values
 

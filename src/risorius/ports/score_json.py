@@ -10,7 +10,8 @@ from ..core.hints import Range, Then
 from ..core.json_text import load_json
 from ..core.movement import LipSegment, ManualCurve, Movement
 from ..core.schema import placed, within
-from ..core.score import MAX_SECONDS, BlendSettings, Score, check_score
+from ..core.score import BlendSettings, Score, check_score
+from ..core.units import MAX_SECONDS
 from ..core.utterance import Utterance
 from ..errors import InputError
 from .formats import register

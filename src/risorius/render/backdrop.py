@@ -13,6 +13,8 @@ from ..errors import InputError, Place
 from ..looks.srgb import srgb_decode
 
 _SEED = 3
+_FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TIFF")
+_MOST_PIXELS = 50_000_000
 
 
 def backdrop(
@@ -48,12 +50,20 @@ def gradient(width: int, height: int, centre: ByteColour, edge: ByteColour) -> F
 
 def _picture(path: Path, width: int, height: int) -> Float32Array:
     """Return a picture cut about its middle to the proportions of width and height, then scaled to them."""
-    from PIL import Image, ImageOps, UnidentifiedImageError
+    from PIL import Image, ImageOps
 
+    place = Place(str(path))
     try:
-        with Image.open(path) as image:
+        with Image.open(path, formats=_FORMATS) as image:
+            if image.width * image.height > _MOST_PIXELS:
+                size = f"{image.width} x {image.height} pixels"
+                raise InputError(f"has {size}; expected at most {_MOST_PIXELS:,}", place)
             fitted = ImageOps.fit(image.convert("RGB"), (width, height), Image.Resampling.LANCZOS)
-    except (UnidentifiedImageError, OSError, Image.DecompressionBombError) as error:
-        raise InputError(f"not a picture: {error}", Place(str(path))) from error
+    except InputError:
+        raise
+    except Exception as error:
+        # PIL's decoders raise a dozen kinds, SyntaxError among them, for what is damaged.
+        message = f"not a picture: {error}; expected one of {', '.join(_FORMATS)}"
+        raise InputError(message, place) from error
     encoded: ByteArray = np.asarray(fitted)
     return srgb_decode(encoded / 255.0).astype(np.float32)

@@ -14,7 +14,7 @@ from ..core.action_units import check_intensity, resolve_targets
 from ..core.frozen import FrozenDict
 from ..core.hints import Range
 from ..core.toml import written
-from ..core.units import RiseSeconds, Share
+from ..core.units import MAX_SECONDS, RiseSeconds, Share
 from ..errors import InputError, ParameterError, unknown
 from .fuzzy_sets import concluded
 from .load import load_file, load_folder
@@ -145,9 +145,10 @@ def _from_file(path: str) -> Emotion:
     return load_file(Emotion, Path(path))
 
 
-_NUMBER = r"(?:\d+\.?\d*|\.\d+)"
+_NUMBER = r"(?:\d++(?:\.\d*+)?|\.\d++)"
 _FILE = ".toml"
-_DISPLAY = re.compile(rf"([\w -]+|.+\.toml):({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?", re.ASCII)
+_NAME = re.compile(r"[\w -]++", re.ASCII)
+_INTENSITY = re.compile(rf":({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?\Z", re.ASCII)
 
 
 def emotion_text(name: str, units: Mapping[str, float]) -> str:
@@ -176,19 +177,20 @@ def parse_display(text: str) -> Display:
 
     Raises InputError if it is not of that form, ParameterError for an unknown emotion or intensity above 1.
     """
-    match = _DISPLAY.fullmatch(text.strip())
-    if match is None:
-        shown = "".join(c if c.isprintable() else " " for c in text)
-        raise InputError(f"emotion '{shown}' is not understood; expected e.g. joy:0.7 or joy:0.7@1-2.5")
-    found = emotion(match[1])
-    key = emotion_key(match[1])
-    intensity = check_intensity(found.name, float(match[2]))
-    if match[3] is None:
+    match = _INTENSITY.search(text.strip())
+    name = text.strip()[: match.start()] if match else ""
+    if match is None or not (_NAME.fullmatch(name) or name.endswith(_FILE)):
+        raise InputError(f"emotion '{text}' is not understood; expected e.g. joy:0.7 or joy:0.7@1-2.5")
+    found = emotion(name)
+    key = emotion_key(name)
+    intensity = check_intensity(found.name, float(match[1]))
+    if match[2] is None:
         return Display(key, intensity)
-    start, end = float(match[3]), float(match[4])
-    if not start < end:
+    start, end = float(match[2]), float(match[3])
+    if not start < end <= MAX_SECONDS:
         raise InputError(
-            f"emotion {found.name}: from {start:g} to {end:g} s is not a span; expected start < end"
+            f"emotion {found.name}: from {start:g} to {end:g} s is not a span; "
+            f"expected start < end, at most {MAX_SECONDS:g} s"
         )
     return Display(key, intensity, start, end)
 

@@ -187,7 +187,7 @@ def profile_from(text: str, name: str, bases: Mapping[str, str]) -> Profile:
     data = read_tables(text, name)
     seen = [data.get("name")]
     while (base := data.get("base")) is not None:
-        if base not in bases:
+        if not isinstance(base, str) or base not in bases:
             raise source.error(("base",), unknown("profile", str(base), bases))
         if base in seen:
             raise source.error(("base",), f"profile '{base}' is based on itself; expected another base")

@@ -183,7 +183,7 @@ class Timing:
             ONSET_FUNCTIONS.get(self.function)
 
 
-_ID = re.compile(r"[a-z_]+(?:\.[\w-]+){2,}")
+_ID = re.compile(r"(?<![a-z_])[a-z_]++(?:\.[\w-]++){2,}")
 RULED_CHANNELS = tuple(name for name in CHANNELS if CHANNELS.get(name).rules)
 # Conditions that units of a level can meet; all others would keep a rule from ever firing.
 _ALWAYS = frozenset({"rate", "lasting", "emotion", "intensity", "turn"})

@@ -95,7 +95,15 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
 def _rule_texts(text: str) -> list[str]:
     """Return each rule's lines, the comments before the next one left out."""
     parts = _RULE.split(text)[1:]
-    return ["[[rule]]\n" + re.sub(r"(\n\s*(#[^\n]*)?)+\Z", "", part) for part in parts]
+    return ["[[rule]]\n" + _without_comments_after(part) for part in parts]
+
+
+def _without_comments_after(text: str) -> str:
+    """Return text without the comments and blank lines at its end."""
+    lines = text.split("\n")
+    while len(lines) > 1 and lines[-1].lstrip()[:1] in ("", "#"):
+        lines.pop()
+    return "\n".join(lines)
 
 
 def _check_own(file: RuleFile, own: Mapping[str, RuleEntry], rule_set: RuleSet, source: SourceText) -> None:

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
+from ..core.units import MAX_SECONDS
 from ..core.utterance import Word
 from ..errors import InputError, Place
 from .quote import quoted
 
-# A day: longer performances are a slip of the pen.
-LATEST = 86_400.0
-
-NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+# Without going back into the digits: that would take a time that grows with their square.
+NUMBER = r"(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][+-]?\d++)?"
 _ANCHOR = re.compile(
-    rf"(?:word:(?P<word>\d{{1,7}})(?P<edge>\.start|\.end)?|(?P<end>end))(?:\s*(?P<sign>[+-])\s*(?P<offset>{NUMBER}))?",
+    rf"(?:word:(?P<word>\d{{1,7}})(?P<edge>\.start|\.end)?|(?P<end>end))(?:\s*+(?P<sign>[+-])\s*+(?P<offset>{NUMBER}))?",
     re.ASCII | re.IGNORECASE,
 )
 _NUMBER = re.compile(rf"[+-]?{NUMBER}", re.ASCII)
@@ -58,11 +58,14 @@ class Anchor:
     def resolve(self, words: Sequence[Word], duration: float) -> float:
         """Return the time in seconds in an utterance of these words, in a performance of `duration` seconds.
 
-        Raises InputError, with the place, for a word that does not exist and for a time before the start.
+        Raises InputError, with the place, for a word that does not exist and for a time before the start or
+        later than a performance lasts.
         """
         moment = self._origin(words, duration) + self.seconds
         if moment < 0.0:
             raise InputError(f"'{self}' is {-moment:.3f} s before the start", self.place)
+        if moment > MAX_SECONDS:
+            raise InputError(f"'{self}' is {moment:g} s; expected at most {MAX_SECONDS:g} s", self.place)
         return moment
 
     def _origin(self, words: Sequence[Word], duration: float) -> float:
@@ -81,11 +84,10 @@ class Anchor:
     def _in_text(self, words: Sequence[Word]) -> float:
         if not words:
             raise InputError("a time in the speech, but nothing is said", self.place)
-        after = next((w for w in words if w.source_start >= self.character), None)
-        before = next((w for w in reversed(words) if w.source_start < self.character), None)
+        following = bisect_left(words, self.character, key=lambda word: word.source_start)
         if self.base is Base.TEXT_END:
-            return before.end if before is not None else words[0].start
-        return after.start if after is not None else words[-1].end
+            return words[following - 1].end if following else words[0].start
+        return words[following].start if following < len(words) else words[-1].end
 
     def __str__(self) -> str:
         if self.base is Base.START:
@@ -111,7 +113,7 @@ def parse_number(text: str) -> float | None:
 def parse_anchor(name: str, text: str, place: Place | None = None) -> Anchor:
     """Return the anchor that the attribute `name` gives: seconds, `word:3`, `word:3.end`, `end-0.5`.
 
-    Raises InputError, with the place, if it is none, lies before the start or after a day.
+    Raises InputError, with the place, if it is none, lies before the start or later than a performance lasts.
     """
     anchor = _seconds(text, place) or _relative(text, place)
     if anchor is None:
@@ -120,8 +122,10 @@ def parse_anchor(name: str, text: str, place: Place | None = None) -> Anchor:
         )
     if anchor.base is Base.START and anchor.seconds < 0.0:
         raise InputError(f"{name} = {quoted(text)} is negative; expected 0 or more seconds", place)
-    if abs(anchor.seconds) > LATEST:
-        raise InputError(f"{name} = {quoted(text)} is too long; expected at most {LATEST:.0f} seconds", place)
+    if abs(anchor.seconds) > MAX_SECONDS:
+        raise InputError(
+            f"{name} = {quoted(text)} is too long; expected at most {MAX_SECONDS:.0f} seconds", place
+        )
     return anchor
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
+from ..core.units import MAX_SECONDS
 from ..errors import InputError, ParameterError, Place, unknown
-from .anchor import LATEST, Anchor, parse_anchor, parse_number
+from .anchor import Anchor, parse_anchor, parse_number
 from .elements import Attribute, Element
 from .quote import one_line, quoted
 
@@ -50,8 +51,9 @@ class Attributes:
         if attribute is None:
             return None
         seconds = number_of(attribute)
-        if not 0.0 < seconds <= LATEST:
-            message = f"{name} = {quoted(attribute.value)} is out of range; expected more than 0 seconds"
+        if not 0.0 < seconds <= MAX_SECONDS:
+            expected = f"more than 0, at most {MAX_SECONDS:g} s"
+            message = f"{name} = {quoted(attribute.value)} is out of range; expected {expected}"
             raise InputError(message, attribute.place)
         return seconds
 

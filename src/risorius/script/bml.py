@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 from ..errors import InputError, Place, RisoriusError, unknown
 from .anchor import Anchor, Base
@@ -46,6 +47,7 @@ class _Reading:
     nodes: dict[str, XmlNode] = field(default_factory=dict)
     lines: dict[str, SpokenLine] = field(default_factory=dict)
     constraints: list[XmlNode] = field(default_factory=list)
+    characters: int = 0
 
     def add(self, node: XmlNode) -> None:
         """Take up a behaviour, a constraint, or what a container holds."""
@@ -90,7 +92,7 @@ class _Reading:
 
     def _speak(self, node: XmlNode) -> None:
         name = self._name(node)
-        offset = sum(len(line.text) + 1 for line in self.lines.values())
+        offset = self.characters
         text, directions = read_words(node, self.unknowns)
         check_speakable(text, self.source, node.place)
         if (end := node.get("end")) is not None:
@@ -99,6 +101,7 @@ class _Reading:
         line = SpokenLine(text, None, node.place, directions=directions)
         reference = read_reference(begin) if begin is not None else None
         self.lines[name] = line
+        self.characters += len(text) + 1
         fixed = {sync.name: in_text(sync, text, offset) for sync in directions.syncs}
         fixed["start"] = Anchor(Base.TEXT, 0.0, character=offset, place=node.place)
         fixed["end"] = Anchor(Base.TEXT_END, 0.0, character=offset + len(text), place=node.place)
@@ -143,7 +146,7 @@ class _Reading:
         check_apart((mark, mark.start) for mark in marks)
         if not marks and not self.lines:
             raise InputError("the script has no behaviour; expected at least one", Place(self.source, 1))
-        lines = tuple(self._placed(name) for name in self.lines)
+        lines = tuple(self._placed(name, before) for before, name in pairwise((None, *self.lines)) if name)
         return script_of(lines, tuple(marks), timed=True, source=self.source)
 
     def _marks(self, name: str, table: Timetable) -> Iterator[Mark]:
@@ -154,16 +157,14 @@ class _Reading:
         except RisoriusError as error:
             raise error.at(node.place) from None
 
-    def _placed(self, name: str) -> SpokenLine:
-        """Return a spoken line with its time: seconds, or how long after the one before."""
+    def _placed(self, name: str, before: str | None) -> SpokenLine:
+        """Return a spoken line with its time: seconds, or how long after the one `before`."""
         line = self.lines[name]
         begin = self.behaviours[name].given.get("start")
         if begin is None:
             return line
         if begin.point is None:
             return replace(line, start=begin.seconds)
-        names = list(self.lines)
-        before = names[names.index(name) - 1] if names.index(name) else None
         if begin.point[0] not in self.behaviours:
             raise InputError(unknown("behaviour", one_line(begin.point[0]), self.behaviours), begin.place)
         if begin.point[0] == name:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from ..errors import InputError, Place, unknown
 from .notation import Item
+from .quote import quoted
 
 # DECtalk's codes as ARPAbet with stress digits to come; some are two sounds. The table of Digital's manuals;
 # reduced vowels and allophones as the nearest of CMU's 39.
@@ -33,7 +34,8 @@ _VOWELS = frozenset(
 )
 # ARPAbet's stress digits by DECtalk's marks: primary, secondary, emphatic.
 _STRESS = {"'": "1", "`": "2", '"': "1"}
-_DURATION = re.compile(r"<([^<>]*)(>?)")
+_DURATION = re.compile(r"<([^<>]*+)(>?)")
+_MILLISECONDS = re.compile(r"[0-9]{1,9}")
 _LONGEST_MS = 10_000
 
 
@@ -78,15 +80,13 @@ class _Reading:
         if match is None:
             return None
         written, closed = match[1], match[2]
-        if (
-            not closed
-            or not written.isascii()
-            or not written.isdigit()
-            or not 0 < int(written) <= _LONGEST_MS
-        ):
-            raise InputError(f"'{match[0]}' is not a duration; expected milliseconds, e.g. <120>", self.place)
+        milliseconds = int(written) if _MILLISECONDS.fullmatch(written) else 0
+        if not closed or not 0 < milliseconds <= _LONGEST_MS:
+            raise InputError(
+                f"{quoted(match[0])} is not a duration; expected milliseconds, e.g. <120>", self.place
+            )
         self.at = match.end()
-        return int(written) / 1000.0
+        return milliseconds / 1000.0
 
 
 def read_phonemes(item: Item) -> tuple[Dictated, ...]:

@@ -11,6 +11,7 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from xml.parsers import expat
 
+from ..core.depth import MAX_DEPTH, TOO_DEEP
 from ..errors import InputError, Place
 from .quote import one_line, quoted
 
@@ -21,11 +22,11 @@ CONTAINER = "SCRIPT"
 EXAMPLE = '<PHONEME time="0" text="Hello." />'
 _ROOT = "_"
 _OPENING, _CLOSING = f"<{_ROOT}>".encode(), f"</{_ROOT}>".encode()
-_DECLARATION = re.compile(r"\s*<\?xml\b[^>]*?\?>")
-_ENCODING = re.compile(r"""encoding\s*=\s*["']([^"']*)["']""")
+_DECLARATION = re.compile(r"\A\s*+<\?xml\b[^>]*?\?>")
+_ENCODING = re.compile(r"""encoding\s*+=\s*+["']([^"']*+)["']""")
 _ENCODINGS = frozenset({"utf-8", "utf8", "utf-16", "utf-16le", "utf-16be", "us-ascii", "ascii"})
 _TAG = re.compile(r"<[^\s/>]+")
-_ATTRIBUTE = re.compile(r"""\s*([^\s=/>]+)\s*=\s*(?:"[^"]*"|'[^']*')""")
+_ATTRIBUTE = re.compile(r"""(?<!\s)\s++([^\s=/>]++)\s*+=\s*+(?:"[^"]*+"|'[^']*+')""")
 _ENTITY = re.compile(r"&[^;\s\"'<]{0,40};")
 
 
@@ -110,6 +111,8 @@ class XmlReader:
     def _element(self, name: str, values: list[str]) -> Element:
         """Return the element that starts where the parser is."""
         index = self._index(self.parser.CurrentByteIndex)
+        if len(self.open) >= MAX_DEPTH:
+            raise InputError(TOO_DEEP, self._place(index))
         return Element(name, self._attributes(index, values), self._place(index))
 
     def _attributes(self, tag: int, values: list[str]) -> tuple[Attribute, ...]:

@@ -12,9 +12,10 @@ from ..core.action_units import resolve_targets
 from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.parameters import INDEX, PARAMETERS, Kind
+from ..core.units import MAX_SECONDS
 from ..errors import RisoriusError
 from ..rules.markup import TurnAttitude, markup_table
-from .anchor import LATEST, Anchor, Base
+from .anchor import Anchor, Base
 from .attributes import Attributes
 from .gestures import take_gesture
 from .model import Mark, MarkKind
@@ -102,8 +103,8 @@ def _common(attributes: Attributes) -> _Common:
         time,
         duration,
         end,
-        attributes.number("onset", 0.0, LATEST),
-        attributes.number("offset", 0.0, LATEST),
+        attributes.number("onset", 0.0, MAX_SECONDS),
+        attributes.number("offset", 0.0, MAX_SECONDS),
         attributes.number("priority"),
         attributes.number("release_priority"),
         _layer(attributes),

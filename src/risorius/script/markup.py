@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ..core.units import MAX_SECONDS
 from ..errors import InputError, ParameterError, Place, unknown
-from .anchor import LATEST
 from .apart import check_apart
 from .attributes import Attributes
 from .elements import CONTAINER, Attribute, read_elements
@@ -23,12 +23,14 @@ def parse_markup(text: str, source: str = "text") -> Script:
     Raises InputError or ParameterError, with file, line and column, for anything that is not as expected.
     """
     lines: list[SpokenLine] = []
+    latest: float | None = None
     marks: list[Mark] = []
     language: str | None = None
     for element in read_elements(text, source):
         attributes = Attributes(element)
         if element.name == SPOKEN:
-            lines.append(_line(attributes, lines))
+            lines.append(_line(attributes, latest))
+            latest = latest if lines[-1].start is None else lines[-1].start
         elif element.name in ELEMENTS:
             marks.extend(marks_of(attributes))
         elif element.name == CONTAINER:
@@ -40,18 +42,17 @@ def parse_markup(text: str, source: str = "text") -> Script:
     return script_of(tuple(lines), tuple(marks), timed=True, source=source, language=language)
 
 
-def _line(attributes: Attributes, before: list[SpokenLine]) -> SpokenLine:
-    """Return what a PHONEME says; its time, if given, comes after those of the lines before."""
-    start, text = attributes.number("time", 0.0, LATEST), attributes.take("text")
+def _line(attributes: Attributes, latest: float | None) -> SpokenLine:
+    """Return what a PHONEME says; its time, if given, comes after `latest`, that of the lines before."""
+    start, text = attributes.number("time", 0.0, MAX_SECONDS), attributes.take("text")
     accents = attributes.take("accents")
     attributes.finish()
     if text is None:
         raise attributes.error('text is missing; expected e.g. text="Hello."')
     check_speakable(text.value, text.place.file, text.place)
-    last = max((line.start for line in before if line.start is not None), default=None)
-    if start is not None and last is not None and start <= last:
+    if start is not None and latest is not None and start <= latest:
         raise attributes.error(
-            f"time = {start:g} is not after {last:g}, the time of the text before; expected a later time"
+            f"time = {start:g} is not after {latest:g}, the time of the text before; expected a later time"
         )
     if accents is None:
         return SpokenLine(text.value, start, attributes.place)

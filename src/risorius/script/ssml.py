@@ -50,6 +50,7 @@ class SsmlWriter:
     spans: list[DirectedSpan] = field(default_factory=list)
     breaks: list[Break] = field(default_factory=list)
     syncs: list[Sync] = field(default_factory=list)
+    sync_names: set[str] = field(default_factory=set)
 
     def finished(self) -> tuple[str, Directions]:
         """Return the text and its directions."""
@@ -150,8 +151,9 @@ def _phoneme(writer: SsmlWriter, node: XmlNode) -> None:
 
 def _mark(writer: SsmlWriter, node: XmlNode) -> None:
     name = node.required("name", 'name="here"').value.strip()
-    if any(sync.name == name for sync in writer.syncs):
+    if name in writer.sync_names:
         raise InputError(f"the mark {quoted(name)} is set twice; expected it once", node.place)
+    writer.sync_names.add(name)
     writer.syncs.append(Sync(name, len(writer.text), node.place))
 
 

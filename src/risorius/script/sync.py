@@ -6,16 +6,19 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from ..core.units import MAX_SECONDS
 from ..errors import InputError, Place, unknown
 from .anchor import NUMBER, Anchor, Base, parse_number
 from .elements import Attribute
 from .quote import one_line, quoted
 
 _REFERENCE = re.compile(
-    rf"(?:(?P<block>[\w.-]+):)?(?P<behaviour>[\w.-]+?):(?P<point>\w+)(?:\s*(?P<sign>[+-])\s*(?P<offset>{NUMBER}))?",
+    r"(?<![\w.-])(?:(?P<block>[\w.-]++):)?(?P<behaviour>[\w.-]++):(?P<point>\w++)"
+    rf"(?:\s*+(?P<sign>[+-])\s*+(?P<offset>{NUMBER}))?",
     re.ASCII,
 )
 BLOCK = "bml"
+LONGEST_CHAIN = 100  # references that lead from one to the next before one has a time
 Point = tuple[str, str]
 
 
@@ -38,6 +41,9 @@ def read_reference(attribute: Attribute) -> Reference:
     if seconds is not None:
         if seconds < 0.0:
             raise InputError(f"{attribute.name} = {quoted(value)} is before the start", attribute.place)
+        if seconds > MAX_SECONDS:
+            expected = f"at most {MAX_SECONDS:g} seconds"
+            raise InputError(f"{attribute.name} = {quoted(value)}; expected {expected}", attribute.place)
         return Reference(None, seconds, attribute.place)
     match = _REFERENCE.fullmatch(value)
     if match is None:
@@ -85,6 +91,9 @@ class Timetable:
             raise InputError(
                 f"a cycle of sync references: {shown}; expected one of them to have a time", place
             )
+        if len(self._open) == LONGEST_CHAIN:
+            message = f"a chain of more than {LONGEST_CHAIN} sync references; expected times in between"
+            raise InputError(message, place)
         self._open.append(point)
         found = self._found(point, place)
         self._open.pop()

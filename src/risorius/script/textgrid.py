@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from ..core.units import MAX_SECONDS
 from ..errors import InputError, Place
 from .files import decode, names_something
 from .quote import LONGEST_PATH, one_line, quoted
@@ -23,7 +24,7 @@ DIGITS = 6  # of seconds, after the point, in what is written
 INTERVALS, POINTS = "IntervalTier", "TextTier"
 # Free-standing: not within a word such as "item[1]" or "xmin2".
 _TOKEN = re.compile(
-    r'"(?P<string>(?:[^"]|"")*)"|(?<![^\s])(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?%?)(?![^\s])'
+    r'"(?P<string>(?:[^"]|"")*)"|(?<![^\s])(?P<number>[-+]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d++)?%?)(?![^\s])'
     r"|(?P<flag><[a-z]+>)|(?P<comment>!.*)"
 )
 
@@ -78,7 +79,7 @@ def parse_textgrid(text: str, source: str = "text") -> TextGrid:
     for expected in ("ooTextFile", "TextGrid"):
         if not stream.string("the header").startswith(expected):
             raise stream.fault(f'is not a TextGrid; expected "{expected}"')
-    start, end = stream.number("the start"), stream.number("the end")
+    start, end = stream.time("the start"), stream.time("the end")
     if stream.flag() != "<exists>":
         raise stream.fault("has no tiers; expected words and phones")
     count = stream.count("the number of tiers")
@@ -91,16 +92,16 @@ def _tier(stream: _Stream) -> Tier:
         raise stream.fault(f"{quoted(kind)} is not a class of tiers; expected {INTERVALS} or {POINTS}")
     line = stream.line
     name = stream.string("the tier's name")
-    stream.number("the tier's start")
-    stream.number("the tier's end")
+    stream.time("the tier's start")
+    stream.time("the tier's end")
     labels = tuple(_label(stream, kind) for _ in range(stream.count("the number of labels")))
     return Tier(name, kind, labels, line)
 
 
 def _label(stream: _Stream, kind: str) -> Label:
-    start = stream.number("the label's time")
+    start = stream.time("the label's time")
     line = stream.line
-    end = stream.number("the interval's end") if kind == INTERVALS else start
+    end = stream.time("the interval's end") if kind == INTERVALS else start
     if end < start:
         raise stream.fault(f"the interval ends at {end:g} s, before it starts at {start:g} s")
     return Label(start, end, stream.string("the label"), line)
@@ -139,6 +140,12 @@ class _Stream:
         if not math.isfinite(number):
             raise self.fault(f"{what} is too large; expected a finite number")
         return number
+
+    def time(self, what: str) -> float:
+        seconds = self.number(what)
+        if not abs(seconds) <= MAX_SECONDS:
+            raise self.fault(f"{what} is {seconds:g} s; expected at most {MAX_SECONDS:g} s")
+        return seconds
 
     def flag(self) -> str:
         return self._next("flag", "<exists>")

@@ -25,8 +25,8 @@ HEAD = ("emotion", "language")
 BODY = ("text", "accents", "phonemes")
 # Seconds of a pause whose duration is not given.
 PAUSE = 0.2
-_LINE = re.compile(r"(?P<key>[^:#\s][^:#]*?)\s*:\s*(?P<value>.*?)\s*(?:\s#.*)?$")
-_EMOTION = re.compile(r"\s*([^\W\d_][\w -]*?)\s+(\S+)\s*")
+_COMMENT = re.compile(r"\s#")
+_EMOTION = re.compile(r"(?<![\w -])[^\W\d_][\w -]*+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,17 +68,19 @@ def _entries(text: str, source: str) -> Iterator[_Entry]:
     for number, line in enumerate(text.split("\n"), 1):
         if not line.strip() or line.lstrip().startswith("#"):
             continue
-        match = _LINE.match(line.lstrip())
+        key, colon, rest = line.partition(":")
         indent = len(line) - len(line.lstrip())
-        if match is None:
+        if not (colon and key.strip()) or "#" in key:
             shown = quoted(line.strip())
             message = f"{shown} is not a line of an utterance file; expected e.g. text: (JUlia prefers)"
             raise InputError(message, Place(source, number, indent + 1))
-        key = match["key"].lower()
-        if key not in (*HEAD, *BODY):
+        if key.strip().lower() not in (*HEAD, *BODY):
             place = Place(source, number, indent + 1)
-            raise ParameterError(unknown("key", one_line(match["key"]), (*HEAD, *BODY)), place)
-        yield _Entry(key, match["value"], Place(source, number, indent + match.start("value") + 1))
+            raise ParameterError(unknown("key", one_line(key.strip()), (*HEAD, *BODY)), place)
+        comment = _COMMENT.search(rest)
+        value = rest[: comment.start()] if comment else rest
+        column = len(key) + 2 + len(value) - len(value.lstrip())
+        yield _Entry(key.strip().lower(), value.strip(), Place(source, number, column))
 
 
 def _only(entries: Sequence[_Entry], key: str) -> _Entry | None:
@@ -196,12 +198,12 @@ def _display(entry: _Entry) -> Iterator[Mark]:
 
 
 def _mark(written: str, place: Place) -> Mark:
-    match = _EMOTION.fullmatch(written)
-    intensity = parse_number(match[2]) if match else None
-    if match is None or intensity is None:
+    name, _, number = " ".join(written.split()).rpartition(" ")
+    intensity = parse_number(number)
+    if not _EMOTION.fullmatch(name) or intensity is None:
         raise InputError(f"{quoted(written.strip())} is not an emotion; expected e.g. happiness 0.7", place)
     try:
-        found = find_emotion(match[1])
+        found = find_emotion(name)
         targets = found.targets(intensity)
     except ParameterError as error:
         raise error.at(place) from None

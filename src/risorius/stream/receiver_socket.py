@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ipaddress
+import re
 import socket
 from dataclasses import dataclass
 from types import TracebackType
@@ -10,6 +11,7 @@ from typing import Any
 
 from ..errors import InputError, OutputError
 
+_PORT = re.compile(r"[0-9]{1,5}")
 PATIENCE = 5.0  # s that a receiver may take to answer, or to read on
 
 
@@ -30,7 +32,7 @@ def parse_address(text: str, port: int) -> Address:
     if not colon or host.endswith(":"):
         host, number = text.strip(), str(port)
     host = host.removeprefix("[").removesuffix("]")
-    if not _is_host(host) or not number.isdecimal() or not 0 < int(number) < 65_536:
+    if not _is_host(host) or not _PORT.fullmatch(number) or not 0 < int(number) < 65_536:
         raise InputError(f"'{text}' is not an address; expected HOST or HOST:PORT, e.g. 127.0.0.1:{port}")
     return Address(host, int(number))
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from typing import Any, TypeVar, cast
 
+from ..core.depth import TOO_DEEP, is_too_deep
 from ..core.schema import build, converter
 from ..core.source_text import SourceText, Syntax
 from ..core.units import Seconds
@@ -58,6 +59,8 @@ def _parsed(text: str) -> dict[str, Any]:
         data = json.loads(text)
     except (ValueError, RecursionError):
         raise InputError("the message is not JSON") from None
+    if is_too_deep(data):
+        raise InputError(f"the message {TOO_DEEP}")
     if not isinstance(data, dict):
         raise InputError("the message is not an object {…}")
     return data

@@ -7,7 +7,6 @@ own; nothing of it is imported.
 from __future__ import annotations
 
 import base64
-import binascii
 import json
 import os
 import subprocess
@@ -19,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from ...core.audio import Samples
+from ...core.depth import TOO_DEEP, is_too_deep
 from ...core.utterance import SILENCE
 from ...errors import SpeechError, SpeechWarning, warn
 from ...languages import language_of, phonesets
@@ -33,6 +33,7 @@ SECONDS = 60.0
 LONGEST_ANSWER = 400_000_000
 _KEYS = {"sample_rate", "audio", "phones"}
 _RATES = (4_000, 192_000)
+_LARGEST_NUMBER = 1e9  # of a time in seconds, or of an index in the text
 
 
 class ProgramEngine:
@@ -97,12 +98,14 @@ class ProgramEngine:
     def _read(self, output: bytes, request: SpeechRequest) -> Rendition:
         try:
             answer = json.loads(output)
-        except ValueError as error:
+        except (ValueError, RecursionError) as error:
             raise self._fault(f"printed no JSON ({error}); expected one object") from None
+        if is_too_deep(answer):
+            raise self._fault(f"printed JSON that {TOO_DEEP}")
         if not isinstance(answer, dict) or not {"sample_rate", "audio"} <= set(answer) <= _KEYS:
             raise self._fault("printed an object with other keys; expected sample_rate, audio and phones")
         rate = answer["sample_rate"]
-        if not isinstance(rate, int) or not _RATES[0] <= rate <= _RATES[1]:
+        if type(rate) is not int or not _RATES[0] <= rate <= _RATES[1]:
             raise self._fault(f"sample_rate = {rate!r}; expected {_RATES[0]} to {_RATES[1]}")
         samples = self._samples(answer["audio"])
         if answer.get("phones") is None:
@@ -114,7 +117,7 @@ class ProgramEngine:
     def _samples(self, audio: object) -> Samples:
         try:
             data = base64.b64decode(str(audio), validate=True)
-        except binascii.Error:
+        except ValueError:
             raise self._fault("audio is not base64") from None
         if len(data) % 2 or not data:
             raise self._fault("audio is not 16-bit samples")
@@ -134,7 +137,7 @@ class ProgramEngine:
     def _phone(self, row: object, rate: int, characters: int, where: str) -> SpokenPhone:
         if not isinstance(row, list) or len(row) not in (2, 3) or not isinstance(row[0], str):
             raise self._fault(f"{where} = {row!r}; expected [symbol, start in seconds, index in the text]")
-        if not all(isinstance(n, int | float) and not isinstance(n, bool) and n >= 0 for n in row[1:]):
+        if not all(type(n) in (int, float) and 0 <= n <= _LARGEST_NUMBER for n in row[1:]):
             raise self._fault(f"{where} = {row!r}; expected numbers of at least 0")
         symbol, stress = self._symbol(row[0], where)
         position = min(int(row[2]), max(characters - 1, 0)) if len(row) == 3 else 0

@@ -83,7 +83,7 @@ def _blocks(source: SoundFile, place: Place) -> Iterator[Float32Array]:
             if frames > LONGEST * source.samplerate:
                 raise InputError(f"is longer than {LONGEST / 3600:g} hours; expected less", place)
             yield block.mean(axis=1)
-    except (soundfile.LibsndfileError, RuntimeError) as error:
+    except (soundfile.LibsndfileError, RuntimeError, ValueError) as error:
         at = frames / source.samplerate
         raise InputError(f"cannot be decoded from {at:.2f} s on: {_reason(error)}", place) from None
 

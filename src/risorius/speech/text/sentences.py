@@ -17,11 +17,12 @@ from .tokens import is_speakable
 
 LIMIT = 400
 
-_CLOSING = r"[\"'\u2019\u201d\u00bb)\]]*"
+_CLOSING = r"[\"'\u2019\u201d\u00bb)\]]*+"
 # A full stop and the like needs a blank after it, those of scripts without blanks do not.
 _END = re.compile(
-    rf"(?P<mark>[.!?\u2026]+){_CLOSING}(?=\s|$)|[\u3002\uff01\uff1f\uff0e]+{_CLOSING}"
-    rf"|[\u0964\u0965\u061f\u06d4]+{_CLOSING}(?=\s|$)|\n[^\S\n]*(?=\n)|\n(?=\s*(?:[-*\u2022]|\d+[.)])\s)"
+    rf"(?<![.!?\u2026])(?P<mark>[.!?\u2026]++){_CLOSING}(?=\s|$)|[\u3002\uff01\uff1f\uff0e]++{_CLOSING}"
+    rf"|(?<![\u0964\u0965\u061f\u06d4])[\u0964\u0965\u061f\u06d4]++{_CLOSING}(?=\s|$)"
+    r"|\n[^\S\n]*+(?=\n)|\n(?=\s{0,40}(?:[-*\u2022]|\d{1,9}[.)])\s)"
 )
 _CLAUSE_END = re.compile(r"[,;:)\u2013\u2014\u3001\uff0c\uff1b](?=\s|[^\W\d]|$)")
 

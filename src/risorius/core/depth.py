@@ -1,0 +1,26 @@
+"""How deep data may be nested: one limit for TOML, JSON and XML.
+
+Readers and what they call recurse as deep as the data, and Python allows a thousand calls in one another.
+"""
+
+from __future__ import annotations
+
+MAX_DEPTH = 32
+"""Levels of tables, lists, objects or elements in one another, in every format that has them."""
+TOO_DEEP = f"is nested too deeply; expected at most {MAX_DEPTH} levels"
+
+
+def is_too_deep(data: object) -> bool:
+    """Whether parsed data has more than `MAX_DEPTH` levels."""
+    level = [data]
+    for _ in range(MAX_DEPTH + 1):
+        level = [
+            item
+            for outer in level
+            if isinstance(outer, dict | list)
+            for item in (outer.values() if isinstance(outer, dict) else outer)
+            if isinstance(item, dict | list)
+        ]
+        if not level:
+            return False
+    return True
