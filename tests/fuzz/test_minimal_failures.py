@@ -28,7 +28,7 @@ from risorius.settings import Settings
 from risorius.speech.engines.program import ProgramEngine
 from risorius.speech.engines.protocol import SpeechRequest, Voice
 from risorius.speech.recordings.labelled import utterance_of_labels
-from risorius.stream.line import parse_address
+from risorius.stream.receiver_socket import parse_address
 from risorius.studio.messages import decode
 
 from .guard import one_line_or_done
