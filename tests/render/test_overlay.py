@@ -96,3 +96,17 @@ def test_lines_end_at_pauses_and_where_they_are_full():
     ]
     lines = lines_of(words, 8.0, lambda word: len(word.text), 1.0)
     assert [[w.text for w in line] for line in lines] == [["one", "two"], ["three"], ["four"]]
+
+
+@pytest.mark.parametrize("size", [(64, 64), (96, 64), (160, 160), (720, 720)])
+def test_movements_of_any_length_are_drawn(size):
+    lengths = [0.01 * k for k in range(1, 120)]
+    starts = np.cumsum([0.0, *lengths])
+    moves = tuple(
+        Movement("signals", float(start), float(start) + length, 0.0, 0.0, {})
+        for start, length in zip(starts, lengths, strict=False)
+    )
+    score = Score(float(starts[-1]), moves)
+    performance = Performance(score, Fraction(1), np.tile(NEUTRAL, (2, 1)))
+    overlays = Overlays(("lanes",), Subject(performance, None), size)
+    overlays.draw(np.zeros((size[1], size[0], 3), np.uint8), 0)

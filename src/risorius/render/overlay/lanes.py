@@ -76,7 +76,10 @@ class Lanes:
     ) -> None:
         if box[2] - box[0] < 1.0:
             return
-        pen.rounded_rectangle(box, radius=0.2 * self._row, fill=colour, outline=GROUND)
+        radius = 0.2 * self._row
+        # PIL raises ValueError for some boxes that are hardly wider than their corners.
+        room = min(box[2] - box[0], box[3] - box[1]) >= 2.0 * radius + 4.0
+        pen.rounded_rectangle(box, radius=radius if room else 0.0, fill=colour, outline=GROUND)
         if self._text.getlength(label) + 6.0 < box[2] - box[0]:
             # On the left: later movements of the lane may lie over the right.
             pen.text((box[0] + 4.0, 0.5 * (box[1] + box[3])), label, font=self._text, fill=INK, anchor="lm")
