@@ -116,7 +116,11 @@ def _changed(**change: Any) -> str:
         ("[]", "", "holds []; expected an object"),
         (_changed(risorius=...), "", "key 'risorius' is missing; expected a whole number"),
         (_changed(risorius=2), '"risorius"', "version 2 is not known; expected 1"),
-        (_changed(duration=0), "", "duration = 0.0 is out of range; expected more than 0"),
+        (
+            _changed(duration=0),
+            "",
+            "duration = 0.0 is out of range; expected more than 0 and at most 21600 seconds",
+        ),
         (
             _changed(duration=1e12),
             '"duration"',
