@@ -23,7 +23,7 @@ GROUND = {"errors"}
 WORDS = {"core", "languages", "rules", "script", "speech"}
 TAKE = WORDS | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
 PIPELINE = TAKE | {"unread", "take"}
-LIBRARY = PIPELINE | {"pipeline", "api", "live", "batch"}
+LIBRARY = PIPELINE | {"pipeline", "api", "live", "batches"}
 
 # From the ground up: each package, or module of the top level, and what it may import beside itself and the
 # ground. A row names only what stands above it.
@@ -48,8 +48,8 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "pipeline": PIPELINE - {"face", "looks", "render", "ports"},
     "api": PIPELINE | {"pipeline"},
     "live": PIPELINE | {"pipeline", "api"},
-    "batch": PIPELINE | {"pipeline", "api"},
-    "__init__": {"core", "rules", "settings", "take", "pipeline", "api", "live", "batch"},
+    "batches": PIPELINE | {"pipeline", "api"},
+    "__init__": {"core", "rules", "settings", "take", "pipeline", "api", "live", "batches"},
     "stream": LIBRARY,
     "serve": LIBRARY | {"__init__", "stream", "web"},
     "studio": LIBRARY | {"__init__", "stream", "web"},

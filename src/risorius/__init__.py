@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from .api import pose as pose
     from .api import rig as rig
     from .api import speak as speak
+    from .batches.library import batch as batch
+    from .batches.library import pipe as pipe
     from .errors import RisoriusError as RisoriusError
     from .errors import RisoriusWarning as RisoriusWarning
     from .errors import warnings_to as warnings_to
@@ -36,8 +38,10 @@ __all__ = [
     "Settings",
     "Take",
     "align",
+    "batch",
     "load",
     "mix",
+    "pipe",
     "play",
     "pose",
     "rig",
@@ -48,6 +52,7 @@ __all__ = [
 
 _MODULES = {
     "api": ("align", "load", "mix", "play", "pose", "rig", "speak"),
+    "batches.library": ("batch", "pipe"),
     "errors": ("RisoriusError", "RisoriusWarning", "warnings_to"),
     "rules.emotions": ("Display",),
     "settings": ("BlendChoices", "Look", "Settings"),

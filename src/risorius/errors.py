@@ -109,6 +109,10 @@ class OutputError(RisoriusError):
     """An output cannot be written: unknown suffix, missing or unwritable folder, full disk."""
 
 
+class DiskFullError(OutputError):
+    """There is no space left for an output."""
+
+
 def warn(message: str, category: type[RisoriusWarning] = RisoriusWarning) -> None:
     """Warn the caller of the run: by `warnings_to`, or else as Python does, at the caller's own line."""
     line = shortened(printable(message), LONGEST_MESSAGE)

@@ -38,7 +38,8 @@ class Take:
 
     `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces
     and pictures are made when they are asked for, one frame at a time. `planned` is the plan that the
-    performance was made by, where it is still there.
+    performance was made by, where it is still there. Takes that share a `cache` solve faces one after the
+    other, with solvers that are made once.
     """
 
     performance: Performance
@@ -46,10 +47,12 @@ class Take:
     utterance: Utterance | None = None
     sound: Audio | None = None
     planned: Plan | None = field(default=None, repr=False, compare=False)
+    cache: HeadCache = field(default_factory=lambda: HeadCache(), repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled: the plan, the head and what they make are made again when asked for."""
-        return {**{part.name: getattr(self, part.name) for part in fields(self)}, "planned": None}
+        state = {part.name: getattr(self, part.name) for part in fields(self)}
+        return {**state, "planned": None, "cache": HeadCache()}
 
     @property
     def score(self) -> Score:
@@ -226,7 +229,28 @@ class Take:
 
     @cached_property
     def _solver(self) -> FaceSolver:
-        return make_solver(self.settings)
+        return self.cache.solver(self.settings)
+
+
+class HeadCache:
+    """Solvers that are made once for a head as settings shape it, the latest `most` of them.
+
+    A solver has a workspace: takes that share a cache must solve their faces one after the other.
+    """
+
+    def __init__(self, most: int = 3) -> None:
+        self._most = most
+        self._solvers: dict[object, FaceSolver] = {}
+
+    def solver(self, settings: Settings) -> FaceSolver:
+        """Return a solver as `make_solver` does, as the newest entry; the oldest beyond `most` go."""
+        shape, wrinkles = (tuple(sorted(amounts.items())) for amounts in (settings.shape, settings.wrinkles))
+        key = settings.head, settings.age, settings.dynamics, shape, wrinkles
+        solver = self._solvers.pop(key, None) or make_solver(settings)
+        self._solvers[key] = solver
+        while len(self._solvers) > self._most:
+            del self._solvers[next(iter(self._solvers))]
+        return solver
 
 
 def _counted(faces: Iterator[FaceFrame], total: int, progress: Progress) -> Iterator[FaceFrame]:

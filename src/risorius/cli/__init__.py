@@ -15,6 +15,7 @@ from .. import __version__
 from ..core.paths import is_file
 from ..errors import LONGEST_LINE, RisoriusError, UnreadError, printable, shortened
 from .align import align
+from .batch import batch
 from .console import interrupt, say
 from .explain import explain
 from .listing import list_
@@ -48,9 +49,7 @@ def run(arguments: list[str]) -> int:
     debug = DEBUG in arguments[:end]
     arguments = [argument for argument in arguments[:end] if argument != DEBUG] + arguments[end:]
     try:
-        commands.main(arguments, prog_name="risorius", standalone_mode=False)
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
+        code = commands.main(arguments, prog_name="risorius", standalone_mode=False)
     except (click.Abort, KeyboardInterrupt):
         say("risorius: interrupted; nothing was written")
         return EXIT_INTERRUPTED
@@ -67,7 +66,7 @@ def run(arguments: list[str]) -> int:
         return _fault("out of memory; expected a smaller file, a shorter text or a smaller --size")
     except Exception as error:
         return _unforeseen(error, arguments, debug)
-    return 0
+    return code if isinstance(code, int) else 0  # what a command exits with
 
 
 def _fault(message: str) -> int:
@@ -105,5 +104,5 @@ def commands() -> None:
     """
 
 
-for _command in (speak, align, mix, pose, play, stream, rig, explain, list_, studio, rules):
+for _command in (speak, batch, align, mix, pose, play, stream, rig, explain, list_, studio, rules):
     commands.add_command(_command)

@@ -53,24 +53,27 @@ class Console:
         else:
             print(line, file=sys.stderr, flush=True)
 
-    def progress(self, stage: str, done: int = 0, total: int = 0) -> None:
-        """Say that `stage` goes on: `done` of `total` steps, or that it began where total is 0."""
+    def progress(self, stage: str, done: int = 0, total: int = 0, note: str = "") -> None:
+        """Say that `stage` goes on: `done` of `total` steps, or that it began where total is 0.
+
+        `note` stands behind the bar.
+        """
         if _interrupted.is_set():
             raise Interrupted
         if total == 0:
             self.say(stage)
         elif sys.stderr.isatty():
-            self._show(stage, done, total)
+            self._show(stage, done, total, note)
         elif done == total:
             self.say(f"{stage}: {total} frames")
 
-    def _show(self, stage: str, done: int, total: int) -> None:
+    def _show(self, stage: str, done: int, total: int, note: str) -> None:
         if self._bar is None:
             self._bar = _bar()
             self._bar.start()
         if stage not in self._tasks:
-            self._tasks[stage] = self._bar.add_task(stage, total=total)
-        self._bar.update(self._tasks[stage], completed=done)
+            self._tasks[stage] = self._bar.add_task(stage, total=total, note=note)
+        self._bar.update(self._tasks[stage], completed=done, note=note)
 
     def __enter__(self) -> Console:
         self._warnings.__enter__()
@@ -93,6 +96,7 @@ def _bar() -> Progress:
         BarColumn(),
         MofNCompleteColumn(),
         TimeRemainingColumn(),
+        TextColumn("{task.fields[note]}"),
         console=Terminal(stderr=True),
     )
 

@@ -104,8 +104,8 @@ def flag(name: str) -> str:
 
 def _option(row: Row) -> Callable[[F], F]:
     about: dict[str, Any] = {"metavar": row.entry.metavar, "type": _type(row)}
-    shown = "" if _is_flag(row) else row.text(row.usual)
-    if _is_flag(row):
+    shown = "" if row.is_flag else row.text(row.usual)
+    if row.is_flag:
         about = {"is_flag": True}
     elif row.several:
         about["multiple"] = True
@@ -126,14 +126,9 @@ def _type(row: Row) -> Any:
     return str
 
 
-def _is_flag(row: Row) -> bool:
-    """Whether the option has no value: it says the opposite of what is usual."""
-    return row.kind is ValueKind.SWITCH and bool(row.entry.flag)
-
-
 def _value(row: Row, given: Any) -> Any:
     if row.kind is ValueKind.SWITCH:
-        return not row.usual if _is_flag(row) else given == "on"
+        return not row.usual if row.is_flag else given == "on"
     if row.kind is ValueKind.AMOUNTS:
         return dict(row.read(text) for text in given)
     return given

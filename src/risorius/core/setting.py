@@ -215,6 +215,11 @@ class Row:
         return self.entry.usual if self.default is None else self.default
 
     @property
+    def is_flag(self) -> bool:
+        """Whether the option has no value: it says the opposite of what is usual."""
+        return self.kind is ValueKind.SWITCH and bool(self.entry.flag)
+
+    @property
     def several(self) -> bool:
         """Whether its option may be given several times, each time with one of its values."""
         return self.kind is ValueKind.AMOUNTS or (self.kind is ValueKind.SEVERAL and self.entry.read is None)

@@ -6,12 +6,14 @@ import errno
 import os
 import secrets
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from pathlib import Path
 
-from ..errors import OutputError, Place
+from ..errors import DiskFullError, OutputError, Place
 
-_TEMPORARY = ".part"
+_BEGINNING, _TEMPORARY = ".risorius-", ".part"
+_run: ContextVar[str] = ContextVar("run that creates temporary files", default="")
 _FULL = {errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)}
 
 
@@ -39,19 +41,36 @@ def replacing(path: Path) -> Iterator[Path]:
 def os_failure(path: Path, error: OSError) -> OutputError:
     """Word what the system said as one line about `path`."""
     if error.errno in _FULL:
-        message = "no space left on the disk; nothing was written"
-    else:
-        message = f"cannot be written: {error.strerror or error}"
-        other = None if error.filename is None else Path(os.fsdecode(error.filename))
-        if other is not None and other.suffix != _TEMPORARY and other != path:
-            message += f" ({other})"
+        return DiskFullError("no space left on the disk; nothing was written", Place(str(path)))
+    message = f"cannot be written: {error.strerror or error}"
+    other = None if error.filename is None else Path(os.fsdecode(error.filename))
+    if other is not None and other.suffix != _TEMPORARY and other != path:
+        message += f" ({other})"
     return OutputError(message, Place(str(path)))
+
+
+@contextmanager
+def temporaries_of(run: str) -> Iterator[None]:
+    """Put the name of a `run` into those of the temporary files that are created within the block."""
+    token = _run.set(run)
+    try:
+        yield
+    finally:
+        _run.reset(token)
+
+
+def remove_temporaries(folder: Path, run: str) -> None:
+    """Remove the temporary files that a `run` left in a folder when it was killed."""
+    for path in folder.glob(f"{_BEGINNING}{run}-*{_TEMPORARY}"):
+        with suppress(OSError):
+            path.unlink()
 
 
 def _create_beside(final: Path) -> Path:
     """Create an empty file that only we know, with the permissions that any new file gets."""
     while True:
-        temporary = final.with_name(f".risorius-{secrets.token_hex(6)}{_TEMPORARY}")
+        run = f"{_run.get()}-" if _run.get() else ""
+        temporary = final.with_name(f"{_BEGINNING}{run}{secrets.token_hex(6)}{_TEMPORARY}")
         try:
             os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
         except FileExistsError:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from os import PathLike
+from pathlib import Path
 
 from ..errors import InputError, Place
-from ..script import Script, read_script
+from ..script import Script, parse_script, read_script
 from ..script.files import names_something, read_text
 from .from_recording import LabelledRecording, Recording
 
@@ -20,7 +21,7 @@ class Input:
 
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
-    name of a file with them.
+    name of a file with them. `content`: what the file `script` holds, if it is not to be read from there.
     """
 
     script: str | None = None
@@ -28,6 +29,7 @@ class Input:
     transcript: str | None = None
     text: bool = False
     name: str = "text"
+    content: str | None = None
 
     @property
     def labels(self) -> str | None:
@@ -48,12 +50,18 @@ def read(given: Input) -> Script | Recording | LabelledRecording:
         if given.transcript is not None:
             raise InputError("a TextGrid has words of its own; expected no transcript", Place(given.labels))
         return LabelledRecording(given.labels, given.audio)
-    script = None if given.script is None else read_script(given.script, text=given.text, source=given.name)
+    script = None if given.script is None else _script(given, given.script)
     if given.audio is not None:
         return Recording(given.audio, read_transcript(given.transcript), script)
     if script is None:
         raise InputError("nothing to perform; expected a text, a file or --audio")
     return script
+
+
+def _script(given: Input, script: str) -> Script:
+    if given.content is not None:
+        return parse_script(given.content, Path(script).suffix.lower(), script)
+    return read_script(script, text=given.text, source=given.name)
 
 
 def read_transcript(transcript: str | None) -> str | None:

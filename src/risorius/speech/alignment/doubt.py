@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
 
 from ...errors import InputError, SpeechWarning, warn
 from .decoder import AlignedPhone
@@ -19,6 +22,29 @@ DOUBTFUL_SILENCE, LEAST_MISSING = -40.0, 0.15
 _SHOWN = 8
 
 
+@dataclass(frozen=True, slots=True)
+class AlignmentDoubt:
+    """How badly a transcript fits its recording: that of the `worst` word or silence, 0 and more (its mean
+    log likelihood per 10 ms, negated; 50 and more is in doubt), and the `words` in doubt with their times.
+    """
+
+    worst: float
+    words: tuple[str, ...]
+
+
+_receiver: ContextVar[Callable[[AlignmentDoubt], None] | None] = ContextVar("receiver of doubt", default=None)
+
+
+@contextmanager
+def doubt_to(receive: Callable[[AlignmentDoubt], None]) -> Iterator[None]:
+    """Call `receive` with the doubt about each recording that is aligned in the block, in this thread."""
+    token = _receiver.set(receive)
+    try:
+        yield
+    finally:
+        _receiver.reset(token)
+
+
 def check_words(words: Sequence[ScriptWord], aligned: Sequence[AlignedPhone]) -> None:
     """Raise InputError if the words as a whole do not fit; warn (SpeechWarning) of those that may not."""
     spans = _spans(len(words), aligned)
@@ -26,10 +52,16 @@ def check_words(words: Sequence[ScriptWord], aligned: Sequence[AlignedPhone]) ->
     missing = [
         f for f in aligned if f.word < 0 and f.score < DOUBTFUL_SILENCE and f.end - f.start >= LEAST_MISSING
     ]
+    named = [f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful]
+    receive = _receiver.get()
+    if receive is not None:
+        scores = [*map(mean_score, spans), *(f.score for f in missing)]
+        receive(AlignmentDoubt(max(0.0, -min(scores, default=0.0)), tuple(named)))
     reasons = []
     if doubtful:
-        named = _listed([f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful])
-        reasons.append(f"perhaps not said in the recording ({len(doubtful)} of {len(words)} words): {named}")
+        reasons.append(
+            f"perhaps not said in the recording ({len(doubtful)} of {len(words)} words): {_listed(named)}"
+        )
     if missing:
         places = _listed([f"{f.start:.2f} to {f.end:.2f} s" for f in missing])
         reasons.append(f"said in the recording, but not in the transcript: {places}")

@@ -1,0 +1,212 @@
+"""Warm processes on this machine: each loads what a line needs once, and is replaced when it ends or hangs.
+
+They are programs of their own, not forks: numpy and numba must find the number of their threads when they are
+loaded, and a caller's script is not run again in each of them.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import socket
+import subprocess
+import sys
+import time
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from pathlib import Path
+from typing import Any
+
+from .worker import READY
+
+MOST_MEMORY = 1_500_000_000  # bytes that a process may hold between two lines
+MOST_LOSSES = 2  # processes that end while they perform one line, before it is given up
+STARTING = 120.0  # seconds that a process may take to load
+_PROGRAM = "from risorius.batches.worker import serve; serve({descriptor}, {task!r})"
+_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+
+
+@dataclass(frozen=True, slots=True)
+class Lost:
+    """What comes back for a request whose process ended or took too long; `reason` says which."""
+
+    reason: str
+
+
+@dataclass
+class _Request:
+    key: Any
+    arguments: tuple[Any, ...]
+    losses: int = 0
+
+
+class _Worker:
+    """One process and the request that it is at."""
+
+    def __init__(self, task: str, threads: int) -> None:
+        ours, theirs = socket.socketpair()
+        with theirs:
+            program = _PROGRAM.format(descriptor=theirs.fileno(), task=task)
+            self.process = subprocess.Popen(
+                [sys.executable, "-c", program],
+                stdin=subprocess.DEVNULL,
+                env=_environment(threads),
+                pass_fds=[theirs.fileno()],
+            )
+        self.connection = Connection(ours.detach())
+        self.request: _Request | None = None
+        self.ready = False
+        self.since = time.monotonic()
+
+    def send(self, request: _Request) -> None:
+        self.request, self.since = request, time.monotonic()
+        with contextlib.suppress(OSError):  # that it has ended is noticed when it is waited for
+            self.connection.send(request.arguments)
+
+    def end(self, patience: float = 0.0) -> str:
+        """End the process, unless it does within seconds of `patience`; return how it ended."""
+        self.connection.close()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self.process.wait(timeout=patience)
+        self.process.kill()
+        code = self.process.wait()
+        return f"signal {-code}" if code < 0 else f"exit code {code}"
+
+    def close(self) -> None:
+        self.end(patience=2.0)
+
+
+def _environment(threads: int) -> dict[str, str]:
+    """Return the environment of a process that has so many threads to draw with, and one for all else."""
+    package = str(Path(__file__).parents[2])
+    path = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH", ""))))
+    return os.environ | dict.fromkeys(_THREADS, "1") | {"RISORIUS_THREADS": str(threads), "PYTHONPATH": path}
+
+
+class WorkerPool:
+    """Up to `size` processes for a `task` ("line" or "text"), each request within `seconds`.
+
+    A request whose process ends is given to a new one once more; then it is lost.
+    """
+
+    def __init__(self, task: str, size: int, seconds: float = 600.0) -> None:
+        self._task, self._size, self._seconds = task, size, seconds
+        self._threads = max(1, (os.cpu_count() or 1) // size)
+        self._workers: list[_Worker] = []
+        self._waiting: deque[_Request] = deque()
+        self._lost: deque[tuple[Any, Lost]] = deque()
+        self.replaced = 0
+
+    @property
+    def full(self) -> bool:
+        """Whether each process has something to do, and one more request waits."""
+        return len(self._waiting) > 0 and self._at_work() >= self._size
+
+    @property
+    def busy(self) -> bool:
+        """Whether results are still to come."""
+        return bool(self._waiting or self._at_work())
+
+    @property
+    def processes(self) -> tuple[int, ...]:
+        """The numbers of the processes."""
+        return tuple(worker.process.pid for worker in self._workers)
+
+    def start(self) -> None:
+        """Start all processes, so that they load while there is nothing to do yet."""
+        while len(self._workers) < self._size:
+            self._workers.append(_Worker(self._task, self._threads))
+
+    def submit(self, key: Any, *arguments: Any) -> None:
+        """Have a request answered; `key` comes back with its result."""
+        self._waiting.append(_Request(key, arguments))
+        self._hand_out()
+
+    def results(self, *, block: bool = True) -> Iterator[tuple[Any, Any]]:
+        """Yield keys with results, or `Lost`, as they are there; with `block`, wait for one at least."""
+        while True:
+            pairs = list(self._collected(self._patience() if block else 0.0))
+            self._hand_out()
+            yield from pairs
+            if pairs or not block or not self.busy:
+                return
+
+    def close(self) -> None:
+        """End all processes at once, those at work too."""
+        for worker in self._workers:
+            worker.end() if worker.request is not None or not worker.ready else worker.close()
+        self._workers.clear()
+        self._waiting.clear()
+
+    def __enter__(self) -> WorkerPool:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _at_work(self) -> int:
+        return sum(worker.request is not None for worker in self._workers)
+
+    def _hand_out(self) -> None:
+        while self._waiting:
+            idle = next((worker for worker in self._workers if worker.request is None), None)
+            if idle is None and len(self._workers) < self._size:
+                idle = _Worker(self._task, self._threads)
+                self._workers.append(idle)
+            if idle is None:
+                return
+            idle.send(self._waiting.popleft())
+
+    def _patience(self) -> float:
+        """Return the seconds until the next process has taken too long."""
+        ends = [worker.since + self._limit(worker) for worker in self._workers if worker.request is not None]
+        return max(0.0, min(ends, default=0.0) - time.monotonic())
+
+    def _limit(self, worker: _Worker) -> float:
+        return self._seconds if worker.ready else self._seconds + STARTING
+
+    def _collected(self, seconds: float) -> Iterator[tuple[Any, Any]]:
+        by_connection = {worker.connection: worker for worker in self._workers}
+        for connection in wait(list(by_connection), seconds):
+            worker = by_connection[connection]  # type: ignore[index]
+            try:
+                answer = worker.connection.recv()
+            except (EOFError, OSError):
+                yield from self._replace(
+                    worker, f"its process ended ({worker.end(patience=1.0)})", again=True
+                )
+                continue
+            if not worker.ready:
+                worker.ready, worker.since = answer == READY, time.monotonic()
+            elif worker.request is not None:
+                yield self._finished(worker), answer
+                if getattr(answer, "memory", 0) > MOST_MEMORY:
+                    worker.close()
+                    self._workers.remove(worker)
+        now = time.monotonic()
+        for worker in [w for w in self._workers if w.request is not None]:
+            if now - worker.since > self._limit(worker):
+                worker.end()
+                yield from self._replace(worker, f"took longer than {self._seconds:g} s", again=False)
+
+    def _finished(self, worker: _Worker) -> Any:
+        assert worker.request is not None
+        key, worker.request = worker.request.key, None
+        return key
+
+    def _replace(self, worker: _Worker, reason: str, *, again: bool) -> Iterator[tuple[Any, Lost]]:
+        """Drop a process that has ended; its request goes to another, or is lost."""
+        self._workers.remove(worker)
+        self.replaced += 1
+        request = worker.request
+        if request is None:
+            if not worker.ready and self.replaced > MOST_LOSSES * self._size:
+                raise RuntimeError(f"no process can be started: {reason}")
+            return
+        request.losses += 1
+        if again and request.losses < MOST_LOSSES:
+            self._waiting.appendleft(request)
+        else:
+            yield request.key, Lost(reason)

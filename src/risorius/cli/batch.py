@@ -1,0 +1,141 @@
+"""`risorius batch`."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..core.setting import Stage
+from .batch_progress import BatchProgress
+from .console import Console
+from .options import SHOWN, Command, displays, emotion_option, option, setting_options, settings_from
+
+if TYPE_CHECKING:
+    from ..batches.library import BatchPlan
+
+EXIT_FAILED, EXIT_INTERRUPTED = 1, 130
+
+
+@click.command(cls=Command)
+@click.argument("manifest")
+@option(
+    "-o",
+    "--output",
+    "outputs",
+    group="Output",
+    multiple=True,
+    required=True,
+    metavar="PATTERN",
+    help="Files to write, with columns in braces: 'out/{id}.mp4'. May be given several times.",
+)
+@option(
+    "--jobs",
+    group="Batch",
+    type=click.IntRange(0),
+    metavar="N",
+    help="Processes; 0 for none beside this one.  [default: the cores]",
+)
+@option(
+    "--timeout",
+    group="Batch",
+    type=click.FloatRange(0.0, min_open=True),
+    default=600.0,
+    metavar="S",
+    help="Seconds after which a line is given up.  [default: 600]",
+)
+@option(
+    "--ray",
+    group="Batch",
+    metavar="ADDRESS",
+    help="Perform on a Ray cluster: auto, local or HOST:PORT (pip install 'risorius[cluster]').",
+)
+@option("--shard", group="Batch", metavar="I/N", help="Make only the I-th of N parts, I from 1 to N.")
+@option("--dry-run", group="Batch", is_flag=True, help="Check all rows and make nothing.")
+@option(
+    "--ignore",
+    group="Batch",
+    multiple=True,
+    metavar="COLUMN",
+    help="A column that is for others. May be given several times.",
+)
+@option(
+    "--journal",
+    group="Batch",
+    type=click.Path(path_type=Path),
+    metavar="FOLDER",
+    help="Where journal, errors and report are written.  [default: the fixed folder of the first output]",
+)
+@option(
+    "--contact-sheet", "sheets", group="Batch", is_flag=True, help="Show pictures of each line in the report."
+)
+@emotion_option
+@setting_options((Stage.VOICE, Stage.PLAN, Stage.COMBINE, *SHOWN))
+def batch(
+    manifest: str,
+    outputs: tuple[str, ...],
+    jobs: int | None,
+    timeout: float,
+    ray: str | None,
+    shard: str | None,
+    dry_run: bool,
+    ignore: tuple[str, ...],
+    journal: Path | None,
+    sheets: bool,
+    emotions: tuple[str, ...],
+    **chosen: Any,
+) -> None:
+    """Perform all lines of MANIFEST: a .csv or .jsonl file, or a folder of recordings.
+
+    \b
+    Columns: id, and text, script (a file), or audio with transcript; every option of
+    `speak` may be a column, or an option for all lines.
+
+    A run that ended before its time goes on where it was when it is started again: lines that are whole and
+    unchanged are not made again. Exit code 1 if a line failed; errors.jsonl has them.
+    """
+    from ..batches.library import BatchPlan
+    from ..batches.run import Shard
+
+    plan = BatchPlan(
+        manifest, outputs, settings_from(chosen), displays(emotions),
+        (os.cpu_count() or 1) if jobs is None else jobs, timeout, ray,
+        Shard() if shard is None else Shard.parse(shard), journal, ignore, sheets,
+    )  # fmt: skip
+    with Console() as console:
+        failed = _check(plan, console) if dry_run else _perform(plan, console)
+    if failed:
+        raise click.exceptions.Exit(EXIT_FAILED)
+
+
+def _check(plan: BatchPlan, console: Console) -> int:
+    from ..batches.run import check_rows
+
+    maker, good, bad = plan.maker(), 0, 0
+    plan.folder()
+    for error in check_rows(plan.read(), maker, plan.shard):
+        if error is None:
+            good += 1
+        else:
+            bad += 1
+            console.say(f"risorius: {error}")
+    console.say(f"{good + bad:,} rows: {good:,} can be performed, {bad:,} cannot")
+    return bad
+
+
+def _perform(plan: BatchPlan, console: Console) -> int:
+    plan.maker()
+    total = sum(1 for _ in plan.read()) // plan.shard.count
+    progress = BatchProgress(console, total)
+    results = plan.run()
+    try:
+        for result in results:
+            progress.add(result)
+    except KeyboardInterrupt:
+        results.close()
+        console.say(f"risorius: interrupted; {progress.made:,} lines were made, start again to go on")
+        raise click.exceptions.Exit(EXIT_INTERRUPTED) from None
+    progress.finish(plan.folder())
+    return progress.failed
