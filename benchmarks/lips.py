@@ -52,7 +52,7 @@ def main() -> None:
     """Measure and print, by display and over all."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sentences", type=int, default=len(SENTENCES))
-    parser.add_argument("--lips", default="dominance")
+    parser.add_argument("--lips", default="effort")
     parser.add_argument("--conflict", default=BlendChoices().planned().conflict)
     parser.add_argument("--displays", nargs="+", choices=DISPLAYS, default=DISPLAYS)
     options = parser.parse_args()

@@ -22,7 +22,7 @@ from risorius.speech import say
 
 SENTENCES = Path(__file__).with_name("lips_sentences.txt").read_text().splitlines()
 RATES = (110, 175, 250, 350)
-MODELS = ("dominance", "lookahead")
+MODELS = ("effort", "dominance", "lookahead")
 STEP = 0.005
 
 

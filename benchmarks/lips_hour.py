@@ -1,7 +1,7 @@
 """The lips of an hour of speech at 60 fps: articulators, coarticulation and the muscles of a head.
 
 The aim is 3 s of one core. A few sentences are repeated to fill the time. Run from the repository:
-    PYTHONPATH=src OMP_NUM_THREADS=1 python benchmarks/lips_hour.py [--minutes 60] [--lips dominance]
+    PYTHONPATH=src OMP_NUM_THREADS=1 python benchmarks/lips_hour.py [--minutes 60] [--lips effort]
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def main() -> None:
     """Measure and print one line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--minutes", type=float, default=60.0)
-    parser.add_argument("--lips", default="dominance")
+    parser.add_argument("--lips", default="effort")
     options = parser.parse_args()
     rig = load_lip_rig()
     score = spoken(options.minutes * 60.0, options.lips)

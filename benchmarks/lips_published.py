@@ -73,7 +73,7 @@ def prosody() -> Iterator[Row]:
     plain = tuple(replace(s, prominence=0.0) for s in utterance.syllables)
     bare = replace(utterance, accents=(), pauses=(), syllables=plain)
     accent = Accent(utterance.syllables[number].start, utterance.syllables[number].word, number)
-    plain_jaw = jaw_asked(bare) / lip_table().opening.stressed
+    plain_jaw = lip_table().shape("AE").targets["jaw_drop"]
     for what, published, fact, said in (
         ("of a stressed vowel", "1.15", 6, bare),
         ("under focus", "1.33", 11, replace(bare, accents=(accent,))),
@@ -98,7 +98,7 @@ def jaw_asked(utterance: Utterance) -> float:
 
 def movement(count: int) -> Iterator[Row]:
     """Yield how fast the gap opens and closes, and how fast still where the lips meet."""
-    curves = [gaps(sentence, 175, "dominance") for sentence in SENTENCES[:count]]
+    curves = [gaps(sentence, 175, "effort") for sentence in SENTENCES[:count]]
     speed = np.concatenate([np.abs(np.diff(curve)) / STEP for curve in curves])
     source = FACTS.format(8)
     yield "lip gap's speed, 99.9th percentile, mm/s", "150-310", source, float(np.percentile(speed, 99.9))

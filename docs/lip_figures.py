@@ -1,6 +1,6 @@
-"""Draw the pictures of `lips.md`: "Julia prefers popcorn" (paper B, figure 1) by our two models, by plain key
-poses and by mouth shapes as Rhubarb Lip Sync uses them, as curves and as strips of frames; and the poses of
-phones, from the front and the side.
+"""Draw the pictures of `lips.md`: "Julia prefers popcorn" (paper B, figure 1) by our three models, by plain
+key poses and by mouth shapes as Rhubarb Lip Sync uses them, as curves and as strips of frames; and the poses
+of phones, from the front and the side.
 
 Run from the repository, with the extra `docs` installed: `python docs/lip_figures.py`.
 """
@@ -41,8 +41,16 @@ PICTURES = Path(__file__).parent / "pictures"
 SENTENCE, RATE, FPS = "Julia prefers popcorn.", 110, 100
 PHONES = ("AA", "IY", "UW", "W", "M", "F", "TH", "S", "SH", "L")
 WIDTH, HEIGHT, STRIP = 132, 108, 12
-COLOURS = {"dominance": OURS, "lookahead": SECOND, "key poses": SPEECH, "mouth shapes": PRINTED}
+DIMMED = "#8a8f98"
+COLOURS = {
+    "effort": OURS,
+    "dominance": DIMMED,
+    "lookahead": SECOND,
+    "key poses": SPEECH,
+    "mouth shapes": PRINTED,
+}
 LABELS = {
+    "effort": "least effort",
     "dominance": "dominance",
     "lookahead": "look-ahead",
     "key poses": "key poses",
@@ -167,13 +175,13 @@ def by(model: str, score: Score, times: Array) -> Array:
 
 
 def draw_curves(face: Face, utterance: Utterance, score: Score) -> None:
-    """Draw gap, width and protrusion by the four ways."""
+    """Draw gap, width and protrusion by the models and both others."""
     times = np.arange(0.0, score.duration, 1.0 / FPS)
     with figure(PICTURES / "lips-models.png", 9.0, 5.6) as drawn:
         axes = drawn.subplots(3, 1, sharex=True)
         for model, colour in COLOURS.items():
             found = face.measures(by(model, score, times))
-            thick = 2.0 if model in ("dominance", "lookahead") else 1.1
+            thick = 2.0 if model in ("effort", "dominance", "lookahead") else 1.1
             for column, axis in enumerate(axes):
                 axis.plot(times, found[:, column], color=colour, linewidth=thick, label=LABELS[model])
         titles = ("gap between the lips, mm", "width of the mouth, mm", "protrusion, mm")

@@ -20,11 +20,14 @@ def published() -> ModuleType:
     return lips_published
 
 
-def test_focus_and_the_ends_of_phrases_lower_the_jaw_as_measured(published: ModuleType) -> None:
+def test_focus_and_the_ends_of_phrases_lower_the_jaw_half_as_far_as_the_most_measured(
+    published: ModuleType,
+) -> None:
+    """The measured speakers were told to stress; in running speech such factors would compound."""
     stressed, focused, final = (ours for *_, ours in published.prosody())
-    assert stressed == pytest.approx(1.15, abs=0.02)
-    assert focused == pytest.approx(1.33, abs=0.02)
-    assert final == pytest.approx(1.2, abs=0.05)
+    assert stressed == pytest.approx(1.0 + 0.15 / 2.0, abs=0.01)
+    assert focused == pytest.approx(1.0 + 0.33 / 2.0, abs=0.01)
+    assert final == pytest.approx(1.0 + 0.2 / 2.0, abs=0.02)
 
 
 def test_vowels_stand_in_the_published_order(published: ModuleType) -> None:

@@ -112,7 +112,7 @@ class BlendChoices:
         flag="--without-contact", usual=True)
     lips: str | None = _model(
         "Lips", None, "Model of coarticulation.",
-        metavar="MODEL", usual="dominance", names="blend.mouth.coarticulation:LIP_MODELS")
+        metavar="MODEL", usual="effort", names="blend.mouth.coarticulation:LIP_MODELS")
 
     def __post_init__(self) -> None:
         check(self)

@@ -62,6 +62,16 @@ def with_settings(**changes: object) -> BlendSettings:
             InputError,
             "dominance",
         ),
+        (
+            Score(4.0, (), (LipSegment("M", 0, 1, {}, precision={"*": -1.0}),)),
+            InputError,
+            "precision of \\* = -1",
+        ),
+        (
+            Score(4.0, (), (LipSegment("M", 0, 1, {}, precision={"*": float("nan")}),)),
+            InputError,
+            "precision",
+        ),
     ],
 )
 def test_what_cannot_be_performed_is_refused(score: Score, error: type[Exception], words: str) -> None:

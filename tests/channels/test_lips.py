@@ -1,4 +1,5 @@
 from dataclasses import replace
+from itertools import pairwise
 
 import pytest
 
@@ -7,6 +8,7 @@ from risorius.core.movement import LipSegment
 from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError, ParameterError
 from risorius.rules.lips import lip_table
+from risorius.speech.structure.phrases import with_phrases
 
 ALL = "AA AE AH AO AW AY B CH D DH EH ER EY F G HH IH IY JH K L M N NG OW OY P R S SH T TH UH UW V W Y Z ZH"
 
@@ -62,15 +64,73 @@ def test_unrounded_phones_ask_for_no_protrusion(phone: str) -> None:
     assert "lip_protrusion" not in lip_table().shape(phone).targets
 
 
-@pytest.mark.parametrize(("prominence", "factor"), [(0.0, 1.0), (1.0, 1.08), (-1.0, 0.92), (9.0, 1.16)])
+def unstressed(utterance: Utterance) -> Utterance:
+    return replace(utterance, phones=tuple(replace(p, stress=min(p.stress, 0)) for p in utterance.phones))
+
+
+@pytest.mark.parametrize(("prominence", "factor"), [(0.0, 0.9), (1.0, 0.972), (-1.0, 0.828), (9.0, 1.044)])
 def test_prominent_syllables_open_moderately_more(prominence: float, factor: float, utterance_of) -> None:
-    plain = utterance_of("M AA M AA M")
+    plain = unstressed(utterance_of("M AA M AA M"))
     syllable = Syllable(2, 3, plain.phones[2].start, plain.phones[2].end, 2, 1, prominence=prominence)
-    jaw, spoken = (
-        next(s for s in segments(u) if s.phone == "AA").targets["jaw_drop"]
-        for u in (plain, replace(plain, syllables=(syllable,)))
+    spoken = next(s for s in segments(replace(plain, syllables=(syllable,))) if s.phone == "AA")
+    alone = lip_table().shape("AA").targets
+    assert spoken.targets["jaw_drop"] == pytest.approx(alone["jaw_drop"] * (1 + 0.5 * (factor - 1)))
+    assert spoken.targets["lip_aperture"] == pytest.approx(alone["lip_aperture"] * (1 + 0.15 * (factor - 1)))
+
+
+def test_stress_hardly_opens_the_lips_and_rounds_what_is_round(utterance_of) -> None:
+    for symbol in ("AE", "UW"):
+        said = utterance_of(f"T {symbol} T")
+        strong, weak = (
+            next(s for s in segments(u) if s.phone == symbol).targets for u in (said, unstressed(said))
+        )
+        assert strong["jaw_drop"] > 1.05 * weak["jaw_drop"]
+        if symbol == "AE":
+            assert 1.0 < strong["lip_aperture"] / weak["lip_aperture"] < 1.07
+        else:
+            assert strong["lip_aperture"] == weak["lip_aperture"]
+            assert strong["lip_protrusion"] > weak["lip_protrusion"]
+
+
+def one_word(utterance: Utterance) -> Utterance:
+    first, last = utterance.words[0], utterance.words[-1]
+    phones = tuple(replace(p, word=min(p.word, 0)) for p in utterance.phones)
+    word = replace(first, end=last.end, last_phone=last.last_phone)
+    return with_phrases(replace(utterance, phones=phones, words=(word,), phrases=()))
+
+
+HEIGHTS = {
+    "AE": (11, 14), "AA": (10, 12), "EH": (9, 11), "AH": (6, 8), "ER": (6, 8), "IY": (6, 7.5), "IH": (6, 7.5),
+    "AO": (5, 7), "UW": (2, 3), "S": (3.5, 5), "Z": (3.5, 5), "SH": (3.5, 4.5), "T": (3.5, 5), "D": (3.5, 5),
+    "N": (3.5, 5), "L": (5, 6), "F": (1, 2), "V": (1, 2), "W": (0, 0.5), "R": (3.5, 5),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("phone", HEIGHTS)
+def test_lips_open_as_far_as_people_open_them(phone: str) -> None:
+    least, most = HEIGHTS[phone]
+    assert least <= lip_table().shape(phone).targets["lip_aperture"] <= most
+
+
+def test_the_jaw_has_the_order_that_people_have() -> None:
+    order = [("S", "Z"), ("SH", "CH"), ("T",), ("D",), ("UW", "IY"), ("N", "L", "R"), ("K", "G"), ("IH",),
+             ("AO",), ("EH",), ("AA",), ("AE",)]  # fmt: skip
+    drops = [[lip_table().shape(p).targets["jaw_drop"] for p in phones] for phones in order]
+    assert all(max(a) < min(b) for a, b in pairwise(drops))
+
+
+@pytest.mark.parametrize(("phones", "closed"), [("R AA", True), ("AA R", False), ("W AA", True)])
+def test_r_and_w_nearly_close_where_a_word_begins(phones: str, closed: bool, utterance_of) -> None:
+    r = next(s for s in segments(one_word(utterance_of(phones))) if s.phone in ("R", "W"))
+    assert (r.targets["lip_aperture"] <= 1.5) == closed
+    assert (r.precision["lip_aperture"] >= 3.0) == closed
+
+
+def test_the_r_of_other_languages_has_the_same_allophones(utterance_of) -> None:
+    first, last = (
+        next(s for s in segments(one_word(utterance_of(p))) if s.phone == "ɹ").targets for p in ("ɹ a", "a ɹ")
     )
-    assert spoken == pytest.approx(factor * jaw)
+    assert first["lip_aperture"] < 2.0 < last["lip_aperture"]
 
 
 @pytest.mark.parametrize("phone", ["W", "UW", "UH", "AO", "SH", "R"])
@@ -92,10 +152,28 @@ def test_diphthongs_have_two_shapes(utterance_of) -> None:
     assert first.targets["jaw_drop"] > second.targets["jaw_drop"]
 
 
-def test_the_mouth_opens_before_speech_only_in_plain_text(utterance_of) -> None:
-    utterance = utterance_of("AA")
-    assert [s.cause.rule for s in segments(utterance)][:2] == ["lips.rest", "lips.breath"]
-    assert "lips.breath" not in [s.cause.rule for s in segments(utterance, opens=False)]
+def breaths(utterance: Utterance) -> list[tuple[float, float]]:
+    """The in-breaths: from how long before the end of their silence to how long before it."""
+    ends = [p.end for p in utterance.phones if not p.symbol]
+    found = [s for s in segments(utterance) if s.cause.rule == "lips.breath"]
+    after = [min(end for end in ends if end > s.start) for s in found]
+    return [(end - s.start, end - s.end) for s, end in zip(found, after, strict=True)]
+
+
+@pytest.mark.parametrize(("silence", "from_"), [(0.2, None), (0.3, 0.3), (0.45, 0.45), (2.0, 0.5)])
+def test_the_mouth_opens_wherever_there_is_silence_before_speech(
+    silence: float, from_: float | None, utterance_of
+) -> None:
+    found = breaths(utterance_of("AA _ AA", lead=silence))
+    assert found == ([] if from_ is None else [pytest.approx((from_, 0.135), abs=1e-3)])
+
+
+def test_the_breath_opens_lips_and_jaw_and_is_over_before_the_first_phone() -> None:
+    pausing = lip_table().pausing
+    assert 6.0 <= pausing.breath_shape["lip_aperture"] <= 8.0
+    assert 3.5 <= pausing.breath_shape["jaw_drop"] <= 5.0
+    assert 0.4 <= pausing.breath_lead <= 0.55
+    assert 0.12 <= pausing.breath_end <= 0.15
 
 
 def test_articulation_moves_the_opening_most(utterance_of) -> None:
@@ -141,7 +219,7 @@ def test_accents_open_the_mouth(utterance_of) -> None:
         [s.targets["jaw_drop"] for s in segments(u) if s.phone == "AA"]
         for u in (unstressed, replace(unstressed, accents=(accent,)))
     )
-    assert after[0] == pytest.approx(1.16 * before[0])
+    assert after[0] / before[0] == pytest.approx((1 + 0.5 * (1.16 * 0.9 - 1)) / (1 + 0.5 * (0.9 - 1)))
     assert after[1] == before[1]
 
 

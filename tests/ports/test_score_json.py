@@ -82,6 +82,7 @@ LIPS = st.builds(
     dominance=st.dictionaries(st.sampled_from(["*", "masseter", "lip_width"]), DOMINANCES),
     cause=CAUSES,
     yields=st.dictionaries(st.sampled_from(["*", "jaw_drop", "tongue_up"]), st.floats(0.0, 30.0)),
+    precision=st.dictionaries(st.sampled_from(["*", "jaw_drop", "lip_tuck"]), st.floats(0.0, 30.0)),
 )
 MANUAL = st.builds(ManualCurve, _of_parameters(_keys), CAUSES)
 SETTINGS = st.builds(
@@ -92,7 +93,7 @@ SETTINGS = st.builds(
     min_offset=st.none() | _times(),
     onset_function=st.none() | st.sampled_from(ONSET_FUNCTIONS.names()),
     contact=st.booleans(),
-    lips=st.sampled_from(["dominance", "lookahead"]),
+    lips=st.sampled_from(["dominance", "effort", "lookahead"]),
 )
 SCORES = st.builds(
     Score,
@@ -209,5 +210,5 @@ def test_settings_are_written_in_full() -> None:
     assert score_to_json(Score(1.0))["settings"] == {
         "conflict": "inhibit",
         "contact": True,
-        "lips": "dominance",
+        "lips": "effort",
     }

@@ -23,9 +23,8 @@ class ChannelInputs:
 
     `utterance` is None where nothing is said. `marks`: the script's movements, of all channels. `emotions`:
     the displays asked for beside the script; `felt`: those that the script marks. `listening`: spans of
-    listening, seconds. `opens`: whether the mouth may open before speech and close after it (plain text).
-    `lively`: whether rules, random blinks, small head and eye movements are wanted. `rules`: those that
-    hold.
+    listening, seconds. `lively`: whether rules, random blinks, small head and eye movements are wanted.
+    `rules`: those that hold.
     """
 
     duration: float
@@ -34,7 +33,6 @@ class ChannelInputs:
     emotions: tuple[Display, ...] = ()
     felt: tuple[Display, ...] = ()
     listening: tuple[tuple[float, float], ...] = ()
-    opens: bool = True
     articulation: float = 1.0
     manner: str = "plain"
     lively: bool = True

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from ..core.articulators import within_range
+from ..core.articulators import PROTRUSION, within_range
 from ..core.frozen import FrozenDict
-from ..core.movement import Cause, LipSegment
+from ..core.movement import Cause, LipSegment, silent_dominance
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet
 from ..rules.articulation import is_known, sounds
@@ -21,6 +21,7 @@ from .registry import register
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
+BREATH = "breath"
 
 
 def lips(inputs: ChannelInputs, context: Context) -> Iterator[LipSegment]:
@@ -32,8 +33,8 @@ def lips(inputs: ChannelInputs, context: Context) -> Iterator[LipSegment]:
     for index, phone in enumerate(inputs.utterance.phones):
         if phone.symbol != SILENCE:
             yield from shaper.spoken(index, phone)
-        elif phone.duration >= table.opening.shortest_pause:
-            yield from shaper.silence(phone, opens=inputs.opens and index == 0)
+        elif phone.duration >= table.pausing.shortest:
+            yield from shaper.silence(index, phone)
 
 
 @dataclass
@@ -46,6 +47,7 @@ class _Shaper:
 
     def __post_init__(self) -> None:
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
+        self._onsets = _onsets(self.utterance)
         self._final = _phrase_final_phones(self.utterance)
         accents = {accent.syllable for accent in self.utterance.accents}
         self._accented = {
@@ -64,6 +66,8 @@ class _Shaper:
         """Yield the phone's segments: one for each sound it holds, two for a diphthong."""
         scale = self._opening(index, phone)
         shapes = self._sounds(phone.symbol)
+        if index in self._onsets:
+            shapes = tuple((symbol, self.table.at_onset(shape), part) for symbol, shape, part in shapes)
         share = phone.duration / sum(part for _, _, part in shapes)
         start = phone.start
         for symbol, shape, part in shapes:
@@ -78,39 +82,49 @@ class _Shaper:
             return sounds(symbol)
         return tuple(sound for part in to_arpabet(symbol) for sound in self.table.shapes(part))
 
-    def silence(self, phone: Phone, opens: bool) -> Iterator[LipSegment]:
-        """Yield the rest of a pause, with the in-breath at its end where the mouth opens before speech."""
-        rest = self.table.rest
-        opening = self.table.opening
+    def silence(self, index: int, phone: Phone) -> Iterator[LipSegment]:
+        """Yield the rest of a pause, with an in-breath at its end if it is long and speech follows."""
+        rest, pausing = self.table.rest, self.table.pausing
         cause = Cause("lips.rest", "pause")
-        breath = phone.end - opening.breath_lead
-        if not opens or breath <= phone.start:
+        last = index + 1 == len(self.utterance.phones)
+        if last or phone.duration < pausing.breath_from:
             yield self._segment(SILENCE, rest, phone.start, phone.end, 1.0, cause)
             return
-        yield self._segment(SILENCE, rest, phone.start, breath, 1.0, cause)
-        inhale = PhoneShape(rest.lip_class, opening.breath_shape)
-        yield self._segment(SILENCE, inhale, breath, phone.end, 1.0, Cause("lips.breath", "in-breath"))
+        breath = max(phone.end - pausing.breath_lead, phone.start)
+        if breath > phone.start:
+            yield self._segment(SILENCE, rest, phone.start, breath, 1.0, cause)
+        inhale = PhoneShape(BREATH, pausing.breath_shape)
+        end = phone.end - pausing.breath_end
+        yield self._segment(SILENCE, inhale, breath, end, 1.0, Cause("lips.breath", "in-breath"))
 
     def _segment(
         self, symbol: str, shape: PhoneShape, start: float, end: float, scale: float, cause: Cause
     ) -> LipSegment:
         held = self.table.holdings[shape.lip_class]
         targets = self._scaled_targets(shape, scale)
-        return LipSegment(symbol, start, end, targets, held.limits, held.dominance, cause, held.yields)
+        if symbol == SILENCE:
+            silent = {name: silent_dominance(d, end - start) for name, d in held.dominance.items()}
+            held = replace(held, dominance=FrozenDict(silent))
+        return LipSegment(
+            symbol, start, end, targets, held.limits, held.dominance, cause, held.yields, held.precision
+        )
 
     def _scaled_targets(self, shape: PhoneShape, scale: float) -> Mapping[str, float]:
         key = (id(shape.targets), round(scale, 6))
         if key not in self._targets:
+            opening = self.table.opening
+            shares = opening.rounded if PROTRUSION in shape.targets else opening.unrounded
+            factors = {name: 1.0 + shares.get(name, 0.0) * (scale - 1.0) for name in shape.targets}
             self._targets[key] = FrozenDict(
-                {name: self._scaled(name, value, scale) for name, value in shape.targets.items()}
+                {name: self._scaled(name, value, factors[name]) for name, value in shape.targets.items()}
             )
         return self._targets[key]
 
-    def _scaled(self, name: str, value: float, opening: float) -> float:
-        """Return a target in this manner and at this opening; what is closed stays closed."""
+    def _scaled(self, name: str, value: float, stressed: float) -> float:
+        """Return a target in this manner, times a factor; what is closed stays closed."""
         if name in OPENING and value <= 0.0:
             return value
-        factor = self.factors.get(name, 1.0) * (opening if name in OPENING else 1.0)
+        factor = self.factors.get(name, 1.0) * stressed
         return value if factor == 1.0 else within_range(name, value * factor)
 
     def _opening(self, index: int, phone: Phone) -> float:
@@ -127,6 +141,12 @@ class _Shaper:
         if phone.word < 0:
             return f"/{phone.symbol}/"
         return f'/{phone.symbol}/ of "{self.utterance.words[phone.word].text}"'
+
+
+def _onsets(utterance: Utterance) -> frozenset[int]:
+    """Return the first phones of words and of stressed syllables."""
+    stressed = {s.first_phone for s in utterance.syllables if s.stress > 0}
+    return frozenset(stressed | {word.first_phone for word in utterance.words})
 
 
 def _closure_end(start: float, end: float, shape: PhoneShape) -> float:

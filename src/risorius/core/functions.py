@@ -63,3 +63,16 @@ def saccade(x: Array) -> Array:
     """
     u = 2.0 * np.asarray(x, dtype=np.float64) - 1.0
     return np.asarray(0.5 + 0.5 * u * ((_FALL + 1.0) - np.abs(u) ** _FALL) / _FALL)
+
+
+def positive_part(x: Array, width: float) -> Array:
+    """Return max(x, 0) without a corner: x from `width` on, 0 below 0, and smaller than x between.
+
+    The curve between, x²·(2w − x)/w², has the slope 0 at 0 and 1 at `width`; below a thousandth of the
+    width it is 0, so that what dies away comes to rest.
+    """
+    between = x * x * (2.0 * width - x) / (width * width)
+    return np.asarray(np.where(x >= width, x, np.where(x > _REST * width, between, 0.0)))
+
+
+_REST = 1e-3

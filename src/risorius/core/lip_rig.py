@@ -32,6 +32,7 @@ from .articulators import (
     UPPER,
     WIDTH,
 )
+from .functions import positive_part
 from .parameters import BASES, DEFAULT_THRESHOLD
 
 Averages = Callable[[str], Array]
@@ -63,6 +64,8 @@ SEAL = "lip_seal"
 _OPENING = ("jaw", "open", "upper")
 _STEPS = 6
 _ROUNDS = 4
+ROUNDED = 0.3
+"""mm over which a control begins, so that it has no corner where the next one takes over."""
 _LEAST_GAP = 0.5
 """mm; a gap that contact closes counts as at least this wide."""
 
@@ -116,7 +119,7 @@ class LipRig:
         """Return the parameters that move, by name, for blended articulators (mm) from `average`."""
         controls = self.controls(average, articulators)
         seal = controls.pop(SEAL)
-        pressed = np.maximum(-average(APERTURE), 0.0)
+        pressed = positive_part(-average(APERTURE), ROUNDED)
         values: dict[str, Array] = {}
         for moved, amount in [*((CONTROLS[n], controls[n]) for n in controls), (PRESSING, pressed)]:
             for number, (base, factor) in enumerate(moved.items()):
@@ -138,13 +141,15 @@ class LipRig:
             corners = average(CORNERS)
             for name, sign in (("lift", 1.0), ("lower", -1.0)):
                 powers = self._along(CORNERS, name, {"jaw": jaw})
-                controls[name] = _solve(powers, np.maximum(sign * corners, 0.0) * sign)
+                controls[name] = _solve(powers, positive_part(sign * corners, ROUNDED) * sign)
         if UPPER in articulators:
-            controls["upper"] = _solve(self._along(UPPER, "upper", {"jaw": jaw}), average(UPPER))
+            controls["upper"] = _solve(
+                self._along(UPPER, "upper", {"jaw": jaw}), positive_part(average(UPPER), ROUNDED)
+            )
         powers = self._along(APERTURE, "open", controls)
         missing = average(APERTURE) - powers[0]
-        controls["open"] = _solve(powers, np.maximum(missing, 0.0))
-        controls[SEAL] = np.clip(-missing / np.maximum(powers[0], _LEAST_GAP), 0.0, 1.0)
+        controls["open"] = _solve(powers, positive_part(missing, ROUNDED))
+        controls[SEAL] = np.minimum(positive_part(-missing, ROUNDED) / np.maximum(powers[0], _LEAST_GAP), 1.0)
         return controls
 
     def gap(self, values: Mapping[str, Array]) -> Array:
@@ -161,7 +166,7 @@ class LipRig:
         return self.passive(APERTURE, controls)
 
     def _jaw(self, drop: Array) -> Array:
-        return _solve(self._along(JAW, "jaw", {}), drop)
+        return _solve(self._along(JAW, "jaw", {}), positive_part(drop, ROUNDED))
 
     def _rounded(self, controls: Mapping[str, Array], width: Array, protrusion: Array) -> tuple[Array, Array]:
         """Return `round` and `spread`: the first from the protrusion, the second from the remaining width.
@@ -169,13 +174,13 @@ class LipRig:
         If the mouth must be narrower than that, `round` is the nearest to both targets.
         """
         forward, narrower = self._along(PROTRUSION, "round", controls), self._along(WIDTH, "round", controls)
-        rounding = _solve(forward, protrusion)
+        rounding = _solve(forward, positive_part(protrusion, ROUNDED))
         spreading = self._along(WIDTH, "spread", {**controls, "round": rounding})
         remaining = width - (spreading[0] - narrower[0])
         both = forward[1] ** 2 + narrower[1] ** 2
         nearest = (forward[1] * protrusion + narrower[1] * width) / both
         return np.where(remaining < 0.0, np.clip(nearest, 0.0, 1.0), rounding), _solve(
-            spreading, np.maximum(remaining, 0.0)
+            spreading, positive_part(remaining, ROUNDED)
         )
 
     def _along(self, measure: str, control: str, others: Mapping[str, Array]) -> list[Array]:

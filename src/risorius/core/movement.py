@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -86,6 +86,17 @@ class Dominance:
 
 
 DEFAULT_DOMINANCE = Dominance()
+YIELDING = 0.08
+"""Seconds at either end of a silence in which its dominance falls."""
+
+
+def silent_dominance(dominance: Dominance, seconds: float) -> Dominance:
+    """Return the dominance of a silence of some length: full in the middle half, or all but its ends.
+
+    So a long silence gives way near the next phone, and not from its own middle on.
+    """
+    plateau = max(dominance.plateau, 1.0 - 2.0 * YIELDING / seconds) if seconds > 0.0 else 1.0
+    return replace(dominance, plateau=plateau)
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +108,8 @@ class LipSegment:
     parameters (`lip_seal`, `lip_tuck`) are goals, which the lips reach during [start, end] in any case
     (DESIGN section 3). `limits` maps parameters to (low, high). `yields`, for the model `lookahead`, maps a
     target ("*": all others) to a rate of speech in phones a second, above which the phone takes its
-    neighbours' shape.
+    neighbours' shape. `precision`, for the model `effort`, maps a target ("*": all others, else 1) to how
+    much it matters that it is reached, relative to a vowel's (1).
     """
 
     phone: str
@@ -108,6 +120,7 @@ class LipSegment:
     dominance: Mapping[str, Dominance] = field(default_factory=dict)
     cause: Cause = field(default_factory=Cause)
     yields: Mapping[str, float] = field(default_factory=dict)
+    precision: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         put_on_ticks(self, "start", "end")
@@ -118,6 +131,11 @@ class LipSegment:
         return (
             dominances.get(name) or dominances.get(leader(name)) or dominances.get("*") or DEFAULT_DOMINANCE
         )
+
+    def precision_of(self, name: str) -> float:
+        """Return the precision of a target: its own, its articulator's, that of "*", or 1."""
+        precision = self.precision
+        return precision.get(name, precision.get(leader(name), precision.get("*", 1.0)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,7 +32,7 @@ class BlendSettings:
     min_offset: NotNegative | None = None
     onset_function: FunctionName | None = None
     contact: bool = True
-    lips: str = "dominance"
+    lips: str = "effort"
 
 
 @dataclass(frozen=True, slots=True)

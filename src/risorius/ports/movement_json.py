@@ -33,6 +33,7 @@ NumberPair = tuple[float, float]
 KeyTime = Annotated[float, Range(-MAX_SECONDS, MAX_SECONDS)]
 YieldRate = Annotated[float, Range(0.0)]
 """Phones a second."""
+Precision = Annotated[float, Range(0.0, 1000.0)]
 _ANY = "*"  # for all targets that are not named
 
 
@@ -123,6 +124,7 @@ class LipsEntry:
     limits: Annotated[Mapping[str, NumberPair], Then(_limits)] = field(default_factory=dict)
     dominance: Annotated[Mapping[str, Dominance], Then(_by_lip_target)] = field(default_factory=dict)
     yields: Annotated[Mapping[str, YieldRate], Then(_by_lip_target)] = field(default_factory=dict)
+    precision: Annotated[Mapping[str, Precision], Then(_by_lip_target)] = field(default_factory=dict)
     cause: Cause = field(default_factory=Cause)
 
     def segment(self) -> LipSegment:
@@ -137,6 +139,7 @@ class LipsEntry:
             self.dominance,
             self.cause,
             self.yields,
+            self.precision,
         )
 
 
@@ -214,6 +217,7 @@ def _lips_to_json(segment: LipSegment) -> JsonObject:
         **({"limits": limits} if limits else {}),
         **({"dominance": dominance} if dominance else {}),
         **({"yields": dict(segment.yields)} if segment.yields else {}),
+        **({"precision": dict(segment.precision)} if segment.precision else {}),
         **_cause_to_json(segment.cause),
     }
 

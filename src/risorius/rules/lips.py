@@ -35,7 +35,8 @@ class PhoneShape:
 class LipClass:
     """A class of phones: dominance magnitude per articulator, flanks in seconds, limits per parameter.
 
-    `yields`: for the look-ahead model, phones a second from which on it yields an articulator.
+    `yields`: for the look-ahead model, phones a second from which on it yields an articulator. `precision`:
+    for the model of least effort.
     """
 
     magnitude: Weights
@@ -43,6 +44,7 @@ class LipClass:
     after: Annotated[float, Range(0.001, 1.0)]
     limits: Mapping[str, tuple[float, float]]
     yields: Mapping[str, Annotated[float, Range(0.0, 100.0)]] = field(default_factory=FrozenDict)
+    precision: Weights = field(default_factory=FrozenDict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +57,11 @@ class Diphthong:
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """How stress, accents, position, the voice and pauses change the opening; seconds and factors."""
+    """How stress, accents, position and the voice change the shape of a vowel.
+
+    The factors multiply to at most `widest`. An articulator takes its share of what that is beyond 1: of
+    `unrounded` or of `rounded`, else none.
+    """
 
     stressed: float
     unstressed: float
@@ -64,8 +70,23 @@ class Opening:
     widest: float
     prominence: Annotated[float, Range(0.0, 0.15)]
     most_prominent: Annotated[float, Range(0.0, 3.0)]
-    shortest_pause: Annotated[float, Range(0.0, 5.0)]
+    unrounded: Mapping[str, Share]
+    rounded: Mapping[str, Share]
+
+
+@dataclass(frozen=True, slots=True)
+class Pausing:
+    """What the lips do in pauses; seconds. `shortest`: a shorter pause changes nothing.
+
+    The in-breath: in a silence of `breath_from` or more before speech the mouth opens to `breath_shape`,
+    from `breath_lead` before the speech (or from the start of the silence), and leaves it `breath_end`
+    before.
+    """
+
+    shortest: Annotated[float, Range(0.0, 5.0)]
+    breath_from: Annotated[float, Range(0.0, 5.0)]
     breath_lead: Annotated[float, Range(0.0, 5.0)]
+    breath_end: Annotated[float, Range(0.0, 5.0)]
     breath_shape: LipTargets
 
 
@@ -81,7 +102,9 @@ class _File:
     classes: Mapping[str, LipClass] = field(metadata={"key": "class"})
     phones: Mapping[str, PhoneShape] = field(metadata={"key": "phone"})
     diphthongs: Mapping[str, Diphthong] = field(metadata={"key": "diphthong"})
+    onsets: Mapping[str, PhoneShape] = field(metadata={"key": "onset"})
     opening: Opening
+    pausing: Pausing
     articulation: Mapping[str, Share]
     manners: Mapping[str, LipManner] = field(metadata={"key": "manner"})
 
@@ -93,16 +116,22 @@ class Holding:
     dominance: Mapping[str, Dominance]
     limits: Mapping[str, tuple[float, float]]
     yields: Mapping[str, float]
+    precision: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
 class LipTable:
-    """The lips' rules, ready for use: phones by ARPAbet symbol, classes by name."""
+    """The lips' rules, ready for use: phones by ARPAbet symbol, classes by name.
+
+    `onsets`: the allophones at the start of a word or of a stressed syllable.
+    """
 
     holdings: Mapping[str, Holding]
     phones: Mapping[str, PhoneShape]
     diphthongs: Mapping[str, Diphthong]
+    onsets: Mapping[str, PhoneShape]
     opening: Opening
+    pausing: Pausing
     articulation: Mapping[str, float]
     manners: Mapping[str, LipManner]
     rest: PhoneShape = field(default_factory=lambda: PhoneShape("silence", FrozenDict()))
@@ -113,6 +142,10 @@ class LipTable:
             return self.phones[symbol]
         except KeyError:
             raise InputError(unknown("phone", symbol, (*self.phones, *self.diphthongs))) from None
+
+    def at_onset(self, shape: PhoneShape) -> PhoneShape:
+        """Return the shape of a phone at the start of a word or of a stressed syllable."""
+        return next((on for phone, on in self.onsets.items() if self.phones[phone] == shape), shape)
 
     def factors(self, manner: str, articulation: float) -> Mapping[str, float]:
         """Return the factors on targets for a manner of speech, hypo- or hyper-articulated (1 is neither).
@@ -149,7 +182,14 @@ def lip_table() -> LipTable:
     _check_names(raw)
     holdings = {name: _holding(lip_class) for name, lip_class in raw.classes.items()}
     return LipTable(
-        FrozenDict(holdings), raw.phones, raw.diphthongs, raw.opening, raw.articulation, raw.manners
+        FrozenDict(holdings),
+        raw.phones,
+        raw.diphthongs,
+        raw.onsets,
+        raw.opening,
+        raw.pausing,
+        raw.articulation,
+        raw.manners,
     )
 
 
@@ -159,17 +199,27 @@ def _holding(lip_class: LipClass) -> Holding:
         for name, magnitude in lip_class.magnitude.items()
     }
     limits = {p.name: span for base, span in lip_class.limits.items() for p in parameters_named(base)}
-    return Holding(FrozenDict(dominance), FrozenDict(limits), FrozenDict(dict(lip_class.yields)))
+    return Holding(
+        FrozenDict(dominance),
+        FrozenDict(limits),
+        FrozenDict(lip_class.yields),
+        FrozenDict(lip_class.precision),
+    )
 
 
 def _check_names(raw: _File) -> None:
     for lip_class in raw.classes.values():
-        _check_known((*lip_class.magnitude, *lip_class.yields))
+        _check_known((*lip_class.magnitude, *lip_class.yields, *lip_class.precision))
     for factors in (raw.articulation, *(manner.factors for manner in raw.manners.values())):
         _check_known(factors)
-    for targets in (*(p.targets for p in raw.phones.values()), raw.opening.breath_shape):
+    _check_known((*raw.opening.unrounded, *raw.opening.rounded))
+    shapes = (*raw.phones.values(), *raw.onsets.values())
+    for targets in (*(p.targets for p in shapes), raw.pausing.breath_shape):
         check_shape(targets)
-    for phone in raw.phones.values():
+    for name in raw.onsets:
+        if name not in raw.phones:
+            raise InputError(f"lips.toml: {unknown('phone', name, raw.phones)}")
+    for phone in shapes:
         if phone.lip_class not in raw.classes:
             raise InputError(f"lips.toml: {unknown('class of phones', phone.lip_class, raw.classes)}")
     for part in (part for d in raw.diphthongs.values() for part in d.parts):

@@ -92,9 +92,10 @@ class TestJaw:
 
     def test_half_a_drop_comes_back_in_half_the_time(self) -> None:
         closed = LipSegment("M", 1.0, 1.1, {"lip_seal": 1.0}, {JAW: (0.0, 0.0)})
+        open_ = LipSegment("AA", 1.1, 3.0, {})
         risen = []
         for asked in (0.5, 1.0):
-            values = curve(Score(4.0, (held(JAW, asked),), (closed,)), JAW)[1100:]
+            values = curve(Score(4.0, (held(JAW, asked),), (closed, open_)), JAW)[1100:]
             risen.append(int(np.argmax(values >= 0.98 * asked)))
         assert risen[0] == pytest.approx(risen[1] / 2.0, abs=15)
 

@@ -24,7 +24,7 @@ def test_two_heads_stand_side_by_side_in_step(page: Page) -> None:
     labels = page.get("[...document.querySelectorAll('#views-names b')].map((b) => b.textContent)")
     assert labels == ["this take", "lips: lookahead"]
     assert page.get("document.querySelectorAll('.differences tbody tr').length") > 0
-    assert page.get("studio.store.get('take').made.choices.lips") == "dominance"
+    assert page.get("studio.store.get('take').made.choices.lips") == "effort"
     page.driver.find_element(By.ID, "compare-end").click()
     page.wait("studio.headPlayers.figures[1] === null")
 

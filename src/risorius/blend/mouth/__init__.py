@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from . import dominance, lookahead
+from . import dominance, effort, lookahead
 
-__all__ = ["dominance", "lookahead"]
+__all__ = ["dominance", "effort", "lookahead"]

@@ -1,8 +1,8 @@
 """How neighbouring lip segments blend: the interface of all lip models, and what they share.
 
-A model returns the weight of each segment at a time, per parameter. Everything else (targets, limits on
-other channels, whether the mouth speaks) is an average by these weights. A new model is a file that
-registers itself here.
+A model blends any value of the segments, per parameter: targets, limits on other channels, whether the mouth
+speaks. Each blend is an average by the weights of the segments, which it names on demand. A new model is a
+file that registers itself here.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 
 from ...core.arrays import Array, IndexArray
-from ...core.movement import LipSegment
+from ...core.movement import DEFAULT_DOMINANCE, LipSegment, silent_dominance
 from ...core.registry import Registry
 from ...core.utterance import SILENCE
 
@@ -25,7 +25,8 @@ T = TypeVar("T")
 class SegmentWeights:
     """Weights of segments at some times, as triples: segment, index of the time, weight; each shape (m,).
 
-    The weights sum to 1 at each of the `count` times, or to 0 far from all segments.
+    The weights sum to 1 at each of the `count` times, or to 0 far from all segments. Those of `effort` may be
+    slightly below 0.
     """
 
     segment: IndexArray
@@ -49,6 +50,10 @@ class SegmentValues:
     def __getitem__(self, segments: IndexArray) -> Array:
         """Return the values of some segments, shape (n,) -> (n,)."""
         return np.asarray(self._distinct[self._number[segments]])
+
+    def within(self, average: Array) -> Array:
+        """Return an average (n,), clipped to the range of the values."""
+        return np.clip(average, self._distinct[0], self._distinct[-1])
 
 
 class SharedMappings:
@@ -90,12 +95,30 @@ class Coarticulation(Protocol):
     def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return the weights of one group's parameters at sorted times, shape (n,)."""
 
+    def averages(self, group: int, values: Sequence[SegmentValues], times: Array) -> list[Array]:
+        """Return the averages of some values by the weights of a group at sorted times, shape (n,) each."""
+
+
+AT_ONCE = 2048
+"""Weights are computed for so many times at once: they need far more memory than the averages."""
+
+
+def weighted_averages(
+    model: Coarticulation, group: int, values: Sequence[SegmentValues], times: Array
+) -> list[Array]:
+    """Return what `Coarticulation.averages` returns, by a model's weights."""
+    averages = [np.empty(len(times)) for _ in values]
+    for first in range(0, len(times), AT_ONCE):
+        part = slice(first, first + AT_ONCE)
+        weights = model.weights(group, times[part])
+        for value, average in zip(values, averages, strict=True):
+            average[part] = weights.average(value)
+    return averages
+
 
 AverageKey = tuple[str, str]
 """A kind of value that is averaged, and the parameter that it is of."""
 TARGET = "target"
-AT_ONCE = 2048
-"""Weights are computed for so many times at once: they need far more memory than the averages."""
 
 
 class SegmentTable:
@@ -141,13 +164,14 @@ class SegmentAverages:
         return average_values
 
     def _group_averages(self, group: int) -> dict[AverageKey, Array]:
-        averages = {key: np.empty(len(self._times)) for key in self._columns.sharing(group)}
-        for first in range(0, len(self._times), AT_ONCE):
-            part = slice(first, first + AT_ONCE)
-            weights = self._columns.model.weights(group, self._times[part])
-            for key, average in averages.items():
-                average[part] = weights.average(self._columns.values[key])
-        return averages
+        keys = self._columns.sharing(group)
+        values = [self._columns.values[key] for key in keys]
+        averages = self._columns.model.averages(group, values, self._times)
+        # A weight may be below 0: an average still lies among the values of segments that hold one.
+        return {
+            key: average if key[0] == TARGET else value.within(average)
+            for key, value, average in zip(keys, values, averages, strict=True)
+        }
 
 
 LIP_MODELS: Registry[Callable[[Sequence[LipSegment]], Coarticulation]] = Registry("lip model")
@@ -156,6 +180,13 @@ SHORTEST_SILENCE = 0.15
 """Seconds: a shorter gap between segments (the release of a stop, a breath) belongs to its neighbours."""
 _LEAD = 2.0
 """Seconds of rest before the first and after the last segment."""
+
+
+def silence(start: float, end: float) -> LipSegment:
+    """Return a segment at rest from `start` to `end`, seconds."""
+    return LipSegment(
+        SILENCE, start, end, {}, dominance={"*": silent_dominance(DEFAULT_DOMINANCE, end - start)}
+    )
 
 
 def without_gaps(segments: Sequence[LipSegment]) -> tuple[LipSegment, ...]:
@@ -167,8 +198,8 @@ def without_gaps(segments: Sequence[LipSegment]) -> tuple[LipSegment, ...]:
     covered = ordered[0].start - _LEAD
     for segment in ordered:
         if segment.start >= covered + SHORTEST_SILENCE:
-            filled.append(LipSegment(SILENCE, covered, segment.start, {}))
+            filled.append(silence(covered, segment.start))
         filled.append(segment)
         covered = max(covered, segment.end)
-    filled.append(LipSegment(SILENCE, covered, covered + _LEAD, {}))
+    filled.append(silence(covered, covered + _LEAD))
     return tuple(filled)

@@ -1,10 +1,12 @@
 """Lip segments blended by dominance (Cohen and Massaro 1993; paper A, section 5.1).
 
-Each segment has a dominance over each parameter that is full around its centre and falls on both sides as
-magnitude·exp(-(x/tau)^c); the curve is the average of the targets with these weights (facts: science/01,
-section 1.1). Three additions avoid kinks and effects over long distances: the fall starts gently, it ends at
-a finite reach, and it starts at most `MARGIN` inside the segment's edge, so that a long silence or vowel
-gives way near its neighbour, not from its own middle on.
+Segment s has over parameter p the dominance
+
+    D(t) = α·exp(-(x/τ)^c)
+
+with x the distance in time beyond its plateau, and τ before or after it; the curve is ΣD·target / ΣD. The
+paper prints e^(-θ·τ^c), without magnitude, plateau and sides (facts: science/01, section 1.1): α = 1, a
+plateau of 0 and θ = τ^(-c) on both sides give that. With c = 1 the curve has kinks at the plateaus' ends.
 """
 
 from __future__ import annotations
@@ -16,23 +18,29 @@ import numpy as np
 
 from ...core.arrays import Array, IndexArray, UInt32Array
 from ...core.movement import Dominance, LipSegment
-from ...errors import InputError
 from ..intervals import ranges
-from .coarticulation import LIP_MODELS, SHORTEST_SILENCE, SegmentWeights, SharedMappings
+from .coarticulation import (
+    LIP_MODELS,
+    SHORTEST_SILENCE,
+    SegmentValues,
+    SegmentWeights,
+    SharedMappings,
+    weighted_averages,
+)
 
-MARGIN = 0.08
-"""Seconds inside a segment's edge; there, at the latest, dominance begins to fall."""
-REACH = 6.0
-"""Time constants after which dominance has ended."""
-SOFTNESS = 0.5
-"""Time constants over which the fall begins; 0 would make a kink."""
+NEGLIGIBLE = 21.0
+"""The natural logarithm of a ratio of dominances: a weight of e^-21, 8e-10, is left out."""
 SHORTEST = 0.005
 """The shortest time constant, seconds: with a shorter one a segment would be a step."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Columns:
-    """Dominance of every segment over one group of parameters; arrays of shape (segments,), seconds."""
+    """Dominance of segments over one group of parameters; arrays of shape (segments,), seconds.
+
+    `flat`: half the plateau; `reach_before`, `reach_after`: how far beyond it the weight is not negligible;
+    `felt_until`: when the last of the segments so far ends to have weight.
+    """
 
     centre: Array
     flat: Array
@@ -61,16 +69,16 @@ class DominanceModel:
         self._rows: list[UInt32Array] = []
         self._spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
         self._ended = np.maximum.accumulate(self._spans[:, 1])
-        for segment in self._first:
-            for dominance in segment.dominance.values():
-                _check(segment, dominance)
-        longest = [
-            max(d.before, d.after)
-            for by_parameter in self._dominances.mappings
-            for d in by_parameter.values()
-        ]
-        slowest = max([*longest, Dominance().before, Dominance().after])
-        self.reach = max(REACH * slowest, 2.0 * MARGIN + SHORTEST_SILENCE)
+        self.reach = self._longest_reach()
+
+    def _longest_reach(self) -> float:
+        """Return how far any segment has weight beyond its ends, seconds."""
+        half = float(np.diff(self._spans, axis=1).max()) / 2.0 if len(self._spans) else 0.0
+        every = [d for by_parameter in self._dominances.mappings for d in by_parameter.values()]
+        table = np.array([_row(d) for d in {*every, Dominance()}])
+        spans = np.tile([-half, half], (len(table), 1))
+        columns = _columns(spans, table)
+        return float(max(columns.reach_before.max(), columns.reach_after.max()))
 
     def group(self, parameter: str) -> int:
         """Return the number of the group of parameters over which each segment has one dominance."""
@@ -94,7 +102,7 @@ class DominanceModel:
     def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return the dominance of each segment, divided by their sum, at sorted times."""
         near = self._near(times[0], times[-1])
-        table = np.array([(d.magnitude, d.before, d.after, d.exponent, d.plateau) for d in self._numbers])
+        table = np.array([_row(d) for d in self._numbers])
         d = _columns(self._spans[near], table[self._rows[group][near]])
         first = int(np.searchsorted(d.felt_until, times[0], side="left"))
         starts = d.centre - d.flat - d.reach_before
@@ -103,10 +111,12 @@ class DominanceModel:
         high = np.searchsorted(times, (d.centre + d.flat + d.reach_after)[chosen], side="right")
         owner, time = ranges(low, high)
         segment = chosen[owner]
-        weight = _dominance(d, segment, times[time])
-        total = np.bincount(time, weight, len(times))
-        weight /= np.where(total > 0.0, total, 1.0)[time]
+        weight = _relative(_dominance(d, segment, times[time]), time, len(times))
         return SegmentWeights(near.start + segment, time, weight, len(times))
+
+    def averages(self, group: int, values: Sequence[SegmentValues], times: Array) -> list[Array]:
+        """Return the averages of some values by the weights at sorted times, shape (n,) each."""
+        return weighted_averages(self, group, values, times)
 
     def _near(self, first: float, last: float) -> slice:
         """Return the segments that may have weight at times from `first` to `last`."""
@@ -114,38 +124,47 @@ class DominanceModel:
         return slice(int(begin), int(np.searchsorted(self._spans[:, 0], last + self.reach, side="right")))
 
 
+def _row(d: Dominance) -> tuple[float, ...]:
+    return d.magnitude, d.before, d.after, d.exponent, d.plateau
+
+
 def _columns(spans: Array, dominances: Array) -> _Columns:
     """Return the columns for segments' starts and ends (segments, 2) and their dominances (segments, 5)."""
     centre, half = spans.mean(axis=1), np.diff(spans, axis=1)[:, 0] / 2.0
     magnitude, before, after, exponent, plateau = dominances.T
     before, after = np.maximum(before, SHORTEST), np.maximum(after, SHORTEST)
-    flat = np.maximum(half * plateau, half - MARGIN)
-    # Wide enough to cover the segment and a gap, so that at every time some segment has weight.
-    least = 2.0 * (half - flat) + SHORTEST_SILENCE
-    reach_before = np.maximum(REACH * before, least)
-    reach_after = np.maximum(REACH * after, least)
+    flat = half * plateau
+    # Whoever covers a time, or is next to a gap, is at least so dominant there.
+    least = _logarithm(magnitude) - ((half - flat + SHORTEST_SILENCE) / np.minimum(before, after)) ** exponent
+    lowest = least[magnitude > 0.0].min(initial=0.0)
+    fall = np.maximum(_logarithm(magnitude) - lowest + NEGLIGIBLE, 0.0) ** (1.0 / exponent)
+    reach_before, reach_after = before * fall, after * fall
     felt_until = np.maximum.accumulate(centre + flat + reach_after)
     return _Columns(centre, flat, magnitude, before, after, exponent, reach_before, reach_after, felt_until)
 
 
+def _logarithm(magnitude: Array) -> Array:
+    return np.log(np.maximum(magnitude, 1e-300))
+
+
 def _dominance(d: _Columns, segment: IndexArray, times: Array) -> Array:
-    """Return the dominance of each segment at its time, shape (n,)."""
+    """Return the natural logarithm of the dominance of each segment at its time, shape (n,)."""
     offset = times - d.centre[segment]
-    early = offset < 0.0
-    tau = np.where(early, d.before[segment], d.after[segment])
-    reach = np.where(early, d.reach_before[segment], d.reach_after[segment])
-    x = np.maximum(np.abs(offset) - d.flat[segment], 0.0)
-    soft = x * x / (x + SOFTNESS * tau)
+    tau = np.where(offset < 0.0, d.before[segment], d.after[segment])
+    x = np.maximum(np.abs(offset) - d.flat[segment], 0.0) / tau
     exponent = d.exponent[segment]
-    fall = soft / tau if np.all(exponent == 1.0) else (soft / tau) ** exponent
-    taper = np.maximum(1.0 - (x / reach) ** 2, 0.0)
-    return d.magnitude[segment] * np.exp(-np.minimum(fall, 600.0)) * taper * taper
+    fall = x if np.all(exponent == 1.0) else x**exponent
+    return np.asarray(np.where(d.magnitude > 0.0, _logarithm(d.magnitude), -np.inf)[segment] - fall)
 
 
-def _check(segment: LipSegment, d: Dominance) -> None:
-    values = (d.magnitude, d.before, d.after, d.exponent, d.plateau)
-    if not (all(0.0 <= v < float("inf") for v in values) and d.exponent > 0.0 and d.plateau <= 1.0):
-        raise InputError(
-            f"phone '{segment.phone}' at {segment.start:g} s: dominance {d} is out of range; expected "
-            "magnitude, before, after of 0 or more, exponent above 0, plateau 0 to 1"
-        )
+def _relative(logarithm: Array, time: IndexArray, count: int) -> Array:
+    """Return weights that sum to 1 at each time, or to 0, from logarithms, shape (n,).
+
+    Far from all segments every dominance is too small for a number, but not their ratios.
+    """
+    highest = np.full(count, -np.inf)
+    np.maximum.at(highest, time, logarithm)
+    highest = np.where(np.isneginf(highest), 0.0, highest)
+    weight = np.exp(logarithm - highest[time])
+    total = np.bincount(time, weight, count)
+    return np.asarray(weight / np.where(total > 0.0, total, 1.0)[time])

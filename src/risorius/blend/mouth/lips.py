@@ -10,7 +10,7 @@ import numpy as np
 from ...core.arrays import Array, IndexArray
 from ...core.articulators import ARTICULATORS
 from ...core.lip_rig import LipRig
-from ...core.movement import LipSegment
+from ...core.movement import Dominance, LipSegment
 from ...core.parameters import PARAMETERS, Kind
 from ...core.score import Score
 from ...core.utterance import SILENCE
@@ -108,6 +108,12 @@ class LipCurve:
 
 
 def _check(score: Score) -> None:
+    # Segments of one class share their mappings.
+    for segment in {id(s.dominance): s for s in score.lips}.values():
+        for dominance in segment.dominance.values():
+            _check_dominance(segment, dominance)
+    for segment in {id(s.precision): s for s in score.lips}.values():
+        _check_precision(segment)
     for segment in score.lips:
         for name in {*segment.targets, *segment.limits} - set(ARTICULATORS):
             if name in SIGNED or name not in _MOUTH:
@@ -115,3 +121,21 @@ def _check(score: Score) -> None:
                     f"phone '{segment.phone}' at {segment.start:g} s: lips cannot move {name}; "
                     "expected an articulator, a muscle, a contact or the tongue"
                 )
+
+
+def _check_dominance(segment: LipSegment, d: Dominance) -> None:
+    values = (d.magnitude, d.before, d.after, d.exponent, d.plateau)
+    if not (all(0.0 <= v < float("inf") for v in values) and d.exponent > 0.0 and d.plateau <= 1.0):
+        raise InputError(
+            f"phone '{segment.phone}' at {segment.start:g} s: dominance {d} is out of range; expected "
+            "magnitude, before, after of 0 or more, exponent above 0, plateau 0 to 1"
+        )
+
+
+def _check_precision(segment: LipSegment) -> None:
+    for name, value in segment.precision.items():
+        if not 0.0 <= value < float("inf"):
+            raise InputError(
+                f"phone '{segment.phone}' at {segment.start:g} s: precision of {name} = {value} is out of "
+                "range; expected 0 or more"
+            )

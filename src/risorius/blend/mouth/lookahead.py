@@ -32,7 +32,13 @@ from ...core.movement import LipSegment
 from ...core.parameters import BASES, INDEX, PARAMETERS, Parameter
 from ...core.utterance import SILENCE
 from ..intervals import ranges
-from .coarticulation import LIP_MODELS, SegmentWeights, SharedMappings
+from .coarticulation import (
+    LIP_MODELS,
+    SegmentValues,
+    SegmentWeights,
+    SharedMappings,
+    weighted_averages,
+)
 
 OPPOSED = 0.3
 """Twice the share of a posture that an equal and opposite neighbour takes away."""
@@ -42,6 +48,8 @@ _PEAK = 1.875
 """The peak speed of minimum jerk divided by its mean speed."""
 SHORTEST_STEP = 0.085
 """Seconds: a vowel between two closures that is much shorter is lost."""
+FASTEST_BETWEEN = 250.0
+"""mm/s at the peak of a step that is shortened for a vowel between two closures."""
 NEIGHBOURS = 2
 """Segments on either side over which the rate of speech is measured."""
 
@@ -97,6 +105,10 @@ class LookAheadModel:
         weight = _step(t, start[segment], end[segment]) - _step(t, leaves[segment], left[segment])
         return SegmentWeights(segment, time, np.maximum(weight, 0.0), len(times))
 
+    def averages(self, group: int, values: Sequence[SegmentValues], times: Array) -> list[Array]:
+        """Return the averages of some values by the weights at sorted times, shape (n,) each."""
+        return weighted_averages(self, group, values, times)
+
     def _steps_of(self, name: str) -> tuple[Array, Array]:
         """Return when the step to each segment begins and ends; the first one is before all times."""
         posture = self.targets(name)
@@ -106,17 +118,19 @@ class LookAheadModel:
             needed = np.maximum(needed, _PEAK / FASTEST * np.abs(np.diff(posture)))
         boundary = (self._end[:-1] + self._start[1:]) / 2.0
         if name == APERTURE:
-            needed = self._between_closures(posture < 0.0, needed)
+            needed = self._between_closures(posture, needed)
         start = np.minimum.accumulate((boundary - needed / 2.0)[::-1])[::-1]
         end = np.maximum.accumulate(boundary + needed / 2.0)
         return np.append(-np.inf, start), np.append(-np.inf, end)
 
-    def _between_closures(self, closed: BoolArray, needed: Array) -> Array:
+    def _between_closures(self, posture: Array, needed: Array) -> Array:
         """Return the lengths of the steps; one to or from a closure is no longer than the phone beside it."""
+        closed = posture < 0.0
         duration = self._end - self._start
         closing, opening = closed[1:] & ~closed[:-1], closed[:-1] & ~closed[1:]
         room = np.where(closing, duration[:-1], np.where(opening, duration[1:], np.inf))
-        return np.minimum(needed, np.maximum(room, SHORTEST_STEP))
+        least = np.maximum(SHORTEST_STEP, _PEAK / FASTEST_BETWEEN * np.abs(np.diff(posture)))
+        return np.minimum(needed, np.maximum(room, least))
 
 
 def _muscle(name: str) -> Parameter:

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from ...core.arrays import Array
 from ...core.articulators import ARTICULATORS
+from ...core.functions import positive_part
 from ...core.lip_rig import SEAL, Averages, LipRig
 from ...core.movement import LipSegment
+from ...core.parameters import INDEX, PARAMETERS
 from ...errors import InputError
 from .contact import CONTACTS
+
+ROUNDED = 0.02
+"""The share of a parameter's range over which it turns to an end of it."""
 
 
 class Shapes:
@@ -43,9 +49,17 @@ class Shapes:
             by_rig = self.rig.parameters(average, self._articulators)
             values = {name: by_rig[name] for name in self._driven}
         for name in self._direct:
-            own = average(name)
+            own = _within_range(name, average(name))
             values[name] = np.minimum(values[name] + own, 1.0) if name in values else own
         return values
+
+
+def _within_range(name: str, value: Array) -> Array:
+    """Return a blended parameter that nowhere leaves its range: a blend may overshoot its targets."""
+    limits = PARAMETERS[INDEX[name]]
+    above = positive_part(value - limits.low, ROUNDED * (limits.high - limits.low))
+    below = positive_part(limits.high - limits.low - above, ROUNDED * (limits.high - limits.low))
+    return limits.high - below
 
 
 def performed(segments: Sequence[LipSegment], rig: LipRig | None) -> tuple[LipSegment, ...]:
@@ -57,7 +71,4 @@ def performed(segments: Sequence[LipSegment], rig: LipRig | None) -> tuple[LipSe
         if id(segment.targets) not in targets:
             others = {n: v for n, v in segment.targets.items() if n not in ARTICULATORS}
             targets[id(segment.targets)] = others | rig.actives(segment.targets)
-    return tuple(
-        LipSegment(s.phone, s.start, s.end, targets[id(s.targets)], s.limits, s.dominance, s.cause, s.yields)
-        for s in segments
-    )
+    return tuple(replace(s, targets=targets[id(s.targets)]) for s in segments)

@@ -1,0 +1,250 @@
+"""Lip segments blended with the least effort.
+
+Each articulator follows the curve x that minimizes
+
+    Σ ∫ w·(x - target)² dt + EFFORT·∫ (x″)² dt
+
+with one integral per segment, over its window, and w the segment's precision. Outside all windows only the
+effort counts. So a precise segment is reached even if it is short, and an imprecise one takes its neighbours'
+shape: effort against precision (Šimko and Cummins 2010, "Embodied task dynamics"), windows as in Keating 1990
+("The window model of coarticulation"). From one target to the next the curve turns in (EFFORT/w)^¼ seconds:
+27 ms for w = 1, 17 ms for a labial's gap (facts: lips-motion, 2).
+
+The curve is linear in the targets, and the shares of the segments sum to 1; a share may dip to -0.05 beside a
+precise segment. It is found by finite elements: cubic pieces that join with their slope, on nodes at the ends
+of the windows and at most `ELEMENT` apart; one banded system per group of parameters, with all values of a
+segment as right sides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from scipy.linalg import solveh_banded
+
+from ...core.arrays import Array, IndexArray
+from ...core.movement import LipSegment
+from ...core.utterance import SILENCE
+from ..intervals import ranges
+from ..knots import Knots
+from .coarticulation import LIP_MODELS, SegmentValues, SegmentWeights, SharedMappings
+
+EFFORT = 5e-7
+"""s⁴: the effort of an acceleration, relative to the precision of a vowel (1)."""
+WINDOW = 0.8
+"""The middle share of a segment in which its target counts."""
+YIELDING = 0.06
+"""Seconds at either end of a silence in which the lips are on their way to or from rest."""
+ELEMENT = 0.015
+"""Seconds, the longest element: a cubic on it is nearer than 0.001 of a step to the exact curve."""
+NEAREST = 1e-4
+"""Seconds: two nodes that are nearer become one."""
+REST = 1e-9
+"""The precision of rest at all times: where no segment holds an articulator, it rests."""
+REACH = 1.0
+"""Seconds after which a segment has no effect: 26 time constants of a vowel's turn."""
+PART = 8.0
+"""Seconds: the curve is found in parts of so long, each with the segments within `REACH`: the value at a
+time must not depend on which other times are requested."""
+CACHED, GROUPS = 12, 16
+"""Parts that stay cached, and how many groups' solutions of each: enough for a block of knots."""
+GRAIN = 2.0**-32
+"""Values are whole multiples of this: a segment that is far away changes no bit, and rest is exactly 0."""
+
+# Cubic Hermite elements: integrals of the products of the four shape functions, of their second derivatives,
+# and of the functions themselves, on an element of length 1 (value and slope at its start, then at its end).
+_MASS = np.array([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]]) / 420.0
+_BENDING = np.array([[12.0, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4]])
+_LOAD = np.array([6.0, 1, 6, -1]) / 12.0
+
+
+class _Windows(NamedTuple):
+    """The windows of some segments, in the order of the segments; arrays of shape (segments,)."""
+
+    start: Array
+    end: Array
+
+
+@dataclass(frozen=True, slots=True)
+class _Elements:
+    """The elements of one part.
+
+    `near` (segments,): numbers of the segments with an effect there; `nodes` (n,): times; `segment`,
+    `element` (m,): which of these segments has a window over which element; `length` (n - 1,) seconds;
+    `bending` (4, 2 n): the lower bands of the effort.
+    """
+
+    near: IndexArray
+    nodes: Array
+    segment: IndexArray
+    element: IndexArray
+    length: Array
+    bending: Array
+
+
+@LIP_MODELS.register("effort")
+class EffortModel:
+    """Coarticulation with the least effort (see `coarticulation.Coarticulation`)."""
+
+    reach = REACH
+
+    def __init__(self, segments: Sequence[LipSegment]) -> None:
+        self._targets = SharedMappings([s.targets for s in segments])
+        self._precisions = SharedMappings([s.precision for s in segments])
+        self._first = self._precisions.first(segments)
+        self._starts = np.array([s.start for s in segments])
+        self._ended = np.maximum.accumulate(np.array([s.end for s in segments]))
+        self._windows = _windows(segments)
+        self._groups: dict[bytes, int] = {}
+        self._precision: list[Array] = []
+        self._group_of: dict[str, int] = {}
+        self._elements = lru_cache(maxsize=CACHED)(self._elements_of)
+        self._solution = lru_cache(maxsize=CACHED * GROUPS)(self._solved)
+        self._shares = lru_cache(maxsize=GROUPS)(self._shared)
+
+    def group(self, parameter: str) -> int:
+        """Return the number of the group of parameters for which each segment has one precision."""
+        if parameter not in self._group_of:
+            precision = np.array([s.precision_of(parameter) for s in self._first])[self._precisions.number]
+            key = precision.tobytes()
+            if key not in self._groups:
+                self._groups[key] = len(self._precision)
+                self._precision.append(precision)
+            self._group_of[parameter] = self._groups[key]
+        return self._group_of[parameter]
+
+    def targets(self, parameter: str) -> Array:
+        """Return each segment's target, 0 if it has none, shape (segments,)."""
+        return self._targets.column(parameter, 0.0)
+
+    def averages(self, group: int, values: Sequence[SegmentValues], times: Array) -> list[Array]:
+        """Return the least-effort curve through each of some values at sorted times, shape (n,) each."""
+        averages = np.empty((len(values), len(times)))
+        for part, place in _parts(times):
+            solution = self._solution(group, part, tuple(values))
+            averages[:, place] = _evaluated(self._elements(part).nodes, solution, times[place]).T
+        return list(np.round(averages / GRAIN) * GRAIN)
+
+    def weights(self, group: int, times: Array) -> SegmentWeights:
+        """Return the share of each segment at sorted times: the curve if its target is 1 and all others 0."""
+        segments, places, shares = [], [], []
+        for part, place in _parts(times):
+            elements = self._elements(part)
+            shares.append(_evaluated(elements.nodes, self._shares(group, part), times[place]).ravel())
+            segments.append(np.tile(elements.near, place.stop - place.start))
+            places.append(np.repeat(np.arange(place.start, place.stop), len(elements.near)))
+        return SegmentWeights(
+            np.concatenate(segments), np.concatenate(places), np.concatenate(shares), len(times)
+        )
+
+    def _solved(self, group: int, part: int, values: Sequence[SegmentValues]) -> Array:
+        """Return the unknowns of a part, (unknowns, k), for k values of the segments."""
+        elements = self._elements(part)
+        return self._solve(group, elements, np.array([v[elements.near] for v in values]).T)
+
+    def _shared(self, group: int, part: int) -> Array:
+        """Return the unknowns of a part, (unknowns, segments), for each segment alone at 1."""
+        elements = self._elements(part)
+        return self._solve(group, elements, np.eye(len(elements.near)))
+
+    def _solve(self, group: int, elements: _Elements, values: Array) -> Array:
+        precision = self._precision[group][elements.near]
+        loads = _loads(elements, precision[:, None] * values)
+        unknowns: Array = solveh_banded(
+            _matrix(elements, precision),
+            loads,
+            overwrite_ab=True,
+            overwrite_b=True,
+            lower=True,
+            check_finite=False,
+        )
+        return unknowns
+
+    def _elements_of(self, part: int) -> _Elements:
+        """Return the elements of a part, and of `REACH` around it."""
+        begin = int(np.searchsorted(self._ended, part * PART - REACH, side="left"))
+        end = int(np.searchsorted(self._starts, (part + 1) * PART + REACH, side="right"))
+        begin = min(begin, len(self._starts) - 1)
+        near = np.arange(begin, max(end, begin + 1))
+        return _elements(near, self._windows.start[near], self._windows.end[near])
+
+
+def _parts(times: Array) -> Iterator[tuple[int, slice]]:
+    """Yield each part that holds some of the sorted times, with the place of these times."""
+    numbers = np.floor(times / PART)
+    for number in np.unique(numbers):
+        first, last = np.searchsorted(numbers, (number, number + 1))
+        yield int(number), slice(int(first), int(last))
+
+
+def _windows(segments: Sequence[LipSegment]) -> _Windows:
+    start, end = (np.array([getattr(s, name) for s in segments]) for name in ("start", "end"))
+    silent = np.array([s.phone == SILENCE and not s.targets for s in segments])
+    given_up = np.where(silent, YIELDING, 0.5 * (1.0 - WINDOW) * (end - start))
+    return _Windows(start + given_up, np.maximum(end - given_up, start + given_up))
+
+
+def _elements(near: IndexArray, start: Array, end: Array) -> _Elements:
+    """Return the elements for the windows of some segments, from `start` to `end`, shape (segments,) each."""
+    edges = np.unique(np.concatenate((start, end)))
+    edges = edges[np.append(True, np.diff(edges) > NEAREST)]
+    if len(edges) == 1:
+        edges = np.append(edges, edges + ELEMENT)
+    nodes = Knots(edges, ELEMENT).between(edges[0], edges[-1])
+    first, last = (np.searchsorted(nodes, t + 0.5 * NEAREST, side="right") - 1 for t in (start, end))
+    segment, element = ranges(np.maximum(first, 0), np.maximum(last, 0))
+    h = np.diff(nodes)
+    return _Elements(near, nodes, segment, element, h, EFFORT * _bands(_BENDING, h**-3, h))
+
+
+def _bands(local: Array, value: Array, h: Array) -> Array:
+    """Return the lower bands (4, unknowns) of elements' matrices: `local` (4, 4) times `value` (elements,).
+
+    An unknown slope counts in units of its element's length `h` (elements,).
+    """
+    bands = np.zeros((4, 2 * len(h) + 2))
+    scaled = (value, value * h, value * h * h)
+    for row in range(4):
+        for column in range(row + 1):
+            part = local[row, column] * scaled[row % 2 + column % 2]
+            bands[row - column, column : column + 2 * len(h) : 2] += part
+    return bands
+
+
+def _matrix(elements: _Elements, precision: Array) -> Array:
+    """Return the lower bands of the system, shape (4, unknowns)."""
+    h = elements.length
+    total = REST + np.bincount(elements.element, precision[elements.segment], len(h))
+    return elements.bending + _bands(_MASS, total * h, h)
+
+
+def _loads(elements: _Elements, pulls: Array) -> Array:
+    """Return the right sides, (unknowns, k), for the segments' precision times value, (segments, k)."""
+    h = elements.length
+    loads = np.zeros((2 * len(elements.nodes), pulls.shape[1]))
+    pull = np.zeros((len(h), pulls.shape[1]))
+    np.add.at(pull, elements.element, pulls[elements.segment])
+    for row in range(4):
+        loads[row : row + 2 * len(h) : 2] += pull * (_LOAD[row] * h ** (1 + row % 2))[:, None]
+    return loads
+
+
+def _evaluated(nodes: Array, solution: Array, times: Array) -> Array:
+    """Return the curves at times, shape (n, k); constant before the first and after the last node."""
+    inside = np.clip(times, nodes[0], nodes[-1])
+    element = np.clip(np.searchsorted(nodes, inside, side="right") - 1, 0, len(nodes) - 2)
+    h = nodes[element + 1] - nodes[element]
+    x = (inside - nodes[element]) / h
+    first = 2 * element
+    shapes = (
+        1.0 - x * x * (3.0 - 2.0 * x),
+        h * x * (1.0 - x) ** 2,
+        x * x * (3.0 - 2.0 * x),
+        -h * x * x * (1.0 - x),
+    )
+    curves = sum(shape[:, None] * solution[first + k] for k, shape in enumerate(shapes))
+    return np.asarray(curves, dtype=np.float64)
