@@ -149,7 +149,7 @@ class Take:
 
         They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
         """
-        from .render import PictureInput, open_renderer
+        from .render import PictureInput, RendererSetup, open_renderer
         from .render.overlay import Overlays, Subject
 
         chosen = range(len(self.performance.values)) if indices is None else indices
@@ -157,8 +157,8 @@ class Take:
         subject = Subject(self.performance, self.utterance)
         overlays = Overlays(look.overlay, subject, size or self.settings.size)
         suppression = self._suppression(chosen) if look.style == "muscles" else repeat(None)
-        shown = overlays.picture_size
-        with open_renderer(self.head, shown, look, lambda: next(self.faces([0])), progress) as renderer:
+        setup = RendererSetup(self.head, overlays.picture_size, look, lambda: next(self.faces([0])), progress)
+        with open_renderer(setup) as renderer:
             inputs = map(PictureInput, self.faces(chosen, reuse=True), suppression)
             for done, (frame, picture) in enumerate(zip(chosen, renderer.draw(inputs), strict=True)):
                 yield overlays.draw(picture, frame)

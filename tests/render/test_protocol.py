@@ -10,7 +10,7 @@ import pytest
 from risorius import pose
 from risorius.errors import InputError, ParameterError
 from risorius.render import renderers
-from risorius.render.protocol import RENDERERS, PictureInput, open_renderer
+from risorius.render.protocol import RENDERERS, PictureInput, RendererSetup, open_renderer
 from risorius.settings import Look, Settings
 
 SIZE = (48, 64)
@@ -21,7 +21,7 @@ def opened(head, face):
     """A function from a renderer's name and a look to the renderer."""
 
     def renderer(name="software", size=SIZE, **look):
-        return open_renderer(head, size, Look(**look), face, lambda stage: None, name)
+        return open_renderer(RendererSetup(head, size, Look(**look), face, lambda stage: None), name)
 
     return renderer
 
@@ -51,8 +51,8 @@ class Plain:
 
 
 @RENDERERS.register("plain")
-def open_plain(head, size, look, first_frame, progress):
-    return Plain(size)
+def open_plain(setup):
+    return Plain(setup.size)
 """
 
 

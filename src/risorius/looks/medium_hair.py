@@ -11,13 +11,12 @@ from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .locks import gather_locks, height_over_skin, respaced, smoothed
 from .noise import noise_at
-from .scalp import grow_roots, hair_density, inside_hairline
+from .scalp import LAYERS, HairRoots, grow_layers, hair_density, inside_hairline, layer_heights
 from .strands import Strands
 from .surface import Surface, flat, unit
 
 POINTS = 11
 _STEPS = 28  # steps of a hair's path, from which its points are chosen
-_LAYERS = 4
 _SEED = 45
 _SHARE = 0.54  # longer hairs are drawn wider and in smaller number
 _PARTING = -24.0  # mm: x of the parting
@@ -33,15 +32,13 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     # Hairs alone on the forehead would look like scratches.
     density = density * (1.0 + 0.8 * front) * smoothstep(4.0, 12.0, inside_hairline(anatomy, surface.points))
-    # Upper layers come first: the hairs under them then fail the depth test at once.
-    each = round(_SHARE * count) // _LAYERS
-    rounds = [grow_roots(anatomy, surface, density, each, _SEED + k) for k in range(_LAYERS)]
-    triangles, weights = (np.concatenate(part) for part in zip(*rounds, strict=True))
+    each = round(_SHARE * count) // LAYERS
+    triangles, weights = grow_layers(anatomy, surface, density, each, _SEED)
     count = len(triangles)
     origin, normal = surface.at(triangles, weights)
-    layer = (1.0 - (np.arange(count) * _LAYERS // count + rng.random(count)) / _LAYERS) ** 0.45
+    layer = layer_heights(count, rng) ** 0.45
     length = _lengths(anatomy, origin) * (0.86 + 0.14 * rng.random(count) ** 0.6)
-    curves = smoothed(_hang(anatomy, surface, origin, normal, length, layer, rng), 8)
+    curves = smoothed(_hang(anatomy, surface, HairRoots(origin, normal, length, layer), rng), 8)
     within = inside_hairline(anatomy, origin)
     curves, lock = gather_locks(curves, length, 0.45 * smoothstep(0.0, 18.0, within), rng)
     curves, way = respaced(curves, POINTS)
@@ -64,16 +61,9 @@ def _lengths(anatomy: Anatomy, origin: Array) -> Array:
     return np.asarray(np.maximum(1.04 * (origin[:, 1] - end) + 0.62 * high * across, 24.0 * u))
 
 
-def _hang(
-    anatomy: Anatomy,
-    surface: Surface,
-    origin: Array,
-    normal: Array,
-    length: Array,
-    layer: Array,
-    rng: np.random.Generator,
-) -> Array:
+def _hang(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.Generator) -> Array:
     """Return curves (S, _STEPS + 1, 3) that run over the skull from the parting and then hang."""
+    origin, normal, length, layer = roots
     skull = anatomy.masks["ears"] < 0.05
     smooth = Surface(surface.points[skull], surface.normals[skull], surface.triangles)
     tree = cKDTree(smooth.points)

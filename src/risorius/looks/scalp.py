@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ..core.arrays import Array, FloatArray, Int32Array
@@ -13,6 +15,7 @@ from .surface import Surface, flat, unit
 _ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
 _HEIGHTS = (65, 66, 68, 62, 48, 30, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
 _AXIS = -72.0  # mm: z of that axis
+LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
 # How much the scalp is darkened under each style of hair.
@@ -90,3 +93,35 @@ def grow_roots(
     triangles = np.searchsorted(np.cumsum(share) / share.sum(), steps).clip(0, len(area) - 1)
     a, b = np.sqrt(rng.random(count)), rng.random(count)
     return triangles.astype(np.int32), np.stack([1 - a, a * (1 - b), a * b], axis=1)
+
+
+def grow_layers(
+    anatomy: Anatomy, surface: Surface, density: Array, each: int, seed: int
+) -> tuple[Int32Array, Array]:
+    """Return the triangles (n,) and weights (n, 3) of LAYERS layers of hair with `each` roots.
+
+    Upper layers come first: the hairs under them then fail the depth test at once.
+    """
+    layers = [grow_roots(anatomy, surface, density, each, seed + k) for k in range(LAYERS)]
+    triangles, weights = zip(*layers, strict=True)
+    return np.concatenate(triangles), np.concatenate(weights)
+
+
+class HairRoots(NamedTuple):
+    """Where hairs leave the skin, and how long they grow.
+
+    origin  (n, 3) mm
+    normal  (n, 3) of the skin, unit length
+    length  (n,) mm
+    layer   (n,) 0 at the skin to 1 at the outside
+    """
+
+    origin: Array
+    normal: Array
+    length: Array
+    layer: Array
+
+
+def layer_heights(count: int, rng: np.random.Generator) -> Array:
+    """Return where `count` hairs lie among their layers (n,), as the roots of `grow_layers` are in order."""
+    return np.asarray(1.0 - (np.arange(count) * LAYERS // count + rng.random(count)) / LAYERS)

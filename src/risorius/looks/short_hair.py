@@ -8,12 +8,11 @@ from scipy.spatial import cKDTree
 from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .locks import gather_locks, height_over_skin, smoothed
-from .scalp import flow, grow_roots, hair_density, inside_hairline
+from .scalp import LAYERS, HairRoots, flow, grow_layers, hair_density, inside_hairline, layer_heights
 from .strands import Strands
 from .surface import Surface, flat
 
 POINTS = 6
-_LAYERS = 4
 _SEED = 21
 
 
@@ -24,15 +23,13 @@ def grow_short(anatomy: Anatomy, surface: Surface, colour: Array, count: int) ->
     behind = smoothstep(-115.0, -150.0, surface.points[:, 2])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     density = density * (1.0 - 0.5 * behind) * (1.0 + 1.2 * front)
-    # Upper layers come first: the hairs under them then fail the depth test at once.
-    rounds = [grow_roots(anatomy, surface, density, count // _LAYERS, _SEED + k) for k in range(_LAYERS)]
-    triangles, weights = (np.concatenate(part) for part in zip(*rounds, strict=True))
+    triangles, weights = grow_layers(anatomy, surface, density, count // LAYERS, _SEED)
     count = len(triangles)
     origin, normal = surface.at(triangles, weights)
     within = inside_hairline(anatomy, origin)
     length = _lengths(anatomy, origin, within) * (0.75 + 0.5 * rng.random(count))
-    layer = (1.0 - (np.arange(count) * _LAYERS // count + rng.random(count)) / _LAYERS) ** 0.7
-    curves = _walk(anatomy, surface, origin, normal, length, layer, rng)
+    layer = layer_heights(count, rng) ** 0.7
+    curves = _walk(anatomy, surface, HairRoots(origin, normal, length, layer), rng)
     curves, lock = gather_locks(smoothed(curves), length, smoothstep(0.0, 18.0, within), rng)
     shade = (0.72 + 0.4 * rng.random(count)) * lock * (1.9 - 0.9 * smoothstep(0.0, 12.0, within))
     way = np.linspace(0.0, 1.0, POINTS)
@@ -50,16 +47,9 @@ def _lengths(anatomy: Anatomy, origin: Array, within: Array) -> Array:
     return np.asarray((8.0 + 37.0 * high) * edge * u)
 
 
-def _walk(
-    anatomy: Anatomy,
-    surface: Surface,
-    origin: Array,
-    normal: Array,
-    length: Array,
-    layer: Array,
-    rng: np.random.Generator,
-) -> Array:
+def _walk(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.Generator) -> Array:
     """Return curves (S, POINTS, 3) that leave the skin, bend over, and follow it at their layer's height."""
+    origin, normal, length, layer = roots
     u = anatomy.unit
     tree = cKDTree(surface.points)
     high = smoothstep(38.0 * u, 84.0 * u, origin[:, 1] - anatomy.eye_height)

@@ -1,5 +1,5 @@
 """Pictures of a head: renderers behind one protocol, and what is drawn over their pictures."""
 
-from .protocol import PictureInput, Renderer, open_renderer
+from .protocol import PictureInput, Renderer, RendererSetup, open_renderer
 
-__all__ = ["PictureInput", "Renderer", "open_renderer"]
+__all__ = ["PictureInput", "Renderer", "RendererSetup", "open_renderer"]

@@ -3,17 +3,18 @@
 A renderer is one file of the package `renderers` that registers a function by its name:
 
     @RENDERERS.register("mine")
-    def open_mine(head, size, look, first_frame, progress):
+    def open_mine(setup):
         return MyRenderer(...)
 
-The function finds what is to be drawn by `looks.head_model.head_model`, with the looks that
-`looks.apply_look.apply_look` gives, and how by `framing.frame_head` (the camera), `lights.RIGS` and
-`backdrop.backdrop`. The overlays are not its work: they are drawn on its pictures.
+The function gets the model to draw from `looks.head_model.head_model`, with the looks from
+`looks.apply_look.apply_look`, its camera from `framing.frame_head`, its lights from `lights.RIGS` and its
+background from `backdrop.backdrop`. It does not draw the overlays: they are drawn on its pictures.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from importlib import import_module
 from pkgutil import iter_modules
 from types import TracebackType
@@ -71,39 +72,34 @@ class Renderer(Protocol):
         """Close the renderer."""
 
 
-class OpenRenderer(Protocol):
-    """A function that makes a renderer ready for its first picture."""
+@dataclass(frozen=True, slots=True)
+class RendererSetup:
+    """What a renderer draws: `head` at `size` (width, height) in pixels, with a `look`.
 
-    def __call__(
-        self,
-        head: Head,
-        size: Size,
-        look: Look,
-        first_frame: Callable[[], FaceFrame],
-        progress: Callable[[str], object],
-    ) -> Renderer:
-        """Return a renderer of `head` at `size` (width, height) in pixels, as `look` wants it.
+    `first_frame` solves a frame to warm up with. Its first call compiles the face for some seconds, so a
+    renderer that also needs long to prepare should begin that before. `progress` is told what takes long.
+    """
 
-        `first_frame` solves a frame to warm up with. Its first call compiles the face for some seconds, so
-        that a renderer with a long preparation of its own begins that before. `progress` is told what takes
-        long. Raises InputError for a size that cannot be drawn, and for a background that cannot be read.
-        """
+    head: Head
+    size: Size
+    look: Look
+    first_frame: Callable[[], FaceFrame]
+    progress: Callable[[str], object]
 
+
+OpenRenderer = Callable[[RendererSetup], Renderer]
+"""Returns a renderer that is ready for its first picture.
+
+Raises InputError for a size that cannot be drawn, and for a background that cannot be read.
+"""
 
 RENDERERS: Registry[OpenRenderer] = Registry("renderer")
 
 
-def open_renderer(
-    head: Head,
-    size: Size,
-    look: Look,
-    first_frame: Callable[[], FaceFrame],
-    progress: Callable[[str], object],
-    name: str = DEFAULT,
-) -> Renderer:
+def open_renderer(setup: RendererSetup, name: str = DEFAULT) -> Renderer:
     """Open the renderer called `name` (see `OpenRenderer`); raise ParameterError for an unknown name."""
     from . import renderers
 
     for module in iter_modules(renderers.__path__):
         import_module(f"{renderers.__name__}.{module.name}")
-    return RENDERERS.get(name)(head, size, look, first_frame, progress)
+    return RENDERERS.get(name)(setup)

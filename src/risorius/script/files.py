@@ -33,14 +33,19 @@ def read_text(path: str) -> str:
     place = Place(one_line(path, LONGEST_PATH))
     if Path(path).is_dir():
         raise InputError("is a folder; expected a file, or --text to have the words spoken", place)
+    return decode(read_bytes(path, MAX_BYTES, place), place.file)
+
+
+def read_bytes(path: str, largest: int, place: Place) -> bytes:
+    """Return a file's content; raise InputError if it cannot be read or has over `largest` bytes."""
     try:
         with Path(path).open("rb") as source:
-            data = source.read(MAX_BYTES + 1)
+            data = source.read(largest + 1)
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}", place) from None
-    if len(data) > MAX_BYTES:
-        raise InputError(f"is larger than {MAX_BYTES:,} bytes; expected less", place)
-    return decode(data, place.file)
+    if len(data) > largest:
+        raise InputError(f"is larger than {largest:,} bytes; expected less", place)
+    return data
 
 
 def decode(data: bytes, name: str) -> str:

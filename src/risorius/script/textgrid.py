@@ -11,12 +11,11 @@ import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import NamedTuple
 
 from ..core.units import MAX_SECONDS
 from ..errors import InputError, Place
-from .files import decode, names_something
+from .files import decode, names_something, read_bytes
 from .quote import LONGEST_PATH, one_line, quoted
 
 MAX_BYTES = 64_000_000
@@ -63,14 +62,7 @@ def read_textgrid(path: str) -> TextGrid:
     place = Place(one_line(path, LONGEST_PATH))
     if not names_something(path):
         raise InputError("there is no such file; expected a TextGrid", place)
-    try:
-        with Path(path).open("rb") as source:
-            data = source.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", place) from None
-    if len(data) > MAX_BYTES:
-        raise InputError(f"is larger than {MAX_BYTES:,} bytes; expected less", place)
-    return parse_textgrid(decode(data, place.file), place.file)
+    return parse_textgrid(decode(read_bytes(path, MAX_BYTES, place), place.file), place.file)
 
 
 def parse_textgrid(text: str, source: str = "text") -> TextGrid:

@@ -2,32 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-from ...core.look import Size
-from ...face.frame import FaceFrame
-from ...face.head import Head
-from ...settings import Look
 from ..ahead import compiled_ahead
 from ..from_look import renderer_from_look
-from ..protocol import DEFAULT, RENDERERS, Renderer
+from ..protocol import DEFAULT, RENDERERS, Renderer, RendererSetup
 from ..renderer_pool import RendererPool
 
 COMPILING = "Compiling the face and the renderer (once, about 25 s) …"
 
 
 @RENDERERS.register(DEFAULT)
-def open_software(
-    head: Head,
-    size: Size,
-    look: Look,
-    first_frame: Callable[[], FaceFrame],
-    progress: Callable[[str], object],
-) -> Renderer:
+def open_software(setup: RendererSetup) -> Renderer:
     """Return a pool of software renderers (see `OpenRenderer`)."""
-    with compiled_ahead(look.style, lambda: progress(COMPILING)) as wait:
-        frame = first_frame()
+    with compiled_ahead(setup.look.style, lambda: setup.progress(COMPILING)) as wait:
+        frame = setup.first_frame()
         wait()
-        renderer = renderer_from_look(head, size, look)
+        renderer = renderer_from_look(setup.head, setup.size, setup.look)
         renderer.render(frame)
     return RendererPool(renderer)
