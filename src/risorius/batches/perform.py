@@ -102,12 +102,11 @@ def contact_sheet(take: Take) -> Take:
 @contextlib.contextmanager
 def _local(job: BatchJob, folder: Path) -> Iterator[BatchJob]:
     """Yield the job with files from elsewhere in a folder; when the block ends well, outputs go elsewhere."""
-    given = job.given
-    parts = {"audio": given.audio, "transcript": given.transcript}
-    parts |= {} if given.text else {"script": given.script}
-    names = {part: _fetched(name, folder / part) for part, name in parts.items()}
-    given = replace(given, audio=names["audio"], transcript=names["transcript"], content=_content(job))
-    given = given if given.text else replace(given, script=names["script"])
+    given, content = job.given, _content(job)
+    audio, transcript = _fetched(given.audio, folder / "audio"), _fetched(given.transcript, folder / "words")
+    given = replace(given, audio=audio, transcript=transcript, content=content)
+    if not given.text and content is None:
+        given = replace(given, script=_fetched(given.script, folder / "script"))
     outputs = [_output(name, folder / str(number)) for number, name in enumerate(job.outputs)]
     try:
         yield replace(job, given=given, outputs=tuple(map(str, outputs)))
