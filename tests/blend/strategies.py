@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 from hypothesis import strategies as st
 
 from risorius.core.movement import Dominance, LipSegment, Movement
+from risorius.core.parameters import RIVALS
 from risorius.core.score import BlendSettings, Score
 
 MUSCLES = (
@@ -33,6 +36,10 @@ levels = st.floats(0.05, 1.0)
 def targets(draw: st.DrawFn, directions: bool = True) -> dict[str, float]:
     names = draw(st.lists(st.sampled_from(MUSCLES), min_size=1, max_size=4, unique=True))
     chosen = {name: draw(levels) for name in names}
+    # Rivals of one movement sum to 1 at most; what happens to others is tested by itself (test_strata).
+    for one, other in combinations(names, 2):
+        if other in RIVALS[one] and chosen[one] + chosen[other] > 1.0:
+            chosen[one], chosen[other] = 0.5 * chosen[one], 0.5 * chosen[other]
     if directions and draw(st.booleans()):
         chosen["head_pitch"] = draw(st.floats(-20, 20))
         chosen["gaze_distance"] = draw(st.floats(0.2, 3))
@@ -47,11 +54,12 @@ def movements(
     priorities: bool = False,
     directions: bool = True,
     shortest: int = 8,
+    layers: tuple[str, ...] = ("", "brow"),
 ) -> tuple[Movement, ...]:
-    """Movements of positive onset and offset in some channels, at most two layers each."""
+    """Movements of positive onset and offset in some channels, in some layers each."""
     found = []
     for channel in channels:
-        for layer in ("", "brow"):
+        for layer in layers:
             starts = draw(st.lists(ticks, max_size=most, unique=True))
             for start in starts:
                 length = draw(st.integers(shortest, 3 * 64)) / 64

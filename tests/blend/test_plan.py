@@ -271,7 +271,7 @@ Curve = Callable[[np.ndarray], np.ndarray]
 
 
 @examples(12)
-@given(found=movements(("manipulators", "signals", "emotion"), most=3, directions=False))
+@given(found=movements(("manipulators", "signals", "emotion"), most=3, directions=False, layers=("",)))
 def test_inhibit_agrees_with_a_search_over_samples(found: tuple[Movement, ...]) -> None:
     """Section 6 of paper A done on samples, level after level, with one minimum duration for all."""
     minimum, frame = 0.2, 1 / RATE
@@ -292,7 +292,7 @@ def _inhibited_on_samples(
     combined = {name: np.zeros(len(times)) for name in names}
     for channel in ("manipulators", "signals", "emotion"):
         held = [m for m in found if m.channel == channel]
-        wanted = {n: np.max([_layer(held, layer, n, times) for layer in ("", "brow")], axis=0) for n in names}
+        wanted = {n: _alone(held, n, times) for n in names}
         settled_here = {}
         for name in names:
             stopped = np.any(
@@ -305,12 +305,10 @@ def _inhibited_on_samples(
     return combined
 
 
-def _layer(held: list[Movement], layer: str, name: str, times: np.ndarray) -> np.ndarray:
+def _alone(held: list[Movement], name: str, times: np.ndarray) -> np.ndarray:
     """The concatenation is proven elsewhere (test_concatenate); here it is the input."""
     alone = tuple(
-        replace(m, channel="emotion", targets={k: v for k, v in m.targets.items() if k == name})
-        for m in held
-        if m.layer == layer
+        replace(m, channel="emotion", targets={k: v for k, v in m.targets.items() if k == name}) for m in held
     )
     return blend.at(Score(DURATION, alone), times)[:, INDEX[name]]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -18,26 +18,29 @@ from .intervals import Spans, union
 from .levels import Levels, PriorityClaim, levels_of
 from .manual import Replaced, key_curves, replaced_spans
 from .mouth.lips import CompiledLips, LipCurve
+from .strata import strata_of
 
 
 @dataclass(slots=True)
 class Channel:
     """A channel: its priority, and all curves by parameter, one for each layer that moves it.
 
-    `on_top`: these curves are of movements that add to what the others leave; the rest of the channel is
-    another Channel of the same name.
+    `on_top`: these curves are of movements that add to what the others leave. `stratum`: they are of one
+    layer, which conflicts with another. The rest of the channel is another Channel of the same name.
     """
 
     name: str
     levels: Levels
     curves: dict[str, list[Curve]]
     on_top: bool = False
-    _above: dict[tuple[str, float], Spans] = field(default_factory=dict)
+    stratum: str | None = None
+    _above: dict[tuple[str, float], Spans] = field(default_factory=dict, init=False)
 
     @property
     def key(self) -> str:
         """What tells it from all other channels of a plan."""
-        return f"{self.name} on top" if self.on_top else self.name
+        names = (self.name, self.on_top and "on top", self.stratum is not None and f"layer {self.stratum}")
+        return ", ".join(name for name in names if name)
 
     def sample(self, parameter: str, times: Array) -> tuple[IndexArray, Array]:
         """Return the times at which a parameter is not at rest, and the highest value of all layers."""
@@ -78,17 +81,25 @@ def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, 
     drawn = {name: list[Curve](curves) for name, curves in key_curves(score.manual).items()}
     replaced = replaced_spans(score.manual)
     channels = []
+    order = {id(movement): number for number, movement in enumerate(score.movements)}
     for name in CHANNELS:
         layers = {key: concatenate(in_layer, function) for key, in_layer in sorted(movements[name].items())}
-        curves = _layered(layer for (on_top, _), layer in layers.items() if not on_top)
-        if name == "lips" and lips is not None:
-            curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
-        curves = _joined(drawn, curves) if name == "manual" else _under(replaced, curves)
-        raised = _under(replaced, _layered(layer for (on_top, _), layer in layers.items() if on_top))
         levels = levels_of(_claims(name, layers.values(), lips), CHANNELS.get(name).priority)
-        for part, on_top in ((curves, False), (raised, True)):
-            if part:
-                channels.append(Channel(name, levels, dict(sorted(part.items())), on_top))
+        strata = strata_of(layers, levels, order)
+        parts: list[Channel] = []
+        for on_top in (False, True):
+            together = [layer for key, layer in layers.items() if key[0] is on_top and key not in strata]
+            curves = _layered(together)
+            if name == "lips" and lips is not None and not on_top:
+                curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
+            parts.append(Channel(name, levels, curves, on_top))
+        parts += [Channel(name, own, _layered([layers[k]]), *k) for k, own in strata.items()]
+        for part in parts:
+            curves = part.curves if name == "manual" else _under(replaced, part.curves)
+            if name == "manual" and part.key == name:
+                curves = _joined(drawn, curves)
+            if curves:
+                channels.append(replace(part, curves=dict(sorted(curves.items()))))
     return tuple(channels)
 
 

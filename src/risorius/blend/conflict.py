@@ -24,10 +24,17 @@ Resolver = Callable[[Channel, str, Array, Array], Array]
 """(channel, parameter, times (n,), requested values (n,)) -> what the policy leaves of them (n,)."""
 
 
+# Strata of a channel differ by less; to other channels they are of one priority.
+_EQUAL = 1e-3
+
+
 class Join(StrEnum):
-    """How the values of all channels become one."""
+    """How the values of all channels become one: the largest, or all added and clipped; by SUM also of those
+    movements that else add to what the others leave (`on_top`).
+    """
 
     MAX = "max"
+    ADD = "add"
     SUM = "sum"
 
 
@@ -78,7 +85,7 @@ class PolicyInputs:
             for other in self.channels
             if other is not channel and rival in other.curves
             for above in other.levels.distinct
-            if above > level
+            if above > (level if other.name == channel.name else level + _EQUAL)
         ]
 
     def threshold_time(self, parameter: str, duration: float) -> float:

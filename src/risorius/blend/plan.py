@@ -94,8 +94,8 @@ class Plan:
 
     @property
     def sums(self) -> bool:
-        """Whether the policy adds up all channels."""
-        return self.policy.join is Join.SUM
+        """Whether the policy adds up the channels."""
+        return self.policy.join is not Join.MAX
 
     def adds(self, name: str) -> bool:
         """Return whether channels add up in a parameter; else the highest wins."""
@@ -175,17 +175,21 @@ class PlanSample:
 
     def _others(self, ledger: Ledger) -> Array:
         """Return what all channels but speech apply together, shape (n,)."""
-        total = np.zeros(len(self.times))
+        by_channel: dict[tuple[str, bool], Array] = {}
         for channel in ledger.channels:
-            if channel.name != LIPS and (self.plan.sums or not channel.on_top):
-                entry = ledger.entry(channel)
-                index, values = entry.index, entry.applied
-                total[index] = total[index] + values if self.plan.sums else np.maximum(total[index], values)
+            if channel.name == LIPS or (channel.on_top and self.plan.policy.join is not Join.SUM):
+                continue
+            entry = ledger.entry(channel)
+            values = by_channel.setdefault((channel.name, channel.on_top), np.zeros(len(self.times)))
+            values[entry.index] = np.maximum(values[entry.index], entry.applied)
+        total = np.zeros(len(self.times))
+        for values in by_channel.values():
+            total = total + values if self.plan.sums else np.maximum(total, values)
         return total
 
     def _raised(self, ledger: Ledger, total: Array) -> Array:
         """Return what all apply together with what is marked to add to it, within the limits of speech."""
-        if self.plan.sums:
+        if self.plan.policy.join is Join.SUM:
             return total
         for entry in (ledger.entry(c) for c in ledger.channels if c.on_top):
             here, limits = np.minimum(total[entry.index], 1.0), self.plan.limits

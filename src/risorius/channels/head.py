@@ -84,8 +84,10 @@ def _melody(inputs: ChannelInputs) -> Iterator[Movement]:
         link = _link(first, last if pauses else following, {"head_pitch": size * pitch}, "melody", cause)
         yield replace(link, onset=min(last, following) - first)
         if pauses:
-            end = min(following, last + _RELEASE)
-            yield replace(_link(last, following, {"head_pitch": 0.0}, "melody", cause), onset=end - last)
+            seconds = min(following - last, _RELEASE)
+            # In a short pause there is time for a part of the way only.
+            left = {"head_pitch": (1.0 - seconds / _RELEASE) * size * pitch}
+            yield replace(_link(last, following, left, "melody", cause), onset=seconds)
 
 
 def _runs(said: Utterance) -> Iterator[tuple[list[Syllable], float]]:

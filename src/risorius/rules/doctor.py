@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from ..core.action_units import resolve_targets
+from ..core.rivalry import rival_pairs
 from ..core.utterance import PauseKind, Question
 from ..errors import Place
 from .modulation import is_under
@@ -44,6 +46,8 @@ def _problems(entry: RuleEntry, rule_set: RuleSet) -> Iterator[str]:
             yield "pauses itself"
     if rule.effect.look is not None and rule.effect.targets:
         yield "has a look and targets; the look alone goes to the eyes, the targets to its own channel"
+    for larger, smaller in rival_pairs(resolve_targets(rule.effect.targets)):
+        yield f"contracts {smaller} beside its rival {larger}; expected at most 1 of both together"
     if not rule.source.strip() or not rule.comment.strip():
         yield "lacks a source or a comment"
     twins = [r.id for r in rule_set if r.id < rule.id and _same(r, rule)]

@@ -13,6 +13,7 @@ from typing import Annotated
 from ..core.action_units import check_intensity, resolve_targets
 from ..core.frozen import FrozenDict
 from ..core.hints import Range
+from ..core.rivalry import rival_pairs
 from ..core.toml import written
 from ..core.units import MAX_SECONDS, RiseSeconds, Share
 from ..errors import InputError, ParameterError, unknown
@@ -60,8 +61,11 @@ class Emotion:
     degrees: Mapping[str, Degrees] = field(default_factory=FrozenDict)
 
     def __post_init__(self) -> None:
-        resolve_targets(self.units)
-        resolve_targets(self.emblem.units)
+        for units in (self.units, self.emblem.units):
+            for larger, smaller in rival_pairs(resolve_targets(units)):
+                raise InputError(
+                    f"{smaller} conflicts with {larger}, and together they are above 1; expected 1 at most"
+                )
         for unit in self.degrees:
             if unit not in self.units:
                 raise ParameterError(unknown("target with degrees", unit, self.units))

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 
 from ..core.channels import ChannelTiming, channel_timing
 from ..core.movement import Cause, Movement
+from ..core.rivalry import rival_pairs
 from ..core.time import on_tick
 from ..core.utterance import Word
-from ..errors import InputError
+from ..errors import InputError, warn
 from ..rules.gestures import GesturePart
 from ..rules.saccade import saccade_duration
 from .apart import check_apart
@@ -43,6 +44,10 @@ def movements_of(script: Script, words: Sequence[Word], duration: float) -> tupl
     marks that start together in one layer of a channel.
     """
     timed = [part for mark in script.marks for part in _parts(mark, words, duration)]
+    for mark in script.marks:
+        for larger, smaller in rival_pairs(mark.targets):
+            left = max(1.0 - mark.targets[larger], 0.0)
+            warn(f"{mark.place}: {mark.label}: {smaller} conflicts with {larger}; it is held to {left:g}")
     timed.sort(key=lambda t: (t.start, t.mark.channel, t.mark.layer, t.end, t.mark.label))
     check_apart((t.mark, t.start) for t in timed)
     eyes = _Eyes()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -173,3 +174,18 @@ class TestSum:
         )
         values = blend.at(Score(2.0, pair, settings=BlendSettings(conflict="sum")), np.array([1.0]))
         assert values[0, [INDEX[SMILE], INDEX[ROUND]]].tolist() == [0.8, 1.0]
+
+
+def test_attenuate_adds_channels_and_clips() -> None:
+    frown = "corrugator_supercilii.left"
+    shown = Movement("emotion", 0.0, 4.0, 0.5, 0.5, {frown: 0.4})
+    signal = Movement("signals", 1.0, 3.0, 0.5, 0.5, {frown: 0.5})
+    twice = replace(shown, layer="b")
+
+    def peak(*movements: Movement) -> float:
+        score = Score(4.0, movements, settings=BlendSettings(conflict="attenuate"))
+        return float(blend.at(score, np.array([2.0]))[0, INDEX[frown]])
+
+    assert peak(shown, signal) == pytest.approx(0.9)
+    assert peak(replace(shown, targets={frown: 0.8}), signal) == 1.0
+    assert peak(shown, twice) == 0.4

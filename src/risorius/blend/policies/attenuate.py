@@ -1,4 +1,7 @@
-"""Policy `attenuate`: the lower priority becomes smaller, but never disappears (paper B, section 4.4)."""
+"""Policy `attenuate`: channels add, and the lower priority becomes smaller, but never disappears.
+
+Paper B, sections 4.4 and 6.4.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +20,7 @@ SHARE = 0.8
 class Attenuate:
     """aF = F·(1 - 0.8·strongest rival of higher priority)."""
 
-    join = Join.MAX
+    join = Join.ADD
 
     def __init__(self, inputs: PolicyInputs) -> None:
         self._inputs = inputs
