@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from risorius import blend
@@ -161,6 +161,8 @@ def test_values_stay_in_range(policy: str, data: st.DataObject) -> None:
 @given(data=st.data())
 def test_order_of_input_does_not_matter(policy: str, data: st.DataObject) -> None:
     score = data.draw(scores(policy))
+    # Of equals that start together the later in the score wins (test_strata).
+    assume(len({(m.channel, m.start) for m in score.movements}) == len(score.movements))
     shuffled = replace(
         score,
         movements=tuple(data.draw(st.permutations(score.movements))),

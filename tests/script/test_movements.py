@@ -3,7 +3,7 @@ import pytest
 from risorius.core.movement import Cause, check_movement
 from risorius.core.score import check_sequence
 from risorius.core.utterance import Word
-from risorius.errors import InputError
+from risorius.errors import InputError, RisoriusWarning
 from risorius.rules.saccade import saccade_duration
 from risorius.script.markup import parse_markup
 from risorius.script.movements import movements_of
@@ -103,3 +103,13 @@ def test_eyes_that_move_in_other_channels_are_as_fast() -> None:
     marks = '<MOVEMENT time="0" duration="1" channel="regulators" gaze_yaw="10"/>'
     (movement,) = movements_of(parse_markup(SAID + marks), WORDS, 2.0)
     assert (movement.onset, movement.function) == (saccade_duration(10.0), "saccade")
+
+
+def test_rivals_that_a_mark_asks_for_together_are_said() -> None:
+    marked = parse_markup(
+        SAID + '<MOVEMENT time="1" duration="0.5" zygomatic_major="0.9" triangularis="0.6"/>'
+    )
+    with pytest.warns(
+        RisoriusWarning, match="triangularis.left conflicts with zygomatic_major.left; it is held to 0.1"
+    ):
+        movements_of(marked, WORDS, 2.0)

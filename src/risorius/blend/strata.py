@@ -60,7 +60,7 @@ def _ranked(layer: LayerCurves, order: Mapping[int, int]) -> list[Start]:
 def _latest(starts: Sequence[Start], time: float) -> Start:
     """Return the last of a layer's steps that has started."""
     index = bisect_right(starts, time, key=lambda start: start[0])
-    return starts[index - 1] if index else (-np.inf, 0.0, starts[0][2])
+    return starts[index - 1] if index else (-np.inf, starts[0][0], starts[0][2])
 
 
 def _conflict(one: LayerCurves, other: LayerCurves) -> bool:

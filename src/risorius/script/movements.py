@@ -45,7 +45,7 @@ def movements_of(script: Script, words: Sequence[Word], duration: float) -> tupl
     """
     timed = [part for mark in script.marks for part in _parts(mark, words, duration)]
     for mark in script.marks:
-        for larger, smaller in rival_pairs(mark.targets):
+        for larger, smaller in rival_pairs({} if mark.emotions else mark.targets):
             left = max(1.0 - mark.targets[larger], 0.0)
             warn(f"{mark.place}: {mark.label}: {smaller} conflicts with {larger}; it is held to {left:g}")
     timed.sort(key=lambda t: (t.start, t.mark.channel, t.mark.layer, t.end, t.mark.label))

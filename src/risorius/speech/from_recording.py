@@ -13,7 +13,9 @@ from ..script import Script, SpokenLine
 from ..script.model import script_of
 from ..script.textgrid import read_textgrid
 from .alignment import align
+from .assembly.retime import is_timed
 from .prosody import measured
+from .recordings.dictated import utterance_dictated
 from .recordings.labelled import PHONE_TIERS, WORD_TIERS, found_tier, utterance_of_labels
 from .recordings.phone_labels import is_silence
 from .recordings.recognition import recognize
@@ -57,8 +59,22 @@ def hear(recording: Recording | LabelledRecording, progress: Progress = quiet) -
     if recording.transcript is not None or script is None:
         utterance = hear_words(audio, recording.transcript, progress)
     else:
-        utterance = with_written_tones(hear_words(audio, script.text, progress), script)
+        utterance = with_written_tones(_hear_script(audio, script, progress), script)
     return script or _script_of(utterance, str(audio)), utterance
+
+
+def _hear_script(audio: str | PathLike[str], script: Script, progress: Progress) -> Utterance:
+    """Return what is said when a recording reads a script; durations that it writes are its labels."""
+    directions = Directions()
+    for line in script.lines:
+        directions = directions.joined(line.directions.moved(line.source_offset))
+    if is_timed(directions):
+        return measured(utterance_dictated(read_recording(audio), script.text, directions))
+    dictated = next((span for span in directions.spans if span.phones), None)
+    if dictated is not None:
+        message = "phonemes without durations are not used with a recording; expected durations as well"
+        warn(f"{dictated.place}: {message}", SpeechWarning)
+    return hear_words(audio, script.text, progress)
 
 
 def hear_words(audio: str | PathLike[str], transcript: str | None, progress: Progress = quiet) -> Utterance:

@@ -88,12 +88,17 @@ def _span_of(word: Word, directions: Directions) -> DirectedSpan | None:
     return next((s for s in directions.spans if s.seconds and s.start <= word.source_start < s.end), None)
 
 
-def _dictated(span: DirectedSpan, word: int, rate: int) -> Iterator[tuple[Phone, int]]:
-    for symbol, seconds in zip(span.phones, span.seconds, strict=True):
-        (phone,) = to_arpabet(symbol)
+def dictated_phones(span: DirectedSpan) -> Iterator[tuple[str, int, float]]:
+    """Yield symbol, stress and seconds of each phone that is written for a word with durations."""
+    for written, seconds in zip(span.phones, span.seconds, strict=True):
+        (phone,) = to_arpabet(written)
         vowel = phone[:-1] in phonesets.VOWELS
-        stress = _STRESS[phone[-1]] if vowel else -1
-        yield Phone(phone[:-1] if vowel else phone, 0.0, 1.0, stress, word), round(seconds * rate)
+        yield phone[:-1] if vowel else phone, _STRESS[phone[-1]] if vowel else -1, seconds
+
+
+def _dictated(span: DirectedSpan, word: int, rate: int) -> Iterator[tuple[Phone, int]]:
+    for symbol, stress, seconds in dictated_phones(span):
+        yield Phone(symbol, 0.0, 1.0, stress, word), round(seconds * rate)
 
 
 def _silence(
