@@ -110,6 +110,6 @@ def test_rivals_that_a_mark_asks_for_together_are_said() -> None:
         SAID + '<MOVEMENT time="1" duration="0.5" zygomatic_major="0.9" triangularis="0.6"/>'
     )
     with pytest.warns(
-        RisoriusWarning, match="triangularis.left conflicts with zygomatic_major.left; it is held to 0.1"
+        RisoriusWarning, match="triangularis conflicts with zygomatic_major; it is held to 0.1"
     ):
         movements_of(marked, WORDS, 2.0)

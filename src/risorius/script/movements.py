@@ -45,13 +45,22 @@ def movements_of(script: Script, words: Sequence[Word], duration: float) -> tupl
     """
     timed = [part for mark in script.marks for part in _parts(mark, words, duration)]
     for mark in script.marks:
-        for larger, smaller in rival_pairs({} if mark.emotions else mark.targets):
-            left = max(1.0 - mark.targets[larger], 0.0)
-            warn(f"{mark.place}: {mark.label}: {smaller} conflicts with {larger}; it is held to {left:g}")
+        _warn_of_rivals(mark)
     timed.sort(key=lambda t: (t.start, t.mark.channel, t.mark.layer, t.end, t.mark.label))
     check_apart((t.mark, t.start) for t in timed)
     eyes = _Eyes()
     return tuple(_movement(t, eyes) for t in timed)
+
+
+def _warn_of_rivals(mark: Mark) -> None:
+    """Warn of the conflicting targets that a mark names; those of emotions are blended by their tables."""
+    said: set[str] = set()
+    for larger, smaller in rival_pairs({} if mark.emotions else mark.targets):
+        names = [name.partition(".")[0] for name in (smaller, larger)]
+        left = max(1.0 - mark.targets[larger], 0.0)
+        said.add(f"{mark.place}: {mark.label}: {names[0]} conflicts with {names[1]}; it is held to {left:g}")
+    for message in sorted(said):
+        warn(message)
 
 
 def _parts(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[_Timed]:
