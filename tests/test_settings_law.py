@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 import pytest
@@ -42,6 +42,10 @@ from risorius.unread import (
     InputKind,
     values_read,
 )
+
+if TYPE_CHECKING:
+    from risorius.batches.library import BatchPlan
+    from risorius.cli.console import Console
 
 CASES: dict[str, object] = {
     "language": "de",
@@ -92,6 +96,10 @@ NO_BYTE = {
     "port": "where the studio's page is",
     "no_browser": "who opens the studio's page",
     "folder": "where the studio's sessions are",
+    "jobs": "how many processes perform a batch",
+    "timeout": "when a line of a batch is given up",
+    "ray": "which cluster performs a batch",
+    "journal": "where the journal of a batch is",
     "help": "prints the help",
 }
 """Options that by design change no byte of any output, and what they do."""
@@ -278,7 +286,14 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[object]:
     monkeypatch.setattr(stream, "send_take", watched("send_take", stream.SendCounts(1, 0)))
     monkeypatch.setattr(server, "serve", watched("serve", None))
     monkeypatch.setattr(sys.modules["risorius.cli.studio"], "leave", lambda: None)
+    for name in ("_perform", "_check"):
+        monkeypatch.setattr(sys.modules["risorius.cli.batch"], name, partial(_planned, asked, name))
     return asked
+
+
+def _planned(asked: list[object], name: str, plan: BatchPlan, console: Console) -> int:
+    asked.append((name, {"settings": plan.settings, "plan": plan}))
+    return 0
 
 
 def _plain(value: object) -> object:
@@ -311,6 +326,7 @@ ARGUMENTS = {
     "rules show": ["signals.brows.nuclear"],
     "rules doctor": [],
     "studio": [],
+    "batch": ["lines.csv", "-o", "{id}.png"],
 }
 VALUES: dict[str, list[str]] = {
     "outputs": ["-o", "z.png"],
@@ -334,6 +350,15 @@ VALUES: dict[str, list[str]] = {
     "port": ["--port", "1"],
     "no_browser": ["--no-browser"],
     "folder": ["--folder", "x"],
+    "batch outputs": ["-o", "{id}.glb"],
+    "jobs": ["--jobs", "0"],
+    "timeout": ["--timeout", "9"],
+    "ray": ["--ray", "local"],
+    "shard": ["--shard", "1/2"],
+    "dry_run": ["--dry-run"],
+    "ignore": ["--ignore", "note"],
+    "journal": ["--journal", "x"],
+    "sheets": ["--contact-sheet"],
 }
 """What gives each option that is no setting a value."""
 BESIDE = {
@@ -428,5 +453,8 @@ CHANGING = {
     **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/test_rig.py"),
     "transcript": "words: tests/speech/test_from_recording.py",
     "parameter": "what explain prints",
+    **dict.fromkeys(
+        ("shard", "dry_run", "ignore", "sheets"), "which lines are made, and the report: tests/batches"
+    ),
 }
 """Options that change what is written or sent, and where that is seen."""
