@@ -94,6 +94,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--most", type=int, default=30, help="how many tests are listed")
     options, arguments = parser.parse_known_args()
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"  # as scripts/test
     cost = Cost()
     failed = pytest.main(["-q", *arguments], plugins=[cost])
     show("importing", cost.importing, 5)

@@ -18,6 +18,7 @@ from scipy.optimize import nnls
 
 from ..core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
 from ..core.arrays import Array, BoolArray, FloatArray
+from ..core.blas import one_thread
 from ..core.parameters import INDEX as PARAMETER
 from .arkit_direct import DIRECT, direct_weights
 from .eyes import pitch_and_yaw
@@ -117,7 +118,8 @@ class ArkitFit:
 
     def track(self, frames: Iterable[FaceFrame]) -> ArkitTrack:
         """Fit all frames in order."""
-        rows = [self._row(frame) for frame in frames]
+        with one_thread():
+            rows = [self._row(frame) for frame in frames]
         weights, head, eyes, errors = (np.array(part) for part in zip(*rows, strict=True))
         return ArkitTrack(weights, head, eyes, errors[:, 0], errors[:, 1])
 

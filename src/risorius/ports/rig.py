@@ -12,6 +12,7 @@ import numpy as np
 
 from ..core.arkit import INDEX, SHAPES
 from ..core.arrays import Array, Float32Array
+from ..core.blas import one_thread
 from ..core.parameters import INDEX as PARAMETER
 from ..core.parameters import NEUTRAL
 from ..core.source_text import SourceText
@@ -136,6 +137,7 @@ def guess_map(names: Sequence[str]) -> dict[str, str]:
     return {shape: found[shape] for shape in SHAPES if shape in found}
 
 
+@one_thread()
 def report(rig: Rig, head: Head) -> list[Shown]:
     """Return how well the character shows each of our muscles, measured by `head`'s own sculpted shapes."""
     every, some = ArkitFit.of(head), ArkitFit(head, rig.shapes)
