@@ -130,6 +130,7 @@ def test_same_input_same_bytes(tmp_path: Path) -> None:
         assert first == second, name
 
 
+@pytest.mark.full
 def test_a_minute_more_keeps_less_than_two_megabytes_more() -> None:
     sentence = "Oh, really? I like it very much. My baby brother put the map by the beam. "
     risorius.speak(sentence, text=True)

@@ -21,7 +21,7 @@ ASKEW = {"zygomatic_major.left": 0.93, "zygomatic_major.right": 0.5, "depressor_
 TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_out": 1.0}
 HEADS = shipped_heads()
 AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 90), ("olaf", 25), ("kenji", 25)]
-DAILY = [("standard", None), ("amara", 75)]
+DAILY = [("amara", 75)]
 POSES = [
     {"zygomatic_major": 1.0, "levator_labii_nasi": 1.0},
     {"triangularis": 1.0, "mentalis": 1.0},

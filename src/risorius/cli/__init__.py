@@ -37,7 +37,7 @@ STRICT = "RISORIUS_STRICT"
 
 def main() -> None:
     """Run the command line: exit code 0, or 2 with one line on what is wrong, or 130 when interrupted."""
-    # Numpy reads it when it is loaded: our products are small, and more threads only take time from each other.
+    # Read by numpy when it is loaded: our products are small, and threads only take time from each other.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     # Asked to end, we end as when interrupted: what is half-written goes.
     for number in (signal.SIGINT, signal.SIGTERM):
