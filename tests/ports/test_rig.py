@@ -118,7 +118,7 @@ def test_what_cannot_perform_is_told_before_anything_is_said(
     ("output", "message"),
     [
         ("y.txt", "unknown suffix '.txt'"),
-        ("y.mp4", "is no .glb"),
+        ("y.mp4", "is not a .glb file"),
         ("none/y.glb", "folder .*none' does not exist"),
     ],
 )
