@@ -18,12 +18,14 @@ from behaviour_measures import (
     NEAR,
     STILL,
     Clip,
+    accent_speeds,
     accented,
     aligned,
     blinks,
     brow_raises,
     head_power,
     head_speed,
+    main_sequence,
     nods,
     saccades,
     sampled,
@@ -81,6 +83,8 @@ def measured(found: list[Clip]) -> dict[str, float]:
     mutual, away = ([s for clip in found for s in visits(clip)[i]] for i in (0, 1))
     jumps = np.concatenate([saccades(clip) for clip in found])
     slope, base = np.polyfit(jumps[:, 0], jumps[:, 1], 1)
+    speeds = np.array([accent_speeds(clip) for clip in found]).mean(axis=0)
+    paused = np.concatenate([head_speed(clip)[clip.pausing] for clip in found])
     still = [head_speed(clip) < STILL for clip in found]
     raises = [brow_raises(clip) for clip in found]
     leads = np.concatenate([_leads(r, accented(clip.said)) for r, clip in zip(raises, found, strict=True)])
@@ -93,12 +97,20 @@ def measured(found: list[Clip]) -> dict[str, float]:
         "blink_seconds": float(np.median([b[2] for b in shut])),
         "blink_closing_share": float(np.median([b[1] / b[2] for b in shut])),
         "complete_blinks": float(np.mean([b[3] > 0.97 for b in shut])),
+        "blink_depth": float(np.mean([b[3] for b in shut])),
+        "blink_interval_median": float(np.median(gaps)),
         "blink_interval_variation": float(gaps.std() / gaps.mean()),
         "mutual_gaze": sum(mutual) / (sum(mutual) + sum(away)),
         "mutual_seconds": float(np.mean(mutual)),
         "away_seconds": float(np.mean(away)),
         "saccade_base": float(base),
         "saccade_per_degree": float(slope),
+        "saccade_degrees": float(jumps[:, 0].mean()),
+        "saccade_speed": float(np.mean(jumps[:, 2] / main_sequence(jumps[:, 0]))),
+        "head_speed_accents": float(speeds[0]),
+        "head_speed_elsewhere": float(speeds[1]),
+        "head_speed_ratio": float(speeds[0] / speeds[1]),
+        "head_speed_pauses": float(paused.mean()),
         **{
             f"head_{axis}_deviation": float(np.mean([c.curves[f"head_{axis}"].std() for c in found]))
             for axis in ("pitch", "yaw", "roll")

@@ -13,7 +13,7 @@ from risorius.core.score import Score
 from risorius.core.utterance import PauseKind, Utterance
 from risorius.face.lip_fit import load_lip_rig
 
-FPS = 200
+FPS = 500
 # Looking so near straight ahead is looking at the listener's face; looks away that are shorter do not count.
 FACE, SHORTEST = 6.0, 0.15
 # A head that turns slower than this stands still, degrees a second.
@@ -91,7 +91,7 @@ def visits(clip: Clip) -> tuple[list[float], list[float]]:
 
 
 def saccades(clip: Clip) -> Array:
-    """Return amplitude in degrees and seconds of each saccade, shape (n, 2)."""
+    """Return amplitude in degrees, seconds, and peak speed in degrees a second of each, shape (n, 3)."""
     c = clip.curves
     pitch, yaw = c["gaze_pitch"] + c["head_pitch"], c["gaze_yaw"] + c["head_yaw"]
     speed = np.hypot(np.gradient(pitch), np.gradient(yaw)) * FPS
@@ -99,8 +99,21 @@ def saccades(clip: Clip) -> Array:
     for a, b in _runs(speed > 15.0):
         amplitude = float(np.hypot(pitch[b - 1] - pitch[a], yaw[b - 1] - yaw[a]))
         if amplitude > 2.0:
-            rows.append((amplitude, (b - a) / FPS))
-    return np.array(rows).reshape(-1, 2)
+            rows.append((amplitude, (b - a) / FPS, float(speed[a:b].max())))
+    return np.array(rows).reshape(-1, 3)
+
+
+def main_sequence(degrees: Array) -> Array:
+    """Return the published peak speed of saccades, degrees a second (facts: Freedman 2001)."""
+    return np.asarray(473.0 * (1.0 - np.exp(-degrees / 7.8)))
+
+
+def accent_speeds(clip: Clip) -> tuple[float, float]:
+    """Return the head's mean speed within 0.15 s of accents and elsewhere in speech, degrees a second."""
+    speed = head_speed(clip)
+    times = np.arange(len(speed)) / FPS
+    near = _distance(times, accented(clip.said)) <= 0.15
+    return float(speed[clip.speaking & near].mean()), float(speed[clip.speaking & ~near].mean())
 
 
 def head_speed(clip: Clip) -> Array:
@@ -153,6 +166,12 @@ def sentence_ranges(clip: Clip) -> list[float]:
             ranges.append(float(part.max() - part.min()))
         first = end
     return ranges
+
+
+def _distance(times: Array, events: Array) -> Array:
+    """Return how far each time is from the event nearest to it, seconds."""
+    after = np.clip(np.searchsorted(events, times), 1, len(events) - 1)
+    return np.minimum(np.abs(times - events[after - 1]), np.abs(events[after] - times))
 
 
 def aligned(events: list[float], targets: Array, window: float = 0.15) -> float:

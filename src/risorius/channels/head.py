@@ -28,7 +28,7 @@ NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.pitch", "head.posture.s
 # Seconds in which one movement of a chain gives way to the next.
 _OVERLAP = 0.02
 # Seconds in which the melody goes back when a pause begins, and the head when all is said.
-_RELEASE = 0.3
+_RELEASE = 0.24
 # Seconds that a movement of the noise lasts at least, unless an edge of a pause cuts it.
 _SHORTEST = 0.01
 
