@@ -11,6 +11,7 @@ import numpy as np
 from ..core.arrays import Array, IndexArray
 from ..core.channels import CHANNELS
 from ..core.movement import Movement
+from ..core.rivalry import rival_pairs, without_rivals
 from ..core.score import Score
 from .concatenate import LayerCurves, concatenate
 from .curve import Curve
@@ -75,13 +76,14 @@ def _highest(sampled: Iterable[tuple[IndexArray, Array]], count: int) -> Array:
 def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, ...]:
     """Return the channels that the score uses, highest default priority first."""
     movements: dict[str, dict[tuple[bool, str], list[Movement]]] = defaultdict(lambda: defaultdict(list))
-    for movement in score.movements:
+    order: dict[int, int] = {}
+    for number, movement in enumerate(_held(m, score.settings.conflict) for m in score.movements):
         movements[movement.channel][movement.on_top, movement.layer].append(movement)
+        order[id(movement)] = number
     function = score.settings.onset_function
     drawn = {name: list[Curve](curves) for name, curves in key_curves(score.manual).items()}
     replaced = replaced_spans(score.manual)
     channels = []
-    order = {id(movement): number for number, movement in enumerate(score.movements)}
     for name in CHANNELS:
         layers = {key: concatenate(in_layer, function) for key, in_layer in sorted(movements[name].items())}
         levels = levels_of(_claims(name, layers.values(), lips), CHANNELS.get(name).priority)
@@ -101,6 +103,13 @@ def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, 
             if curves:
                 channels.append(replace(part, curves=dict(sorted(curves.items()))))
     return tuple(channels)
+
+
+def _held(movement: Movement, conflict: str) -> Movement:
+    """Return a movement whose rivals sum to 1 at most; other systems, which `sum` stands for, leave them."""
+    if conflict == "sum" or not any(rival_pairs(movement.targets)):
+        return movement
+    return replace(movement, targets=without_rivals(movement.targets))
 
 
 Curves = dict[str, list[Curve]]

@@ -16,7 +16,6 @@ from ..core.channels import CHANNELS
 from ..core.functions import DEFAULT_FUNCTION
 from ..core.movement import Movement, fitted
 from ..core.parameters import NEUTRAL, PARAMETERS
-from ..core.rivalry import without_rivals
 from .curve_pieces import CurvePiece, CurvePieces, MovementCurve, last_time, value_at
 from .levels import PriorityClaim
 
@@ -99,7 +98,7 @@ def _resume(steps: list[LayerStep], interrupted: list[LayerStep], before: float)
 def _step(movement: Movement, start: float, function: str | None) -> LayerStep:
     """Return a movement from `start` on; onset and offset shrink in proportion if they do not fit."""
     onset, offset = fitted(movement.onset, movement.offset, movement.end - start)
-    targets = {name: value - NEUTRALS[name] for name, value in without_rivals(movement.targets).items()}
+    targets = {name: value - NEUTRALS[name] for name, value in movement.targets.items()}
     shape = function or movement.function
     return LayerStep(movement, start, movement.end, onset, offset, shape, targets, movement.end)
 

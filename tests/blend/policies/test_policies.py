@@ -169,7 +169,7 @@ class TestSum:
 
     def test_the_same_muscle_adds_and_is_clipped(self) -> None:
         pair = tuple(
-            Movement(channel, 0.0, 2.0, 0.1, 0.1, {SMILE: 0.4, ROUND: 0.6})
+            Movement(channel, 0.0, 2.0, 0.1, 0.1, {SMILE: 0.4, ROUND: 0.7})
             for channel in ("emotion", "signals")
         )
         values = blend.at(Score(2.0, pair, settings=BlendSettings(conflict="sum")), np.array([1.0]))
