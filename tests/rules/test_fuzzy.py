@@ -18,7 +18,7 @@ INTENSITY = st.floats(0.0, 1.0)
 
 @pytest.mark.parametrize("centres", [[], [1.0], [0.0, 0.0], [1.0, 0.5]])
 def test_centres_that_do_not_rise_are_refused(centres: list[float]) -> None:
-    with pytest.raises(InputError, match="do not rise"):
+    with pytest.raises(InputError, match="do not increase"):
         check_centres(centres)
 
 
