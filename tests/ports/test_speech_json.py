@@ -12,7 +12,7 @@ from risorius.core.json_text import parse_json
 from risorius.core.schema import placed
 from risorius.core.score import Score
 from risorius.core.utterance import Accent, Syllable, Utterance
-from risorius.errors import InputError
+from risorius.errors import InputError, RisoriusWarning
 from risorius.ports.score_json import read_score_file
 from risorius.ports.speech_json import SpeechDocument
 from risorius.ports.targets import check_targets, write_targets
@@ -47,7 +47,7 @@ def speech_from_json(speech: dict[str, Any], folder: Path, duration: float) -> U
             "the phones do not end within the duration; expected an end up to 1 s",
         ),
         (
-            {"phones": [{"symbol": "", "start": 0, "end": 80_000}]},
+            {"phones": [{"symbol": "", "start": 0, "end": 20_000}]},
             '"phones"',
             "the phones do not end within the duration",
         ),
@@ -98,6 +98,8 @@ def speech_from_json(speech: dict[str, Any], folder: Path, duration: float) -> U
             '"audio"',
             "'text.wav' cannot be read (file does not start with RIFF id)",
         ),
+        ({"audio": "../x.wav"}, '"audio"', "'../x.wav' is outside of the score's folder"),
+        ({"audio": "link.wav"}, '"audio"', "'link.wav' is outside of the score's folder"),
         ({"audio": "rate.wav"}, '"audio"', "'rate.wav' is not 16-bit mono"),
         ({"audio": "short.wav"}, '"phones"', "phones do not cover the sound"),
     ],
@@ -109,6 +111,7 @@ def test_faulty_speech_is_refused_with_its_place(
     sound = sound_of(np.zeros(100, np.int16))
     short = sound.path.read_bytes()
     (tmp_path / "short.wav").write_bytes(short)
+    (tmp_path / "link.wav").symlink_to(sound.path)
     (tmp_path / "rate.wav").write_bytes(short[:24] + bytes(4) + short[28:])
     with pytest.raises(InputError) as caught:
         speech_from_json(SPEECH | change, tmp_path, 1.0)
@@ -129,12 +132,23 @@ def test_speech_is_read_back_with_its_sound(
     take = take_of(audio=spoken.audio, utterance=spoken, score=Score(spoken.duration))
     folder = tmp_path / "sub"
     folder.mkdir()
-    write_targets(take, check_targets([tmp_path / "x.wav", folder / "x.score.json"]))
-    assert json.loads((folder / "x.score.json").read_text())["speech"]["audio"] == "../x.wav"
-    held = read_score_file(folder / "x.score.json").utterance
+    write_targets(take, check_targets([folder / "x.wav", tmp_path / "x.score.json"]))
+    assert json.loads((tmp_path / "x.score.json").read_text())["speech"]["audio"] == "sub/x.wav"
+    held = read_score_file(tmp_path / "x.score.json").utterance
     assert held is not None
     assert replace(held, audio=spoken.audio) == spoken
     np.testing.assert_array_equal(held.audio.read(), spoken.audio.read())
+
+
+def test_a_score_refers_to_no_sound_outside_of_its_folder(
+    tmp_path: Path, take_of: Callable[..., WritableTake], spoken: Utterance
+) -> None:
+    take = take_of(audio=spoken.audio, utterance=spoken, score=Score(spoken.duration))
+    (tmp_path / "sub").mkdir()
+    targets = check_targets([tmp_path / "x.wav", tmp_path / "sub" / "x.score.json"])
+    with pytest.warns(RisoriusWarning, match="outside of the score's folder"):
+        write_targets(take, targets)
+    assert "audio" not in json.loads((tmp_path / "sub" / "x.score.json").read_text())["speech"]
 
 
 def test_without_a_sound_file_speech_is_silent_and_as_long(

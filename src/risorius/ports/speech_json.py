@@ -14,6 +14,7 @@ from ..core.audio import Audio, silence
 from ..core.hints import Range
 from ..core.schema import MisfitError
 from ..core.utterance import Accent, Boundary, Pause, Phone, Phrase, Syllable, Utterance, Word
+from ..errors import warn
 from .layout import to_record
 
 _PARTS = ("phones", "words", "syllables", "pauses", "accents", "boundaries", "phrases")
@@ -108,6 +109,9 @@ def _audio(name: str, folder: Path) -> Audio:
         )
     path = folder / name
     try:
+        if not _is_inside(path, folder):
+            message = f"'{name}' is outside of the score's folder; expected a sound in it or below"
+            raise MisfitError(message, "audio")
         with wave.open(str(path), "rb") as file:
             form = (file.getnchannels(), file.getsampwidth(), file.getframerate() > 0)
             if form != (1, 2, True):
@@ -119,11 +123,21 @@ def _audio(name: str, folder: Path) -> Audio:
         raise MisfitError(message, "audio") from None
 
 
+def _is_inside(path: Path, folder: Path) -> bool:
+    """Whether a file is in a folder or below, links followed: a score reads no other file of its user."""
+    return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(folder))
+
+
 def speech_to_json(utterance: Utterance, voice: Path | None, folder: Path) -> dict[str, Any]:
-    """Return an utterance as an object; `audio` is the way from `folder` to the sound file `voice`."""
+    """Return an utterance as an object; `audio` is the way from `folder` to the sound file `voice`.
+
+    Warns, and leaves it out, if the sound is outside of the folder: it would not be read back.
+    """
     record: dict[str, Any] = {"language": utterance.language, "text": utterance.text}
     record["sample_rate"] = utterance.audio.sample_rate
-    if voice is not None:
+    if voice is not None and not _is_inside(voice, folder):
+        warn(f"{voice}: is outside of the score's folder; the score refers to no sound")
+    elif voice is not None:
         record["audio"] = Path(os.path.relpath(os.path.realpath(voice), os.path.realpath(folder))).as_posix()
     for name in _PARTS:
         record[name] = [to_record(item) for item in getattr(utterance, name)]

@@ -14,7 +14,7 @@ from .quote import one_line, quoted
 from .tree import Unknowns, XmlNode
 
 LONGEST_BREAK = 60.0
-_SECONDS = re.compile(rf"({NUMBER})(ms|s)", re.ASCII)
+_SECONDS = re.compile(rf"(?<!\d)({NUMBER})(ms|s)", re.ASCII)
 _AMOUNT = re.compile(rf"([+-]?)({NUMBER})(%|st|Hz|dB)?", re.ASCII | re.IGNORECASE)
 
 
