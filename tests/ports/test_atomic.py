@@ -74,3 +74,14 @@ def test_a_link_is_followed(tmp_path: Path) -> None:
         temporary.write_text("new")
     assert link.is_symlink()
     assert real.read_text() == "new"
+
+
+def test_what_a_killed_process_left_a_day_ago_is_removed(tmp_path: Path) -> None:
+    old, young, other = (tmp_path / name for name in (".risorius-1.part", ".risorius-2.part", "3.part"))
+    for left in (old, young, other):
+        left.write_text("half")
+    for left in (old, other):
+        os.utime(left, (0, 0))
+    with replacing(tmp_path / "x.txt") as temporary:
+        temporary.write_text("whole")
+    assert {path.name for path in tmp_path.iterdir()} == {young.name, other.name, "x.txt"}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import secrets
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
@@ -14,6 +15,8 @@ from ..errors import DiskFullError, OutputError, Place
 
 _BEGINNING, _TEMPORARY = ".risorius-", ".part"
 _run: ContextVar[str] = ContextVar("run that creates temporary files", default="")
+_OLD = 86_400.0  # s after which the file of a process that was killed is removed
+_swept: set[Path] = set()  # folders that this process has looked through
 _FULL = {errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)}
 
 
@@ -66,8 +69,20 @@ def remove_temporaries(folder: Path, run: str) -> None:
             path.unlink()
 
 
+def _sweep(folder: Path) -> None:
+    """Remove what killed processes left in a folder, once for each folder."""
+    if folder in _swept:
+        return
+    _swept.add(folder)
+    with suppress(OSError):
+        for left in folder.glob(f"{_BEGINNING}*{_TEMPORARY}"):
+            if time.time() - left.stat().st_mtime > _OLD:
+                left.unlink(missing_ok=True)
+
+
 def _create_beside(final: Path) -> Path:
     """Create an empty file that only we know, with the permissions that any new file gets."""
+    _sweep(final.parent)
     while True:
         run = f"{_run.get()}-" if _run.get() else ""
         temporary = final.with_name(f"{_BEGINNING}{run}{secrets.token_hex(6)}{_TEMPORARY}")

@@ -66,9 +66,18 @@ def test_a_killed_worker_is_an_error_and_leaves_nothing(tmp_path: Path) -> None:
 @pytest.mark.parametrize("frames", [1, 500])
 def test_a_hung_worker_is_given_up(tmp_path: Path, frames: int) -> None:
     started = time.monotonic()
-    with pytest.raises(OutputError, match=r"did not answer for 0\.8 s and was stopped"):
+    with pytest.raises(OutputError, match=r"gave no answer within 0\.8 s"):
         _film(tmp_path / "x.mp4", frames, _at(0, signal.SIGSTOP), patience=0.8)
     assert time.monotonic() - started < 20.0
+    assert list(tmp_path.iterdir()) == []
+
+
+@linux
+def test_a_stopped_worker_is_noticed_long_before_patience_ends(tmp_path: Path) -> None:
+    started = time.monotonic()
+    with pytest.raises(OutputError, match="was stopped by a signal"):
+        _film(tmp_path / "x.mp4", 500, _at(0, signal.SIGSTOP), patience=600.0)
+    assert time.monotonic() - started < 60.0
     assert list(tmp_path.iterdir()) == []
 
 

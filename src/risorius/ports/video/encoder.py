@@ -57,7 +57,7 @@ class VideoEncoder:
         if channels == 3 and CODECS[codec].pixels == "yuv420p":
             pixels, self._planes = "yuv420p", np.empty(width * height * 3 // 2, np.uint8)
         self._patience = patience
-        self._silent_too_long = False
+        self._silence = ""
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
         self._process = processes.start(
             "risorius.ports.video.worker",
@@ -116,8 +116,8 @@ class VideoEncoder:
         return json.loads(text) if text else None
 
     def _failure(self, answer: dict[str, object] | None) -> Exception:
-        if self._silent_too_long:
-            return OutputError(f"the video encoder did not answer for {self._patience:g} s and was stopped")
+        if self._silence:
+            return OutputError(f"the video encoder {self._silence}; it was ended")
         if answer is None:
             status = self._process.returncode
             return OutputError(f"the video encoder died (exit status {status}){self._last_complaint()}")
@@ -135,17 +135,21 @@ class VideoEncoder:
     @contextmanager
     def _limit(self) -> Iterator[None]:
         """Kill the worker if the block takes too long, which ends any waiting for it."""
-        timer = threading.Timer(self._patience, self._give_up)
-        timer.daemon = True
-        timer.start()
+        done = threading.Event()
+        threading.Thread(target=self._watch, args=(done,), daemon=True).start()
         try:
             yield
         finally:
-            timer.cancel()
+            done.set()
 
-    def _give_up(self) -> None:
-        self._silent_too_long = True
-        self._process.kill()
+    def _watch(self, done: threading.Event) -> None:
+        try:
+            for step in processes.patience(self.pid, self._patience):
+                if done.wait(step):
+                    return
+        except processes.SilentError as error:
+            self._silence = str(error)
+            self._process.kill()
 
     def _stop(self) -> None:
         self._process.kill()

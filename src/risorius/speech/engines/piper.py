@@ -10,15 +10,15 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import subprocess
 import tempfile
 import wave
 from pathlib import Path
 
 import numpy as np
 
+from ...core import processes
 from ...errors import InputError, Place, SpeechError
-from .program import ProgramEngine, referred
+from .program import LONGEST_ANSWER, ProgramEngine, referred
 from .protocol import Rendition, SpeechEngine, SpeechRequest
 from .reference import warped
 from .registry import VOICE_FILES
@@ -50,12 +50,11 @@ class PiperEngine(ProgramEngine):
 
     def _say(self, command: list[str], text: str) -> None:
         try:
-            done = subprocess.run(command, input=text.encode() + b"\n", capture_output=True, timeout=SECONDS)
-        except (OSError, subprocess.TimeoutExpired) as error:
+            finished = processes.run(command, text.encode() + b"\n", SECONDS, LONGEST_ANSWER)
+        except (OSError, processes.SilentError, processes.TooLongError) as error:
             raise self._fault(f"Piper failed: {error}") from None
-        if done.returncode:
-            last = done.stderr.decode("utf-8", "replace").strip().splitlines()[-1:] or [""]
-            raise self._fault(f"Piper failed with exit code {done.returncode}: {last[0]}")
+        if finished.status:
+            raise self._fault(f"Piper failed with exit code {finished.status}: {finished.complaint}")
 
 
 def _wave(file: Path, name: str) -> tuple[np.ndarray[tuple[int], np.dtype[np.int16]], int]:

@@ -15,6 +15,8 @@ import threading
 from collections.abc import Sequence
 from typing import IO, Any
 
+from ...core import processes
+
 Answer = tuple[dict[str, Any], bytes]
 
 
@@ -48,10 +50,10 @@ class WorkerProcess:
         """Send `message` and return the answer and its bytes; raise WorkerError after `timeout` seconds."""
         self._requests.put(json.dumps(message).encode() + b"\n")
         try:
-            answer = self._answers.get(timeout=timeout)
-        except queue.Empty:
+            answer = self._answer(timeout)
+        except processes.SilentError as error:
             self.kill()
-            raise WorkerError(f"it gave no answer within {timeout:.0f} s") from None
+            raise WorkerError(f"it {error}") from None
         except BaseException:
             # Interrupted: a late answer must never be taken for that of the next request.
             self.kill()
@@ -61,6 +63,12 @@ class WorkerProcess:
             self.kill()
             raise WorkerError(f"{answer}{reason}")
         return answer
+
+    def _answer(self, timeout: float) -> Answer | WorkerError:
+        for step in processes.patience(self.pid, timeout):
+            with contextlib.suppress(queue.Empty):
+                return self._answers.get(timeout=step)
+        raise AssertionError("patience ends with an error")
 
     def close(self) -> None:
         """End the worker by ending its input; kill it if it does not go."""

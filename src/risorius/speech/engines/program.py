@@ -9,7 +9,6 @@ from __future__ import annotations
 import base64
 import json
 import os
-import subprocess
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -17,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from ...core import processes
 from ...core.audio import Samples
 from ...core.depth import TOO_DEEP, is_too_deep
 from ...core.utterance import SILENCE
@@ -77,23 +77,16 @@ class ProgramEngine:
             warn(message, SpeechWarning)
 
     def _run(self, message: Mapping[str, Any]) -> bytes:
+        data = json.dumps(message).encode() + b"\n"
         try:
-            done = subprocess.run(
-                self._command,
-                input=json.dumps(message).encode() + b"\n",
-                capture_output=True,
-                timeout=SECONDS,
-            )
+            finished = processes.run(self._command, data, SECONDS, LONGEST_ANSWER)
         except OSError as error:
             raise self._fault(f"cannot be started: {error.strerror}") from None
-        except subprocess.TimeoutExpired:
-            raise self._fault(f"gave no answer within {SECONDS:.0f} s") from None
-        if done.returncode:
-            last = done.stderr.decode("utf-8", "replace").strip().splitlines()[-1:] or [""]
-            raise self._fault(f"failed with exit code {done.returncode}: {last[0]}".rstrip(": "))
-        if len(done.stdout) > LONGEST_ANSWER:
-            raise self._fault("gave an answer that is too long")
-        return done.stdout
+        except (processes.SilentError, processes.TooLongError) as error:
+            raise self._fault(str(error)) from None
+        if finished.status:
+            raise self._fault(f"failed with exit code {finished.status}: {finished.complaint}".rstrip(": "))
+        return finished.output
 
     def _read(self, output: bytes, request: SpeechRequest) -> Rendition:
         try:
