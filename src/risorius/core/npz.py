@@ -27,15 +27,18 @@ def read_arrays(file: Path | IO[bytes], largest: int = LARGEST) -> dict[str, Any
     Only one thread reads at a time: numpy parses an array's header as Python source, and Python 3.11 confuses
     syntax trees that two threads parse at once ("AST constructor recursion depth mismatch").
     """
+    if isinstance(file, Path):
+        with file.open("rb") as opened:
+            return read_arrays(opened, largest)
     try:
         with _one_at_a_time, zipfile.ZipFile(file) as archive:
             members = archive.infolist()
             _check_sizes(members, largest)
             return {member.filename.removesuffix(".npy"): _array(archive, member) for member in members}
-    except (OSError, ValueError):
+    except ValueError:
         raise
     except Exception as error:
-        # zipfile, zlib and numpy's parser of headers raise a dozen kinds for what is damaged.
+        # zipfile, zlib and numpy's parser of headers raise a dozen kinds, OSError among them.
         raise ValueError(f"is damaged ({error or type(error).__name__})") from error
 
 

@@ -5,7 +5,9 @@ WAV, FLAC, OGG and MP3 among them. Read block by block, so that memory does not 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -41,7 +43,7 @@ def read_recording(path: str | PathLike[str]) -> Audio:
     and of samples that are not numbers, which become silence.
     """
     place = Place(str(path))
-    with _opened(Path(path), place) as source:
+    with _hushed(), _opened(Path(path), place) as source:
         checks = _Checks(source.samplerate)
         with AudioWriter(source.samplerate) as writer:
             for block in _blocks(source, place):
@@ -52,6 +54,23 @@ def read_recording(path: str | PathLike[str]) -> Audio:
         raise InputError(f"lasts {audio.duration:.3f} s; expected at least {SHORTEST:g} s of speech", place)
     checks.report(audio, place)
     return audio
+
+
+@contextmanager
+def _hushed() -> Iterator[None]:
+    """Let no library write on standard error: libmpg123 complains there of what is damaged."""
+    try:
+        kept = os.dup(2)
+    except OSError:
+        yield  # it is closed
+        return
+    try:
+        with Path(os.devnull).open("wb") as nowhere:
+            os.dup2(nowhere.fileno(), 2)
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
 
 
 def _opened(path: Path, place: Place) -> SoundFile:
@@ -82,7 +101,8 @@ def _blocks(source: SoundFile, place: Place) -> Iterator[Float32Array]:
             frames += len(block)
             if frames > LONGEST * source.samplerate:
                 raise InputError(f"is longer than {LONGEST / 3600:g} hours; expected less", place)
-            yield block.mean(axis=1)
+            with np.errstate(invalid="ignore", over="ignore"):  # `_Checks` mends what is not a number
+                yield block.mean(axis=1)
     except (soundfile.LibsndfileError, RuntimeError, ValueError) as error:
         at = frames / source.samplerate
         raise InputError(f"cannot be decoded from {at:.2f} s on: {_reason(error)}", place) from None

@@ -1,0 +1,307 @@
+"""All that reads foreign bytes, by the kind of file: a new reader is one line here."""
+
+from __future__ import annotations
+
+import io
+import json
+import wave
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from risorius.api import load, mix
+from risorius.core.npz import read_arrays
+from risorius.core.toml import load_file
+from risorius.errors import HeadError
+from risorius.face.head_file import HeadFile
+from risorius.face.identity import read_identity
+from risorius.face.links import LinkTable
+from risorius.face.muscle_table import load_muscles
+from risorius.ports.arkit_csv import COLUMNS as ARKIT_COLUMNS
+from risorius.ports.arkit_csv import read_arkit_csv
+from risorius.ports.au_csv import read_au_csv
+from risorius.ports.fap import FLAGS, read_fap
+from risorius.ports.glb_file import GlbFile, save_glb
+from risorius.ports.rig import read_rig
+from risorius.render.backdrop import backdrop
+from risorius.rules.emotions import Emotion, parse_display
+from risorius.rules.profiles import profile_of
+from risorius.rules.rule_set import rule_set_of
+from risorius.script.read import read_script
+from risorius.script.textgrid import read_textgrid
+from risorius.settings import Settings, settings_of
+from risorius.speech.engines.program import ProgramEngine
+from risorius.speech.engines.protocol import SpeechRequest, Voice
+from risorius.speech.recordings.labelled import utterance_of_labels
+from risorius.speech.recordings.recording import read_recording
+from risorius.stream.receiver_socket import parse_address
+from risorius.studio.messages import decode
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES, PACKAGE = ROOT / "examples", ROOT / "src" / "risorius"
+COARSE = Settings(fps=Fraction(2))
+
+
+@dataclass(frozen=True, slots=True)
+class FuzzedReader:
+    """What reads a file: its name's ending, right contents, and the strict tables that are read from it."""
+
+    suffix: str
+    read: Callable[[Path], object]
+    samples: Callable[[], tuple[bytes, ...]]
+    tables: tuple[str, ...] = ()
+
+
+READERS: dict[str, FuzzedReader] = {}
+
+
+def register(
+    suffix: str,
+    read: Callable[[Path], object],
+    *samples: bytes | Path | Callable[[], bytes],
+    tables: str = "",
+) -> None:
+    """Register a reader of files; a sample may be made when it is first needed."""
+
+    @cache
+    def contents() -> tuple[bytes, ...]:
+        return tuple(
+            s if isinstance(s, bytes) else s.read_bytes() if isinstance(s, Path) else s() for s in samples
+        )
+
+    READERS[suffix] = FuzzedReader(suffix, read, contents, tuple(tables.split()))
+
+
+def _script(path: Path) -> object:
+    return read_script(str(path))
+
+
+def _labels(path: Path) -> object:
+    grid = read_textgrid(str(path))
+    return utterance_of_labels(grid) if grid.end < 60.0 else grid
+
+
+def _text(read: Callable[[str], object]) -> Callable[[Path], object]:
+    return lambda path: read(path.read_bytes().decode("utf-8", "replace"))
+
+
+def _setting(text: str) -> Settings:
+    name, _, value = text.partition("=")
+    return settings_of({name: value})
+
+
+def _answer(path: Path) -> object:
+    request = SpeechRequest("Hello.", Voice("en-us", ("en-us",), "", "", "en-us"))
+    return ProgramEngine(["none"], "mine")._read(path.read_bytes(), request)
+
+
+def _muscles(path: Path) -> object:
+    (path.parent / "muscles.toml").write_bytes(path.read_bytes())
+    return load_muscles(path.parent)
+
+
+def _head(path: Path) -> object:
+    file = HeadFile.read(path)
+    return [file.array("rest", ("n", 3)), file.indices("quads", ("n", 4), 10_000)]
+
+
+def _arrays(path: Path) -> object:
+    try:
+        return read_arrays(path)
+    except ValueError as error:
+        raise HeadError(str(error)) from None
+
+
+def _map(path: Path) -> object:
+    (path.parent / "rig.glb").write_bytes(_glb())
+    return read_rig(path.parent / "rig.glb", path)
+
+
+def _saved(save: Callable[[io.BytesIO], object]) -> bytes:
+    held = io.BytesIO()
+    save(held)
+    return held.getvalue()
+
+
+def _wav(file: io.BytesIO) -> None:
+    with wave.open(file, "wb") as sound:
+        sound.setparams((1, 2, 8000, 0, "NONE", ""))
+        sound.writeframes((8000 * np.sin(np.arange(2000.0))).astype("<i2").tobytes())
+
+
+def _sound(kind: str) -> bytes:
+    import soundfile
+
+    sound = 0.3 * np.sin(np.arange(4000.0))
+    return _saved(lambda file: soundfile.write(file, sound, 8000, format=kind))
+
+
+@cache
+def _glb() -> bytes:
+    import tempfile
+
+    mesh = {"primitives": [{"targets": [{}, {}]}], "extras": {"targetNames": ["jawOpen", "mouthClose"]}}
+    document = {"asset": {"version": "2.0"}, "meshes": [mesh], "nodes": [{"mesh": 0}]}
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "a.glb"
+        save_glb(GlbFile(path, document, b"1234"), path)
+        return path.read_bytes()
+
+
+MOVEMENTS = [
+    {"channel": "emotion", "start": 0.2, "end": 1.5, "onset": 0.3, "offset": 0.4, "targets": {"AU12": 0.7}},
+    {"channel": "head", "start": 0.5, "end": 1.0, "onset": 0.1, "offset": 0.1, "targets": {"head_yaw": 9.0}}
+    | {"priority": 20, "function": "linear", "cause": {"rule": "a.b.c", "trigger": "x", "place": "y:1"}},
+    {"channel": "manual", "keys": {"jaw_open": [[0.0, 0.1], [1.0, 0.5], [1.7, 0.0]]}, "replaces": True},
+    {"channel": "lips", "phone": "M", "start": 0.4, "end": 0.5, "targets": {"lip_seal": 1.0}}
+    | {
+        "limits": {"jaw_open": [0.0, 0.2]},
+        "dominance": {"*": {"magnitude": 0.9, "before": 0.05, "after": 0.05}},
+    },
+]
+SPEECH = {
+    "language": "en-us",
+    "phones": [
+        {"symbol": "", "start": 0, "end": 0.4},
+        {"symbol": "M", "start": 0.4, "end": 0.5, "word": 0},
+        {"symbol": "", "start": 0.5, "end": 2.0},
+    ],
+    "words": [{"text": "m", "start": 0.4, "end": 0.5, "first_phone": 1, "last_phone": 2}
+              | {"source_start": 0, "source_end": 1}],
+    "pauses": [{"start": 0.5, "end": 2.0, "kind": "final"}],
+}  # fmt: skip
+SCORE = {
+    "risorius": 1, "duration": 2.0, "text": "m", "seed": 3, "speech": SPEECH, "movements": MOVEMENTS,
+    "settings": {"conflict": "graded", "activation_threshold": 0.1, "min_onset": 0.12, "lips": "dominance"},
+}  # fmt: skip
+MINIMAL = {"risorius": 1, "duration": 2.0, "movements": MOVEMENTS[:1]}
+
+
+def _json(data: object) -> bytes:
+    return json.dumps(data).encode()
+
+
+def _performance() -> bytes:
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "a.score.json").write_bytes(_json(MINIMAL))
+        mix(Path(folder) / "a.score.json", settings=COARSE).write(Path(folder) / "a.performance.json")
+        return (Path(folder) / "a.performance.json").read_bytes()
+
+
+GRID = b"""File type = "ooTextFile"
+Object class = "TextGrid"
+xmin = 0
+xmax = 1
+tiers? <exists>
+size = 2
+item [1]:
+ class = "IntervalTier"
+ name = "words"
+ xmin = 0
+ xmax = 1
+ intervals: size = 2
+ intervals [1]:
+ xmin = 0
+ xmax = 0.4
+ text = ""
+ intervals [2]:
+ xmin = 0.4
+ xmax = 1
+ text = "ma"
+item [2]:
+ class = "IntervalTier"
+ name = "phones"
+ xmin = 0
+ xmax = 1
+ intervals: size = 3
+ xmin = 0 xmax = 0.4 text = ""
+ xmin = 0.4 xmax = 0.6 text = "M"
+ xmin = 0.6 xmax = 1 text = "AA1"
+"""
+ARKIT = ",".join(ARKIT_COLUMNS) + "".join(f"\n00:00:0{k}:00.000,61" + ",0.1" * 61 for k in range(2))
+AU = "frame, timestamp, success, AU01_r, AU12_r\n1, 0.0, 1, 0.5, 2\n2, 0.1, 0, 5, 1\n3, 0.2, 1, 0, 0\n"
+FAP = f"2.1 a 25 2\n{FLAGS}\n0 {'7 ' * FLAGS.count('1')}\n{FLAGS}\n1 {'-9 ' * FLAGS.count('1')}\n"
+PROFILE = PACKAGE / "rules/data/profiles/lively.toml"
+BML = (
+    b'<bml id="b"><speech id="s"><text>Hi <sync id="t"/> there.</text></speech>'
+    b'<head id="h" lexeme="NOD" start="s:t" repetition="2"/>'
+    b'<gaze id="g" target="listener" start="h:end+0.5"/>'
+    b'<faceFacs id="f" au="12" side="LEFT" amount="0.5" start="0" end="2"/>'
+    b'<constraint><synchronize ref="s:end"><sync ref="f:end"/></synchronize></constraint></bml>'
+)
+
+register(".txt", _script, "Hello there! *How* are you, Dr. Smith? $5.50, e.g.\n\nTwo…".encode())
+register(".xml", _script, EXAMPLES / "demo.xml", EXAMPLES / "04-intonation.xml")
+register(".utt", _script, EXAMPLES / "01-julia.utt", EXAMPLES / "05-timed.utt")
+register(".ssml", _script, EXAMPLES / "02-news.ssml")
+register(".bml", _script, EXAMPLES / "03-agent.bml", BML)
+register(".TextGrid", _labels, GRID)
+register(".score.json", lambda path: mix(path, settings=COARSE), lambda: _json(SCORE), lambda: _json(MINIMAL))
+register(".json", lambda path: mix(path, settings=COARSE), lambda: _json(SCORE))
+register(".performance.json", load, _performance)
+register(".arkit.csv", read_arkit_csv, ARKIT.encode())
+register(".csv", read_arkit_csv, ARKIT.encode())
+register(".au.csv", read_au_csv, AU.encode())
+register(".fap", read_fap, FAP.encode())
+register(".rules.toml", rule_set_of, EXAMPLES / "06-my-rules.toml", tables="RuleFile")
+register(".profile.toml", lambda p: profile_of(str(p)), PROFILE, tables="Profile")
+register(
+    ".emotion.toml",
+    lambda path: load_file(Emotion, path).targets(0.5),
+    PACKAGE / "rules/data/emotions/anger.toml",
+    tables="Emotion",
+)
+register(".identity.toml", read_identity, PACKAGE / "heads/standard/identity.toml", tables="Identity")
+register(
+    ".links.toml",
+    lambda path: load_file(LinkTable, path),
+    PACKAGE / "heads/standard/links.toml",
+    tables="LinkTable",
+)
+register(".muscles.toml", _muscles, PACKAGE / "heads/standard/muscles.toml", tables="Muscle")
+register(".map.toml", _map, b'[shapes]\njawOpen = "jawOpen"\nmouthClose = "mouthClose"\n', tables="ShapeMap")
+register(".head.npz", _head, PACKAGE / "heads/standard/head.npz")
+register(".npz", _arrays, lambda: _saved(lambda file: np.savez(file, a=np.arange(9.0), b=np.eye(3))))
+register(".glb", read_rig, _glb)
+register(".wav", read_recording, lambda: _saved(_wav))
+register(".flac", read_recording, lambda: _sound("FLAC"))
+register(".ogg", read_recording, lambda: _sound("OGG"))
+register(".mp3", read_recording, lambda: _sound("MP3"))
+register(
+    ".png",
+    lambda path: backdrop(16, 16, str(path), (0, 0, 0), (0, 0, 0)),
+    lambda: _saved(lambda file: Image.new("RGB", (20, 30), (9, 99, 199)).save(file, "PNG")),
+    lambda: _saved(lambda file: Image.new("RGB", (20, 30), (9, 99, 199)).save(file, "JPEG")),
+    lambda: _saved(lambda file: Image.new("P", (20, 30)).save(file, "GIF")),
+    lambda: _saved(lambda file: Image.new("RGB", (20, 30)).save(file, "WEBP")),
+    lambda: _saved(lambda file: Image.new("RGB", (20, 30)).save(file, "TIFF")),
+    lambda: _saved(lambda file: Image.new("RGB", (20, 30)).save(file, "BMP")),
+)
+register(
+    ".message",
+    _text(decode),
+    b'{"id": 7, "do": "perform", "source": {"script": "Hi."}, "choices": {"fps": "30", "seed": 3}}',
+    b'{"id": 8, "do": "edit", "kind": "stretch", "movement": "a", "start": 0.5, "end": 1.5}',
+)
+register(
+    ".answer",
+    _answer,
+    b'{"sample_rate": 8000, "audio": "AAAAAAAA", "phones": [["HH", 0.0, 0], ["AY1", 1e-4]]}',
+)
+register(".display", _text(parse_display), b"joy:0.7@1-2.5", b"fear:1")
+register(".address", _text(lambda text: parse_address(text, 9000)), b"127.0.0.1:8000", b"[::1]:80")
+register(
+    ".setting",
+    _text(_setting),
+    b"fps=24000/1001",
+    b"size=720x720",
+    b"shape=nose_width:0.5",
+    b"camera=close-up:85",
+)
