@@ -13,7 +13,9 @@ import numpy as np
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
+from risorius.errors import OutputError
 from risorius.studio import limits, solvers, streaming
+from risorius.studio.server import serve
 
 from .conftest import LINE, header, serving
 
@@ -396,3 +398,9 @@ def test_other_pages_of_a_session_hear_of_a_change(server):
         other.ask("open")
         take = one.perform("Hm.")
         assert other.event("changed")["take"] == take["take"]
+
+
+def test_a_folder_that_cannot_be_made_is_told_before_anything_is_served(tmp_path):
+    (tmp_path / "file").write_text("not a folder")
+    with pytest.raises(OutputError, match="cannot keep sessions: Not a directory"):
+        serve(0, folder=tmp_path / "file" / "x", browser=False)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import uvicorn
 
-from ..errors import OutputError
+from ..errors import OutputError, Place
 from . import limits
 from .app import Studio
 
@@ -54,11 +54,16 @@ def serve(
 ) -> None:
     """Serve the studio until interrupted; tell its address, and open a browser there if asked.
 
-    Raises OutputError where the port is taken.
+    Raises OutputError if the port is taken, or the folder cannot be made.
     """
+    home = folder or default_folder()
+    try:
+        home.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"cannot keep sessions: {error.strerror}", Place(str(home))) from None
     listening = bound(port)
     url = f"http://{HOST}:{listening.getsockname()[1]}/"
-    server = uvicorn.Server(configured(Studio(folder or default_folder())))
+    server = uvicorn.Server(configured(Studio(home)))
     say(f"The studio is at {url} (Ctrl+C ends it)")
     if browser:
         threading.Timer(0.5, webbrowser.open, [url]).start()
