@@ -1,6 +1,6 @@
 """Writes `requirements/`: the packages with which Risorius is tested, each with the digests of its files.
 
-    pip install --dry-run --ignore-installed --report 311.json ".[test,stream,docs]" hatchling editables
+    pip install --dry-run --ignore-installed --report 311.json ".[test]" hatchling editables
     python tools/lock.py 311.json
 
 The reports are pip's, one for each platform. `run.txt` is what Risorius needs to run and to be built,
@@ -76,8 +76,9 @@ def main(reports: Sequence[str]) -> None:
                 needs.setdefault(name, about.get("requires_dist", []))
                 digests.setdefault(name, set()).add(found)
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
     run = closure([*project["dependencies"], *BUILD], needs)
-    test = closure([*run, *project["optional-dependencies"]["test"]], needs)
+    test = closure([*run, *extras["test"]], needs)
     FOLDER.mkdir(exist_ok=True)
     (FOLDER / "run.txt").write_text(lines(run, pins, digests))
     (FOLDER / "test.txt").write_text(lines(test, pins, digests))
