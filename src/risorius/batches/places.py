@@ -9,7 +9,7 @@ from typing import Any
 
 from ..errors import InputError, OutputError, Place, RisoriusError
 
-_PROTOCOL = re.compile(r"[a-zA-Z][a-zA-Z0-9+.-]*://")
+_PROTOCOL = re.compile(r"\A[a-zA-Z][a-zA-Z0-9+.-]*+://")
 
 
 def is_remote(name: str) -> bool:
