@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from ..core.action_units import check_intensity
+from ..core.channels import channel_timing
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import InputError
@@ -38,7 +39,8 @@ def _posture(inputs: ChannelInputs) -> Iterator[Movement]:
     if face:
         yield Movement(
             "emotion", 0.0, inputs.duration, 0.0, 0.0, face,
-            id=POSTURE, layer="posture", cause=Cause(POSTURE, inputs.profile.name),
+            id=POSTURE, layer="posture", function=channel_timing("emotion").function,
+            cause=Cause(POSTURE, inputs.profile.name),
         )  # fmt: skip
 
 
@@ -74,6 +76,7 @@ def _movements(
             targets,
             id=f"emotion.{number}.{found.name}" + (f"@{start:.3f}" if start > first else ""),
             layer=f"{number}.{found.name}",
+            function=channel_timing("emotion").function,
             cause=Cause("emotion.display", f"{found.name} {display.intensity:g}", "option"),
         )
 
@@ -100,4 +103,4 @@ def _company(displays: Sequence[Display], time: float) -> Mapping[str, float]:
 
 
 # The rise and fall of what is felt: facts: science/05, section 5.5.
-register("emotion", 10.0, emotion, timing=(0.45, 0.75, "exponential"), rules=True, marks=True)
+register("emotion", 10.0, emotion, timing=(0.45, 0.75, "minimum_jerk"), rules=True, marks=True)

@@ -8,7 +8,7 @@ register(
     "punctuators",
     30.0,
     marked_and_ruled,
-    timing=(0.1, 0.2, "exponential"),
+    timing=(0.1, 0.2, "minimum_jerk"),
     rules=True,
     marks=True,
     exclusive=True,

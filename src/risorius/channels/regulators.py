@@ -3,4 +3,4 @@
 from .registry import register
 from .ruled import marked_and_ruled
 
-register("regulators", 25.0, marked_and_ruled, timing=(0.2, 0.3, "exponential"), rules=True, marks=True)
+register("regulators", 25.0, marked_and_ruled, timing=(0.2, 0.3, "minimum_jerk"), rules=True, marks=True)

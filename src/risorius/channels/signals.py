@@ -7,7 +7,7 @@ register(
     "signals",
     40.0,
     marked_and_ruled,
-    timing=(0.1, 0.2, "exponential"),
+    timing=(0.1, 0.2, "minimum_jerk"),
     rules=True,
     marks=True,
     exclusive=True,
