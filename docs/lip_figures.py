@@ -17,7 +17,12 @@ from drawing import INK, OURS, PRINTED, SECOND, SOFT, SPEECH, figure
 from PIL import Image
 
 from risorius import blend
-from risorius.blend.mouth.coarticulation import LIP_MODELS, SegmentWeights
+from risorius.blend.mouth.coarticulation import (
+    LIP_MODELS,
+    SegmentValues,
+    SegmentWeights,
+    weighted_averages,
+)
 from risorius.core.functions import minimum_jerk
 from risorius.core.movement import LipSegment
 from risorius.core.parameters import NEUTRAL
@@ -88,6 +93,10 @@ class Steps:
         weight = steps[:-1] - steps[1:]
         segment, time = (i.ravel() for i in np.indices(weight.shape))
         return SegmentWeights(segment, time, weight.ravel(), len(times))
+
+    def averages(self, group: int, values: Sequence[SegmentValues], times: Array) -> list[Array]:
+        """Return the averages of some values by the weights."""
+        return weighted_averages(self, group, values, times)
 
 
 @LIP_MODELS.register("key poses")

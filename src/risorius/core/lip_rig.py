@@ -66,6 +66,12 @@ _STEPS = 6
 _ROUNDS = 4
 ROUNDED = 0.3
 """mm over which a control begins, so that it has no corner where the next one takes over."""
+PARTED = 0.6
+"""mm of gap over which the lips' own opening, or their contact, takes over from what the jaw opens."""
+_LEAST_EFFECT = 0.6
+"""mm of gap: `open` is taken to have at least this effect at first, a seventh of its effect at rest."""
+_HELPING = 0.95 * DEFAULT_THRESHOLD
+"""The largest activation of a control's further muscles."""
 _LEAST_GAP = 0.5
 """mm; a gap that contact closes counts as at least this wide."""
 
@@ -123,8 +129,8 @@ class LipRig:
         values: dict[str, Array] = {}
         for moved, amount in [*((CONTROLS[n], controls[n]) for n in controls), (PRESSING, pressed)]:
             for number, (base, factor) in enumerate(moved.items()):
-                # A control's further muscles stay at the threshold, above which they would inhibit rivals.
-                moves = factor * amount if number == 0 else np.minimum(factor * amount, DEFAULT_THRESHOLD)
+                # A control's further muscles stay below the threshold, above which they would inhibit rivals.
+                moves = factor * amount if number == 0 else np.minimum(factor * amount, _HELPING)
                 values[base] = values.get(base, 0.0) + moves
         most = {base: np.minimum(value, 1.0) for base, value in values.items()}
         return {SEAL: np.minimum(seal, 1.0), **{p.name: most[b] for b in most for p in BASES[b]}}
@@ -148,8 +154,10 @@ class LipRig:
             )
         powers = self._along(APERTURE, "open", controls)
         missing = average(APERTURE) - powers[0]
-        controls["open"] = _solve(powers, positive_part(missing, ROUNDED))
-        controls[SEAL] = np.minimum(positive_part(-missing, ROUNDED) / np.maximum(powers[0], _LEAST_GAP), 1.0)
+        # Beside a low jaw and rounding the fit finds little effect at first: a small gap would need a leap.
+        powers[1] = np.maximum(powers[1], _LEAST_EFFECT)
+        controls["open"] = _solve(powers, positive_part(missing, PARTED))
+        controls[SEAL] = np.minimum(positive_part(-missing, PARTED) / np.maximum(powers[0], _LEAST_GAP), 1.0)
         return controls
 
     def gap(self, values: Mapping[str, Array]) -> Array:
