@@ -33,10 +33,10 @@ def json_position(text: str, path: KeyPath) -> int | None:
     """Return where the member or item at `path`, or the nearest above it, begins; None for the whole."""
     place, start = None, _BLANK.match(text).end()  # type: ignore[union-attr]
     for part in path:
-        found = next((entry for entry in _json_entries(text, start) if entry[0] == part), None)
-        if found is None:
+        entry_at = next((entry for entry in _json_entries(text, start) if entry[0] == part), None)
+        if entry_at is None:
             return place
-        _, place, start = found
+        _, place, start = entry_at
     return place
 
 

@@ -217,8 +217,8 @@ def _table(cls: type) -> Converter:
     hints = typing.get_type_hints(cls, include_extras=True)
     fields = {str(f.metadata.get("key", f.name)): f for f in dataclasses.fields(cls) if f.init}
     known = {key: (f.name, converter(hints[f.name])) for key, f in fields.items()}
-    missing, made = dataclasses.MISSING, dataclasses.MISSING
-    required = [key for key, f in fields.items() if f.default is missing and f.default_factory is made]
+    missing, factory = dataclasses.MISSING, dataclasses.MISSING
+    required = [key for key, f in fields.items() if f.default is missing and f.default_factory is factory]
 
     def read(value: object) -> object:
         if not isinstance(value, Mapping):
@@ -367,7 +367,7 @@ _PLAIN: dict[Any, Converter] = {
 
 def _wrong(value: object, hint: Any) -> WrongTypeError:
     def tell(at: str, syntax: Syntax) -> str:
-        found = f"{at} = {shown(value, syntax)} cannot be used" if at else f"holds {shown(value, syntax)}"
-        return f"{found}; expected {describe(hint, syntax)}"
+        fault = f"{at} = {shown(value, syntax)} cannot be used" if at else f"holds {shown(value, syntax)}"
+        return f"{fault}; expected {describe(hint, syntax)}"
 
     return WrongTypeError(tell)

@@ -75,8 +75,8 @@ def _lines(take: WritableTake, progress: Progress) -> Iterator[str]:
     gap = MEASURES.index("lip_gap_mm")
     yield ", ".join(COLUMNS)
     rows = zip(take.performance.times, units, take.faces(progress=progress), strict=True)
-    for number, (time, found, frame) in enumerate(rows, 1):
-        strength = dict(zip(numbers, SCALE * found, strict=True))
+    for number, (time, is_face, frame) in enumerate(rows, 1):
+        strength = dict(zip(numbers, SCALE * is_face, strict=True))
         strength[25] = max(strength[25], SCALE * min(float(take.measures(frame)[gap]) / _PARTED, 1.0))
         parts = [f"{number}", "0", f"{time:.3f}", "1.00", "1", *(f"{v + 0.0:.6f}" for v in _seen(frame))]
         parts += [f"{strength[au]:.2f}" for au in INTENSITIES]

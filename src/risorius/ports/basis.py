@@ -51,8 +51,8 @@ class ClipBasis:
         """Return shapes (k, n, 3) mm and weights (frames, k) of about unit size, the largest first."""
         count = self._count
         weights = np.zeros((len(self._weights), count))
-        for row, found in zip(weights, self._weights, strict=True):
-            row[: len(found)] = found
+        for row, frame_weights in zip(weights, self._weights, strict=True):
+            row[: len(frame_weights)] = frame_weights
         if not count:
             return np.zeros((0, *self.rest.shape)), weights
         turn = np.linalg.svd(weights, full_matrices=False)[2]

@@ -200,10 +200,10 @@ def score_of_capture(times: Array, values: Array, source: str) -> ScoreFile:
     `source` is the file's name, and becomes the curves' cause.
     """
     low, high = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
-    kept = np.clip(values, low, high)
-    moving = np.flatnonzero(np.abs(kept - NEUTRAL).max(axis=0) > _RESTS)
+    clipped = np.clip(values, low, high)
+    moving = np.flatnonzero(np.abs(clipped - NEUTRAL).max(axis=0) > _RESTS)
     clock = times.tolist()
-    keys = {NAMES[column]: tuple(zip(clock, kept[:, column].tolist(), strict=True)) for column in moving}
+    keys = {NAMES[column]: tuple(zip(clock, clipped[:, column].tolist(), strict=True)) for column in moving}
     curves = (ManualCurve(keys, Cause("capture", source)),) if keys else ()
     settings = BlendSettings(contact=False)
     return ScoreFile(Score(max(float(times[-1]), 1e-3), manual=curves, settings=settings))

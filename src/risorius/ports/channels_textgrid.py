@@ -26,12 +26,12 @@ def write_channels_textgrid(take: WritableTake, path: Path, _options: WriteOptio
 
 
 def _channels(performance: Performance) -> Iterator[Tier]:
-    found: dict[str, list[Movement]] = {}
+    by_channel: dict[str, list[Movement]] = {}
     for movement in performance.score.movements:
         layer = f"/{movement.layer}" if movement.layer else ""
-        found.setdefault(f"{movement.channel}{layer}", []).append(movement)
-    for name in sorted(found):
-        for number, row in enumerate(_apart(found[name]), 1):
+        by_channel.setdefault(f"{movement.channel}{layer}", []).append(movement)
+    for name in sorted(by_channel):
+        for number, row in enumerate(_apart(by_channel[name]), 1):
             yield Tier(name if number == 1 else f"{name} {number}", INTERVALS, tuple(row))
 
 

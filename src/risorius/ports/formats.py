@@ -157,9 +157,9 @@ def _unknown_suffix(path: Path) -> str:
     if not path.suffix:
         return f"the name has no suffix; expected one of {known}"
     known_by_lower = {suffix.lower(): suffix for suffix in FORMATS}
-    for asked in ("".join(path.suffixes[-2:]).lower(), path.suffix.lower()):
-        near = [suffix for suffix in known_by_lower if suffix.endswith(asked)]
-        near = near or difflib.get_close_matches(asked, known_by_lower, n=1, cutoff=0.6)
+    for ending in ("".join(path.suffixes[-2:]).lower(), path.suffix.lower()):
+        near = [suffix for suffix in known_by_lower if suffix.endswith(ending)]
+        near = near or difflib.get_close_matches(ending, known_by_lower, n=1, cutoff=0.6)
         if near:
             nearest = known_by_lower[near[0]]
             return f"unknown suffix '{path.suffix}'; did you mean '{nearest}'? Known: {known}"

@@ -25,7 +25,7 @@ class GlbFile:
 
     def morph_targets(self) -> dict[int, tuple[str, ...]]:
         """Return the names of morph targets by mesh; raise InputError where names and targets differ."""
-        found = {}
+        targets_by_name = {}
         for index, mesh in enumerate(self._list("meshes")):
             targets = [len(self._part(p, "targets", index)) for p in self._part(mesh, "primitives", index)]
             if not any(targets):
@@ -34,8 +34,8 @@ class GlbFile:
             names = self._part(extras, "targetNames", index) if isinstance(extras, dict) else []
             if len(set(targets)) != 1 or (names and len(names) != targets[0]):
                 raise self._fault(f"mesh {index} has {targets[0]} morph targets and {len(names)} names")
-            found[index] = tuple(map(str, names)) or tuple(f"target_{k}" for k in range(targets[0]))
-        return found
+            targets_by_name[index] = tuple(map(str, names)) or tuple(f"target_{k}" for k in range(targets[0]))
+        return targets_by_name
 
     def nodes_of(self, mesh: int) -> list[int]:
         """Return the nodes that show a mesh."""

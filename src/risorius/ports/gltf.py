@@ -131,5 +131,5 @@ def quaternion(rotation: Array) -> Array:
 
 def quaternions(rotations: Sequence[Array]) -> Float32Array:
     """Return quaternions (n, 4) of rotations, each of unit length in float32."""
-    found = np.array([quaternion(rotation) for rotation in rotations], np.float32)
-    return np.asarray(found / np.linalg.norm(found.astype(np.float64), axis=1, keepdims=True), np.float32)
+    rows = np.array([quaternion(rotation) for rotation in rotations], np.float32)
+    return np.asarray(rows / np.linalg.norm(rows.astype(np.float64), axis=1, keepdims=True), np.float32)

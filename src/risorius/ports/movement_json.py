@@ -44,31 +44,33 @@ def _checked(movement: Movement) -> Movement:
 
 def _by_parameter(values: Mapping[str, V], check: Callable[[str, V], object]) -> dict[str, V]:
     """Replace aliases and names without a side by the parameters that they mean, each checked."""
-    found: dict[str, V] = {}
+    by_name: dict[str, V] = {}
     for name, value in values.items():
         try:
             for parameter in parameters_named(name):
-                if parameter.name in found:
+                if parameter.name in by_name:
                     raise InputError(f"{parameter.name} is given twice; expected it once")
                 check(parameter.name, value)
-                found[parameter.name] = value
+                by_name[parameter.name] = value
         except RisoriusError as error:
             raise MisfitError(error.message, name, kind=type(error)) from None
         except MisfitError as misfit:
             misfit.path = (name, *misfit.path)
             raise
-    return found
+    return by_name
 
 
 def _lip_targets(targets: Mapping[str, float]) -> dict[str, float]:
     """Return targets that are articulators, in mm, as they stand; others as those of a movement."""
-    found = {name: value for name, value in targets.items() if name in ARTICULATORS}
-    for name, value in found.items():
+    articulators = {name: value for name, value in targets.items() if name in ARTICULATORS}
+    for name, value in articulators.items():
         try:
             check_lip_target(name, value)
         except RisoriusError as error:
             raise MisfitError(error.message, name, kind=type(error)) from None
-    return found | read_targets({name: value for name, value in targets.items() if name not in found})
+    return articulators | read_targets(
+        {name: value for name, value in targets.items() if name not in articulators}
+    )
 
 
 def _limits(limits: Mapping[str, NumberPair]) -> dict[str, NumberPair]:

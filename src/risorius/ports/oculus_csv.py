@@ -22,17 +22,19 @@ COLUMNS = ("time_s", *OCULUS)
 
 def write_oculus_csv(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write the time in seconds and 15 weights; raise OutputError if nothing is said."""
-    held = cues(said(take), _names, OCULUS[0])
-    write_lines(path, table_lines(COLUMNS, _rows(held, take.performance.times), [6] + [4] * len(OCULUS)))
+    viseme_cues = cues(said(take), _names, OCULUS[0])
+    write_lines(
+        path, table_lines(COLUMNS, _rows(viseme_cues, take.performance.times), [6] + [4] * len(OCULUS))
+    )
 
 
 def _names(viseme: Viseme) -> tuple[str, ...]:
     return viseme.oculus
 
 
-def _rows(held: list[Cue], times: Array) -> Iterator[Array]:
-    edges = np.array([cue.start for cue in held[1:]])
-    names = np.array([OCULUS.index(cue.shape) for cue in held])
+def _rows(viseme_cues: list[Cue], times: Array) -> Iterator[Array]:
+    edges = np.array([cue.start for cue in viseme_cues[1:]])
+    names = np.array([OCULUS.index(cue.shape) for cue in viseme_cues])
     for time in times:
         # How far each edge has been passed; differences are the shares of the cues between them.
         passed = np.clip((time - edges) / FADE + 0.5, 0.0, 1.0)

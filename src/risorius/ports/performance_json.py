@@ -44,10 +44,10 @@ class PerformanceDocument:
         of range.
         """
         with within("score"):
-            held = self.score.score_file(folder)
+            score_file = self.score.score_file(folder)
         with within("curves"):
-            values = self._values(frame_count(held.score.duration, self.fps))
-        return PerformanceFile(Performance(held.score, self.fps, values), held.utterance)
+            values = self._values(frame_count(score_file.score.duration, self.fps))
+        return PerformanceFile(Performance(score_file.score, self.fps, values), score_file.utterance)
 
     def _values(self, count: int) -> Array:
         for name in self.curves:
@@ -69,8 +69,8 @@ def _check_ranges(values: Array) -> None:
     if len(wrong):
         frame, column = map(int, wrong[0])
         parameter = PARAMETERS[column]
-        found = f"{parameter.name}[{frame}] = {values[frame, column]:g} is out of range"
-        message = f"{found}; expected {parameter.low:g} to {parameter.high:g}"
+        fault = f"{parameter.name}[{frame}] = {values[frame, column]:g} is out of range"
+        message = f"{fault}; expected {parameter.low:g} to {parameter.high:g}"
         raise MisfitError(message, parameter.name, frame)
 
 
@@ -93,9 +93,9 @@ def read_performance_file(path: Path) -> PerformanceFile:
     curve is missing, of another length or out of range.
     """
     document = load_json(path)
-    held = document.read(PerformanceDocument)
+    performance = document.read(PerformanceDocument)
     with placed(document.source):
-        return held.performance_file(path.parent)
+        return performance.performance_file(path.parent)
 
 
 def read_performance_json(path: Path, _options: ReadOptions) -> PerformanceFile:

@@ -24,8 +24,8 @@ def mouth_cues(utterance: Utterance) -> list[Cue]:
 
     One that then has no duration is left out.
     """
-    found = tweened(paused(cues(utterance, _shapes, IDLE)))
-    rounded = [Cue(round(cue.start, 2), round(cue.end, 2), cue.shape) for cue in found]
+    mouth_cues = tweened(paused(cues(utterance, _shapes, IDLE)))
+    rounded = [Cue(round(cue.start, 2), round(cue.end, 2), cue.shape) for cue in mouth_cues]
     return [cue for cue in rounded if cue.start < cue.end]
 
 

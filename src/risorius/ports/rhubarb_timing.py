@@ -47,13 +47,13 @@ def tweened(cues: Sequence[Cue]) -> list[Cue]:
     ends = [cue.end for cue in cues]
     result: list[Cue] = []
     for k, cue in enumerate(cues):
-        found = BETWEEN.get(cue.shape + cues[k + 1].shape) if k + 1 < len(cues) else None
-        taken = _taken(cue, cues[k + 1], found[1]) if found else None
-        if found and taken:
+        between = BETWEEN.get(cue.shape + cues[k + 1].shape) if k + 1 < len(cues) else None
+        taken = _taken(cue, cues[k + 1], between[1]) if between else None
+        if between and taken:
             ends[k], starts[k + 1] = cue.end - taken[0], cue.end + taken[1]
         result.append(Cue(starts[k], ends[k], cue.shape))
-        if found and taken:
-            result.append(Cue(ends[k], starts[k + 1], found[0]))
+        if between and taken:
+            result.append(Cue(ends[k], starts[k + 1], between[0]))
     return result
 
 

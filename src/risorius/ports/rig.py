@@ -97,13 +97,13 @@ def _read_map(path: Path, names: Sequence[str]) -> dict[str, str]:
     if not shapes:
         example = 'jawOpen = "Mouth_Open"'
         raise InputError(f"[shapes] is empty; expected lines such as {example}", Place(str(path)))
-    given: dict[str, str] = {}
+    shape_of: dict[str, str] = {}
     for shape, target in shapes.items():
         if shape not in INDEX:
             raise source.error(("shapes", shape), unknown("ARKit shape", shape, INDEX))
         if target not in names:
             raise source.error(("shapes", shape), unknown("morph target", target, names))
-        if (other := given.setdefault(target, shape)) != shape:
+        if (other := shape_of.setdefault(target, shape)) != shape:
             message = f"morph target '{target}' is given for {other} and for {shape}"
             raise source.error(("shapes", shape), message)
     return dict(shapes)
@@ -127,14 +127,14 @@ def guess_map(names: Sequence[str]) -> dict[str, str]:
     plain: dict[str, str] = {}
     for name in names:
         plain.setdefault(_plain(name), name)
-    found = {shape: plain[_plain(shape)] for shape in SHAPES if _plain(shape) in plain}
-    free = {key: name for key, name in plain.items() if name not in found.values()}
+    matched = {shape: plain[_plain(shape)] for shape in SHAPES if _plain(shape) in plain}
+    free = {key: name for key, name in plain.items() if name not in matched.values()}
     for shape in SHAPES:
-        if shape not in found:
+        if shape not in matched:
             near = difflib.get_close_matches(_plain(shape), list(free), n=1, cutoff=_LIKE)
             if near and _side(near[0]) == _side(_plain(shape)):
-                found[shape] = free.pop(near[0])
-    return {shape: found[shape] for shape in SHAPES if shape in found}
+                matched[shape] = free.pop(near[0])
+    return {shape: matched[shape] for shape in SHAPES if shape in matched}
 
 
 @one_thread()

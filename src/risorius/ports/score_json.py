@@ -80,9 +80,9 @@ def read_score_file(path: Path) -> ScoreFile:
     type, out of range or contradictory, and for a sound that is missing.
     """
     document = load_json(path)
-    held = document.read(ScoreDocument)
+    score = document.read(ScoreDocument)
     with placed(document.source):
-        return held.score_file(path.parent)
+        return score.score_file(path.parent)
 
 
 def read_score_json(path: Path, _options: ReadOptions) -> ScoreFile:

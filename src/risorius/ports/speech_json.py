@@ -87,16 +87,16 @@ class SpeechDocument:
 _SPANS = ("words", "syllables", "pauses", "phrases")
 _REFERENCES: Mapping[str, Callable[[Any, SpeechDocument], bool]] = MappingProxyType(
     {
-        "phones": lambda phone, held: -1 <= phone.word < len(held.words),
-        "words": lambda word, held: 0 <= word.first_phone <= word.last_phone <= len(held.phones),
-        "syllables": lambda syllable, held: (
-            0 <= syllable.first_phone <= syllable.last_phone <= len(held.phones)
-            and -1 <= syllable.word < len(held.words)
+        "phones": lambda phone, utterance: -1 <= phone.word < len(utterance.words),
+        "words": lambda word, utterance: 0 <= word.first_phone <= word.last_phone <= len(utterance.phones),
+        "syllables": lambda syllable, utterance: (
+            0 <= syllable.first_phone <= syllable.last_phone <= len(utterance.phones)
+            and -1 <= syllable.word < len(utterance.words)
         ),
-        "accents": lambda accent, held: (
-            -1 <= accent.word < len(held.words) and -1 <= accent.syllable < len(held.syllables)
+        "accents": lambda accent, utterance: (
+            -1 <= accent.word < len(utterance.words) and -1 <= accent.syllable < len(utterance.syllables)
         ),
-        "boundaries": lambda boundary, held: -1 <= boundary.word < len(held.words),
+        "boundaries": lambda boundary, utterance: -1 <= boundary.word < len(utterance.words),
     }
 )
 """Whether the numbers in a part are those of other parts."""

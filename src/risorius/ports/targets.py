@@ -72,8 +72,10 @@ def check_alpha(targets: Iterable[Target]) -> None:
     """Raise OutputError for a target that cannot hold pictures with a transparent background."""
     for target in targets:
         if target.format.opaque:
-            kept = ", ".join(s for s in FORMATS if not FORMATS.get(s).opaque and _shows(FORMATS.get(s)))
-            message = f"{target.format.suffix} cannot have a transparent background; expected one of {kept}"
+            suffixes = ", ".join(s for s in FORMATS if not FORMATS.get(s).opaque and _shows(FORMATS.get(s)))
+            message = (
+                f"{target.format.suffix} cannot have a transparent background; expected one of {suffixes}"
+            )
             raise OutputError(message, Place(str(target.path)))
 
 

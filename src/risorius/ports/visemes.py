@@ -54,7 +54,7 @@ def viseme_of(symbol: str) -> Viseme:
     ]
     if not beginnings:
         raise OutputError(unknown("phone", symbol, table))
-    return max(beginnings, key=lambda found: found[0])[1]
+    return max(beginnings, key=lambda entry: entry[0])[1]
 
 
 def cues(utterance: Utterance, shapes: Callable[[Viseme], tuple[str, ...]], silence: str) -> list[Cue]:
@@ -73,10 +73,10 @@ def _each(
     phones: Iterable[Phone], shapes: Callable[[Viseme], tuple[str, ...]], silence: str
 ) -> Iterator[Cue]:
     for phone in phones:
-        held = shapes(viseme_of(phone.symbol)) if phone.symbol else (silence,)
-        step = phone.duration / len(held)
-        for k, shape in enumerate(held):
-            end = phone.end if k == len(held) - 1 else phone.start + (k + 1) * step
+        parts = shapes(viseme_of(phone.symbol)) if phone.symbol else (silence,)
+        step = phone.duration / len(parts)
+        for k, shape in enumerate(parts):
+            end = phone.end if k == len(parts) - 1 else phone.start + (k + 1) * step
             yield Cue(phone.start + k * step, end, shape)
 
 

@@ -47,11 +47,11 @@ def factor(node: XmlNode, name: str, words: Mapping[str, float]) -> float:
     attribute = node.get(name)
     if attribute is None:
         return 1.0
-    given = _given(attribute, words, ("%", ""), ("120%", "+20%"))
-    if not isinstance(given, _Amount):
-        return given
-    share = given.signed * (0.01 if given.unit else 1.0)
-    result = 1.0 + share if given.sign else share
+    rate = _given(attribute, words, ("%", ""), ("120%", "+20%"))
+    if not isinstance(rate, _Amount):
+        return rate
+    share = rate.signed * (0.01 if rate.unit else 1.0)
+    result = 1.0 + share if rate.sign else share
     if not 0.1 <= result <= 10.0:
         shown = f"{name} = {quoted(attribute.value.strip())}"
         raise InputError(f"{shown} is out of range; expected 10% to 1000%", attribute.place)
@@ -63,15 +63,15 @@ def semitones(unknowns: Unknowns, node: XmlNode, words: Mapping[str, float]) -> 
     attribute = node.get("pitch")
     if attribute is None:
         return 0.0
-    given = _given(attribute, words, ("%", "st", "hz"), ("+2st", "+10%"))
-    if not isinstance(given, _Amount):
-        return given
-    if given.unit == "hz":
+    pitch = _given(attribute, words, ("%", "st", "hz"), ("+2st", "+10%"))
+    if not isinstance(pitch, _Amount):
+        return pitch
+    if pitch.unit == "hz":
         unknowns.tell("pitch in Hz", attribute.place)
         return 0.0
-    amount = given.signed
-    if given.unit == "%":
-        share = 1.0 + 0.01 * amount if given.sign else 0.01 * amount
+    amount = pitch.signed
+    if pitch.unit == "%":
+        share = 1.0 + 0.01 * amount if pitch.sign else 0.01 * amount
         amount = 12.0 * math.log2(max(share, 0.01))
     if not -24.0 <= amount <= 24.0:
         shown = f"pitch = {quoted(attribute.value.strip())}"
@@ -84,8 +84,8 @@ def decibels(node: XmlNode, words: Mapping[str, float]) -> float:
     attribute = node.get("volume")
     if attribute is None:
         return 0.0
-    given = _given(attribute, words, ("db",), ("+6dB",))
-    return max(-60.0, min(given.signed, 12.0)) if isinstance(given, _Amount) else given
+    volume = _given(attribute, words, ("db",), ("+6dB",))
+    return max(-60.0, min(volume.signed, 12.0)) if isinstance(volume, _Amount) else volume
 
 
 def _given(

@@ -67,9 +67,9 @@ class _Reading:
 
     def _face(self, node: XmlNode) -> None:
         """Take up what a face holds, or, where it holds nothing, the face itself."""
-        held = list(node.elements())
+        children = list(node.elements())
         kind = "faceFacs" if node.get("au") is not None else "faceLexeme"
-        for child in held or [replace(node, name=kind)]:
+        for child in children or [replace(node, name=kind)]:
             self.add(child.inheriting(node))
 
     def _behave(self, node: XmlNode) -> None:
@@ -83,10 +83,10 @@ class _Reading:
         self.nodes[name] = node
 
     def _name(self, node: XmlNode) -> str:
-        given = node.get("id")
-        name = given.value.strip() if given is not None else f"{node.name}.{len(self.behaviours) + 1}"
+        own_name = node.get("id")
+        name = own_name.value.strip() if own_name is not None else f"{node.name}.{len(self.behaviours) + 1}"
         if name in self.behaviours:
-            place = given.place if given is not None else node.place
+            place = own_name.place if own_name is not None else node.place
             raise InputError(f"id '{one_line(name)}' is given twice; expected another", place)
         return name
 
@@ -105,8 +105,8 @@ class _Reading:
         fixed = {sync.name: in_text(sync, text, offset) for sync in directions.syncs}
         fixed["start"] = Anchor(Base.TEXT, 0.0, character=offset, place=node.place)
         fixed["end"] = Anchor(Base.TEXT_END, 0.0, character=offset + len(text), place=node.place)
-        given = {"start": reference} if reference is not None else {}
-        self.behaviours[name] = Behaviour(name, node.place, {}, given, fixed)
+        references = {"start": reference} if reference is not None else {}
+        self.behaviours[name] = Behaviour(name, node.place, {}, references, fixed)
 
     def _constrain(self, node: XmlNode) -> None:
         """Let points of behaviours follow another point."""

@@ -96,15 +96,17 @@ def _lasting(mark: Mark) -> Mark:
 def _direction(node: XmlNode, unknowns: Unknowns) -> tuple[float, float]:
     """Return pitch and yaw in degrees of a target, its offset included."""
     known = markup_table().gaze
-    given = node.required("target", 'target="listener"')
-    target = known.get(given.value.strip().lower())
+    target_name = node.required("target", 'target="listener"')
+    target = known.get(target_name.value.strip().lower())
     if target is None:
-        unknowns.tell(f"target '{one_line(given.value)}'", given.place, "the listener stands for it")
+        unknowns.tell(
+            f"target '{one_line(target_name.value)}'", target_name.place, "the listener stands for it"
+        )
         target = known["listener"]
     angle = node.number("offsetAngle", -90.0, 90.0, 0.0)
     directions = bml_table().direction
     if (node.text_of("offsetDirection") or "").upper() == "POLAR":
-        unknowns.tell("offsetDirection 'POLAR'", given.place)
+        unknowns.tell("offsetDirection 'POLAR'", target_name.place)
         return target.pitch, target.yaw
     heading = directions[node.choice("offsetDirection", tuple(directions), "RIGHT")]
     return target.pitch + angle * heading.pitch, target.yaw + angle * heading.yaw

@@ -117,15 +117,15 @@ class XmlReader:
 
     def _attributes(self, tag: int, values: list[str]) -> tuple[Attribute, ...]:
         """Pair the parser's names and values with the positions that the tag's own text gives."""
-        found: list[Attribute] = []
+        attributes: list[Attribute] = []
         name = _TAG.match(self.text, tag)
         end = name.end() if name else tag
         for key, value in zip(values[::2], values[1::2], strict=True):
             written = _ATTRIBUTE.match(self.text, end)
             index = written.start(1) if written else tag
             end = written.end() if written else end
-            found.append(Attribute(key, value, self._place(index)))
-        return tuple(found)
+            attributes.append(Attribute(key, value, self._place(index)))
+        return tuple(attributes)
 
     def _index(self, byte: int) -> int:
         """Return the index of the character at the parser's position `byte`."""

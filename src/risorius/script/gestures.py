@@ -30,15 +30,15 @@ def take_gesture(attributes: Attributes) -> TakenGesture | None:
     """
     gestures = markup_table().head
     values = {name: attributes.number(name, 0.0, MOST_REPETITIONS) for name in gestures}
-    given = {name: value for name, value in values.items() if value is not None}
+    chosen = {name: value for name, value in values.items() if value is not None}
     amplitude = attributes.number("amplitude", 0.0, 45.0)
-    if len(given) > 1:
-        raise attributes.error(f"{' and '.join(given)} are both given; expected an element for each")
-    if not given:
+    if len(chosen) > 1:
+        raise attributes.error(f"{' and '.join(chosen)} are both given; expected an element for each")
+    if not chosen:
         if amplitude is not None:
             raise attributes.error("amplitude is given without nod or shake; expected one of them")
         return None
-    name, value = next(iter(given.items()))
+    name, value = next(iter(chosen.items()))
     if value > 1.0 and not value.is_integer():
         raise attributes.error(
             f"{name} = {value:g} is not a number of times; expected 1, 2, 3 … or less than 1"

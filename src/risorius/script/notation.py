@@ -56,7 +56,7 @@ def read_brackets(text: str, place: Place) -> tuple[Bracket, ...]:
     Raises InputError, with line and column, for brackets that are not balanced, nested, or empty, and for
     words outside them.
     """
-    found: list[Bracket] = []
+    brackets: list[Bracket] = []
     opened: int | None = None
     edges = [*_BRACKETED.finditer(text)]
     outside = text[: edges[0].start()] if edges else text
@@ -78,11 +78,11 @@ def read_brackets(text: str, place: Place) -> tuple[Bracket, ...]:
         items = tuple(_items(text, opened + 1, edge.start(), place))
         if not items:
             raise InputError(f"empty brackets; expected {EXAMPLE}", _at(place, opened))
-        found.append(Bracket(items, _at(place, opened), after))
+        brackets.append(Bracket(items, _at(place, opened), after))
         opened = None
     if opened is not None:
         raise InputError("'(' is not closed; expected ')'", _at(place, opened))
-    return tuple(found)
+    return tuple(brackets)
 
 
 def _items(text: str, start: int, stop: int, place: Place) -> Iterator[Item]:

@@ -33,18 +33,18 @@ INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
 RECORDING_SUFFIXES = (".wav", ".flac", ".ogg", ".mp3")
 
 
-def read_script(given: str, *, text: bool = False, source: str = "text") -> Script:
+def read_script(script: str, *, text: bool = False, source: str = "text") -> Script:
     """Return the script of `given`: a file where it names one or ends as one, else the words themselves.
 
     `text`: take it as words whatever it looks like. `source` names the words in messages. Raises InputError
     or ParameterError with the place in the file.
     """
-    if text or not given.strip():
-        return parse_plain(given, source)
-    suffix = _suffix(given)
-    if suffix not in (*INPUT_SUFFIXES, *READERS) and not names_something(given):
-        return parse_plain(given, source)
-    return _read_file(given, suffix)
+    if text or not script.strip():
+        return parse_plain(script, source)
+    suffix = _suffix(script)
+    if suffix not in (*INPUT_SUFFIXES, *READERS) and not names_something(script):
+        return parse_plain(script, source)
+    return _read_file(script, suffix)
 
 
 def parse_script(text: str, suffix: str, source: str = "text") -> Script:
@@ -55,8 +55,8 @@ def parse_script(text: str, suffix: str, source: str = "text") -> Script:
     return READERS.get(suffix)(text, source)
 
 
-def _suffix(given: str) -> str:
-    return Path(given).suffix.lower() if "\0" not in given else ""
+def _suffix(script: str) -> str:
+    return Path(script).suffix.lower() if "\0" not in script else ""
 
 
 def _read_file(path: str, suffix: str) -> Script:

@@ -139,13 +139,15 @@ def _prosody(writer: SsmlWriter, node: XmlNode) -> None:
 
 def _phoneme(writer: SsmlWriter, node: XmlNode) -> None:
     alphabet = (node.text_of("alphabet") or "ipa").lower()
-    given = node.required("ph", 'ph="həˈləʊ"')
+    transcription = node.required("ph", 'ph="həˈləʊ"')
     if alphabet == "ipa":
-        writer.within(node, phones=read_ipa(given))
+        writer.within(node, phones=read_ipa(transcription))
     elif alphabet in _ARPABET_NAMES:
-        writer.within(node, phones=read_arpabet(given))
+        writer.within(node, phones=read_arpabet(transcription))
     else:
-        writer.unknowns.tell(f"alphabet {quoted(alphabet)}", given.place, "the words are spoken as written")
+        writer.unknowns.tell(
+            f"alphabet {quoted(alphabet)}", transcription.place, "the words are spoken as written"
+        )
         writer.write(node)
 
 

@@ -95,10 +95,10 @@ class Timetable:
             message = f"a chain of more than {LONGEST_CHAIN} sync references; expected times in between"
             raise InputError(message, place)
         self._open.append(point)
-        found = self._found(point, place)
+        anchor = self._found(point, place)
         self._open.pop()
-        self._known[point] = found
-        return found
+        self._known[point] = anchor
+        return anchor
 
     def _found(self, point: Point, place: Place) -> Anchor:
         name, sync = point
@@ -117,16 +117,16 @@ class Timetable:
     def _referred(self, reference: Reference) -> Anchor:
         if reference.point is None:
             return Anchor(Base.START, reference.seconds, place=reference.place)
-        found = self._anchor(reference.point, reference.place).after(reference.seconds)
-        return replace(found, place=reference.place)
+        anchor = self._anchor(reference.point, reference.place).after(reference.seconds)
+        return replace(anchor, place=reference.place)
 
     def _shaped(self, behaviour: Behaviour, sync: str) -> Anchor:
         """Return a point that is not given from those that are: by the shape, stretched between two."""
-        shape, given = behaviour.shape, [p for p in behaviour.shape if p in behaviour.given]
-        if not given:
+        shape, timed_points = behaviour.shape, [p for p in behaviour.shape if p in behaviour.given]
+        if not timed_points:
             return Anchor(Base.START, shape[sync], place=behaviour.place)
-        before = next((p for p in reversed(given) if shape[p] <= shape[sync]), None)
-        after = next((p for p in given if shape[p] >= shape[sync]), None)
+        before = next((p for p in reversed(timed_points) if shape[p] <= shape[sync]), None)
+        after = next((p for p in timed_points if shape[p] >= shape[sync]), None)
         near = before if before is not None else after
         assert near is not None
         base = self._anchor((behaviour.name, near), behaviour.place)

@@ -35,21 +35,21 @@ class TakenEmotions(NamedTuple):
 def take_emotions(attributes: Attributes, *, emblem: bool) -> TakenEmotions:
     """Return as `take_targets`, and emotions by name or alias with their intensity; displays blend."""
     parts: list[Mapping[str, float]] = []
-    given: dict[str, tuple[float, Emotion]] = {}
+    felt: dict[str, tuple[float, Emotion]] = {}
     for name, attribute in attributes.rest():
         if name not in emotion_names():
             parts.append(_resolved(attributes, name, attribute, (*emotion_names(), *_TARGET_NAMES)))
             continue
-        found, intensity = emotion(name), number_of(attribute, 0.0, 1.0)
-        if found.name in given:
-            raise attributes.error(f"{found.name} is given twice; expected it once", attribute.place)
-        given[found.name] = (intensity, found)
+        known_emotion, intensity = emotion(name), number_of(attribute, 0.0, 1.0)
+        if known_emotion.name in felt:
+            raise attributes.error(f"{known_emotion.name} is given twice; expected it once", attribute.place)
+        felt[known_emotion.name] = (intensity, known_emotion)
         if emblem:
-            parts.append(found.emblem_targets(intensity))
-    intensities = {name: intensity for name, (intensity, _) in given.items()}
+            parts.append(known_emotion.emblem_targets(intensity))
+    intensities = {name: intensity for name, (intensity, _) in felt.items()}
     if not emblem:
         parts.append(blended(intensities))
-    strongest = max(given.values(), key=lambda pair: (pair[0], pair[1].name), default=None)
+    strongest = max(felt.values(), key=lambda pair: (pair[0], pair[1].name), default=None)
     return TakenEmotions(combined(parts), intensities, strongest[1] if strongest else None)
 
 

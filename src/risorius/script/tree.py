@@ -38,42 +38,44 @@ class XmlNode:
 
     def get(self, *names: str) -> Attribute | None:
         """Return the first of the attributes `names` that is given, whatever its prefix."""
-        given = {a.name: a for a in self.attributes}
+        by_name = {a.name: a for a in self.attributes}
         bare = {a.name.rpartition(":")[2]: a for a in self.attributes if not a.name.startswith("xmlns")}
-        return next((found for n in names if (found := given.get(n) or bare.get(n)) is not None), None)
+        return next(
+            (attribute for n in names if (attribute := by_name.get(n) or bare.get(n)) is not None), None
+        )
 
     def text_of(self, name: str) -> str | None:
         """Return an attribute's text without the blanks around it, None if it is not given."""
-        found = self.get(name)
-        return found.value.strip() if found is not None else None
+        attribute = self.get(name)
+        return attribute.value.strip() if attribute is not None else None
 
     def required(self, name: str, example: str) -> Attribute:
         """Return an attribute; raise InputError if it is not given."""
-        found = self.get(name)
-        if found is None:
+        attribute = self.get(name)
+        if attribute is None:
             raise InputError(f"<{self.name}>: {name} is missing; expected e.g. {example}", self.place)
-        return found
+        return attribute
 
     def choice(self, name: str, known: Sequence[str], default: str) -> str:
         """Return an attribute that is one of `known`, in any case; raise ParameterError for others."""
-        found = self.get(name)
-        if found is None:
+        attribute = self.get(name)
+        if attribute is None:
             return default
-        value = next((k for k in known if k.lower() == found.value.strip().lower()), None)
+        value = next((k for k in known if k.lower() == attribute.value.strip().lower()), None)
         if value is None:
-            raise ParameterError(unknown(name, one_line(found.value), known), found.place)
+            raise ParameterError(unknown(name, one_line(attribute.value), known), attribute.place)
         return value
 
     def number(self, name: str, low: float, high: float, default: float) -> float:
         """Return an attribute that is a number; raise InputError if it is none or out of range."""
-        found = self.get(name)
-        return default if found is None else number_of(found, low, high)
+        attribute = self.get(name)
+        return default if attribute is None else number_of(attribute, low, high)
 
     def inheriting(self, container: XmlNode) -> XmlNode:
         """Return the node with the attributes of its container that it does not have itself, but the id."""
         own = {attribute.name for attribute in self.attributes} | {"id"}
-        given = (attribute for attribute in container.attributes if attribute.name not in own)
-        return replace(self, attributes=(*self.attributes, *given))
+        attributes = (attribute for attribute in container.attributes if attribute.name not in own)
+        return replace(self, attributes=(*self.attributes, *attributes))
 
     def elements(self) -> Iterator[XmlNode]:
         """Yield the elements in it; raise InputError for text between them."""

@@ -84,10 +84,10 @@ def _entries(text: str, source: str) -> Iterator[_Entry]:
 
 
 def _only(entries: Sequence[_Entry], key: str) -> _Entry | None:
-    found = [entry for entry in entries if entry.key == key]
-    if len(found) > 1:
-        raise InputError(f"{key} is given twice; expected it once", found[1].place)
-    return found[0] if found else None
+    matching = [entry for entry in entries if entry.key == key]
+    if len(matching) > 1:
+        raise InputError(f"{key} is given twice; expected it once", matching[1].place)
+    return matching[0] if matching else None
 
 
 def _sentences(entries: Sequence[_Entry]) -> list[_Sentence]:
@@ -161,8 +161,8 @@ def _dictated(written: Written, brackets: Sequence[Bracket], place: Place) -> Wr
                     *words[len(spans)], item.place, phones=tuple(p.symbol for p in phones), seconds=seconds
                 )
             )
-    given = written.directions
-    directions = Directions((*given.spans, *spans), tuple(breaks), given.accents, given.boundaries)
+    marked = written.directions
+    directions = Directions((*marked.spans, *spans), tuple(breaks), marked.accents, marked.boundaries)
     return replace(written, directions=directions)
 
 
@@ -203,13 +203,13 @@ def _mark(written: str, place: Place) -> Mark:
     if not _EMOTION.fullmatch(name) or intensity is None:
         raise InputError(f"{quoted(written.strip())} is not an emotion; expected e.g. happiness 0.7", place)
     try:
-        found = find_emotion(name)
-        targets = found.targets(intensity)
+        emotion = find_emotion(name)
+        targets = emotion.targets(intensity)
     except ParameterError as error:
         raise error.at(place) from None
     start, end = Anchor(Base.START, 0.0, place=place), Anchor(Base.END, 0.0, place=place)
-    label = f"emotion: {found.name} {intensity:g}"
+    label = f"emotion: {emotion.name} {intensity:g}"
     return Mark(
-        MarkKind.EMOTION, "emotion", start, end, targets, label, place, found.onset, found.offset,
-        layer=found.name, emotions={found.name: intensity},
+        MarkKind.EMOTION, "emotion", start, end, targets, label, place, emotion.onset, emotion.offset,
+        layer=emotion.name, emotions={emotion.name: intensity},
     )  # fmt: skip

@@ -38,30 +38,30 @@ class Input:
         return self.script if named else None
 
 
-def read(given: Input) -> Script | Recording | LabelledRecording:
+def read(source: Input) -> Script | Recording | LabelledRecording:
     """Return a script that is to be spoken, or a recording with what is known of its words.
 
     Raises InputError, with its place, for what is missing, does not fit together or cannot be read; whether
     recording and labels can be used is seen when they are heard.
     """
-    if given.audio is None and given.transcript is not None:
+    if source.audio is None and source.transcript is not None:
         raise InputError("a transcript needs its recording; expected --audio as well")
-    if given.labels is not None:
-        if given.transcript is not None:
-            raise InputError("a TextGrid has words of its own; expected no transcript", Place(given.labels))
-        return LabelledRecording(given.labels, given.audio)
-    script = None if given.script is None else _script(given, given.script)
-    if given.audio is not None:
-        return Recording(given.audio, read_transcript(given.transcript), script)
+    if source.labels is not None:
+        if source.transcript is not None:
+            raise InputError("a TextGrid has words of its own; expected no transcript", Place(source.labels))
+        return LabelledRecording(source.labels, source.audio)
+    script = None if source.script is None else _script(source, source.script)
+    if source.audio is not None:
+        return Recording(source.audio, read_transcript(source.transcript), script)
     if script is None:
         raise InputError("nothing to perform; expected a text, a file or --audio")
     return script
 
 
-def _script(given: Input, script: str) -> Script:
-    if given.content is not None:
-        return parse_script(given.content, Path(script).suffix.lower(), script)
-    return read_script(script, text=given.text, source=given.name)
+def _script(source: Input, script: str) -> Script:
+    if source.content is not None:
+        return parse_script(source.content, Path(script).suffix.lower(), script)
+    return read_script(script, text=source.text, source=source.name)
 
 
 def read_transcript(transcript: str | None) -> str | None:

@@ -28,9 +28,9 @@ def wait_for_greeting(at: Address, greetings: Greetings, seconds: float) -> tupl
                 break
             except ConnectionResetError:  # some systems tell of an earlier answer that did not arrive
                 continue
-            asked = greetings.get(data.strip(b"\0\r\n "))
-            if asked is not None:
-                return str(sender[0]), asked
+            greeting = greetings.get(data.strip(b"\0\r\n "))
+            if greeting is not None:
+                return str(sender[0]), greeting
     raise OutputError(f"no receiver has sent its greeting to {at} within {seconds:g} s; expected one")
 
 

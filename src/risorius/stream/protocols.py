@@ -83,8 +83,8 @@ def register(
 def check_options(name: str, options: Options) -> None:
     """Raise UnreadError for options that are given and that the protocol `name` does not read."""
     usual, reads = Options(), PROTOCOLS.get(name).reads
-    given = [f.name for f in fields(options) if getattr(options, f.name) != getattr(usual, f.name)]
-    unread = [option for option in given if option not in reads]
+    changed = [f.name for f in fields(options) if getattr(options, f.name) != getattr(usual, f.name)]
+    unread = [option for option in changed if option not in reads]
     if unread:
         readers = [other for other in PROTOCOLS if unread[0] in PROTOCOLS.get(other).reads]
         raise UnreadError(unread, f"{name} does not send it; expected the protocol {' or '.join(readers)}")

@@ -50,8 +50,8 @@ def send_take(
     track = take.arkit
     if listen is not None:
         progress(f"Waiting for a greeting at {address} …")
-        host, asked = wait_for_greeting(address, chosen.greetings, patience)
-        chosen, options = PROTOCOLS.get(asked.protocol), replace(options, dialect=asked.dialect)
+        host, greeting = wait_for_greeting(address, chosen.greetings, patience)
+        chosen, options = PROTOCOLS.get(greeting.protocol), replace(options, dialect=greeting.dialect)
         address = Address(host, chosen.port)
     packets = chosen.make(track, take.performance.fps, options)
     progress(f"Sending to {address} …")

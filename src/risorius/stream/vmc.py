@@ -52,7 +52,7 @@ def _expressions(track: ArkitTrack, names: str) -> tuple[Sequence[str], Array]:
         return SHAPES, track.weights
     if names == "ARKit":
         return [column_of(name) for name in SHAPES], track.weights
-    found = preset_weights(track.weights)
+    presets = preset_weights(track.weights)
     if names == "vrm1":
-        return list(expressions()), found
-    return [expression.vrm0 for expression in expressions().values()], found
+        return list(expressions()), presets
+    return [expression.vrm0 for expression in expressions().values()], presets

@@ -111,10 +111,10 @@ class EspeakEngine:
     def _voice_of(self, span: DirectedSpan) -> str:
         """Return the attribute by which SSML names the voice that a span asks for."""
         try:
-            found = find_voice(span.voice, span.language, self)
+            voice = find_voice(span.voice, span.language, self)
         except SpeechError as error:
             raise error.at(span.place) from None
-        return voice_attribute(found.key)
+        return voice_attribute(voice.key)
 
     def _transcribe(self, words: Sequence[str], voice: Voice) -> None:
         ipa = not _speaks_mnemonics(voice)
@@ -164,10 +164,10 @@ def _default_command() -> list[str]:
 
 def _package() -> Path:
     """Return the folder that holds espeakng_loader. It is only located: the worker imports it."""
-    found = importlib.util.find_spec("espeakng_loader")
-    if found is None or found.origin is None:
+    spec = importlib.util.find_spec("espeakng_loader")
+    if spec is None or spec.origin is None:
         raise SpeechError("the package 'espeakng-loader' is not installed; it brings the speech synthesizer")
-    return Path(found.origin).parent.parent
+    return Path(spec.origin).parent.parent
 
 
 @ENGINES.register("espeak")

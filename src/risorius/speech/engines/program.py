@@ -119,13 +119,13 @@ class ProgramEngine:
     def _phones(self, rows: object, rate: int, frames: int, characters: int) -> tuple[SpokenPhone, ...]:
         if not isinstance(rows, list):
             raise self._fault("phones is not a list")
-        found: list[SpokenPhone] = []
+        phones: list[SpokenPhone] = []
         for number, row in enumerate(rows):
             phone = self._phone(row, rate, characters, f"phones[{number}]")
-            if phone.start >= frames or (found and phone.start < found[-1].start):
+            if phone.start >= frames or (phones and phone.start < phones[-1].start):
                 raise self._fault(f"phones[{number}] starts before the one before it, or after the sound")
-            found.append(phone)
-        return tuple(found)
+            phones.append(phone)
+        return tuple(phones)
 
     def _phone(self, row: object, rate: int, characters: int, where: str) -> SpokenPhone:
         if not isinstance(row, list) or len(row) not in (2, 3) or not isinstance(row[0], str):

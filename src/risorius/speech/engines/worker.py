@@ -150,10 +150,10 @@ class Espeak:
         languages = ctypes.create_string_buffer(b"variant" if variants else b"")
         wanted.languages = ctypes.addressof(languages) if variants else None
         listed = self._lib.espeak_ListVoices(ctypes.byref(wanted) if variants else None)
-        found: list[dict[str, Any]] = []
-        while listed[len(found)]:
-            voice = listed[len(found)].contents
-            found.append(
+        events: list[dict[str, Any]] = []
+        while listed[len(events)]:
+            voice = listed[len(events)].contents
+            events.append(
                 {
                     "name": voice.name.decode(),
                     "identifier": voice.identifier.decode(),
@@ -161,7 +161,7 @@ class Espeak:
                     "gender": GENDERS.get(voice.gender, ""),
                 }
             )
-        return found
+        return events
 
 
 def _until_end(events: Any) -> Iterator[_Event]:
@@ -172,12 +172,12 @@ def _until_end(events: Any) -> Iterator[_Event]:
 
 
 def _languages(address: int) -> list[str]:
-    found = []
+    voices = []
     while ctypes.string_at(address, 1) != b"\0":
         name = ctypes.string_at(address + 1)
-        found.append(name.decode())
+        voices.append(name.decode())
         address += len(name) + 2
-    return found
+    return voices
 
 
 class Worker:

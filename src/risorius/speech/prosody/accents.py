@@ -61,7 +61,7 @@ def find_accents(
     Candidates are the syllables with primary stress, and all of words of one syllable. Without voice their
     type is unknown ("*").
     """
-    found: list[Accent] = []
+    accents: list[Accent] = []
     kind = prosody_rules().type_
     language = language_of(utterance.language)
     previous: tuple[int, float] | None = None
@@ -81,8 +81,8 @@ def find_accents(
             label, certain = _type(shape, contour, kind, previous[1] if previous else None, ends)
             time = min(max(shape.time, vowel.start), vowel.end) if label in _HIGH else time
             previous = (syllable.word, shape.peak) if label in _HIGH else previous
-        found.append(Accent(time, syllable.word, index, label, confidence=round(sure * certain, 3)))
-    return tuple(found)
+        accents.append(Accent(time, syllable.word, index, label, confidence=round(sure * certain, 3)))
+    return tuple(accents)
 
 
 def shape_of(vowel: Phone, contour: Contour, kind: TypeRule) -> Shape:

@@ -33,7 +33,7 @@ def find_boundaries(
     """
     rule = prosody_rules().boundary
     last_syllables = {utterance.syllables[index].word: index for index in run.syllables}
-    found: list[Boundary] = []
+    boundaries: list[Boundary] = []
     for number in run.words:
         word = utterance.words[number]
         following = utterance.words[number + 1] if number + 1 < len(utterance.words) else None
@@ -53,8 +53,8 @@ def find_boundaries(
             start = max(vowel_of(utterance.phones, utterance.syllables[index]).start, word.end - rule.window)
             if contour.is_voiced(start, word.end):
                 label, certain = _tones(_ending(contour, start, word.end), contour, rule, whole)
-        found.append(Boundary(word.end, number, label, round(float(sure * certain), 3)))
-    return tuple(found)
+        boundaries.append(Boundary(word.end, number, label, round(float(sure * certain), 3)))
+    return tuple(boundaries)
 
 
 def _reset(utterance: Utterance, run: Run, index: int, contour: Contour | None) -> float:

@@ -34,9 +34,9 @@ def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = T
         contour = _contour(resampled, run, speaker)
         cues = cues_of(utterance, run, resampled, contour, speaker)
         syllables += _sounding(utterance, run, cues)
-        found = find_boundaries(utterance, run, cues, contour, speaker) if boundaries else ()
-        last_words = {boundary.word for boundary in found} if boundaries else written
-        ends += found
+        run_boundaries = find_boundaries(utterance, run, cues, contour, speaker) if boundaries else ()
+        last_words = {boundary.word for boundary in run_boundaries} if boundaries else written
+        ends += run_boundaries
         if accents:
             tones += find_accents(utterance, run, cues, contour, last_words)
     last_words = {boundary.word for boundary in ends} if boundaries else written

@@ -73,10 +73,10 @@ class RunningRange:
 
     def add(self, semitones: Array) -> None:
         """Count further voiced frames, semitones above 1 Hz, shape (n,)."""
-        kept = self._most / (self._prior + float(self._counts.sum()))
-        self._prior *= kept
-        self._median_count *= kept
-        self._counts = kept * self._counts + _counted(semitones)
+        weight = self._most / (self._prior + float(self._counts.sum()))
+        self._prior *= weight
+        self._median_count *= weight
+        self._counts = weight * self._counts + _counted(semitones)
 
     def with_frames(self, semitones: Array) -> PitchRange:
         """Return the range so far and of further frames, which are not counted."""

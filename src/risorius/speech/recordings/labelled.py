@@ -187,7 +187,7 @@ def _stressed(
         return phones
     spoken = synthesize(text)
     heard = {word.source_start: word for word in spoken.words}
-    found = list(phones)
+    phone_list = list(phones)
     for word in words:
         engine = heard.get(word.source_start)
         inside = spoken.phones[engine.first_phone : engine.last_phone] if engine else ()
@@ -195,5 +195,5 @@ def _stressed(
         levels = stresses_of([phones[i].symbol for i in span], [p.stress for p in inside if p.stress >= 0])
         for index, level in zip(span, levels, strict=True):
             if sounds[index].stress is None:
-                found[index] = replace(phones[index], stress=level)
-    return tuple(found)
+                phone_list[index] = replace(phones[index], stress=level)
+    return tuple(phone_list)

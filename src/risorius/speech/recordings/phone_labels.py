@@ -65,11 +65,11 @@ def is_silence(text: str) -> bool:
 def _read(label: Label, arpabet: bool, source: str) -> PhoneLabel:
     if is_silence(label.text):
         return PhoneLabel(SILENCE, -1)
-    found = _arpabet(label.text) if arpabet else _ipa(label.text)
-    if found is None:
+    phone = _arpabet(label.text) if arpabet else _ipa(label.text)
+    if phone is None:
         message = f"unknown phone {label.text!r}; expected ARPAbet or IPA"
         raise InputError(message, Place(source, label.line))
-    return found
+    return phone
 
 
 def _arpabet(text: str) -> PhoneLabel | None:

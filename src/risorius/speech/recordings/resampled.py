@@ -68,11 +68,11 @@ class Resampled:
         step = LEVEL_STEP * self.audio.sample_rate
         frames_per_chunk = round(_CHUNK_SECONDS / LEVEL_STEP)
         total = max(math.ceil(self.audio.frames / step), 1)
-        found = [
+        blocks = [
             _frame_levels(self.audio, range(first, min(first + frames_per_chunk, total)), step)
             for first in range(0, total, frames_per_chunk)
         ]
-        return np.concatenate(found)
+        return np.concatenate(blocks)
 
 
 def _counted(levels: Float32Array) -> Int32Array:

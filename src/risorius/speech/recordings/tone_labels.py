@@ -35,10 +35,10 @@ def read_tones(grid: TextGrid, syllables: Sequence[Syllable], words: Sequence[Wo
 
     Raises InputError, with the line, for a label that ToBI does not have.
     """
-    labels = [found for tier in _tone_tiers(grid) for found in _tones(tier, grid.source)]
-    found = sorted((label.start, tone) for label, tone in labels)
-    accents = [_accent(at, tone, syllables) for at, tone in found if tone in ACCENTS and syllables]
-    boundaries = tuple(_boundary(at, tone, words) for at, tone in found if tone in BOUNDARIES and words)
+    labels = [pair for tier in _tone_tiers(grid) for pair in _tones(tier, grid.source)]
+    tones = sorted((label.start, tone) for label, tone in labels)
+    accents = [_accent(at, tone, syllables) for at, tone in tones if tone in ACCENTS and syllables]
+    boundaries = tuple(_boundary(at, tone, words) for at, tone in tones if tone in BOUNDARIES and words)
     return Tones(with_nuclei(accents, {boundary.word for boundary in boundaries}), boundaries)
 
 

@@ -47,18 +47,18 @@ def _written(utterance: Utterance, phrase: Phrase, tones: Mapping[int, str]) -> 
     """Return the accents that are written by hand on words of the phrase."""
     words = [word for word in range(phrase.first_word, phrase.last_word) if word in tones]
     placed = [(word, _strongest(utterance, range(word, word + 1))) for word in words]
-    found = [(tones[word], syllable) for word, syllable in placed if syllable is not None]
+    accented = [(tones[word], syllable) for word, syllable in placed if syllable is not None]
     return [
-        _accent(utterance, syllable, label, 1.0, nuclear=number == len(found))
-        for number, (label, syllable) in enumerate(found, 1)
+        _accent(utterance, syllable, label, 1.0, nuclear=number == len(accented))
+        for number, (label, syllable) in enumerate(accented, 1)
     ]
 
 
 def _ruled(utterance: Utterance, language: Language, phrase: Phrase, directions: Directions) -> list[Accent]:
     """Return the accents that the rules find in a phrase."""
     candidates = _candidates(utterance, language, phrase, directions)
-    found = [(syllable, language.intonation.accent_of(candidate)) for syllable, candidate in candidates]
-    ruled = [(syllable, rule) for syllable, rule in found if rule is not None]
+    judged = [(syllable, language.intonation.accent_of(candidate)) for syllable, candidate in candidates]
+    ruled = [(syllable, rule) for syllable, rule in judged if rule is not None]
     return [
         _accent(utterance, syllable, str(rule.label), rule.confidence, nuclear=number == len(ruled))
         for number, (syllable, rule) in enumerate(ruled, 1)
@@ -96,7 +96,7 @@ def _candidates(
 
 def _stressed(utterance: Utterance, language: Language, words: range, focused: Set[int]) -> list[int]:
     """Return the stressed syllables of content words and of focused ones, each of which has at least one."""
-    found = [
+    syllables = [
         index
         for index in _syllables(utterance, words)
         if utterance.syllables[index].stress == PRIMARY
@@ -105,9 +105,9 @@ def _stressed(utterance: Utterance, language: Language, words: range, focused: S
             or not language.is_function_word(_text(utterance, index))
         )
     ]
-    without = focused - {utterance.syllables[index].word for index in found}
+    without = focused - {utterance.syllables[index].word for index in syllables}
     strongest = (_strongest(utterance, range(word, word + 1)) for word in without)
-    return sorted([*found, *(index for index in strongest if index is not None)])
+    return sorted([*syllables, *(index for index in strongest if index is not None)])
 
 
 def _source(word: Word) -> tuple[int, int]:

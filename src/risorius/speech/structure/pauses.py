@@ -29,8 +29,8 @@ def find_pauses(
     it decides; without any, silence after the last word is FINAL, and of at least 0.15 s elsewhere a COMMA. A
     comma after "um" and its like is a HESITATION. Silence inside a word is not a pause.
     """
-    found = (_pause(text, phones, words, index, language) for index in range(len(phones)))
-    return tuple(pause for pause in found if pause is not None)
+    pauses = (_pause(text, phones, words, index, language) for index in range(len(phones)))
+    return tuple(pause for pause in pauses if pause is not None)
 
 
 def punctuation_kind(between: str) -> PauseKind | None:

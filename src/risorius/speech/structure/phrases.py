@@ -49,7 +49,7 @@ def find_phrases(
         for index in range(len(words))
         if index + 1 in sentence_ends or index in last_words or utterance.pause_after(index)
     ]
-    found: list[Phrase] = []
+    phrases: list[Phrase] = []
     for before, last in pairwise([-1, *ends]):
         number = bisect_right(sentences, last) - 1
         stop = sentences[number + 1] if number + 1 < len(sentences) else len(words)
@@ -62,8 +62,8 @@ def find_phrases(
         for first, end in pairwise(edges):
             ending = Ending.CLAUSE if end <= last else _ending(utterance, sentences[number], last)
             times = (words[first].start, words[end - 1].end)
-            found.append(Phrase(first, end, *times, number, ending, question))
-    return tuple(found)
+            phrases.append(Phrase(first, end, *times, number, ending, question))
+    return tuple(phrases)
 
 
 def _sentence_starts(utterance: Utterance, language: Language) -> list[int]:
