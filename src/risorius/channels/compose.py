@@ -7,12 +7,14 @@ that the others are as they were (paper B, section 3.2).
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 
 from ..core.channels import CHANNELS
 from ..core.counted import Counted
 from ..core.movement import LipSegment, Movement
 from ..core.score import BlendSettings, Score, check_score
 from ..errors import ParameterError, unknown
+from ..rules.habits import with_habits
 from ..rules.match import Event, events_of
 from ..rules.resolve import resolve
 from .inputs import ChannelInputs, Context
@@ -45,6 +47,8 @@ def compose(
     for name in without:
         if name not in channels:
             raise ParameterError(unknown("channel", name, channels))
+    if inputs.rules.habits:
+        inputs = replace(inputs, profile=with_habits(inputs.profile, inputs.rules.habits))
     events = proposed(inputs, seed)
     movements: list[Movement] = []
     segments: list[LipSegment] = []

@@ -38,6 +38,8 @@ _SHORTEST = 0.3
 _REFRACTORY = 0.15
 # An aversion is not begun if another look would end it within this time, seconds; a later one cuts it short.
 _FORESIGHT = 3.0
+# A factor on how often something happens that makes it happen no more in any clip.
+_NEVER = 1e-9
 # How far a look up or down strays sideways, and one aside up or down: degrees.
 _STRAY = 2.5
 
@@ -155,7 +157,7 @@ def _averted(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -
     """
     found = list(looks)
     looks = sorted([*looks, *_smiles(inputs), *_silence(inputs)], key=lambda k: k.start)
-    time = numbers.uniform("first aversion") * _aversion(inputs, 0.0).gap[0]
+    time = numbers.uniform("first aversion") * _aversion(inputs, 0.0).gap[0] / _often(inputs, 0.0)
     for number in count():
         if time >= inputs.duration:
             break
@@ -172,9 +174,13 @@ def _averted(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -
         if rival is not None and rival.direction == LISTENER:
             time = last + _SHORTEST
             continue
-        often = max(rate_of(AVERSION, inputs.modulations_at(last)), 1e-3)
-        time = last + max(_around(habit.gap, own, "gap"), _SHORTEST) / often
+        time = last + max(_around(habit.gap, own, "gap"), _SHORTEST) / _often(inputs, last)
     return sorted(found, key=lambda k: k.start)
+
+
+def _often(inputs: ChannelInputs, time: float) -> float:
+    """Return the factor on how often the speaker looks away at a time; as good as never is above 0."""
+    return max(rate_of(AVERSION, inputs.modulations_at(time)), _NEVER)
 
 
 def _aversion(inputs: ChannelInputs, time: float) -> Aversion:

@@ -11,9 +11,11 @@ from pathlib import Path
 from ..core.frozen import FrozenDict
 from ..core.source_text import SourceText
 from ..core.toml import parse, read_text
-from ..errors import ParameterError, Place, unknown
+from ..errors import ParameterError, Place, RisoriusError, unknown
+from .habits import HABITS, Habit, HabitChanges, deleted_by, with_habits
 from .load import DATA
 from .modulation import is_under
+from .profiles import NEUTRAL, profile
 from .rule import Rule
 
 FOLDER = "rules"
@@ -22,9 +24,12 @@ _RULE = re.compile(r"^\[\[\s*rule\s*\]\][^\n]*\n", re.MULTILINE)
 
 @dataclass(frozen=True, slots=True)
 class RuleFile:
-    """A file of rules. `delete`: ids, or their beginnings up to a dot, of rules that do not hold."""
+    """A file of rules. `habit`: numbers of habits. `delete`: ids, or their beginnings up to a dot, of rules
+    and habits that do not hold.
+    """
 
     rule: tuple[Rule, ...] = ()
+    habit: tuple[Habit, ...] = ()
     delete: tuple[str, ...] = ()
 
 
@@ -39,9 +44,10 @@ class RuleEntry:
 
 @dataclass(frozen=True)
 class RuleSet:
-    """The rules that hold, by id, in the order of their files."""
+    """The rules that hold, by id, in the order of their files, and what the files change in habits."""
 
     entries: Mapping[str, RuleEntry] = field(default_factory=FrozenDict)
+    habits: HabitChanges = field(default_factory=HabitChanges)
 
     def __iter__(self) -> Iterator[Rule]:
         return (entry.rule for entry in self.entries.values())
@@ -80,8 +86,8 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
     entries = dict(rule_set.entries)
     for index, prefix in enumerate(file.delete):
         found = [known for known in entries if is_under(known, prefix)]
-        if not found:
-            raise source.error(("delete", index), unknown("rule", prefix, entries))
+        if not found and not deleted_by([prefix]):
+            raise source.error(("delete", index), unknown("rule", prefix, (*entries, *HABITS)))
         for known in found:
             del entries[known]
     texts = _rule_texts(text)
@@ -89,7 +95,20 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
     _check_own(file, own, rule_set, source)
     gone = {old for rule in file.rule for old in rule.replaces}
     kept = {key: entry for key, entry in entries.items() if key not in gone}
-    return RuleSet(FrozenDict({**kept, **{key: entry for key, entry in own.items() if key not in gone}}))
+    held = FrozenDict({**kept, **{key: entry for key, entry in own.items() if key not in gone}})
+    before = rule_set.habits
+    habits = HabitChanges((*before.changed, *file.habit), before.deleted | deleted_by(file.delete))
+    _check_habits(file, source)
+    return RuleSet(held, habits)
+
+
+def _check_habits(file: RuleFile, source: SourceText) -> None:
+    """Raise InputError, with its place, for a habit whose numbers do not fit."""
+    for index, habit in enumerate(file.habit):
+        try:
+            with_habits(profile(NEUTRAL), HabitChanges((habit,)))
+        except RisoriusError as error:
+            raise source.error(("habit", index, "numbers"), error.message) from None
 
 
 def _rule_texts(text: str) -> list[str]:

@@ -12,7 +12,7 @@ from typing import Any
 from ..core.hints import Range
 from ..core.toml import written
 from ..errors import ParameterError, unknown
-from .profiles import profile, profile_from, profile_texts
+from .profiles import Profile, profile, profile_from, profile_texts
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,18 @@ def tuned_text(base: str, name: str, numbers: Mapping[str, float]) -> str:
 
     Raises ParameterError for an unknown profile or key, InputError for a number out of its range.
     """
-    under = profile(base)
+    changed = nested(profile(base), numbers)
+    head = {"name": name, "base": base, "description": f"Like {base}, tuned by hand.", "source": "by hand"}
+    text = written({**head, **changed})
+    profile_from(text, name, profile_texts())
+    return text
+
+
+def nested(under: Profile, numbers: Mapping[str, float]) -> dict[str, Any]:
+    """Return numbers by dotted key as nested tables, laid out as the profile is.
+
+    Raises ParameterError for an unknown key.
+    """
     changed: dict[str, Any] = {}
     for key, value in numbers.items():
         try:
@@ -67,10 +78,7 @@ def tuned_text(base: str, name: str, numbers: Mapping[str, float]) -> str:
         except KeyError:
             known = (number.key for number in numbers_of(under))
             raise ParameterError(unknown("number of a profile", key, known)) from None
-    head = {"name": name, "base": base, "description": f"Like {base}, tuned by hand.", "source": "by hand"}
-    text = written({**head, **changed})
-    profile_from(text, name, profile_texts())
-    return text
+    return changed
 
 
 def _set(table: dict[str, Any], item: Any, path: list[str], value: float, key: str) -> None:
