@@ -85,7 +85,8 @@ def test_both_eyes_blink(demo: risorius.Take) -> None:
 
 def test_every_movement_has_a_cause(demo: risorius.Take) -> None:
     assert all(m.cause != Cause() for m in (*demo.score.movements, *demo.score.lips))
-    assert {"lips", "emotion", "manipulators", "gaze", "head"} <= {
+    # In four seconds the blinks may all be those of accents and pauses.
+    assert {"lips", "emotion", "gaze", "head"} <= {
         *(m.channel for m in demo.score.movements),
         "lips",
     }
