@@ -5,10 +5,12 @@ import json
 import os
 from collections import Counter
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
 
 import risorius
 from risorius.batches import fingerprint, perform
@@ -229,3 +231,13 @@ def test_results_come_while_the_rows_are_read() -> None:
     next(results)
     assert len(read) < 10
     results.close()  # type: ignore[attr-defined]
+
+
+def test_a_contact_sheet_is_a_strip_of_six_pictures() -> None:
+    rows: list[dict[str, object]] = [{"id": "a/x", "text": "Ah."}]
+    settings = risorius.Settings(lead=0.2, tail=0.2, fps=Fraction(15), dynamics="static")
+    (result,) = risorius.batch(rows, "{id}.landmarks.csv", jobs=0, settings=settings, sheets=True)
+    assert (result.error, result.outcome.sheet) == ("", "sheets/a/x.png")
+    with Image.open("sheets/a/x.png") as sheet:
+        assert sheet.size == (6 * 112, 112)
+    assert "sheets/a/x.png" in Path("report.html").read_text()

@@ -63,4 +63,5 @@ class LineResult:
     @property
     def error(self) -> str:
         """Where and why it failed, in one line; empty if it did not."""
-        return f"{self.place}: {self.outcome.error}" if self.outcome.error else ""
+        error, place = self.outcome.error, f"{self.place}: "
+        return error if not error or error.startswith(place) else place + error

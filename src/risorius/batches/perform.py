@@ -78,7 +78,7 @@ def _perform_and_write(job: BatchJob) -> Take:
         take.write(*local.outputs)
         if job.sheet is not None:
             make_folder(job.sheet)
-            contact_sheet(take).write(job.sheet)
+            write_sheet(take, job.sheet)
     return take
 
 
@@ -92,11 +92,21 @@ def perform(job: BatchJob) -> Take:
     return perform_input(job.given, job.emotions, job.settings)
 
 
-def contact_sheet(take: Take) -> Take:
-    """Return a take whose picture is a small sheet of some frames, evenly spaced."""
-    every = max(1, len(take.performance.values) // SHEET_FRAMES)
-    look = replace(take.settings.look, quality="draft", overlay=())
-    return replace(take, settings=replace(take.settings, size=SHEET_SIZE, every=every, look=look))
+def write_sheet(take: Take, path: str) -> None:
+    """Write a strip of small pictures, evenly spaced over a take, as PNG; raises OutputError."""
+    import numpy as np
+    from PIL import Image
+
+    from ..ports.atomic import replacing
+
+    camera = "close-up" if take.settings.look.camera == "portrait" else take.settings.look.camera
+    look = replace(take.settings.look, quality="draft", overlay=(), camera=camera)
+    frames = len(take.performance.values)
+    indices = sorted({frames * (2 * k + 1) // (2 * SHEET_FRAMES) for k in range(SHEET_FRAMES)})
+    shown = replace(take, settings=replace(take.settings, look=look))
+    strip = np.concatenate([picture.copy() for picture in shown.pictures(SHEET_SIZE, indices)], axis=1)
+    with replacing(Path(path)) as file, file.open("wb") as target:
+        Image.fromarray(strip).save(target, "PNG")
 
 
 @contextlib.contextmanager

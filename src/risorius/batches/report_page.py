@@ -10,7 +10,7 @@ from .outcome import LineResult
 
 _STYLE = """
 :root { color-scheme: light dark; --line: color-mix(in srgb, currentColor 18%, transparent); }
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 76rem; padding: 0 1.2rem; }
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 84rem; padding: 0 1.2rem; }
 h1 { font-size: 1.5rem; margin: 0 0 .2rem } h2 { font-size: 1.1rem; margin: 2.2rem 0 .4rem }
 p { margin: .2rem 0 .8rem } .quiet { opacity: .65 }
 dl { display: flex; flex-wrap: wrap; gap: .4rem 2.4rem; margin: 1rem 0 }
@@ -22,7 +22,7 @@ td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; wh
 td.id { font-weight: 600; white-space: nowrap } .bad { color: #c0392b }
 td p { margin: .15rem 0; font-size: .85rem }
 audio { height: 1.9rem; width: 15rem; display: block }
-img { display: block; max-width: 100%; border-radius: 4px }
+img { display: block; max-width: 34rem; border-radius: 4px; margin-top: .3rem }
 a { color: inherit }
 @media (prefers-color-scheme: dark) { .bad { color: #ff8a75 } }
 """
