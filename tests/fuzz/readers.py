@@ -15,9 +15,10 @@ import numpy as np
 from PIL import Image
 
 from risorius.api import load, mix
+from risorius.batches.manifest import Manifest
 from risorius.core.npz import read_arrays
 from risorius.core.toml import load_file
-from risorius.errors import HeadError
+from risorius.errors import HeadError, RisoriusError
 from risorius.face.head_file import HeadFile
 from risorius.face.identity import read_identity
 from risorius.face.links import LinkTable
@@ -88,6 +89,14 @@ def _labels(path: Path) -> object:
 
 def _text(read: Callable[[str], object]) -> Callable[[Path], object]:
     return lambda path: read(path.read_bytes().decode("utf-8", "replace"))
+
+
+def _rows(path: Path) -> object:
+    rows = list(Manifest(path).rows())
+    fault = next((row for row in rows if isinstance(row, RisoriusError)), None)
+    if fault is not None:
+        raise fault
+    return rows
 
 
 def _setting(text: str) -> Settings:
@@ -296,6 +305,12 @@ register(
     b'{"sample_rate": 8000, "audio": "AAAAAAAA", "phones": [["HH", 0.0, 0], ["AY1", 1e-4]]}',
 )
 register(".display", _text(parse_display), b"joy:0.7@1-2.5", b"fear:1")
+register(".manifest.csv", _rows, b'id,text,emotion\na,"Hello, you",joy:0.7;anger:0.2\nb,Two.,\n')
+register(
+    ".jsonl",
+    _rows,
+    b'{"id": "a", "text": "Hi.", "fps": 5}\n{"id": "b", "text": "Two.", "shape": {"a": 0.1}}\n',
+)
 register(".address", _text(lambda text: parse_address(text, 9000)), b"127.0.0.1:8000", b"[::1]:80")
 register(
     ".setting",

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from ..core.json_text import parse_json
+from ..core.paths import exists
 from ..errors import InputError, Place, RisoriusError
 from ..script.read import RECORDING_SUFFIXES
 
@@ -42,7 +43,7 @@ class Manifest:
     path: Path
 
     def __post_init__(self) -> None:
-        if not self.path.exists():
+        if not exists(self.path):
             raise InputError(
                 "there is no such manifest; expected a .csv or .jsonl file, or a folder", self._place
             )
