@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from risorius.core.frame_rate import parse_fps
-from risorius.core.performance import frame_count, frame_times
+from risorius.core.performance import announced, frame_count, frame_times
+from risorius.core.score import Score
 from risorius.errors import InputError
 
 
@@ -24,3 +25,14 @@ def test_frames_lie_at_k_over_fps() -> None:
     times = frame_times(10.0, fps)
     assert len(times) == frame_count(10.0, fps) == round(10 * fps) + 1
     np.testing.assert_allclose(times, np.arange(len(times)) / float(fps), rtol=1e-15)
+
+
+ANNOUNCED = ["Combining 108,001 frames (40 MB of curves) …"]
+
+
+@pytest.mark.parametrize(("duration", "said"), [(10.0, []), (3600.0, ANNOUNCED)])
+def test_many_frames_are_announced(duration, said):
+    lines: list[str] = []
+    score = Score(duration)
+    assert announced(score, Fraction(30), lines.append) is score
+    assert lines == said
