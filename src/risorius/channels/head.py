@@ -86,7 +86,7 @@ def _melody(inputs: ChannelInputs) -> Iterator[Movement]:
         if pauses:
             seconds = min(following - last, _RELEASE)
             # In a short pause there is time for a part of the way only.
-            left = {"head_pitch": (1.0 - seconds / _RELEASE) * size * pitch}
+            left = {"head_pitch": (1.0 - seconds / _RELEASE) * size * pitch + 0.0}  # not -0.0
             yield replace(_link(last, following, left, "melody", cause), onset=seconds)
 
 

@@ -20,7 +20,8 @@ _COUNTER = {"head_pitch": "gaze_pitch", "head_yaw": "gaze_yaw"}
 
 def with_eyes(targets: Mapping[str, float]) -> dict[str, float]:
     """Return targets of the head with the eyes turned against them, so that gaze stays where it is."""
-    counter = {_COUNTER[name]: -value for name, value in targets.items() if name in _COUNTER}
+    # A difference, because scores do not keep the sign of -0.0.
+    counter = {_COUNTER[name]: 0.0 - value for name, value in targets.items() if name in _COUNTER}
     return {**targets, **counter}
 
 
