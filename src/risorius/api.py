@@ -100,8 +100,8 @@ def load(performance: FileName, *, settings: Settings | None = None) -> Take:
     settings = settings or Settings()
     file = read_performance_file(Path(performance))
     # Its own frame rate is no change.
-    asked = replace(settings, fps=Settings().fps) if settings.fps == file.performance.fps else settings
-    refuse(asked, PERFORMANCE, Place(str(performance)))
+    compared = replace(settings, fps=Settings().fps) if settings.fps == file.performance.fps else settings
+    refuse(compared, PERFORMANCE, Place(str(performance)))
     return Take(file.performance, replace(settings, fps=file.performance.fps), file.utterance)
 
 
@@ -138,8 +138,8 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top."""
     shown = {display.emotion: display.intensity for display in displays_of(emotion)}
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
-    held = ManualCurve(keys, Cause("pose", "command"))
-    score = Score(0.001, manual=(held,), settings=BlendSettings(contact=False))
+    pose_curve = ManualCurve(keys, Cause("pose", "command"))
+    score = Score(0.001, manual=(pose_curve,), settings=BlendSettings(contact=False))
     settings = settings or Settings()
     refuse(settings, POSE)
     return combine(score, settings)
@@ -167,17 +167,17 @@ def rig(
 
     settings = settings or Settings()
     refuse(settings, CHARACTER, Place(str(character)))
-    found = read_rig(Path(character), None if map_file is None else Path(map_file))
+    rig = read_rig(Path(character), None if map_file is None else Path(map_file))
     if take is not None and output is not None:
         (target,) = check_targets((output,))
         if target.format.suffix not in (".glb", ".rig.glb"):
             raise InputError("is not a .glb file; expected one for the character", Place(str(output)))
-        check_performable(found)
+        check_performable(rig)
         take = take if isinstance(take, Take) else take()
-        track = ArkitFit(take.head, found.shapes).track(take.faces())
+        track = ArkitFit(take.head, rig.shapes).track(take.faces())
         with replacing(Path(output)) as path:
-            save_glb(animated(found, track, take.times), path)
-    return found, report(found, head_of(settings))
+            save_glb(animated(rig, track, take.times), path)
+    return rig, report(rig, head_of(settings))
 
 
 def displays_of(emotion: Emotions) -> Displays:

@@ -83,8 +83,8 @@ class Take:
         from .blend import explain
 
         names = NAMES if parameter is None else [p.name for p in parameters_named(parameter)]
-        found = (explain(self._plan, time, name) for name in names)
-        return tuple(e for e in found if parameter is not None or e.winner is not None or e.losers)
+        explanations = (explain(self._plan, time, name) for name in names)
+        return tuple(e for e in explanations if parameter is not None or e.winner is not None or e.losers)
 
     def traces(self, parameter: str) -> tuple[Trace, ...]:
         """Return what each channel asks of a parameter, and what it gets, at every frame.

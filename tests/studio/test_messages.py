@@ -73,9 +73,9 @@ def test_any_message_is_understood_or_refused(verb, given_):
 
 def test_null_is_what_is_left_out():
     text = '{"id": 1, "do": "edit", "kind": "stretch", "movement": "a", "end": 2, "start": null}'
-    assert decode(text).asked.start is None
+    assert decode(text).body.start is None
     spans = '{"id": 1, "do": "choose", "emotions": [{"emotion": "joy", "intensity": 1, "start": null}]}'
-    assert decode(spans).asked.emotions == (shared.EmotionSpan("joy", 1.0),)
+    assert decode(spans).body.emotions == (shared.EmotionSpan("joy", 1.0),)
 
 
 def test_what_is_sent_can_be_asked_again():
@@ -85,9 +85,9 @@ def test_what_is_sent_can_be_asked_again():
         (shared.EmotionSpan("joy", 0.5, first=0, last=2),),
     )
     text = json.dumps({"id": 1, "do": "perform", **encoded(asked)})
-    assert decode(text).asked == asked
+    assert decode(text).body == asked
     move = decode('{"id": 2, "do": "edit", "kind": "move", "movement": "a", "start": 1}')
-    assert move.asked == Move("a", 1.0)
+    assert move.body == Move("a", 1.0)
 
 
 def test_answers_and_events_are_one_line_of_json():
@@ -97,7 +97,7 @@ def test_answers_and_events_are_one_line_of_json():
 
 
 def test_a_preview_holds_the_edit():
-    asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1}').asked
+    asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1}').body
     assert asked == requests.Preview(Move("a", 1.0))
-    asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1, "face": 2}').asked
+    asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1, "face": 2}').body
     assert asked == requests.Preview(Move("a", 1.0), 2.0)

@@ -37,6 +37,6 @@ def tell_rig(rig: Rig, rows: Sequence[Shown], *, guessed: bool) -> Iterator[str]
     for verdict in ("well", "partly", "not"):
         names = [row for row in rows if row.verdict == verdict]
         if names:
-            told = ", ".join(f"{row.parameter} ({row.left_over:.0%}, {row.rms:.1f} mm)" for row in names)
-            yield f"# shown {verdict}: {told}" if verdict != "not" else f"# not shown: {told}"
+            muscles = ", ".join(f"{row.parameter} ({row.left_over:.0%}, {row.rms:.1f} mm)" for row in names)
+            yield f"# shown {verdict}: {muscles}" if verdict != "not" else f"# not shown: {muscles}"
     yield "# in brackets: the share of the movement that is not shown, and its root mean square in mm"

@@ -73,8 +73,8 @@ def stream(
     from ..api import speak as perform
     from ..stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_take
 
-    given = {"subject": subject, "names": names}
-    options = Options(**{name: value for name, value in given.items() if value is not None})
+    stream_options = {"subject": subject, "names": names}
+    options = Options(**{name: value for name, value in stream_options.items() if value is not None})
     check_options(protocol, options)
     if listen is None and patience != PATIENCE:
         raise UnreadError(["patience"], "nothing waits for a greeting; expected --listen as well")

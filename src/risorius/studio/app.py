@@ -176,9 +176,9 @@ class Files(StaticFiles):
     Else it would put those of two versions of Risorius together.
     """
 
-    def file_response(self, *given: Any, **named: Any) -> Response:
+    def file_response(self, *arguments: Any, **named: Any) -> Response:
         """Return the answer with a file."""
-        response = super().file_response(*given, **named)
+        response = super().file_response(*arguments, **named)
         response.headers["cache-control"] = "no-cache"
         return response
 
@@ -215,11 +215,11 @@ async def _of_head(request: Request, make: Callable[..., bytes], kind: str) -> R
 
 
 def _looks(request: Request) -> tuple[str, float | None, str | None, float | None]:
-    given = request.query_params
-    name = given.get("head", "standard")
+    query = request.query_params
+    name = query.get("head", "standard")
     if name not in shipped_heads():
         raise InputError(unknown("head", name, shipped_heads()))
-    return name, _number(given.get("age")), given.get("hair") or None, _number(given.get("complexion"))
+    return name, _number(query.get("age")), query.get("hair") or None, _number(query.get("complexion"))
 
 
 def _number(text: str | None) -> float | None:

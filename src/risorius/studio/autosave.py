@@ -95,16 +95,16 @@ class Autosave:
         saved = parsed(path.read_bytes(), FILE).read(AutosaveDocument)
         score = self._folder / Path(saved.score).name
         sound = None if saved.sound is None else self._folder / Path(saved.sound).name
-        held = _with_own_sound(read_score(parsed(score.read_bytes(), score.name), sound))
-        return Opened(version_of(saved.made, held, saved.edits, files), dict(saved.view)), saved.take
+        score_file = _with_own_sound(read_score(parsed(score.read_bytes(), score.name), sound))
+        return Opened(version_of(saved.made, score_file, saved.edits, files), dict(saved.view)), saved.take
 
 
-def _with_own_sound(held: ScoreFile) -> ScoreFile:
+def _with_own_sound(score_file: ScoreFile) -> ScoreFile:
     """Return a score with a copy of its sound: that in the folder goes when another one is saved."""
-    if held.utterance is None:
-        return held
-    audio = held.utterance.audio
+    if score_file.utterance is None:
+        return score_file
+    audio = score_file.utterance.audio
     with AudioWriter(audio.sample_rate) as writer:
         for block in audio.blocks():
             writer.append(block)
-        return ScoreFile(held.score, replace(held.utterance, audio=writer.finish()))
+        return ScoreFile(score_file.score, replace(score_file.utterance, audio=writer.finish()))

@@ -88,8 +88,8 @@ def _head(name: str) -> tables.HeadRow:
 
 
 def _rule(rule: Rule) -> tables.RuleRow:
-    asked = tuple(rule.when.asked())
-    return tables.RuleRow(rule.id, rule.channel, str(rule.level), rule.probability, rule.comment, asked)
+    conditions = tuple(rule.when.asked())
+    return tables.RuleRow(rule.id, rule.channel, str(rule.level), rule.probability, rule.comment, conditions)
 
 
 def _output(output: FileFormat) -> tables.OutputRow:

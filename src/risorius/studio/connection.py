@@ -59,10 +59,10 @@ class Connection:
             await self._pose_preview.stop()
             self._threads.shutdown(wait=False)
 
-    def tell(self, told: Any) -> None:
+    def tell(self, message: Any) -> None:
         """Send an event when its turn comes; one too many is dropped, progress first of all."""
         with contextlib.suppress(asyncio.QueueFull):
-            self._events.put_nowait(told)
+            self._events.put_nowait(message)
 
     def _begin(self, text: str | None) -> None:
         if len(self._tasks) > limits.PENDING + OWN:
@@ -82,7 +82,7 @@ class Connection:
                 raise BadRequestError("the message is not text; expected JSON")
             request = decode(text)
             number = request.id
-            reply = answer(number, await self._done(number, request.asked))
+            reply = answer(number, await self._done(number, request.body))
         except BadRequestError as error:
             reply = refusal(error.id, error.message)
         except RisoriusError as error:
@@ -93,32 +93,32 @@ class Connection:
             reply = refusal(number, "the studio failed; its terminal says why")
         await self._say(reply)
 
-    async def _done(self, number: int, asked: Any) -> Any:
+    async def _done(self, number: int, body: Any) -> Any:
         shared = self._shared
-        if isinstance(asked, requests.Faces):
-            return await self._streams.send(shared.session.live(asked.take), asked)
-        if isinstance(asked, requests.FaceAt):
-            return await self._streams.moment(shared.session.live(asked.take), asked)
-        if isinstance(asked, requests.Preview):
-            take, previewed = await shared.preview(asked.edit)
-            if asked.face is not None:
-                await self._streams.held(take, previewed.take, asked.face)
+        if isinstance(body, requests.Faces):
+            return await self._streams.send(shared.session.live(body.take), body)
+        if isinstance(body, requests.FaceAt):
+            return await self._streams.moment(shared.session.live(body.take), body)
+        if isinstance(body, requests.Preview):
+            take, previewed = await shared.preview(body.edit)
+            if body.face is not None:
+                await self._streams.held(take, previewed.take, body.face)
             return previewed
-        if isinstance(asked, requests.Cancel):
-            self._streams.cancel(asked.take)
+        if isinstance(body, requests.Cancel):
+            self._streams.cancel(body.take)
             return answers.Done()
-        if isinstance(asked, requests.Dial):
-            return await self._pose_preview.turn(number, asked, shared.session.files)
-        if isinstance(asked, requests.Export):
-            return shared.export(asked)
-        if isinstance(asked, requests.CancelExport):
-            shared.exports.stop(asked.job)
+        if isinstance(body, requests.Dial):
+            return await self._pose_preview.turn(number, body, shared.session.files)
+        if isinstance(body, requests.Export):
+            return shared.export(body)
+        if isinstance(body, requests.CancelExport):
+            shared.exports.stop(body.job)
             return answers.Done()
-        if isinstance(asked, requests.Project):
+        if isinstance(body, requests.Project):
             return answers.Download(
                 f"/api/session/{shared.session.name}/project", "performance.risorius.json"
             )
-        return await shared.handle(asked, self._progress(number), self)
+        return await shared.handle(body, self._progress(number), self)
 
     def _progress(self, number: int) -> Any:
         def told(stage: str, done: int = 0, total: int = 0) -> None:

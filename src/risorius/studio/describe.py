@@ -58,15 +58,15 @@ def blocks(score: Score, like: tuple[Score, Blocks] | None = None) -> Blocks:
     """Return all movements and lip segments as blocks by id; those that `like` has too are its own."""
     known: dict[int, takes.Block] = {}
     if like is not None:
-        before, made = like
-        known = {id(m): made[m.id] for m in before.movements}
-        known |= {id(s): made[f"lips.{n}"] for n, s in enumerate(before.lips)}
-    found = {m.id: known.get(id(m)) or _block(m) for m in score.movements}
+        before, earlier_blocks = like
+        known = {id(m): earlier_blocks[m.id] for m in before.movements}
+        known |= {id(s): earlier_blocks[f"lips.{n}"] for n, s in enumerate(before.lips)}
+    by_id = {m.id: known.get(id(m)) or _block(m) for m in score.movements}
     # A segment is named by its place, which may be another.
     for n, s in enumerate(score.lips):
         block = known.get(id(s))
-        found[f"lips.{n}"] = block if block and block.id == f"lips.{n}" else _segment(f"lips.{n}", s)
-    return found
+        by_id[f"lips.{n}"] = block if block and block.id == f"lips.{n}" else _segment(f"lips.{n}", s)
+    return by_id
 
 
 def _block(m: Movement) -> takes.Block:

@@ -53,7 +53,7 @@ class Exports:
             raise InputError(f"there is no export {job}")
         self._jobs[job].set()
 
-    def write(self, job: int, take: Take, asked: requests.Export, progress: Progress) -> tuple[str, ...]:
+    def write(self, job: int, take: Take, request: requests.Export, progress: Progress) -> tuple[str, ...]:
         """Write the files and return their names. Raises RisoriusError; then nothing is kept."""
         stopped, writing = self._jobs[job], threading.get_ident()
 
@@ -65,9 +65,9 @@ class Exports:
 
         folder = self._folder / str(job)
         folder.mkdir(parents=True, exist_ok=True)
-        names = _names(asked)
+        names = _names(request)
         told("Writing …")
-        exported_take(take, asked).write(*(folder / name for name in names), progress=told)
+        exported_take(take, request).write(*(folder / name for name in names), progress=told)
         self._files |= {(job, name): folder / name for name in names}
         return names
 
@@ -78,32 +78,32 @@ class Exports:
         return self._files[job, name]
 
 
-def check(take: Take, asked: requests.Export) -> None:
+def check(take: Take, request: requests.Export) -> None:
     """Raise InputError or OutputError where an export cannot be made as asked."""
-    if not 0 < len(asked.suffixes) <= limits.EXPORTED:
-        raise InputError(f"{len(asked.suffixes)} files in one export; expected 1 to {limits.EXPORTED}")
-    settings = _settings(take.settings, asked)
-    check_targets(_names(asked), alpha=settings.look.transparent)
+    if not 0 < len(request.suffixes) <= limits.EXPORTED:
+        raise InputError(f"{len(request.suffixes)} files in one export; expected 1 to {limits.EXPORTED}")
+    settings = _settings(take.settings, request)
+    check_targets(_names(request), alpha=settings.look.transparent)
 
 
-def exported_take(take: Take, asked: requests.Export) -> Take:
+def exported_take(take: Take, request: requests.Export) -> Take:
     """Return a take drawn as an export asks."""
-    return Take(take.performance, _settings(take.settings, asked), take.utterance, take.sound, take.planned)
+    return Take(take.performance, _settings(take.settings, request), take.utterance, take.sound, take.planned)
 
 
-def _names(asked: requests.Export) -> tuple[str, ...]:
+def _names(request: requests.Export) -> tuple[str, ...]:
     """Return the files' names: letters, digits, - and spaces of the name asked for, and each suffix."""
-    stem = _NAME.sub("", asked.name).strip()[:60] or "performance"
-    return tuple(f"{stem}{FORMATS.get(suffix).suffix}" for suffix in asked.suffixes)
+    stem = _NAME.sub("", request.name).strip()[:60] or "performance"
+    return tuple(f"{stem}{FORMATS.get(suffix).suffix}" for suffix in request.suffixes)
 
 
-def _settings(settings: Settings, asked: requests.Export) -> Settings:
-    values = {row.name: getattr(asked, row.name) for row in exported_rows()}
-    return settings_of({**values, "background": _background(asked.background)}, settings)
+def _settings(settings: Settings, request: requests.Export) -> Settings:
+    values = {row.name: getattr(request, row.name) for row in exported_rows()}
+    return settings_of({**values, "background": _background(request.background)}, settings)
 
 
-def _background(asked: str | None) -> str | None:
+def _background(background: str | None) -> str | None:
     """Return a background that is no file."""
-    if asked not in (None, TRANSPARENT):
-        return "#{:02x}{:02x}{:02x}".format(*parse_colour(asked))
-    return asked
+    if background not in (None, TRANSPARENT):
+        return "#{:02x}{:02x}{:02x}".format(*parse_colour(background))
+    return background

@@ -20,13 +20,13 @@ from .session import Session
 from .wire import answers, requests
 
 
-def explain(session: Session, asked: requests.Explain, progress: Progress) -> answers.Explanations:
+def explain(session: Session, request: requests.Explain, progress: Progress) -> answers.Explanations:
     """Say why parameters have their values at a time."""
-    take = session.live(asked.take).take
-    found = take.explain(asked.time, asked.parameter)
+    take = session.live(request.take).take
+    explanations = take.explain(request.time, request.parameter)
     ids = {m.id for m in take.score.movements}
-    reasons = tuple(_reason(e, ids) for e in found)
-    return answers.Explanations(asked.time, reasons, tuple(narrate(found, asked.time)))
+    reasons = tuple(_reason(e, ids) for e in explanations)
+    return answers.Explanations(request.time, reasons, tuple(narrate(explanations, request.time)))
 
 
 def _reason(e: Explanation, ids: set[str]) -> answers.Reason:
@@ -44,12 +44,12 @@ def _part(part: Contribution, ids: set[str]) -> answers.ContributionView:
 
 
 def channel_curves(
-    session: Session, asked: requests.ChannelCurves, progress: Progress
+    session: Session, request: requests.ChannelCurves, progress: Progress
 ) -> answers.ParameterDetail:
     """Return what each channel asks of a parameter and gets."""
-    take = session.live(asked.take).take
+    take = session.live(request.take).take
     return answers.ParameterDetail(
-        asked.parameter, tuple(_channel(trace, take) for trace in take.traces(asked.parameter))
+        request.parameter, tuple(_channel(trace, take) for trace in take.traces(request.parameter))
     )
 
 
@@ -64,9 +64,9 @@ def _channel(trace: Trace, take: Take) -> answers.ChannelCurve:
     return answers.ChannelCurve(trace.channel, asked, given, spans(trace.inhibited), spans(trace.limited))
 
 
-def rules_fired(session: Session, asked: requests.RulesFired, progress: Progress) -> answers.FiredRules:
+def rules_fired(session: Session, request: requests.RulesFired, progress: Progress) -> answers.FiredRules:
     """Return the rules that fired in a take."""
-    live = session.live(asked.take)
+    live = session.live(request.take)
     rule_set = rule_set_of(live.take.settings.rules)
     rules = []
     for rule, movements in sorted(_by_rule(live.take.score).items()):
@@ -77,23 +77,25 @@ def rules_fired(session: Session, asked: requests.RulesFired, progress: Progress
 
 
 def _by_rule(score: Score) -> dict[str, list[Movement]]:
-    found = defaultdict(list)
+    by_rule = defaultdict(list)
     for movement in score.movements:
-        found[movement.cause.rule].append(movement)
-    return found
+        by_rule[movement.cause.rule].append(movement)
+    return by_rule
 
 
-def profile_save(session: Session, asked: requests.ProfileText, progress: Progress) -> answers.ProfileFile:
+def profile_save(session: Session, request: requests.ProfileText, progress: Progress) -> answers.ProfileFile:
     """Return a profile with other numbers as a file; without any, and under its own name, as it stands."""
-    return answers.ProfileFile(asked.name, tuned_text(asked.base, asked.name, asked.numbers))
+    return answers.ProfileFile(request.name, tuned_text(request.base, request.name, request.numbers))
 
 
-def name_pose(session: Session, asked: requests.SavePose, progress: Progress) -> answers.PoseFile:
+def name_pose(session: Session, request: requests.SavePose, progress: Progress) -> answers.PoseFile:
     """Keep a face under a name, and return it as a file for the command line."""
     session.forget_prefetch()
-    if asked.kind == "emotion":
-        text = session.files.save_emotion(asked.name, asked.values)
-        return answers.PoseFile(asked.name, f"{asked.name}.toml", text)
-    session.files.save_pose(asked.name, asked.values)
-    words = [f"{name}={value:g}" for name, value in resolve_targets(asked.values).items() if value]
-    return answers.PoseFile(asked.name, f"{asked.name}.txt", f"risorius pose {' '.join(words)} -o face.png\n")
+    if request.kind == "emotion":
+        text = session.files.save_emotion(request.name, request.values)
+        return answers.PoseFile(request.name, f"{request.name}.toml", text)
+    session.files.save_pose(request.name, request.values)
+    words = [f"{name}={value:g}" for name, value in resolve_targets(request.values).items() if value]
+    return answers.PoseFile(
+        request.name, f"{request.name}.txt", f"risorius pose {' '.join(words)} -o face.png\n"
+    )

@@ -22,10 +22,10 @@ _EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """A decoded request: its number, and what is asked as one of the dataclasses of `wire`."""
+    """A decoded request: its number, and its body as one of the dataclasses of `wire`."""
 
     id: int
-    asked: Any
+    body: Any
 
 
 class BadRequestError(RisoriusError):
@@ -43,14 +43,14 @@ class _Beside:
 
 def decode(text: str) -> Request:
     """Return the request that a message is; raise BadRequestError with one line on what is wrong."""
-    found: int | None = None
+    number: int | None = None
     try:
         data = _parsed(text)
-        found = _number(data)
-        return Request(found, _asked(data))
+        number = _number(data)
+        return Request(number, _body(data))
     except RisoriusError as error:
         bad = BadRequestError(error.message)
-        bad.id = found
+        bad.id = number
         raise bad from None
 
 
@@ -73,7 +73,7 @@ def _number(data: dict[str, Any]) -> int:
     return number
 
 
-def _asked(data: dict[str, Any]) -> Any:
+def _body(data: dict[str, Any]) -> Any:
     done, kinds = data.pop("do", None), VERBS
     verb = done
     if done in ("edit", "preview"):

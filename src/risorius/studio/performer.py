@@ -39,33 +39,35 @@ class Performer:
         self._heard: StageCache[tuple[Script, Utterance]] = StageCache(_MOST_VOICES)
         self._scores: StageCache[ScoreFile] = StageCache(1)
 
-    def perform(self, made: TakeInputs, progress: Progress) -> Version:
+    def perform(self, inputs: TakeInputs, progress: Progress) -> Version:
         """Plan what a page asks. Raises RisoriusError with one line on what is wrong."""
-        if len(made.source.script) > limits.SCRIPT and made.source.format != "score":
+        if len(inputs.source.script) > limits.SCRIPT and inputs.source.format != "score":
             raise InputError(f"the script is longer than {limits.SCRIPT} characters")
-        spans = tuple(replace(span, emotion=self._files.emotion(span.emotion)) for span in made.emotions)
-        settings = with_profile(settings_of(made.choices, self._files.folder))
-        if made.source.format == "score":
-            return self._scored(made, settings)
+        spans = tuple(replace(span, emotion=self._files.emotion(span.emotion)) for span in inputs.emotions)
+        settings = with_profile(settings_of(inputs.choices, self._files.folder))
+        if inputs.source.format == "score":
+            return self._scored(inputs, settings)
         begun = time.perf_counter()
         odd: list[str] = []
         with warnings_to(odd.append):
-            script, utterance, displays = self._said(made.source, spans, settings, progress)
+            script, utterance, displays = self._said(inputs.source, spans, settings, progress)
             said = time.perf_counter()
             score = identified(compose(script, utterance, displays, settings))
         spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (time.perf_counter() - said)}
-        return Version(made, score, score, settings, utterance, warnings=tuple(odd), milliseconds=spent)
+        return Version(inputs, score, score, settings, utterance, warnings=tuple(odd), milliseconds=spent)
 
-    def adopted(self, made: TakeInputs) -> TakeInputs:
+    def adopted(self, inputs: TakeInputs) -> TakeInputs:
         """Return a request to perform a score with the score's own settings in its choices."""
-        if made.source.format != "score":
-            return made
-        return replace(made, choices=adopted(made.choices, self._score_file(made.source).score.settings))
+        if inputs.source.format != "score":
+            return inputs
+        return replace(
+            inputs, choices=adopted(inputs.choices, self._score_file(inputs.source).score.settings)
+        )
 
-    def _scored(self, made: TakeInputs, settings: Settings) -> Version:
-        held = self._score_file(made.source)
-        score = identified(replace(held.score, settings=blend_of(made.choices)))
-        return Version(made, score, score, settings, held.utterance)
+    def _scored(self, inputs: TakeInputs, settings: Settings) -> Version:
+        score_file = self._score_file(inputs.source)
+        score = identified(replace(score_file.score, settings=blend_of(inputs.choices)))
+        return Version(inputs, score, score, settings, score_file.utterance)
 
     def _score_file(self, source: Source) -> ScoreFile:
         return self._scores.get(source, lambda: self._read(source))
@@ -75,11 +77,11 @@ class Performer:
         if name is None:
             return read_score(parsed(source.script, "score"), None)
         sound = read_recording(self._files.recording(name))
-        held = read_score(parsed(source.script, "score"), sound.path)
-        if held.utterance is None:
-            return held
+        score_file = read_score(parsed(source.script, "score"), sound.path)
+        if score_file.utterance is None:
+            return score_file
         # The file is there as long as this Audio of it.
-        return replace(held, utterance=replace(held.utterance, audio=sound))
+        return replace(score_file, utterance=replace(score_file.utterance, audio=sound))
 
     def _said(
         self, source: Source, spans: tuple[EmotionSpan, ...], settings: Settings, progress: Progress

@@ -44,18 +44,18 @@ class PosePreview:
         self._turning = asyncio.Lock()
         self._turned = asyncio.Event()
 
-    async def turn(self, number: int, asked: requests.Dial, files: SessionFiles) -> answers.DialState:
+    async def turn(self, number: int, request: requests.Dial, files: SessionFiles) -> answers.DialState:
         """Set new values; send the faces on the way there as they are solved. Raises ParameterError."""
-        if asked.head not in shipped_heads():
-            raise InputError(unknown("head", asked.head, shipped_heads()))
-        emotions = {files.emotion(name): value for name, value in asked.emotions.items()}
-        values = dialled(asked.values, emotions)
+        if request.head not in shipped_heads():
+            raise InputError(unknown("head", request.head, shipped_heads()))
+        emotions = {files.emotion(name): value for name, value in request.emotions.items()}
+        values = dialled(request.values, emotions)
         async with self._turning:
-            if self._looks != (asked.head, asked.age):
-                await self._take_head(asked.head, asked.age)
+            if self._looks != (request.head, request.age):
+                await self._take_head(request.head, request.age)
         self._values = np.array(list(values.values()))
         now = self._loop.time()
-        self._number, self._until = number, now + (SETTLED if asked.live else 0.0)
+        self._number, self._until = number, now + (SETTLED if request.live else 0.0)
         self._last_turn, self._dragged = now, now - self._last_turn < DRAGGED
         self._turned.set()
         if self._moving is None or self._moving.done():
@@ -107,7 +107,7 @@ class PosePreview:
         head, age = self._looks
 
         def face() -> bytes:
-            found = dial.still(values) if seconds is None else dial.moved(values, seconds)
-            return stage_of(head, age).packed(DIALLED, number, 0, [found])
+            frame = dial.still(values) if seconds is None else dial.moved(values, seconds)
+            return stage_of(head, age).packed(DIALLED, number, 0, [frame])
 
         await self._send(await on_thread(self._threads, face))

@@ -14,7 +14,7 @@ from .wire.shared import Source, TakeInputs
 class Prefetch:
     """A take of the text that a page shows."""
 
-    made: TakeInputs
+    inputs: TakeInputs
     version: Version
     take: Take
 

@@ -98,7 +98,7 @@ def header(version: Version, view: Mapping[str, object]) -> dict[str, Any]:
     """Return what a project says beside score and sound."""
     return {
         "risorius_project": VERSION,
-        "made": encoded(version.made),
+        "made": encoded(version.inputs),
         "edits": [{"kind": _KINDS[type(edit)], **encoded(edit)} for edit in version.edits],
         "view": dict(view),
     }
@@ -111,7 +111,7 @@ def project_file(session: Session) -> bytes:
     document["score"] = score_to_json(version.base, version.utterance)
     if version.utterance is not None:
         document["sound"] = _flac(version.utterance.audio)
-    recording = version.made.source.recording
+    recording = version.inputs.source.recording
     if recording is not None:
         data = base64.b64encode(files.recording(recording).read_bytes()).decode()
         document["recording"] = {"name": recording, "data": data}
@@ -126,47 +126,47 @@ def open_project(data: bytes, files: SessionFiles) -> Opened:
     Raises InputError or ParameterError, with the path in the file, for what does not fit.
     """
     document = parsed(data, _PLACE)
-    held = document.read(ProjectDocument)
+    project = document.read(ProjectDocument)
     with placed(document.source):
-        return _opened(held, files)
+        return _opened(project, files)
 
 
-def _opened(held: ProjectDocument, files: SessionFiles) -> Opened:
+def _opened(project: ProjectDocument, files: SessionFiles) -> Opened:
     """Return what a project holds; raises MisfitError for a sound or a recording that cannot be used."""
-    for name, values in held.emotions.items():
+    for name, values in project.emotions.items():
         if name not in files.emotions():
             files.save_emotion(name, dict(values))
-    for name, values in held.poses.items():
+    for name, values in project.poses.items():
         files.save_pose(name, dict(values))
-    made = held.made
-    if held.recording is not None:
+    inputs = project.made
+    if project.recording is not None:
         with within("recording"):
-            made = _with_recording(made, held.recording, files)
+            inputs = _with_recording(inputs, project.recording, files)
     with within("score"):
-        file = score_file(held.score, None)
+        file = score_file(project.score, None)
     with within("sound"):
-        utterance = _sounding(file.utterance, held.sound)
-    version = version_of(made, ScoreFile(file.score, utterance), held.edits, files)
-    return Opened(version, dict(held.view))
+        utterance = _sounding(file.utterance, project.sound)
+    version = version_of(inputs, ScoreFile(file.score, utterance), project.edits, files)
+    return Opened(version, dict(project.view))
 
 
 def version_of(
-    made: shared.TakeInputs, held: ScoreFile, edits: tuple[Edit, ...], files: SessionFiles
+    inputs: shared.TakeInputs, score_file: ScoreFile, edits: tuple[Edit, ...], files: SessionFiles
 ) -> Version:
     """Return the version of a session that a score and its edits are."""
-    settings = with_profile(settings_of(made.choices, files.folder))
-    return Version(made, held.score, held.score, settings, held.utterance, edits)
+    settings = with_profile(settings_of(inputs.choices, files.folder))
+    return Version(inputs, score_file.score, score_file.score, settings, score_file.utterance, edits)
 
 
 def _with_recording(
-    made: shared.TakeInputs, recording: RecordingEntry, files: SessionFiles
+    inputs: shared.TakeInputs, recording: RecordingEntry, files: SessionFiles
 ) -> shared.TakeInputs:
     uploaded = files.temporary(_bytes(recording.data))
     try:
         name = files.add_recording(recording.name, uploaded)
     finally:
         uploaded.unlink(missing_ok=True)
-    return replace(made, source=replace(made.source, recording=name))
+    return replace(inputs, source=replace(inputs.source, recording=name))
 
 
 def _bytes(text: str) -> bytes:

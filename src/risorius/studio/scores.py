@@ -29,20 +29,20 @@ def parsed(data: bytes | str, name: str) -> JsonDocument:
 
 def read_score(document: JsonDocument, sound: Path | None) -> ScoreFile:
     """Return a score and what is said; `sound` as in `score_file`. Raises InputError or ParameterError."""
-    held = document.read(ScoreDocument)
+    score = document.read(ScoreDocument)
     with placed(document.source):
-        return score_file(held, sound)
+        return score_file(score, sound)
 
 
-def score_file(held: ScoreDocument, sound: Path | None) -> ScoreFile:
+def score_file(score: ScoreDocument, sound: Path | None) -> ScoreFile:
     """Return a score and what is said, sounding as the file `sound` of ours (silent where None).
 
     The way to a sound that the score names itself is not followed. Raises as `ScoreDocument.score_file`.
     """
-    if held.speech is not None:
+    if score.speech is not None:
         named = None if sound is None else sound.name
-        held = replace(held, speech=replace(held.speech, audio=named))
-    return held.score_file(Path() if sound is None else sound.parent)
+        score = replace(score, speech=replace(score.speech, audio=named))
+    return score.score_file(Path() if sound is None else sound.parent)
 
 
 def adopted(choices: Choices, blend: BlendSettings) -> Choices:

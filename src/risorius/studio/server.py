@@ -22,9 +22,9 @@ PORT = 8765
 
 def default_folder() -> Path:
     """Return where sessions are kept: RISORIUS_STUDIO, or a folder of the user's."""
-    given = os.environ.get("RISORIUS_STUDIO")
-    if given:
-        return Path(given)
+    folder = os.environ.get("RISORIUS_STUDIO")
+    if folder:
+        return Path(folder)
     base = os.environ.get("XDG_DATA_HOME") or "~/.local/share"
     return Path(base).expanduser() / "risorius" / "studio"
 

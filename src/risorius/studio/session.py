@@ -54,7 +54,7 @@ class Session:
         self._number = 0
         self._prefetch: Prefetch | None = None
 
-    def open(self, asked: requests.Open, progress: Progress) -> takes.State:
+    def open(self, request: requests.Open, progress: Progress) -> takes.State:
         """Return the session as it stands."""
         take = None if self.current is None else self.described(self.current)
         files = self.files
@@ -62,38 +62,38 @@ class Session:
             self.name, take, files.recordings(), tuple(files.emotions()), files.poses(), self.view, self.notes
         )
 
-    def perform(self, asked: requests.Perform, progress: Progress) -> takes.TakeView:
+    def perform(self, request: requests.Perform, progress: Progress) -> takes.TakeView:
         """Perform a script; edits made on the one before are made again where it is the same script."""
-        made = self._performer.adopted(shared.TakeInputs(asked.source, asked.choices, asked.emotions))
-        return self._planned(made, "perform", progress)
+        inputs = self._performer.adopted(shared.TakeInputs(request.source, request.choices, request.emotions))
+        return self._planned(inputs, "perform", progress)
 
-    def prepare(self, asked: requests.Prepare, progress: Progress) -> answers.Done:
+    def prepare(self, request: requests.Prepare, progress: Progress) -> answers.Done:
         """Have ready what `perform` will need for the same, where that is a short text."""
-        made = shared.TakeInputs(asked.source, asked.choices, asked.emotions)
-        if worth_it(made.source) and not self._prefetched(made):
+        inputs = shared.TakeInputs(request.source, request.choices, request.emotions)
+        if worth_it(inputs.source) and not self._prefetched(inputs):
             # What cannot be performed is said when it is asked for.
             with suppress(RisoriusError):
-                version = self._performer.perform(made, quiet)
-                self._prefetch = Prefetch(made, version, self._performed(version))
+                version = self._performer.perform(inputs, quiet)
+                self._prefetch = Prefetch(inputs, version, self._performed(version))
         return answers.Done()
 
     def forget_prefetch(self) -> None:
         """Forget what was prepared: a name in it may mean something else now."""
         self._prefetch = None
 
-    def choose(self, asked: requests.Choose, progress: Progress) -> takes.TakeView:
+    def choose(self, request: requests.Choose, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices."""
-        made = self._made(asked.choices, asked.emotions)
-        return self._planned(made, "change the settings", progress)
+        inputs = self._inputs(request.choices, request.emotions)
+        return self._planned(inputs, "change the settings", progress)
 
-    def compare(self, asked: requests.Compare, progress: Progress) -> takes.TakeView:
+    def compare(self, request: requests.Compare, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices, beside the session's take, with the same edits."""
-        version = self._performer.perform(self._made(asked.choices, asked.emotions), progress)
+        version = self._performer.perform(self._inputs(request.choices, request.emotions), progress)
         return self.described(self._live(version.with_edits(self.version().edits)))
 
-    def edit(self, asked: Edit, progress: Progress) -> takes.TakeChange:
+    def edit(self, edit: Edit, progress: Progress) -> takes.TakeChange:
         """Make an edit."""
-        version = self.version().changed(asked)
+        version = self.version().changed(edit)
         self.history.push(version, worded(version.edits[-1]))
         return self._changed(version)
 
@@ -105,17 +105,17 @@ class Session:
         changed = describe.changed_curves(live.curves, describe.curves(take.performance.values))
         return take, takes.Previewed(live.number, changed)
 
-    def undo(self, asked: requests.Undo, progress: Progress) -> takes.TakeChange:
+    def undo(self, request: requests.Undo, progress: Progress) -> takes.TakeChange:
         """Take the last change back."""
         return self._changed(self.history.undo())
 
-    def redo(self, asked: requests.Redo, progress: Progress) -> takes.TakeChange:
+    def redo(self, request: requests.Redo, progress: Progress) -> takes.TakeChange:
         """Make the change that was taken back last again."""
         return self._changed(self.history.redo())
 
-    def keep_view(self, asked: requests.View, progress: Progress) -> answers.Done:
+    def keep_view(self, request: requests.View, progress: Progress) -> answers.Done:
         """Keep what the page shows."""
-        self.view = dict(asked.view)
+        self.view = dict(request.view)
         return answers.Done()
 
     def live(self, number: int) -> Live:
@@ -149,21 +149,21 @@ class Session:
             raise InputError("nothing is performed yet; expected 'perform' first")
         return version
 
-    def _made(
+    def _inputs(
         self, choices: shared.Choices | None, emotions: tuple[shared.EmotionSpan, ...] | None
     ) -> shared.TakeInputs:
-        made = self.version().made
+        inputs = self.version().inputs
         return shared.TakeInputs(
-            made.source,
-            made.choices if choices is None else choices,
-            made.emotions if emotions is None else emotions,
+            inputs.source,
+            inputs.choices if choices is None else choices,
+            inputs.emotions if emotions is None else emotions,
         )
 
-    def _planned(self, made: shared.TakeInputs, what: str, progress: Progress) -> takes.TakeView:
+    def _planned(self, inputs: shared.TakeInputs, what: str, progress: Progress) -> takes.TakeView:
         before = self.history.present
-        ready = self._prefetched(made)
-        version = ready.version if ready else self._performer.perform(made, progress)
-        if before is not None and before.made.source == made.source:
+        ready = self._prefetched(inputs)
+        version = ready.version if ready else self._performer.perform(inputs, progress)
+        if before is not None and before.inputs.source == inputs.source:
             version = version.with_edits(before.edits)
         live = self._live(version)
         self.history.push(version, what)
@@ -182,7 +182,7 @@ class Session:
             if live.version is version:
                 self.takes.move_to_end(live.number)
                 return live
-        ready = self._prefetched(version.made)
+        ready = self._prefetched(version.inputs)
         take = ready.take if ready and ready.version is version else self._performed(version)
         self._prefetch = None
         self._number += 1
@@ -196,7 +196,7 @@ class Session:
         )
         self.takes[live.number] = live
         while len(self.takes) > limits.TAKES:
-            oldest = next(n for n, held in self.takes.items() if held is not self.current)
+            oldest = next(n for n, live_take in self.takes.items() if live_take is not self.current)
             del self.takes[oldest]
         return live
 
@@ -210,9 +210,9 @@ class Session:
         version.milliseconds["blend"] = 1e3 * (perf_counter() - begun)
         return take
 
-    def _prefetched(self, made: shared.TakeInputs) -> Prefetch | None:
-        held = self._prefetch
-        return held if held is not None and held.made == made else None
+    def _prefetched(self, inputs: shared.TakeInputs) -> Prefetch | None:
+        prefetch = self._prefetch
+        return prefetch if prefetch is not None and prefetch.inputs == inputs else None
 
     def described(self, live: Live) -> takes.TakeView:
         """Return a take whole."""
@@ -227,7 +227,7 @@ class Session:
             blocks=tuple(live.blocks.values()),
             drawn=describe.drawn(take.score),
             curves=live.curves,
-            made=version.made,
+            made=version.inputs,
             undoes=self.history.undoes,
             redoes=self.history.redoes,
             warnings=version.warnings,
@@ -247,7 +247,7 @@ class Session:
             curves={} if whole else describe.changed_curves(before.curves, after.curves),
             from_frame=first,
             to_frame=last,
-            made=after.version.made,
+            made=after.version.inputs,
             undoes=self.history.undoes,
             redoes=self.history.redoes,
             whole=whole,
@@ -257,7 +257,7 @@ class Session:
 
 def _changed_blocks(before: describe.Blocks, after: describe.Blocks) -> tuple[takes.Block, ...]:
     # Most are the same object; to compare them by their parts takes long in a long take.
-    return tuple(b for n, b in after.items() if (held := before.get(n)) is not b and held != b)
+    return tuple(b for n, b in after.items() if (earlier := before.get(n)) is not b and earlier != b)
 
 
 def _alike(a: Live, b: Live) -> bool:

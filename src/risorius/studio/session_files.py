@@ -59,9 +59,9 @@ class SessionFiles:
             raise InputError(f"this session has {_MOST} recordings already; expected a new session")
         plain = re.sub(r"[^\w-]+", "-", stem, flags=re.ASCII).strip("-")[:40] or "recording"
         mark = digest(uploaded.read_bytes())[:8]
-        kept = f"{plain.removesuffix(f'-{mark}')}-{mark}{suffix}"
-        uploaded.replace(folder / kept)
-        return kept
+        saved_name = f"{plain.removesuffix(f'-{mark}')}-{mark}{suffix}"
+        uploaded.replace(folder / saved_name)
+        return saved_name
 
     def emotions(self) -> Mapping[str, str]:
         """Return the emotions that were saved: by name, the file of each."""
@@ -137,7 +137,7 @@ def kept_table(text: str, kind: str, folder: Path) -> Path:
 def _table(path: Path) -> dict[str, Any]:
     """Return what a file of ours holds; nothing where there is none or it is spoilt."""
     try:
-        held = json.loads(path.read_text(encoding="utf-8"))
+        entries = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
-    return held if isinstance(held, dict) else {}
+    return entries if isinstance(entries, dict) else {}

@@ -21,7 +21,7 @@ _MOST_IDLE = 4
 
 
 def _key(settings: Settings) -> tuple[object, ...]:
-    wrinkles, shape = (tuple(sorted(held.items())) for held in (settings.wrinkles, settings.shape))
+    wrinkles, shape = (tuple(sorted(amounts.items())) for amounts in (settings.wrinkles, settings.shape))
     return settings.head, settings.age, shape, settings.dynamics == "biphasic", wrinkles
 
 
@@ -77,6 +77,6 @@ def stage_of(
     """Return the stage of a head that comes with Risorius."""
     from dataclasses import replace
 
-    found = head_of(Settings(head=head, age=age))
-    looks = apply_look(found.identity.looks, Look(hair=hair, complexion=complexion))
-    return FacePacker(replace(found, identity=replace(found.identity, looks=looks)))
+    person = head_of(Settings(head=head, age=age))
+    looks = apply_look(person.identity.looks, Look(hair=hair, complexion=complexion))
+    return FacePacker(replace(person, identity=replace(person.identity, looks=looks)))

@@ -29,38 +29,38 @@ class Streams:
         self._threads, self._solvers, self._send = threads, solvers, send
         self._stopped: dict[int, asyncio.Event] = {}
 
-    async def send(self, live: Live, asked: requests.Faces) -> answers.FacesSent:
+    async def send(self, live: Live, request: requests.Faces) -> answers.FacesSent:
         """Send a window; the one before of the same take ends."""
-        self.cancel(asked.take)
-        stopped = self._stopped[asked.take] = asyncio.Event()
-        last = min(asked.last, len(live.take.performance.values))
-        first, settings = asked.first, live.take.settings
+        self.cancel(request.take)
+        stopped = self._stopped[request.take] = asyncio.Event()
+        last = min(request.last, len(live.take.performance.values))
+        first, settings = request.first, live.take.settings
         begun = asyncio.get_running_loop().time()
         stage = await on_thread(self._threads, lambda: stage_for(settings))
         async with self._solvers.loan(settings, self._threads) as solver:
             faces = live.take.faces(range(first, last), lead_in=LEAD_IN, solver=solver)
             while first < last and not stopped.is_set():
                 # The first by itself: playing waits for it.
-                count = min(CHUNK if first > asked.first else 1, last - first)
-                message = await on_thread(self._threads, _chunk(stage, asked.take, first, count, faces))
+                count = min(CHUNK if first > request.first else 1, last - first)
+                message = await on_thread(self._threads, _chunk(stage, request.take, first, count, faces))
                 await self._send(message)
                 first += count
-                if asked.pace is not None:
-                    ahead = (first - asked.first) - LEAD * live.take.performance.fps
-                    await _until(begun + float(ahead) / asked.pace)
-        if self._stopped.get(asked.take) is stopped:
-            del self._stopped[asked.take]
-        return answers.FacesSent(max(first - asked.first, 0))
+                if request.pace is not None:
+                    ahead = (first - request.first) - LEAD * live.take.performance.fps
+                    await _until(begun + float(ahead) / request.pace)
+        if self._stopped.get(request.take) is stopped:
+            del self._stopped[request.take]
+        return answers.FacesSent(max(first - request.first, 0))
 
-    async def moment(self, live: Live, asked: requests.FaceAt) -> answers.FacesSent:
+    async def moment(self, live: Live, request: requests.FaceAt) -> answers.FacesSent:
         """Send the face at a time."""
-        if asked.still:
-            return await self.held(live.take, asked.take, asked.time)
+        if request.still:
+            return await self.held(live.take, request.take, request.time)
 
         def solved(frame: int, solver: FaceSolver) -> FaceFrame:
             return next(iter(live.take.faces([frame], lead_in=LEAD_IN, solver=solver)))
 
-        return await self._face(live.take, asked.take, asked.time, solved)
+        return await self._face(live.take, request.take, request.time, solved)
 
     async def held(self, take: Take, number: int, time: float) -> answers.FacesSent:
         """Send the face at a time of a take, the skin at rest, as that of take `number`."""
@@ -77,8 +77,8 @@ class Streams:
             performance, settings = take.performance, take.settings
             frame = min(round(time * performance.fps), len(performance.values) - 1)
             with self._solvers.lent(settings) as solver:
-                found = solved(frame, solver)
-            return stage_for(settings).packed(MOMENT, number, frame, [found])
+                face_frame = solved(frame, solver)
+            return stage_for(settings).packed(MOMENT, number, frame, [face_frame])
 
         await self._send(await on_thread(self._threads, face))
         return answers.FacesSent(1)

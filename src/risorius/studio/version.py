@@ -17,7 +17,7 @@ from .wire.shared import TakeInputs
 class Version:
     """What a take is made from. `base`: the score as planned; `score`: with all edits made."""
 
-    made: TakeInputs
+    inputs: TakeInputs
     base: Score
     score: Score
     settings: Settings
