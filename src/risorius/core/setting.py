@@ -227,7 +227,7 @@ class Row:
     def read(self, text: str) -> Any:
         """Return the value that a text stands for, one of several where it has several.
 
-        Raises InputError if it is none.
+        Raises InputError if the text does not fit.
         """
         read = self.entry.read
         if read is not None:

@@ -17,7 +17,7 @@ _HEADER, _CHUNK = struct.Struct("<4sII"), struct.Struct("<I4s")
 
 @dataclass(frozen=True, slots=True)
 class GlbFile:
-    """The document and its binary chunk, empty where there is none."""
+    """The document and its binary chunk, which is empty if the file has none."""
 
     path: Path
     document: dict[str, Any]
@@ -81,7 +81,7 @@ def save_glb(file: GlbFile, path: Path) -> None:
 
 
 def read_glb(path: Path) -> GlbFile:
-    """Read a binary glTF 2.0 file; raise InputError where it is none, is cut off or larger than 1 GB."""
+    """Read a binary glTF 2.0 file; raise InputError if it is not one, is cut off or over 1 GB."""
     place = Place(str(path))
     try:
         if path.stat().st_size > LARGEST:

@@ -19,7 +19,7 @@ _AMOUNT = re.compile(rf"([+-]?)({NUMBER})(%|st|Hz|dB)?", re.ASCII | re.IGNORECAS
 
 
 def read_seconds(attribute: Attribute) -> float:
-    """Return a time such as `250ms` or `2s`; raise InputError if it is none."""
+    """Return a time such as `250ms` or `2s`; raise InputError for other text."""
     match = _SECONDS.fullmatch(attribute.value.strip())
     seconds = float(match[1]) * (0.001 if match[2] == "ms" else 1.0) if match else -1.0
     if not 0.0 <= seconds <= LONGEST_BREAK:

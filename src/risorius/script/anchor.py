@@ -113,7 +113,8 @@ def parse_number(text: str) -> float | None:
 def parse_anchor(name: str, text: str, place: Place | None = None) -> Anchor:
     """Return the anchor that the attribute `name` gives: seconds, `word:3`, `word:3.end`, `end-0.5`.
 
-    Raises InputError, with the place, if it is none, lies before the start or later than a performance lasts.
+    Raises InputError, with the place, for other text, and for a time before the start or beyond the longest
+    performance.
     """
     anchor = _seconds(text, place) or _relative(text, place)
     if anchor is None:

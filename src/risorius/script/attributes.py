@@ -90,7 +90,7 @@ class Attributes:
 
 
 def number_of(attribute: Attribute, low: float = -math.inf, high: float = math.inf) -> float:
-    """Return an attribute's number from `low` to `high`; raise InputError, with its place, if it is none."""
+    """Return an attribute's number from `low` to `high`; raise InputError, with its place, for other text."""
     number = parse_number(attribute.value)
     shown = f"{one_line(attribute.name)} = {quoted(attribute.value)}"
     if number is None:

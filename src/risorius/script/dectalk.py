@@ -90,7 +90,7 @@ class _Reading:
 
 
 def read_phonemes(item: Item) -> tuple[Dictated, ...]:
-    """Return the phonemes of a word; raise InputError, with line and column, for what is none."""
+    """Return the phonemes of a word; raise InputError, with line and column, for other text."""
     return tuple(_read(_Reading(item)))
 
 

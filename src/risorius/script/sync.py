@@ -34,7 +34,7 @@ class Reference:
 def read_reference(attribute: Attribute) -> Reference:
     """Return a sync attribute: seconds, `speech1:start`, `gaze1:ready+0.5`, `bml:start`.
 
-    Raises InputError, with its place, if it is none.
+    Raises InputError, with its place, for other text.
     """
     value = attribute.value.strip()
     seconds = parse_number(value)

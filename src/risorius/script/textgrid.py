@@ -58,7 +58,7 @@ class TextGrid:
 
 
 def read_textgrid(path: str) -> TextGrid:
-    """Return a TextGrid file's tiers; raise InputError, with the line, for what is none."""
+    """Return a TextGrid file's tiers; raise InputError, with the line, for anything else."""
     place = Place(one_line(path, LONGEST_PATH))
     if not names_something(path):
         raise InputError("there is no such file; expected a TextGrid", place)
@@ -66,7 +66,7 @@ def read_textgrid(path: str) -> TextGrid:
 
 
 def parse_textgrid(text: str, source: str = "text") -> TextGrid:
-    """Return the tiers of a TextGrid's text; raise InputError, with the line, for what is none."""
+    """Return the tiers of a TextGrid's text; raise InputError, with the line, for anything else."""
     stream = _Stream(text, source)
     for expected in ("ooTextFile", "TextGrid"):
         if not stream.string("the header").startswith(expected):

@@ -67,7 +67,7 @@ class XmlNode:
         return value
 
     def number(self, name: str, low: float, high: float, default: float) -> float:
-        """Return an attribute that is a number; raise InputError if it is none or out of range."""
+        """Return an attribute that is a number; raise InputError if it is not one or is out of range."""
         attribute = self.get(name)
         return default if attribute is None else number_of(attribute, low, high)
 

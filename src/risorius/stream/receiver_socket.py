@@ -27,7 +27,7 @@ class Address:
 
 
 def parse_address(text: str, port: int) -> Address:
-    """Return HOST or HOST:PORT as an address, by default at `port`; raise InputError if it is none."""
+    """Return HOST or HOST:PORT as an address, by default at `port`; raise InputError for other text."""
     host, colon, number = text.strip().rpartition(":")
     if not colon or host.endswith(":"):
         host, number = text.strip(), str(port)

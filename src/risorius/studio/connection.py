@@ -1,4 +1,4 @@
-"""One page's socket: requests in, answers and faces out; one that reads slowly holds up only itself."""
+"""The socket of a page: requests in, answers and faces out; a slow page delays only itself."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .solvers import Solvers
 from .streaming import Streams
 from .wire import answers, events, requests
 
-OWN = 2  # tasks of a page that are no requests
+OWN = 2  # tasks of a page that are not requests
 LOG = logging.getLogger(__name__)
 
 
@@ -39,7 +39,7 @@ class Connection:
         self._loop = asyncio.get_running_loop()
 
     async def run(self) -> None:
-        """Answer requests until the page goes."""
+        """Answer requests until the page closes."""
         await self._socket.accept()
         self._shared.pages.add(self)
         self._keep(self._send_events())
@@ -60,7 +60,7 @@ class Connection:
             self._threads.shutdown(wait=False)
 
     def tell(self, message: Any) -> None:
-        """Send an event when its turn comes; one too many is dropped, progress first of all."""
+        """Queue an event; if the queue is full, the event is dropped."""
         with contextlib.suppress(asyncio.QueueFull):
             self._events.put_nowait(message)
 
@@ -88,7 +88,7 @@ class Connection:
         except RisoriusError as error:
             reply = refusal(number, str(error))
         except Exception:
-            # A fault of ours: the page hears of it, the terminal has the traceback.
+            # An error of ours: the page gets one line, the terminal the traceback.
             LOG.exception("a request failed")
             reply = refusal(number, "the studio failed; its terminal says why")
         await self._say(reply)
@@ -132,7 +132,7 @@ class Connection:
             await self._send(text)
 
     async def _send(self, message: str | bytes) -> None:
-        """Send a message when those before it are on their way."""
+        """Send a message after those before it."""
         async with self._sending:
             if isinstance(message, str):
                 await self._socket.send_text(message)

@@ -25,7 +25,7 @@ Blocks = dict[str, takes.Block]
 
 
 def spoken(utterance: Utterance, sound: str) -> takes.SpeechView:
-    """Return what is said; `sound` is the path that the page fetches it from."""
+    """Return the speech; `sound` is the path from which the page loads it."""
     words = tuple(
         takes.WordView(w.text, w.start, w.end, w.source_start, w.source_end) for w in utterance.words
     )
@@ -55,14 +55,14 @@ def _wave(samples: Int16Array, size: int, rate: int) -> takes.Wave:
 
 
 def blocks(score: Score, like: tuple[Score, Blocks] | None = None) -> Blocks:
-    """Return all movements and lip segments as blocks by id; those that `like` has too are its own."""
+    """Return all movements and lip segments as blocks by id; those that `like` has too stay the same."""
     known: dict[int, takes.Block] = {}
     if like is not None:
         before, earlier_blocks = like
         known = {id(m): earlier_blocks[m.id] for m in before.movements}
         known |= {id(s): earlier_blocks[f"lips.{n}"] for n, s in enumerate(before.lips)}
     by_id = {m.id: known.get(id(m)) or _block(m) for m in score.movements}
-    # A segment is named by its place, which may be another.
+    # A segment is named by its index, which may have changed.
     for n, s in enumerate(score.lips):
         block = known.get(id(s))
         by_id[f"lips.{n}"] = block if block and block.id == f"lips.{n}" else _segment(f"lips.{n}", s)
@@ -125,13 +125,13 @@ def _drawn(name: str, curve: ManualCurve) -> takes.DrawnCurve:
 
 
 def curves(values: Array) -> dict[str, str]:
-    """Return the curves of (frames, 46) values that leave their neutral, by name."""
+    """Return the curves of (frames, 46) values that are not always neutral, by name."""
     moving = np.flatnonzero((values != NEUTRAL).any(axis=0))
     return {NAMES[column]: packed(values[:, column]) for column in moving}
 
 
 def changed_curves(before: Mapping[str, str], after: Mapping[str, str]) -> dict[str, str]:
-    """Return the curves that are other than before; "" where one has come to rest."""
+    """Return the curves that have changed; "" for a parameter that no longer moves."""
     names = sorted({*before, *after}, key=NAMES.index)
     return {name: after.get(name, "") for name in names if before.get(name, "") != after.get(name, "")}
 

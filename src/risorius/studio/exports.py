@@ -1,4 +1,4 @@
-"""Exports: a take written as files of a session's folder, with progress, one after the other."""
+"""Exports: a take written to files in a session's folder, one after another, with progress."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Exports:
         self._last = 0
 
     def begin(self) -> int:
-        """Return the number of a new export; the files of the oldest go."""
+        """Return the number of a new export; the files of the oldest are deleted."""
         self._last += 1
         self._jobs[self._last] = threading.Event()
         while len(self._jobs) > _MOST_JOBS:
@@ -48,7 +48,7 @@ class Exports:
         return self._last
 
     def stop(self, job: int) -> None:
-        """Stop an export, or the one that waits; nothing of it is kept."""
+        """Stop an export that runs or waits; its files are deleted."""
         if job not in self._jobs:
             raise InputError(f"there is no export {job}")
         self._jobs[job].set()
@@ -58,7 +58,7 @@ class Exports:
         stopped, writing = self._jobs[job], threading.get_ident()
 
         def told(stage: str, done: int = 0, total: int = 0) -> None:
-            # Another thread may say that the start takes long: stopping it would not stop this one.
+            # Another thread may report that the start takes long: an error there would not stop this one.
             if stopped.is_set() and threading.get_ident() == writing:
                 raise StoppedError("the export was stopped")
             progress(stage, done, total)
@@ -72,14 +72,14 @@ class Exports:
         return names
 
     def file(self, job: int, name: str) -> Path:
-        """Return a file that an export has written; raise InputError where there is none."""
+        """Return a file that an export has written; raise InputError if there is no such file."""
         if (job, name) not in self._files:
             raise InputError("there is no such file")
         return self._files[job, name]
 
 
 def check(take: Take, request: requests.Export) -> None:
-    """Raise InputError or OutputError where an export cannot be made as asked."""
+    """Raise InputError or OutputError if an export is not possible."""
     if not 0 < len(request.suffixes) <= limits.EXPORTED:
         raise InputError(f"{len(request.suffixes)} files in one export; expected 1 to {limits.EXPORTED}")
     settings = _settings(take.settings, request)
@@ -87,7 +87,7 @@ def check(take: Take, request: requests.Export) -> None:
 
 
 def exported_take(take: Take, request: requests.Export) -> Take:
-    """Return a take drawn as an export asks."""
+    """Return a take with the look of an export."""
     return Take(take.performance, _settings(take.settings, request), take.utterance, take.sound, take.planned)
 
 
@@ -103,7 +103,7 @@ def _settings(settings: Settings, request: requests.Export) -> Settings:
 
 
 def _background(background: str | None) -> str | None:
-    """Return a background that is no file."""
+    """Return a background that is not a file."""
     if background not in (None, TRANSPARENT):
         return "#{:02x}{:02x}{:02x}".format(*parse_colour(background))
     return background

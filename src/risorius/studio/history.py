@@ -1,4 +1,4 @@
-"""What was done, to be undone: a line of states with one of them present."""
+"""The states of a session in order, one of them the present one, for undo and redo."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True)
 class Step(Generic[T]):
-    """A state, and in words what led to it."""
+    """A state, and a description of the change that led to it."""
 
     state: T
     what: str
 
 
 class History(Generic[T]):
-    """States that follow one another; what is done after an undo takes the place of what was undone."""
+    """States in order; a change after an undo replaces the states that were undone."""
 
     def __init__(self, most: int) -> None:
         self._most = most
@@ -33,12 +33,12 @@ class History(Generic[T]):
 
     @property
     def undoes(self) -> str:
-        """What an undo would take back, "" where there is nothing."""
+        """What an undo would reverse, "" if nothing."""
         return self._steps[self._at].what if self._at > 0 else ""
 
     @property
     def redoes(self) -> str:
-        """What a redo would make again, "" where there is nothing."""
+        """What a redo would restore, "" if nothing."""
         return self._steps[self._at + 1].what if self._at + 1 < len(self._steps) else ""
 
     def push(self, state: T, what: str) -> None:
@@ -47,14 +47,14 @@ class History(Generic[T]):
         self._at = len(self._steps) - 1
 
     def undo(self) -> T:
-        """Go one state back and return it; raise InputError where there is none."""
+        """Return the previous state and make it the present one; raise InputError at the first."""
         if self._at <= 0:
             raise InputError("there is nothing to undo")
         self._at -= 1
         return self._steps[self._at].state
 
     def redo(self) -> T:
-        """Go one state forth again and return it; raise InputError where there is none."""
+        """Return the state that was undone last and restore it; raise InputError if there is none."""
         if self._at + 1 >= len(self._steps):
             raise InputError("there is nothing to redo")
         self._at += 1

@@ -1,4 +1,4 @@
-"""What a page may not exceed."""
+"""Limits of what a page may send and request."""
 
 from __future__ import annotations
 

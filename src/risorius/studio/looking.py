@@ -1,4 +1,4 @@
-"""What a page may ask without changing the take: why, which channel, which rules; files under a name."""
+"""Requests that do not change the take: explanations, channels, rules, saved poses and profiles."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .wire import answers, requests
 
 
 def explain(session: Session, request: requests.Explain, progress: Progress) -> answers.Explanations:
-    """Say why parameters have their values at a time."""
+    """Explain the values of parameters at a time."""
     take = session.live(request.take).take
     explanations = take.explain(request.time, request.parameter)
     ids = {m.id for m in take.score.movements}
@@ -46,7 +46,7 @@ def _part(part: Contribution, ids: set[str]) -> answers.ContributionView:
 def channel_curves(
     session: Session, request: requests.ChannelCurves, progress: Progress
 ) -> answers.ParameterDetail:
-    """Return what each channel asks of a parameter and gets."""
+    """Return what each channel asks of a parameter and what it is given."""
     take = session.live(request.take).take
     return answers.ParameterDetail(
         request.parameter, tuple(_channel(trace, take) for trace in take.traces(request.parameter))
@@ -57,7 +57,7 @@ def _channel(trace: Trace, take: Take) -> answers.ChannelCurve:
     times, step = take.times, float(1 / take.performance.fps)
 
     def spans(runs: Iterable[tuple[int, int]]) -> tuple[tuple[float, float], ...]:
-        """Return from when to when, each frame standing for the time up to the next."""
+        """Return the start and end of each run; a frame lasts until the next one."""
         return tuple((float(times[first]), float(times[last]) + step) for first, last in runs)
 
     asked, given = packed(trace.requested), packed(trace.applied)
@@ -84,12 +84,12 @@ def _by_rule(score: Score) -> dict[str, list[Movement]]:
 
 
 def profile_save(session: Session, request: requests.ProfileText, progress: Progress) -> answers.ProfileFile:
-    """Return a profile with other numbers as a file; without any, and under its own name, as it stands."""
+    """Return a profile with changed numbers as a file; unchanged under its own name if there are none."""
     return answers.ProfileFile(request.name, tuned_text(request.base, request.name, request.numbers))
 
 
 def name_pose(session: Session, request: requests.SavePose, progress: Progress) -> answers.PoseFile:
-    """Keep a face under a name, and return it as a file for the command line."""
+    """Save a face under a name, and return it as a file for the command line."""
     session.forget_prefetch()
     if request.kind == "emotion":
         text = session.files.save_emotion(request.name, request.values)

@@ -1,4 +1,4 @@
-"""From a page's request to a score, by the stages of the pipeline; a voice that is the same is kept."""
+"""From a request to a score by the stages of the pipeline; speech that has not changed is used again."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _MOST_VOICES = 8
 
 
 class Performer:
-    """Plans performances for one session; keeps what its voices said. For one thread at a time."""
+    """Plans performances for one session and caches its speech. For one thread at a time."""
 
     def __init__(self, files: SessionFiles) -> None:
         self._files = files
@@ -40,7 +40,7 @@ class Performer:
         self._scores: StageCache[ScoreFile] = StageCache(1)
 
     def perform(self, inputs: TakeInputs, progress: Progress) -> Version:
-        """Plan what a page asks. Raises RisoriusError with one line on what is wrong."""
+        """Plan a performance. Raises RisoriusError with one line."""
         if len(inputs.source.script) > limits.SCRIPT and inputs.source.format != "score":
             raise InputError(f"the script is longer than {limits.SCRIPT} characters")
         spans = tuple(replace(span, emotion=self._files.emotion(span.emotion)) for span in inputs.emotions)
@@ -80,7 +80,7 @@ class Performer:
         score_file = read_score(parsed(source.script, "score"), sound.path)
         if score_file.utterance is None:
             return score_file
-        # The file is there as long as this Audio of it.
+        # The file exists as long as this Audio.
         return replace(score_file, utterance=replace(score_file.utterance, audio=sound))
 
     def _said(

@@ -183,7 +183,7 @@ def _flac(audio: Audio) -> str:
 
 
 def _sounding(utterance: Utterance | None, sound: str | None) -> Utterance | None:
-    """Return what is said with its sound, base64 of a FLAC file; silent where there is none."""
+    """Return an utterance with its sound, base64 of a FLAC file; silent without one."""
     if utterance is None or sound is None:
         return utterance
     try:

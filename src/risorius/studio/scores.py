@@ -1,4 +1,4 @@
-"""Scores that a page sends: read as any, but for the sound that they name, which is never opened."""
+"""Scores that a page sends are read like any other, but the sound that they name is never opened."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .wire.shared import Choices
 
 
 def parsed(data: bytes | str, name: str) -> JsonDocument:
-    """Return a JSON document, `name` being that of its file; raise InputError if it is none."""
+    """Return a JSON document from the file `name`; raise InputError if it is not JSON."""
     try:
         text = data if isinstance(data, str) else data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -46,5 +46,5 @@ def score_file(score: ScoreDocument, sound: Path | None) -> ScoreFile:
 
 
 def adopted(choices: Choices, blend: BlendSettings) -> Choices:
-    """Return the choices with those of a score on how movements are combined."""
+    """Return the choices with the blend settings of a score."""
     return replace(choices, **{name: getattr(blend, name) for name in rows(BlendChoices)})

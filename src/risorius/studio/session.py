@@ -1,4 +1,4 @@
-"""A session: one project, its takes, and what a page may change. A verb is a method of its name."""
+"""A session: one project, its takes, and the requests that change it, a method for each."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Session:
         self._prefetch: Prefetch | None = None
 
     def open(self, request: requests.Open, progress: Progress) -> takes.State:
-        """Return the session as it stands."""
+        """Return the state of the session."""
         take = None if self.current is None else self.described(self.current)
         files = self.files
         return takes.State(
@@ -63,12 +63,12 @@ class Session:
         )
 
     def perform(self, request: requests.Perform, progress: Progress) -> takes.TakeView:
-        """Perform a script; edits made on the one before are made again where it is the same script."""
+        """Perform a script; if it is the same as before, its edits are applied again."""
         inputs = self._performer.adopted(shared.TakeInputs(request.source, request.choices, request.emotions))
         return self._planned(inputs, "perform", progress)
 
     def prepare(self, request: requests.Prepare, progress: Progress) -> answers.Done:
-        """Have ready what `perform` will need for the same, where that is a short text."""
+        """Prepare the answer to `perform` with the same fields if the text is short."""
         inputs = shared.TakeInputs(request.source, request.choices, request.emotions)
         if worth_it(inputs.source) and not self._prefetched(inputs):
             # What cannot be performed is said when it is asked for.
@@ -87,7 +87,7 @@ class Session:
         return self._planned(inputs, "change the settings", progress)
 
     def compare(self, request: requests.Compare, progress: Progress) -> takes.TakeView:
-        """Perform the same script with other choices, beside the session's take, with the same edits."""
+        """Perform the same script with other choices and the same edits, as a second take."""
         version = self._performer.perform(self._inputs(request.choices, request.emotions), progress)
         return self.described(self._live(version.with_edits(self.version().edits)))
 
@@ -106,31 +106,31 @@ class Session:
         return take, takes.Previewed(live.number, changed)
 
     def undo(self, request: requests.Undo, progress: Progress) -> takes.TakeChange:
-        """Take the last change back."""
+        """Undo the last change."""
         return self._changed(self.history.undo())
 
     def redo(self, request: requests.Redo, progress: Progress) -> takes.TakeChange:
-        """Make the change that was taken back last again."""
+        """Redo the change that was undone last."""
         return self._changed(self.history.redo())
 
     def keep_view(self, request: requests.View, progress: Progress) -> answers.Done:
-        """Keep what the page shows."""
+        """Save the view of the page."""
         self.view = dict(request.view)
         return answers.Done()
 
     def live(self, number: int) -> Live:
-        """Return a take by its number; raise InputError if it is not kept any more."""
+        """Return a take by its number; raise InputError if it is no longer in memory."""
         if number not in self.takes:
             raise InputError(f"there is no take {number}; expected one of {sorted(self.takes)}")
         return self.takes[number]
 
     @property
     def last_number(self) -> int:
-        """The number of the last take: none is given twice."""
+        """The number of the last take; numbers are never used twice."""
         return self._number
 
     def restore(self, version: Version, view: dict[str, object], number: int = 0) -> None:
-        """Take up a version that was saved; each of its edits can be undone. Takes count on from `number`."""
+        """Restore a saved version; each of its edits can be undone. Takes are numbered from `number` on."""
         self._number = max(self._number, number)
         history: History[Version] = History(limits.UNDO)
         step = replace(version, score=version.base, edits=())
@@ -177,7 +177,7 @@ class Session:
         return self._difference(before, after)
 
     def _live(self, version: Version) -> Live:
-        """Return a version's take, the one that is there already if it is."""
+        """Return the take of a version, the existing one if there is one."""
         for live in self.takes.values():
             if live.version is version:
                 self.takes.move_to_end(live.number)
@@ -215,7 +215,7 @@ class Session:
         return prefetch if prefetch is not None and prefetch.inputs == inputs else None
 
     def described(self, live: Live) -> takes.TakeView:
-        """Return a take whole."""
+        """Return all of a take for the page."""
         take, version = live.take, live.version
         sound = f"/api/session/{self.name}/take/{live.number}/sound.wav"
         return takes.TakeView(

@@ -39,13 +39,13 @@ class SessionFiles:
         return tuple(sorted(p.name for p in folder.iterdir())) if folder.is_dir() else ()
 
     def recording(self, name: str) -> Path:
-        """Return a recording's file; raise InputError naming the nearest where there is none of that name."""
+        """Return a recording's file; raise InputError with the nearest name if there is none."""
         if name not in self.recordings():
             raise InputError(unknown("recording", name, self.recordings()))
         return self.folder / "recordings" / name
 
     def add_recording(self, name: str, uploaded: Path) -> str:
-        """Keep an uploaded recording and return the name it has got; raise InputError if it is none."""
+        """Save an uploaded recording and return its new name; raise InputError if it cannot be read."""
         stem, suffix = Path(name).stem, Path(name).suffix.lower()
         if suffix not in RECORDING_SUFFIXES:
             raise InputError(f"'{name}' is not a recording; expected {', '.join(RECORDING_SUFFIXES)}")
@@ -135,7 +135,7 @@ def kept_table(text: str, kind: str, folder: Path) -> Path:
 
 
 def _table(path: Path) -> dict[str, Any]:
-    """Return what a file of ours holds; nothing where there is none or it is spoilt."""
+    """Return the object in a JSON file of ours; empty if the file is missing or damaged."""
     try:
         entries = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):

@@ -30,7 +30,7 @@ class Streams:
         self._stopped: dict[int, asyncio.Event] = {}
 
     async def send(self, live: Live, request: requests.Faces) -> answers.FacesSent:
-        """Send a window; the one before of the same take ends."""
+        """Send a window; the previous one of the same take ends."""
         self.cancel(request.take)
         stopped = self._stopped[request.take] = asyncio.Event()
         last = min(request.last, len(live.take.performance.values))
@@ -84,7 +84,7 @@ class Streams:
         return answers.FacesSent(1)
 
     def cancel(self, take: int) -> None:
-        """End the window of a take that is being sent, if one is."""
+        """Stop sending a take's window if there is one."""
         if take in self._stopped:
             self._stopped[take].set()
 

@@ -27,7 +27,7 @@ class Version:
     milliseconds: dict[str, float] = field(default_factory=dict, compare=False)
 
     def changed(self, edit: Edit) -> Version:
-        """Return the version with one more edit; raise InputError or ParameterError where it cannot be."""
+        """Return the version with one more edit; raise InputError or ParameterError if it does not fit."""
         fixed = named(self.score, edit)
         return replace(
             self,
@@ -38,7 +38,7 @@ class Version:
         )
 
     def with_edits(self, edits: Iterable[Edit]) -> Version:
-        """Return the version with edits of another made on it; what does not fit is named and left out."""
+        """Return the version with other edits; an edit that does not fit is named and left out."""
         version, dropped = self, list(self.warnings)
         for edit in edits:
             try:
@@ -49,7 +49,7 @@ class Version:
 
 
 def worded(edit: Edit) -> str:
-    """Return what an edit does, in a few words."""
+    """Return a short description of an edit."""
     verb = _WORDS[type(edit).__name__]
     if isinstance(edit, Add):
         return f"{verb} {edit.id or f'to {edit.channel}'}"

@@ -29,7 +29,7 @@ def languages() -> tuple[str, ...]:
 def find_voice(name: str | None, language: str | None = None, engine: SpeechEngine | None = None) -> Voice:
     """Return the voice called `name` (`en-us`, or with a variant `en-us+f3`), or the first of `language`.
 
-    Raises SpeechError, naming the nearest, where there is none, and where the voice speaks another language.
+    Raises SpeechError, with the nearest name, for an unknown voice, and for one that speaks another language.
     """
     known = voices(engine)
     if name is None:
