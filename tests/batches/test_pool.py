@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 import risorius
+from risorius.batches import pool
 from risorius.batches.outcome import LineResult
 
 SILENT = """
@@ -85,3 +86,9 @@ def test_a_text_that_cannot_be_performed_is_raised_at_its_place() -> None:
     next(takes)
     with pytest.raises(risorius.RisoriusError, match="can be spoken"):
         next(takes)
+
+
+def test_processes_that_cannot_be_started_end_the_run_with_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pool, "_PROGRAM", "raise SystemExit(7)  # {descriptor} {task}")
+    with pytest.raises(risorius.RisoriusError, match=r"cannot be started: its process ended \(exit code 7\)"):
+        run([{"id": "a", "text": "Hi."}], jobs=1)

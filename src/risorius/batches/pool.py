@@ -19,6 +19,7 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
 
+from ..errors import RisoriusError
 from .worker import READY
 
 MOST_MEMORY = 1_500_000_000  # bytes that a process may hold between two lines
@@ -97,7 +98,7 @@ class WorkerPool:
         self._workers: list[_Worker] = []
         self._waiting: deque[_Request] = deque()
         self._lost: deque[tuple[Any, Lost]] = deque()
-        self.replaced = 0
+        self._failed_starts = 0  # in a row
 
     @property
     def full(self) -> bool:
@@ -180,6 +181,7 @@ class WorkerPool:
                 continue
             if not worker.ready:
                 worker.ready, worker.since = answer == READY, time.monotonic()
+                self._failed_starts = 0
             elif worker.request is not None:
                 yield self._finished(worker), answer
                 if getattr(answer, "memory", 0) > MOST_MEMORY:
@@ -199,13 +201,15 @@ class WorkerPool:
     def _replace(self, worker: _Worker, reason: str, *, again: bool) -> Iterator[tuple[Any, Lost]]:
         """Drop a process that has ended; its request goes to another, or is lost."""
         self._workers.remove(worker)
-        self.replaced += 1
+        self._failed_starts += not worker.ready
+        if self._failed_starts > MOST_LOSSES * self._size:
+            raise RisoriusError(
+                f"processes cannot be started: {reason}; expected enough memory, or fewer --jobs"
+            )
         request = worker.request
         if request is None:
-            if not worker.ready and self.replaced > MOST_LOSSES * self._size:
-                raise RuntimeError(f"no process can be started: {reason}")
             return
-        request.losses += 1
+        request.losses += worker.ready  # a process that never began has not lost it
         if again and request.losses < MOST_LOSSES:
             self._waiting.appendleft(request)
         else:
