@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cache
 
+from ..core.frozen import FrozenDict
 from ..core.setting import SWITCHED, Row, rows
 from ..errors import InputError, Place, unknown
 from ..settings import Settings
@@ -40,7 +41,7 @@ def setting_columns() -> Mapping[str, SettingColumn]:
         if row.flag is not None:
             columns[normal(row.flag)] = SettingColumn(row, negated=row.is_flag)
             columns[name] = SettingColumn(row)
-    return columns
+    return FrozenDict(columns)
 
 
 def normal(name: str) -> str:

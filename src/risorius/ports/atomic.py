@@ -9,6 +9,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
+from functools import cache
 from pathlib import Path
 
 from ..errors import DiskFullError, OutputError, Place
@@ -16,7 +17,6 @@ from ..errors import DiskFullError, OutputError, Place
 _BEGINNING, _TEMPORARY = ".risorius-", ".part"
 _run: ContextVar[str] = ContextVar("run that creates temporary files", default="")
 _OLD = 86_400.0  # s after which the file of a process that was killed is removed
-_swept: set[Path] = set()  # folders that this process has looked through
 _FULL = {errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)}
 
 
@@ -69,11 +69,9 @@ def remove_temporaries(folder: Path, run: str) -> None:
             path.unlink()
 
 
+@cache
 def _sweep(folder: Path) -> None:
     """Remove what killed processes left in a folder, once for each folder."""
-    if folder in _swept:
-        return
-    _swept.add(folder)
     with suppress(OSError):
         for left in folder.glob(f"{_BEGINNING}*{_TEMPORARY}"):
             if time.time() - left.stat().st_mtime > _OLD:
