@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError, unknown
+from .frozen import FrozenDict
 
 _KEY = "setting"
 
@@ -269,7 +270,7 @@ def rows(table: type) -> Mapping[str, Row]:
             inner = rows(hints[f.name]).values()
             table_rows |= {r.name: Row(r.name, f.name, r.kind, r.optional, r.default, r.entry) for r in inner}
         else:
-            default = {} if f.default is MISSING else f.default
+            default = FrozenDict() if f.default is MISSING else f.default
             kind, optional = _kind(hints[f.name])
             table_rows[f.name] = Row(f.name, f.name, kind, optional, default, f.metadata[_KEY])
     return table_rows
