@@ -27,6 +27,7 @@ Writer = Callable[["WritableTake", Path, "WriteOptions"], None]
 Reader = Callable[[Path, "ReadOptions"], "PlayedFile"]
 """Reads a file; raises InputError for one that is wrong."""
 _LAST = 100
+_USUAL = 10  # formats that a message names: all of them would be too many
 _COLUMNS = ("suffix", "description", "needs")  # what `register` has before its functions
 
 
@@ -153,14 +154,16 @@ def _suffix_of(path: Path, known: Collection[str]) -> str | None:
 
 
 def _unknown_suffix(path: Path) -> str:
-    known = ", ".join(FORMATS)
+    usual = f"one of {', '.join(list(FORMATS)[:_USUAL])}; 'risorius list outputs' shows all"
     if not path.suffix:
-        return f"the name has no suffix; expected one of {known}"
+        return f"the name has no suffix; expected {usual}"
     known_by_lower = {suffix.lower(): suffix for suffix in FORMATS}
     for ending in ("".join(path.suffixes[-2:]).lower(), path.suffix.lower()):
         near = [suffix for suffix in known_by_lower if suffix.endswith(ending)]
         near = near or difflib.get_close_matches(ending, known_by_lower, n=1, cutoff=0.6)
         if near:
             nearest = known_by_lower[near[0]]
-            return f"unknown suffix '{path.suffix}'; did you mean '{nearest}'? Known: {known}"
-    return f"unknown suffix '{path.suffix}'; expected one of {known}"
+            return (
+                f"unknown suffix '{path.suffix}'; did you mean '{nearest}'? 'risorius list outputs' shows all"
+            )
+    return f"unknown suffix '{path.suffix}'; expected {usual}"
