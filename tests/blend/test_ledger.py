@@ -20,7 +20,7 @@ JAW, ROUND, SMILE = "masseter", "orbicularis_oris_funneler", "zygomatic_major.le
 POLICIES = ("inhibit", "graded", "attenuate", "sum")
 HAPPY = Movement("emotion", 0.0, 4.0, 0.4, 0.4, {SMILE: 0.8, JAW: 0.5})
 VOWEL = LipSegment("UW", 1.0, 2.4, {ROUND: 0.9, JAW: 0.6}, {JAW: (0.0, 0.7)})
-SCORE = Score(4.0, (HAPPY,), (VOWEL,), settings=BlendSettings(conflict="inhibit"))
+SCORE = Score(4.0, (HAPPY,), (VOWEL,), settings=BlendSettings(conflict="inhibit", lips="lookahead"))
 
 
 def at_the_vowel(name: str) -> dict[str, tuple[float, ...]]:

@@ -243,13 +243,13 @@ def test_inhibit_changes_nothing_far_from_a_conflict(score: Score) -> None:
     times = np.arange(0.001, DURATION, 0.0083)
     sample = PlanSample(plan, times)
     for channel in plan.channels:
-        (level,) = channel.levels.distinct
         for name in channel.curves:
             reach = max(plan.tuning.min_onset[name], plan.tuning.min_offset[name])
             near = np.zeros(len(times), dtype=bool)
-            for other, _, rival in plan.inputs.rivals(channel, name, level):
-                for start, end in other.above(rival, plan.tuning.threshold[rival]):
-                    near |= (times > start - reach) & (times < end + reach)
+            for level in channel.levels.distinct:
+                for other, _, rival in plan.inputs.rivals(channel, name, level):
+                    for start, end in other.above(rival, plan.tuning.threshold[rival]):
+                        near |= (times > start - reach) & (times < end + reach)
             entry = sample.ledger(name).entry(channel)
             far = ~near[entry.index]
             assert (entry.resolved[far] == entry.requested[far]).all()
