@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import resource
 import signal
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -35,8 +36,11 @@ def files_up_to(size: int) -> Iterator[None]:
 
 @pytest.mark.parametrize("suffix", everyday(FORMATS, QUICK))
 def test_a_file_that_may_not_grow_is_one_line_and_leaves_nothing(
-    suffix: str, clip: Take, tmp_path: Path
+    suffix: str, clip: Take, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    # Python would write the bytecode of what is imported meanwhile, and leave it cut off.
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
     path = tmp_path / f"out{suffix}"
     path.write_bytes(OLD)
     with files_up_to(100), pytest.raises(OutputError, match=r"File too large|encoder"):
