@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from risorius import blend
 from risorius.blend.plan import CHUNK, Plan, PlanSample
+from risorius.blend.strata import STEP
 from risorius.core.movement import Dominance, LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS, RIVALS
 from risorius.core.score import BlendSettings, Score
@@ -228,12 +229,16 @@ def test_inhibit_never_shows_two_rivals_of_different_priority(score: Score) -> N
         for entry in sample.ledger(name).entries():
             dense = np.zeros(len(times))
             dense[entry.index] = entry.applied
-            shown[entry.channel.name, name] = dense > plan.tuning.threshold[name] + 2e-9
-    levels = {c.name: c.levels.at(times) for c in plan.channels}
+            shown[id(entry.channel), name] = dense > plan.tuning.threshold[name] + 2e-9
+    # Strata share their channel's name.
+    names = {id(c): c.name for c in plan.channels}
+    levels = {id(c): c.levels.at(times) for c in plan.channels}
     for (one, name), up in shown.items():
         for (two, other), also in shown.items():
-            if one != two and other in RIVALS[name]:
-                assert not (up & also & (levels[one] != levels[two])).any()
+            if names[one] != names[two] and other in RIVALS[name]:
+                # Strata of channels of one priority differ by a few steps.
+                differ = np.abs(levels[one] - levels[two]) > 100.0 * STEP
+                assert not (up & also & differ).any()
 
 
 @examples(25)
