@@ -252,8 +252,10 @@ def test_a_block_is_stretched_by_its_handles(
 def test_a_drag_is_given_up_by_escape(timeline: Timeline) -> None:
     block, take = timeline.block(), timeline.take
     middle = (block["apex_start"] + block["apex_end"]) / 2
-    timeline.page.run("studio.clock.seek(arguments[0])", middle)
+    # Faces are asked for from the playhead on: at the start that is all of them.
+    timeline.page.run("studio.clock.seek(0)")
     timeline.page.wait("studio.headPlayers.players[0].held === studio.store.get('take').frames")
+    timeline.page.run("studio.clock.seek(arguments[0])", middle)
     remember_face(timeline.page)
     chain = timeline.page.actions()
     pointer = chain.w3c_actions.pointer_action
