@@ -9,16 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 
-from ...core.arrays import Array, IndexArray
+from ...core.arrays import AnyArray, Array, IndexArray
 from ...core.movement import DEFAULT_DOMINANCE, LipSegment, silent_dominance
 from ...core.registry import Registry
 from ...core.utterance import SILENCE
 
 T = TypeVar("T")
+SegmentRow = TypeVar("SegmentRow", bound=AnyArray)
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +77,29 @@ class SharedMappings:
         """Return the value of a name for every segment, shape (segments,)."""
         values = np.array([m.get(name, missing) for m in self.mappings], dtype=np.float64)
         return np.asarray(values[self.number])
+
+
+class ParameterGroups(Generic[SegmentRow]):
+    """Parameters for which the segments have the same values: a row of them (segments,) for each group.
+
+    `row_of` returns a parameter's row.
+    """
+
+    def __init__(self, row_of: Callable[[str], SegmentRow]) -> None:
+        self._row_of = row_of
+        self._known: dict[bytes, int] = {}
+        self._numbers: dict[str, int] = {}
+        self.rows: list[SegmentRow] = []
+
+    def number(self, parameter: str) -> int:
+        """Return the number of a parameter's group."""
+        if parameter not in self._numbers:
+            row = self._row_of(parameter)
+            known = self._known.setdefault(row.tobytes(), len(self.rows))
+            if known == len(self.rows):
+                self.rows.append(row)
+            self._numbers[parameter] = known
+        return self._numbers[parameter]
 
 
 class Coarticulation(Protocol):

@@ -22,6 +22,7 @@ from ..intervals import ranges
 from .coarticulation import (
     LIP_MODELS,
     SHORTEST_SILENCE,
+    ParameterGroups,
     SegmentValues,
     SegmentWeights,
     SharedMappings,
@@ -58,15 +59,12 @@ class DominanceModel:
     """Coarticulation by dominance (see `coarticulation.Coarticulation`)."""
 
     def __init__(self, segments: Sequence[LipSegment]) -> None:
-        self._groups: dict[bytes, int] = {}
         self._numbers: dict[Dominance, int] = {}
         # Segments of one class share their dominance: it is looked up once for all of them.
         self._dominances = SharedMappings([s.dominance for s in segments])
         self._first = self._dominances.first(segments)
         self._aims = SharedMappings([s.targets for s in segments])
-        self._group_of: dict[str, int] = {}
-        # Per group and segment only the number of the dominance is stored: long clips take little memory.
-        self._rows: list[UInt32Array] = []
+        self._groups = ParameterGroups(self._row_of)
         self._spans = np.array([(s.start, s.end) for s in segments], dtype=np.float64)
         self._ended = np.maximum.accumulate(self._spans[:, 1])
         self.reach = self._longest_reach()
@@ -82,15 +80,12 @@ class DominanceModel:
 
     def group(self, parameter: str) -> int:
         """Return the number of the group of parameters over which each segment has one dominance."""
-        if parameter not in self._group_of:
-            numbers = (self._number(s.dominance_of(parameter)) for s in self._first)
-            rows = np.array(list(numbers), dtype=np.uint32)[self._dominances.number]
-            key = rows.tobytes()
-            if key not in self._groups:
-                self._groups[key] = len(self._rows)
-                self._rows.append(rows)
-            self._group_of[parameter] = self._groups[key]
-        return self._group_of[parameter]
+        return self._groups.number(parameter)
+
+    def _row_of(self, parameter: str) -> UInt32Array:
+        """Return the number of each segment's dominance: long clips take little memory."""
+        numbers = [self._number(s.dominance_of(parameter)) for s in self._first]
+        return np.array(numbers, dtype=np.uint32)[self._dominances.number]
 
     def _number(self, dominance: Dominance) -> int:
         return self._numbers.setdefault(dominance, len(self._numbers))
@@ -103,7 +98,7 @@ class DominanceModel:
         """Return the dominance of each segment, divided by their sum, at sorted times."""
         near = self._near(times[0], times[-1])
         table = np.array([_row(d) for d in self._numbers])
-        d = _columns(self._spans[near], table[self._rows[group][near]])
+        d = _columns(self._spans[near], table[self._groups.rows[group][near]])
         first = int(np.searchsorted(d.felt_until, times[0], side="left"))
         starts = d.centre - d.flat - d.reach_before
         chosen = np.arange(first, len(starts))[starts[first:] <= times[-1]]

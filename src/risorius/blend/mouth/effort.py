@@ -31,7 +31,7 @@ from ...core.movement import LipSegment
 from ...core.utterance import SILENCE
 from ..intervals import ranges
 from ..knots import Knots
-from .coarticulation import LIP_MODELS, SegmentValues, SegmentWeights, SharedMappings
+from .coarticulation import LIP_MODELS, ParameterGroups, SegmentValues, SegmentWeights, SharedMappings
 
 EFFORT = 5e-7
 """s⁴: the effort of an acceleration, relative to the precision of a vowel (1)."""
@@ -99,23 +99,14 @@ class EffortModel:
         self._starts = np.array([s.start for s in segments])
         self._ended = np.maximum.accumulate(np.array([s.end for s in segments]))
         self._windows = _windows(segments)
-        self._groups: dict[bytes, int] = {}
-        self._precision: list[Array] = []
-        self._group_of: dict[str, int] = {}
+        self._groups = ParameterGroups(self._precision)
         self._elements = lru_cache(maxsize=CACHED)(self._elements_of)
         self._solution = lru_cache(maxsize=CACHED * GROUPS)(self._solved)
         self._shares = lru_cache(maxsize=GROUPS)(self._shared)
 
     def group(self, parameter: str) -> int:
         """Return the number of the group of parameters for which each segment has one precision."""
-        if parameter not in self._group_of:
-            precision = np.array([s.precision_of(parameter) for s in self._first])[self._precisions.number]
-            key = precision.tobytes()
-            if key not in self._groups:
-                self._groups[key] = len(self._precision)
-                self._precision.append(precision)
-            self._group_of[parameter] = self._groups[key]
-        return self._group_of[parameter]
+        return self._groups.number(parameter)
 
     def targets(self, parameter: str) -> Array:
         """Return each segment's target, 0 if it has none, shape (segments,)."""
@@ -141,6 +132,9 @@ class EffortModel:
             np.concatenate(segments), np.concatenate(places), np.concatenate(shares), len(times)
         )
 
+    def _precision(self, parameter: str) -> Array:
+        return np.array([s.precision_of(parameter) for s in self._first])[self._precisions.number]
+
     def _solved(self, group: int, part: int, values: Sequence[SegmentValues]) -> Array:
         """Return the unknowns of a part, (unknowns, k), for k values of the segments."""
         elements = self._elements(part)
@@ -152,7 +146,7 @@ class EffortModel:
         return self._solve(group, elements, np.eye(len(elements.near)))
 
     def _solve(self, group: int, elements: _Elements, values: Array) -> Array:
-        precision = self._precision[group][elements.near]
+        precision = self._groups.rows[group][elements.near]
         loads = _loads(elements, precision[:, None] * values)
         unknowns: Array = solveh_banded(
             _matrix(elements, precision),
