@@ -89,6 +89,6 @@ def test_a_text_that_cannot_be_performed_is_raised_at_its_place() -> None:
 
 
 def test_processes_that_cannot_be_started_end_the_run_with_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pool, "_PROGRAM", "raise SystemExit(7)  # {descriptor} {task}")
-    with pytest.raises(risorius.RisoriusError, match=r"cannot be started: its process ended \(exit code 7\)"):
+    monkeypatch.setattr(pool, "_PROGRAM", "risorius.batches.no_such_program")
+    with pytest.raises(risorius.RisoriusError, match=r"cannot be started: its process ended \(exit code 1\)"):
         run([{"id": "a", "text": "Hi."}], jobs=1)

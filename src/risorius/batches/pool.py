@@ -10,22 +10,21 @@ import contextlib
 import os
 import socket
 import subprocess
-import sys
 import time
 from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
-from pathlib import Path
 from typing import Any
 
+from ..core.processes import start
 from ..errors import RisoriusError
 from .worker import READY
 
 MOST_MEMORY = 1_500_000_000  # bytes that a process may hold between two lines
 MOST_LOSSES = 2  # processes that end while they perform one line, before it is given up
 STARTING = 120.0  # seconds that a process may take to load
-_PROGRAM = "from risorius.batches.worker import serve; serve({descriptor}, {task!r})"
+_PROGRAM = "risorius.batches.worker"
 _THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 
@@ -44,16 +43,17 @@ class _Request:
 
 
 class _Worker:
-    """One process and the request that it is at."""
+    """One process and the request that it is at; it has `threads` to draw with, and one for all else."""
 
     def __init__(self, task: str, threads: int) -> None:
         ours, theirs = socket.socketpair()
         with theirs:
-            program = _PROGRAM.format(descriptor=theirs.fileno(), task=task)
-            self.process = subprocess.Popen(
-                [sys.executable, "-c", program],
+            self.process = start(
+                _PROGRAM,
+                str(theirs.fileno()),
+                task,
+                variables=dict.fromkeys(_THREADS, "1") | {"RISORIUS_THREADS": str(threads)},
                 stdin=subprocess.DEVNULL,
-                env=_environment(threads),
                 pass_fds=[theirs.fileno()],
             )
         self.connection = Connection(ours.detach())
@@ -77,13 +77,6 @@ class _Worker:
 
     def close(self) -> None:
         self.end(patience=2.0)
-
-
-def _environment(threads: int) -> dict[str, str]:
-    """Return the environment of a process that has so many threads to draw with, and one for all else."""
-    package = str(Path(__file__).parents[2])
-    path = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH", ""))))
-    return os.environ | dict.fromkeys(_THREADS, "1") | {"RISORIUS_THREADS": str(threads), "PYTHONPATH": path}
 
 
 class WorkerPool:

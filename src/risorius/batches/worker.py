@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import sys
 from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any
@@ -32,3 +33,7 @@ def _task(name: str) -> Callable[..., Any]:
     from .text_task import perform_text
 
     return perform_text
+
+
+if __name__ == "__main__":
+    serve(int(sys.argv[1]), sys.argv[2])

@@ -11,10 +11,12 @@ import subprocess
 import sys
 import tempfile
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
+
+from .frozen import FrozenDict
 
 _LOOK = 0.5  # s between two looks at a process that does not answer
 _STOPPED = 4  # looks at which it stands still in succession: then nobody continues it
@@ -38,15 +40,17 @@ class Finished:
     complaint: str
 
 
-def start(module: str, *arguments: str, **options: Any) -> subprocess.Popen[bytes]:
+def start(
+    module: str, *arguments: str, variables: Mapping[str, str] = FrozenDict(), **options: Any
+) -> subprocess.Popen[bytes]:
     """Start `python -m module`, which finds the same modules as this process, but none in the current folder.
 
-    `options` are those of `subprocess.Popen`.
+    `variables` are added to the environment; `options` are those of `subprocess.Popen`.
     """
     # Our own package may have been found in the current folder.
     paths = os.pathsep.join([*(entry for entry in sys.path if entry), str(Path(__file__).parents[2])])
     command = [sys.executable, "-P", "-m", module, *arguments]
-    return subprocess.Popen(command, env={**os.environ, "PYTHONPATH": paths}, **options)
+    return subprocess.Popen(command, env={**os.environ, **variables, "PYTHONPATH": paths}, **options)
 
 
 def patience(pid: int, seconds: float) -> Iterator[float]:
