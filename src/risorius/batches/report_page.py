@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 
+from ..core.units import clock
 from .outcome import LineResult
 
 _STYLE = """
@@ -69,7 +70,7 @@ def page(
         ("whole before", f"{totals.whole:,}"),
         ("failed", f"{totals.failed:,}"),
         ("in doubt", f"{len(doubtful):,}"),
-        ("played in all", _clock(totals.seconds)),
+        ("played in all", clock(totals.seconds)),
     ):
         yield f"<div><dt>{name}</dt><dd>{value}</dd></div>"
     yield "</dl>"
@@ -116,8 +117,3 @@ def _row(line: PageLine) -> Iterator[str]:
         yield f"<audio controls preload=none src='{escape(line.sound)}'></audio>"
     if line.sheet:
         yield f"<img loading=lazy alt='' src='{escape(line.sheet)}'>"
-
-
-def _clock(seconds: float) -> str:
-    whole = round(seconds)
-    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"

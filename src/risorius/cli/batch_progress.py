@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..core.units import clock
 from .console import Console
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ class BatchProgress:
     def finish(self, folder: Path) -> None:
         """Say what came of it."""
         seconds = time.monotonic() - self._start
-        parts = [f"{self.made:,} lines made in {_clock(seconds)}"]
+        parts = [f"{self.made:,} lines made in {clock(seconds)}"]
         if self.made:
             parts[0] += f" ({self._rate():.1f} a second)"
         if self.whole:
@@ -63,13 +64,8 @@ class BatchProgress:
             self._said = now
             left = (total - done) / self._rate() if self.made else 0.0
             self._console.say(
-                f"{done:,} of {total:,} lines, {self._rate():.1f} a second, {_clock(left)} left"
+                f"{done:,} of {total:,} lines, {self._rate():.1f} a second, {clock(left)} left"
             )
 
     def _rate(self) -> float:
         return self.made / max(time.monotonic() - self._start, 1e-3)
-
-
-def _clock(seconds: float) -> str:
-    whole = round(seconds)
-    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"

@@ -40,3 +40,9 @@ GapMillimetres = Annotated[float, Range(0.01, 20.0)]
 
 DeviationDegrees = Annotated[float, Range(0.0, 60.0)]
 """How far the head or the eyes leave their rest."""
+
+
+def clock(seconds: float) -> str:
+    """Return a duration as hours, minutes and seconds: 0:01:05."""
+    whole = round(seconds)
+    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
