@@ -16,7 +16,7 @@ from ..core.paths import is_file
 from ..errors import LONGEST_LINE, RisoriusError, UnreadError, printable, shortened
 from .align import align
 from .batch import batch
-from .console import interrupt, say
+from .console import EXIT_INTERRUPTED, interrupt, say
 from .explain import explain
 from .listing import list_
 from .mix import mix
@@ -29,7 +29,7 @@ from .speak import speak
 from .stream import stream
 from .studio import studio
 
-EXIT_FAULT, EXIT_INTERRUPTED = 2, 130
+EXIT_FAULT = 2
 DEBUG = "--debug"
 STRICT = "RISORIUS_STRICT"
 """The environment's variable under which unforeseen errors are raised: the tests set it."""

@@ -10,13 +10,13 @@ import click
 
 from ..core.setting import Stage
 from .batch_progress import BatchProgress
-from .console import Console
+from .console import EXIT_INTERRUPTED, Console
 from .options import SHOWN, Command, displays, emotion_option, option, setting_options, settings_from
 
 if TYPE_CHECKING:
     from ..batches.library import BatchPlan
 
-EXIT_FAILED, EXIT_INTERRUPTED = 1, 130
+EXIT_FAILED = 1
 
 
 @click.command(cls=Command)

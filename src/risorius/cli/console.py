@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
 
+EXIT_INTERRUPTED = 130
 _interrupted = threading.Event()
 
 
