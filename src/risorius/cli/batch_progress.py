@@ -63,9 +63,7 @@ class BatchProgress:
         elif now - self._said >= INTERVAL:
             self._said = now
             left = (total - done) / self._rate() if self.made else 0.0
-            self._console.say(
-                f"{done:,} of {total:,} lines, {self._rate():.1f} a second, {clock(left)} left"
-            )
+            self._console.say(f"{done:,} of {total:,} lines, {self._rate():.1f} a second, {clock(left)} left")
 
     def _rate(self) -> float:
         return self.made / max(time.monotonic() - self._start, 1e-3)
