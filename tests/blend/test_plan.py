@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from risorius import blend
 from risorius.blend.plan import CHUNK, Plan, PlanSample
-from risorius.blend.strata import STEP
+from risorius.blend.strata import ONE_PRIORITY
 from risorius.core.movement import Dominance, LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS, RIVALS
 from risorius.core.score import BlendSettings, Score
@@ -237,7 +237,7 @@ def test_inhibit_never_shows_two_rivals_of_different_priority(score: Score) -> N
         for (two, other), also in shown.items():
             if names[one] != names[two] and other in RIVALS[name]:
                 # Strata of channels of one priority differ by a few steps.
-                differ = np.abs(levels[one] - levels[two]) > 100.0 * STEP
+                differ = np.abs(levels[one] - levels[two]) > ONE_PRIORITY
                 assert not (up & also & differ).any()
 
 

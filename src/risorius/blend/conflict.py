@@ -18,14 +18,11 @@ from ..core.parameters import RIVALS
 from ..core.registry import Registry
 from .channels import Channel
 from .mouth.limits import SpeechLimits
+from .strata import ONE_PRIORITY
 from .tuning import Tuning
 
 Resolver = Callable[[Channel, str, Array, Array], Array]
 """(channel, parameter, times (n,), requested values (n,)) -> what the policy leaves of them (n,)."""
-
-
-# Strata of a channel differ by less; to other channels they are of one priority.
-_EQUAL = 1e-3
 
 
 class Join(StrEnum):
@@ -85,7 +82,7 @@ class PolicyInputs:
             for other in self.channels
             if other is not channel and rival in other.curves
             for above in other.levels.distinct
-            if above > (level if other.name == channel.name else level + _EQUAL)
+            if above > (level if other.name == channel.name else level + ONE_PRIORITY)
         ]
 
     def threshold_time(self, parameter: str, duration: float) -> float:

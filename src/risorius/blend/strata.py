@@ -18,6 +18,8 @@ from .levels import Levels
 
 STEP = 1e-6
 """How much lower a stratum's priority is than that of the one above it."""
+ONE_PRIORITY = 1e-3
+"""Strata of a channel differ by less: to other channels they are of one priority."""
 
 LayerKey = tuple[bool, str]
 """Whether the layer adds on top of others, and its name."""
