@@ -33,8 +33,7 @@ def blink(
     if habits.model == "pelachaud":
         span = phonemic(start, boundaries)
     else:
-        parts = ITTI if habits.model == "itti" else (habits.closing, habits.closed, habits.opening)
-        span = _timed(start if habits.model == "itti" else nearest(start, boundaries), parts)
+        span = _timed(start if habits.model == "itti" else nearest(start, boundaries), _parts(habits))
     return Movement(
         channel,
         span.start,
@@ -51,9 +50,13 @@ def blink(
 
 def blink_seconds(habits: BlinkHabits) -> float:
     """Return how long a blink lasts, on average where phonemes time it."""
-    if habits.model == "pelachaud":
-        return sum(PELACHAUD)
-    return sum(ITTI) if habits.model == "itti" else habits.closing + habits.closed + habits.opening
+    return sum(_parts(habits))
+
+
+def _parts(habits: BlinkHabits) -> tuple[float, float, float]:
+    """Return for how many seconds a blink closes, is closed and opens, on average where phonemes time it."""
+    published = {"pelachaud": PELACHAUD, "itti": ITTI}
+    return published.get(habits.model, (habits.closing, habits.closed, habits.opening))
 
 
 def blink_depth(habits: BlinkHabits, numbers: Counted) -> float:
