@@ -11,6 +11,7 @@ import math
 import numpy as np
 
 from ..core.arrays import Array
+from ..core.time import TICK
 
 BLOCK = 30.0
 """Seconds of one block of time: knots and frames are computed block by block, so that memory does not grow
@@ -55,7 +56,6 @@ def smoothstep(x: Array) -> Array:
     return x * x * (3.0 - 2.0 * x)
 
 
-_INSTANT = 1e-9
 SOFT = 0.07
 """The share of a ramp's time in which it reaches its speed; it needs as much again to stop."""
 STEEPEST = 1.0 / (1.0 - SOFT)
@@ -108,7 +108,7 @@ def rounded(times: Array, share: Array, width: float) -> Array:
     area = np.append(0.0, np.cumsum(0.5 * (share[1:] + share[:-1]) * np.diff(times)))
     first, last = _around(times, width)
     spread = np.interp(last, times, area) - np.interp(first, times, area)
-    average = spread / np.maximum(last - first, _INSTANT)
+    average = spread / np.maximum(last - first, TICK)
     least, most = lowest(times, share, width), -lowest(times, -share, width)
     return np.asarray(np.clip(average, least, most))
 
@@ -117,8 +117,8 @@ def lowest(times: Array, share: Array, width: float) -> Array:
     """Return the least value of a curve within `width` seconds around each time, shape (n,)."""
     first, last = _around(times, width)
     # Count a time at the very end of a stretch as inside, whatever the rounding.
-    low = np.searchsorted(times, first - _INSTANT, side="left")
-    count = np.searchsorted(times, last + _INSTANT, side="right") - low
+    low = np.searchsorted(times, first - TICK, side="left")
+    count = np.searchsorted(times, last + TICK, side="right") - low
     # Two ranges whose lengths are powers of two cover each range: their least value is its own.
     powers = np.frexp(count.astype(np.float64))[1] - 1
     lowest_values, least = np.empty(len(times)), share

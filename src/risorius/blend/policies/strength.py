@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...core.arrays import Array
+from ...core.time import TICK
 from ..channels import Channel
 from ..conflict import PolicyInputs, SuppressionEffect, Suppressor
 
@@ -14,9 +15,6 @@ Strength = Callable[[str, Array], Array]
 """(rival parameter, its resolved activity (n,)) -> how strong it is, 0..1 (n,)."""
 GainOf = Callable[[Channel, str, Array], Array]
 """(channel, parameter, strength of its strongest rival (n,)) -> the share that remains, 0..1 (n,)."""
-
-
-_INSTANT = 1e-9
 
 
 class Strengths:
@@ -72,7 +70,7 @@ class Strengths:
         and `onset` seconds after.
         """
         ahead = self.times - time
-        pace = np.maximum(np.where(ahead > 0.0, offset, onset), _INSTANT)
+        pace = np.maximum(np.where(ahead > 0.0, offset, onset), TICK)
         faded = np.abs(ahead) / pace
         # A value between two of the times is interpolated from both.
         nearest = int(np.searchsorted(self.times, time))
