@@ -77,7 +77,7 @@ def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, 
     """Return the channels that the score uses, highest default priority first."""
     movements: dict[str, dict[tuple[bool, str], list[Movement]]] = defaultdict(lambda: defaultdict(list))
     order: dict[int, int] = {}
-    for number, movement in enumerate(_held(m, score.settings.conflict) for m in score.movements):
+    for number, movement in enumerate(_without_rivals(m, score.settings.conflict) for m in score.movements):
         movements[movement.channel][movement.on_top, movement.layer].append(movement)
         order[id(movement)] = number
     function = score.settings.onset_function
@@ -105,7 +105,7 @@ def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, 
     return tuple(channels)
 
 
-def _held(movement: Movement, conflict: str) -> Movement:
+def _without_rivals(movement: Movement, conflict: str) -> Movement:
     """Return a movement whose rivals sum to 1 at most; other systems, which `sum` stands for, leave them."""
     if conflict == "sum" or not any(rival_pairs(movement.targets)):
         return movement

@@ -146,11 +146,11 @@ def _event(
         span = snapped(span, units.boundaries)
     duration = units.situation.duration
     if rule.timing.at is RuleAnchor.WHOLE and rule.level is Level.PAUSE and unit.end > duration - TICK:
-        return Event(rule, unit, _held(span, duration), targets, size)
+        return Event(rule, unit, _until_the_end(span, duration), targets, size)
     return Event(rule, unit, _inside(span, duration), targets, size)
 
 
-def _held(span: MovementPhases, duration: float) -> MovementPhases:
+def _until_the_end(span: MovementPhases, duration: float) -> MovementPhases:
     """Return a span that begins in the clip and is released after its end."""
     span = _inside(span, duration)
     return MovementPhases(span.start, min(span.apex, duration), duration + _BEYOND, duration + 2.0 * _BEYOND)

@@ -95,11 +95,11 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
     _check_own(file, own, rule_set, source)
     gone = {old for rule in file.rule for old in rule.replaces}
     kept = {key: entry for key, entry in entries.items() if key not in gone}
-    held = FrozenDict({**kept, **{key: entry for key, entry in own.items() if key not in gone}})
+    entries = FrozenDict({**kept, **{key: entry for key, entry in own.items() if key not in gone}})
     before = rule_set.habits
     habits = HabitChanges((*before.changed, *file.habit), before.deleted | deleted_by(file.delete))
     _check_habits(file, source)
-    return RuleSet(held, habits)
+    return RuleSet(entries, habits)
 
 
 def _check_habits(file: RuleFile, source: SourceText) -> None:

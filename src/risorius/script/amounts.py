@@ -47,7 +47,7 @@ def factor(node: XmlNode, name: str, words: Mapping[str, float]) -> float:
     attribute = node.get(name)
     if attribute is None:
         return 1.0
-    rate = _given(attribute, words, ("%", ""), ("120%", "+20%"))
+    rate = _value_of(attribute, words, ("%", ""), ("120%", "+20%"))
     if not isinstance(rate, _Amount):
         return rate
     share = rate.signed * (0.01 if rate.unit else 1.0)
@@ -63,7 +63,7 @@ def semitones(unknowns: Unknowns, node: XmlNode, words: Mapping[str, float]) -> 
     attribute = node.get("pitch")
     if attribute is None:
         return 0.0
-    pitch = _given(attribute, words, ("%", "st", "hz"), ("+2st", "+10%"))
+    pitch = _value_of(attribute, words, ("%", "st", "hz"), ("+2st", "+10%"))
     if not isinstance(pitch, _Amount):
         return pitch
     if pitch.unit == "hz":
@@ -84,11 +84,11 @@ def decibels(node: XmlNode, words: Mapping[str, float]) -> float:
     attribute = node.get("volume")
     if attribute is None:
         return 0.0
-    volume = _given(attribute, words, ("db",), ("+6dB",))
+    volume = _value_of(attribute, words, ("db",), ("+6dB",))
     return max(-60.0, min(volume.signed, 12.0)) if isinstance(volume, _Amount) else volume
 
 
-def _given(
+def _value_of(
     attribute: Attribute, words: Mapping[str, float], units: Sequence[str], examples: Sequence[str]
 ) -> float | _Amount:
     """Return the value of a word of the table, or an amount in one of `units`; raise ParameterError else."""
