@@ -1,8 +1,11 @@
 from dataclasses import replace
 from itertools import pairwise
 
+import numpy as np
 import pytest
 
+from risorius.blend.mouth.coarticulation import SegmentValues, without_gaps
+from risorius.blend.mouth.effort import EffortModel
 from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import LipSegment
 from risorius.core.utterance import Accent, Syllable, Utterance
@@ -117,6 +120,58 @@ def test_the_jaw_has_the_order_that_people_have() -> None:
              ("AO",), ("EH",), ("AA",), ("AE",)]  # fmt: skip
     drops = [[lip_table().shape(p).targets["jaw_drop"] for p in phones] for phones in order]
     assert all(max(a) < min(b) for a, b in pairwise(drops))
+
+
+def said(utterance: Utterance, name: str, step: float = 0.002) -> tuple[np.ndarray, np.ndarray]:
+    """Times from the first phone to the last, and an articulator in mm by the least effort, shape (n,)."""
+    found = [s for s in segments(utterance) if s.phone]
+    model = EffortModel(without_gaps(found))
+    times = np.arange(found[0].start, found[-1].end, step)
+    targets = SegmentValues(model.targets(name))
+    return times, model.averages(model.group(name), [targets], times)[0]
+
+
+@pytest.mark.parametrize("vowel", ["AA", "AE"])
+@pytest.mark.parametrize(
+    ("phone", "raise_"), [*((p, 2.0) for p in ("T", "D", "N", "L", "K", "P", "M")), ("S", 4.0), ("SH", 4.0)]
+)
+def test_a_consonant_between_open_vowels_raises_the_chin(
+    vowel: str, phone: str, raise_: float, utterance_of
+) -> None:
+    times, chin = said(utterance_of(f"T {vowel} {phone} {vowel} T"), "jaw_drop")
+    vowels, consonant = abs(times - 0.65) < 0.05, abs(times - 0.75) < 0.07
+    assert chin[vowels].max() - chin[consonant].min() >= raise_
+
+
+@pytest.mark.parametrize("vowel", ["AA", "AE", "IY", "UW"])
+@pytest.mark.parametrize("phone", ["L", "D", "N", "K"])
+def test_lips_are_free_in_a_consonant_of_the_tongue(phone: str, vowel: str, utterance_of) -> None:
+    times, gap = said(utterance_of(f"P {vowel} {phone} {vowel} P"), "lip_aperture")
+    assert abs(gap[abs(times - 0.75) < 0.05] - gap[abs(times - 0.85) < 0.01].mean()).max() < 3.0
+
+
+def test_a_vowel_begins_with_the_consonants_before_it(utterance_of) -> None:
+    """In "planks" the lips are as far open at the end of /l/ as they get: /l/ has no lips of its own."""
+    times, gap = said(utterance_of("P L AE NG K S", seconds=0.06), "lip_aperture")
+    assert 0.57 < times[gap.argmax()] < 0.66
+
+
+def test_consonants_that_hold_the_lips_do_not_give_way_to_the_vowel(utterance_of) -> None:
+    for phone in ("S", "W", "F", "P"):
+        before, after = (
+            next(s for s in segments(utterance_of(p)) if s.phone == phone).targets["lip_aperture"]
+            for p in (f"{phone} AE", f"AE {phone}")
+        )
+        assert before == after
+    blocked = next(s for s in segments(utterance_of("N S AE")) if s.phone == "N")
+    assert blocked.targets == lip_table().shape("N").targets
+
+
+def test_the_burst_of_a_stop_belongs_to_the_phone_after_it(utterance_of) -> None:
+    closure, vowel = (s for s in segments(utterance_of("P AE")) if s.phone)
+    assert vowel.start == closure.end < 0.6
+    first, second = (s for s in segments(utterance_of("P M")) if s.phone)
+    assert first.end < second.start
 
 
 @pytest.mark.parametrize(("phones", "closed"), [("R AA", True), ("AA R", False), ("W AA", True)])

@@ -16,12 +16,14 @@ from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet
 from ..rules.articulation import is_known, sounds
 from ..rules.lips import OPENING, LipTable, PhoneShape, lip_table
+from .anticipation import TargetsHeld, anticipated, coming_vowels
 from .inputs import ChannelInputs, Context
 from .registry import register
 
 # A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
 BREATH = "breath"
+CONTACTS = ("lip_seal", "lip_tuck")
 
 
 def lips(inputs: ChannelInputs, context: Context) -> Iterator[LipSegment]:
@@ -30,11 +32,15 @@ def lips(inputs: ChannelInputs, context: Context) -> Iterator[LipSegment]:
         return
     table = lip_table()
     shaper = _Shaper(table, inputs.utterance, table.factors(inputs.manner, inputs.articulation))
+    released = inputs.utterance.duration
     for index, phone in enumerate(inputs.utterance.phones):
         if phone.symbol != SILENCE:
-            yield from shaper.spoken(index, phone)
+            for segment in shaper.spoken(index, phone):
+                yield _from_release(segment, released)
+                released = segment.end
         elif phone.duration >= table.pausing.shortest:
             yield from shaper.silence(index, phone)
+            released = phone.end
 
 
 @dataclass
@@ -47,7 +53,9 @@ class _Shaper:
 
     def __post_init__(self) -> None:
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
+        self._shared: dict[tuple[object, ...], TargetsHeld] = {}
         self._onsets = _onsets(self.utterance)
+        self._coming = coming_vowels(self.utterance.phones, self._anticipates)
         self._final = _phrase_final_phones(self.utterance)
         accents = {accent.syllable for accent in self.utterance.accents}
         self._accented = {
@@ -64,6 +72,27 @@ class _Shaper:
 
     def spoken(self, index: int, phone: Phone) -> Iterator[LipSegment]:
         """Yield the phone's segments: one for each sound it holds, two for a diphthong."""
+        coming = self._coming.get(index)
+        if coming is None:
+            yield from self._alone(index, phone)
+            return
+        vowel = next(self._alone(coming.phone, self.utterance.phones[coming.phone]))
+        for own in self._alone(index, phone):
+            # Equal shapes share their mappings.
+            owners = (own.targets, own.precision, vowel.targets, vowel.precision)
+            key = (*map(id, owners), *coming.shares.items())
+            if key not in self._shared:
+                self._shared[key] = anticipated(own, vowel, coming.shares)
+            held = self._shared[key]
+            yield replace(own, targets=held.targets, precision=held.precision)
+
+    def _anticipates(self, phone: Phone) -> Mapping[str, float]:
+        """Return what all sounds of a consonant leave to the coming vowel."""
+        classes = [shape.lip_class for _, shape, _ in self._sounds(phone.symbol)]
+        first, *others = (self.table.holdings[name].anticipates for name in classes)
+        return {name: share for name, share in first.items() if all(name in other for other in others)}
+
+    def _alone(self, index: int, phone: Phone) -> Iterator[LipSegment]:
         scale = self._opening(index, phone)
         shapes = self._sounds(phone.symbol)
         if index in self._onsets:
@@ -147,6 +176,13 @@ def _onsets(utterance: Utterance) -> frozenset[int]:
     """Return the first phones of words and of stressed syllables."""
     stressed = {s.first_phone for s in utterance.syllables if s.stress > 0}
     return frozenset(stressed | {word.first_phone for word in utterance.words})
+
+
+def _from_release(segment: LipSegment, released: float) -> LipSegment:
+    """Return a segment that begins where the stop before it is released, unless it is a contact itself."""
+    if released >= segment.start or any(contact in segment.targets for contact in CONTACTS):
+        return segment
+    return replace(segment, start=released)
 
 
 def _closure_end(start: float, end: float, shape: PhoneShape) -> float:

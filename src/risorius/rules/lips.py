@@ -36,7 +36,8 @@ class LipClass:
     """A class of phones: dominance magnitude per articulator, flanks in seconds, limits per parameter.
 
     `yields`: for the look-ahead model, phones a second from which on it yields an articulator. `precision`:
-    for the model of least effort.
+    for the model of least effort. `anticipates`: per articulator, the share of the precision of the coming
+    vowel with which that vowel takes part in a consonant of this class.
     """
 
     magnitude: Weights
@@ -45,6 +46,7 @@ class LipClass:
     limits: Mapping[str, tuple[float, float]]
     yields: Mapping[str, Annotated[float, Range(0.0, 100.0)]] = field(default_factory=FrozenDict)
     precision: Weights = field(default_factory=FrozenDict)
+    anticipates: Mapping[str, Share] = field(default_factory=FrozenDict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,12 +113,13 @@ class _File:
 
 @dataclass(frozen=True, slots=True)
 class Holding:
-    """What all phones of a class share: dominance, limits with both sides spelled out, what they yield."""
+    """What all phones of a class share (`LipClass`); the limits have both sides spelled out."""
 
     dominance: Mapping[str, Dominance]
     limits: Mapping[str, tuple[float, float]]
     yields: Mapping[str, float]
     precision: Mapping[str, float]
+    anticipates: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,12 +207,13 @@ def _holding(lip_class: LipClass) -> Holding:
         FrozenDict(limits),
         FrozenDict(lip_class.yields),
         FrozenDict(lip_class.precision),
+        FrozenDict(lip_class.anticipates),
     )
 
 
 def _check_names(raw: _File) -> None:
     for lip_class in raw.classes.values():
-        _check_known((*lip_class.magnitude, *lip_class.yields, *lip_class.precision))
+        _check_known((*lip_class.magnitude, *lip_class.yields, *lip_class.precision, *lip_class.anticipates))
     for factors in (raw.articulation, *(manner.factors for manner in raw.manners.values())):
         _check_known(factors)
     _check_known((*raw.opening.unrounded, *raw.opening.rounded))

@@ -1,0 +1,73 @@
+"""Which consonants a coming vowel already takes part in, and what it makes of their targets.
+
+A vowel begins with the consonants before it (Öhman 1966; Browman and Goldstein 1988): an articulator that
+such a consonant leaves free already moves to the vowel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ..core.frozen import FrozenDict
+from ..core.movement import LipSegment
+from ..core.utterance import SILENCE, Phone
+
+
+@dataclass(frozen=True, slots=True)
+class ComingVowel:
+    """The vowel after a consonant: the index of its phone, and the articulators that it already holds, each
+    with the share of its precision."""
+
+    phone: int
+    shares: Mapping[str, float]
+
+
+class TargetsHeld(NamedTuple):
+    """Targets, and the precision of each."""
+
+    targets: Mapping[str, float]
+    precision: Mapping[str, float]
+
+
+def coming_vowels(
+    phones: Sequence[Phone], anticipates: Callable[[Phone], Mapping[str, float]]
+) -> Mapping[int, ComingVowel]:
+    """Return the coming vowel by index of the consonants that a vowel follows, silence not between.
+
+    `anticipates`: the shares of a consonant. Of several consonants before a vowel, one anticipates only what
+    all after it do.
+    """
+    coming: dict[int, ComingVowel] = {}
+    vowel, free = -1, FrozenDict[str, float]()
+    for index in reversed(range(len(phones))):
+        phone = phones[index]
+        if phone.symbol == SILENCE:
+            vowel = -1
+        elif phone.stress >= 0:
+            vowel = index
+        elif vowel >= 0:
+            shares = anticipates(phone)
+            if index + 1 < vowel:
+                shares = {name: share for name, share in shares.items() if name in free}
+            free = FrozenDict(shares)
+            if free:
+                coming[index] = ComingVowel(vowel, free)
+    return coming
+
+
+def anticipated(own: LipSegment, vowel: LipSegment, shares: Mapping[str, float]) -> TargetsHeld:
+    """Return the targets of a consonant's segment in which a vowel takes part, by `shares` of its precision.
+
+    Each is the mean of both, by precision; it is as precise as both together. What is to be closed, or what
+    the vowel has no target for, stays as it is.
+    """
+    targets, precision = dict(own.targets), dict(own.precision)
+    for name, share in shares.items():
+        target = targets.get(name)
+        if target is not None and name in vowel.targets:
+            mine, its = own.precision_of(name), share * vowel.precision_of(name)
+            targets[name] = (mine * target + its * vowel.targets[name]) / (mine + its)
+            precision[name] = mine + its
+    return TargetsHeld(FrozenDict(targets), FrozenDict(precision))
