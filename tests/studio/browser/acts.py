@@ -29,6 +29,21 @@ def perform(page: Page, text: str = LINE) -> None:
     page.wait(f"{SETTLED} && {SHOWN}")
 
 
+def restore(page: Page) -> None:
+    """Take all changes of a line back, and show it from the front and from its start."""
+    page.run("""
+      document.querySelectorAll("dialog[open]").forEach((dialog) => dialog.close());
+      document.activeElement?.blur();
+      studio.clock.pause();
+      while (studio.store.get("take").undoes) await studio.actions.undo();
+      studio.clock.loop = null;
+      studio.clock.seek(0);
+      studio.view.choose("front");
+    """)
+    page.wait(f"{SETTLED} && {SHOWN}")
+    open_panel(page, "Perform")
+
+
 def open_panel(page: Page, name: str) -> None:
     """Open a panel by its tab's label."""
     page.driver.find_element(By.XPATH, f"//*[@role='tab'][text()='{name}']").click()

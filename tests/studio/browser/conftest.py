@@ -8,7 +8,10 @@ from pathlib import Path
 import pytest
 
 from ..running import running
+from .acts import LINE, SHOWN, perform, restore
 from .driving import CHROMIUM, DRIVER, Page, open_browser
+
+PERFORMED = "performed"
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -32,6 +35,20 @@ def browser_page(studio_url: str, tmp_path_factory: pytest.TempPathFactory) -> I
     driver = open_browser(tmp_path_factory.mktemp("profile"))
     yield Page(driver, studio_url)
     driver.quit()
+
+
+@pytest.fixture
+def performed(browser_page: Page) -> Iterator[Page]:
+    """The page with `LINE` performed, which tests share: what one changes is taken back."""
+    if browser_page.session != PERFORMED:
+        browser_page.open(PERFORMED)
+        browser_page.run("await studio.connection.request('open')")
+        if browser_page.get("studio.store.get('take')?.made.source.script") == LINE:
+            browser_page.wait(SHOWN)
+        else:
+            perform(browser_page)
+    yield browser_page
+    restore(browser_page)
 
 
 @pytest.fixture

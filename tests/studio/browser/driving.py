@@ -48,9 +48,11 @@ class Page:
 
     def __init__(self, driver: Chrome, url: str) -> None:
         self.driver, self.url = driver, url
+        self.session = ""
 
     def open(self, session: str) -> None:
         """Show a session, and wait until the page has its server: its buttons are dead before."""
+        self.session = session
         self.driver.get("about:blank")
         self.driver.get(f"{self.url}#{session}")
         self.wait("window.studio?.store.get('catalogue') && window.studio.store.get('link') === 'up'")

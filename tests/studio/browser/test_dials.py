@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from selenium.webdriver.common.by import By
 
-from .acts import MOVED, open_panel, perform, remember_face, slide
+from .acts import MOVED, open_panel, remember_face, slide
 from .driving import Page, waited
 
 
@@ -73,10 +73,9 @@ def test_a_face_is_kept_as_an_emotion(dials: Page, tmp_path: Path) -> None:
     assert "wry" in tomllib.loads(file.read_text()) or "wry" in file.read_text()
 
 
-def test_playing_shows_the_line_again(page: Page) -> None:
-    perform(page)
-    open_panel(page, "Dials")
-    slide(page, "19 masseter", 1.0)
-    page.wait("studio.store.get('dial') !== null")
-    page.driver.find_element(By.ID, "dials-back").click()
-    assert page.get("studio.store.get('dial')") is None
+def test_playing_shows_the_line_again(performed: Page) -> None:
+    open_panel(performed, "Dials")
+    slide(performed, "19 masseter", 1.0)
+    performed.wait("studio.store.get('dial') !== null")
+    performed.driver.find_element(By.ID, "dials-back").click()
+    assert performed.get("studio.store.get('dial')") is None

@@ -34,32 +34,31 @@ def test_light_and_dark(page: Page) -> None:
     assert page.get(GROUND) == before
 
 
-def test_keys_play_step_and_help(page: Page) -> None:
-    perform(page)
-    page.driver.find_element(By.ID, "head").click()
-    press(page, Keys.ARROW_RIGHT)  # on the picture, arrows turn the head
-    assert page.get("studio.view.state.turn") != 0
-    press(page, "1")
-    assert page.get("studio.view.state.turn") == 0
-    page.run("document.activeElement.blur()")
-    press(page, Keys.ARROW_RIGHT)
-    press(page, Keys.ARROW_RIGHT)
-    assert abs(page.get("studio.clock.time") - 2 / 30) < 1e-6
-    press(page, Keys.SHIFT, Keys.ARROW_RIGHT)
-    assert abs(page.get("studio.clock.time") - 2 / 30 - 1) < 1e-6
-    press(page, " ")
-    page.wait("studio.clock.playing")
-    press(page, " ")
-    page.wait("!studio.clock.playing")
-    press(page, Keys.HOME)
-    assert page.get("studio.clock.time") == 0
-    press(page, "l")
-    assert page.get("studio.clock.loop !== null")
-    press(page, "?")
-    page.wait("document.querySelector('dialog[open]')")
-    page.picture("keys")
-    press(page, Keys.ESCAPE)
-    page.wait("!document.querySelector('dialog[open]')")
+def test_keys_play_step_and_help(performed: Page) -> None:
+    performed.driver.find_element(By.ID, "head").click()
+    press(performed, Keys.ARROW_RIGHT)  # on the picture, arrows turn the head
+    assert performed.get("studio.view.state.turn") != 0
+    press(performed, "1")
+    assert performed.get("studio.view.state.turn") == 0
+    performed.run("document.activeElement.blur()")
+    press(performed, Keys.ARROW_RIGHT)
+    press(performed, Keys.ARROW_RIGHT)
+    assert abs(performed.get("studio.clock.time") - 2 / 30) < 1e-6
+    press(performed, Keys.SHIFT, Keys.ARROW_RIGHT)
+    assert abs(performed.get("studio.clock.time") - 2 / 30 - 1) < 1e-6
+    press(performed, " ")
+    performed.wait("studio.clock.playing")
+    press(performed, " ")
+    performed.wait("!studio.clock.playing")
+    press(performed, Keys.HOME)
+    assert performed.get("studio.clock.time") == 0
+    press(performed, "l")
+    assert performed.get("studio.clock.loop !== null")
+    press(performed, "?")
+    performed.wait("document.querySelector('dialog[open]')")
+    performed.picture("keys")
+    press(performed, Keys.ESCAPE)
+    performed.wait("!document.querySelector('dialog[open]')")
 
 
 def test_a_line_is_performed_and_played_by_keys_alone(page: Page) -> None:
@@ -80,12 +79,13 @@ def test_a_line_is_performed_and_played_by_keys_alone(page: Page) -> None:
     page.wait("studio.clock.playing")
 
 
-def test_everything_has_a_name_and_stays_on_the_page(page: Page) -> None:
-    perform(page)
-    for name in page.get("[...document.querySelectorAll('#panel [role=tab]')].map((tab) => tab.textContent)"):
-        page.driver.find_element(By.XPATH, f"//*[@role='tab'][text()='{name}']").click()
-        assert page.get(NAMELESS) == []
-        assert page.get(OUTSIDE) == []
+def test_everything_has_a_name_and_stays_on_the_page(performed: Page) -> None:
+    for name in performed.get(
+        "[...document.querySelectorAll('#panel [role=tab]')].map((tab) => tab.textContent)"
+    ):
+        performed.driver.find_element(By.XPATH, f"//*[@role='tab'][text()='{name}']").click()
+        assert performed.get(NAMELESS) == []
+        assert performed.get(OUTSIDE) == []
 
 
 @pytest.mark.full
@@ -105,8 +105,7 @@ def resize(page: Page, width: int, height: int) -> None:
     page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
 
 
-def test_nothing_is_asked_of_other_hosts(page: Page) -> None:
-    perform(page)
-    names = page.get("performance.getEntriesByType('resource').map(({ name }) => new URL(name).host)")
-    assert set(names) - {""} == {page.get("location.host")}
-    assert page.complaints() == []
+def test_nothing_is_asked_of_other_hosts(performed: Page) -> None:
+    names = performed.get("performance.getEntriesByType('resource').map(({ name }) => new URL(name).host)")
+    assert set(names) - {""} == {performed.get("location.host")}
+    assert performed.complaints() == []

@@ -29,27 +29,25 @@ def test_a_script_that_cannot_be_read_says_so_in_one_line_and_the_page_goes_on(p
     perform(page)
 
 
-def test_a_line_is_heard_and_seen(page: Page) -> None:
-    perform(page)
-    page.picture("performed")
-    remember_face(page)
-    page.driver.find_element(By.ID, "play").click()
-    page.wait(f"studio.clock.time > 1.4 && {MOVED} > 2")
-    assert page.get("studio.clock.playing")
-    page.wait("!studio.clock.playing")
-    duration, time = page.get("[studio.clock.duration, studio.clock.time]")
+def test_a_line_is_heard_and_seen(performed: Page) -> None:
+    performed.picture("performed")
+    remember_face(performed)
+    performed.driver.find_element(By.ID, "play").click()
+    performed.wait(f"studio.clock.time > 1.4 && {MOVED} > 2")
+    assert performed.get("studio.clock.playing")
+    performed.wait("!studio.clock.playing")
+    duration, time = performed.get("[studio.clock.duration, studio.clock.time]")
     assert time == duration
-    assert page.complaints() == []
+    assert performed.complaints() == []
 
 
-def test_the_sound_is_the_clock(page: Page) -> None:
-    perform(page)
-    page.run(
+def test_the_sound_is_the_clock(performed: Page) -> None:
+    performed.run(
         "window.heard = [];studio.clock.on('tick', ({ time, sounding }) => heard.push([time, sounding]));"
     )
-    page.driver.find_element(By.ID, "play").click()
-    page.wait("!studio.clock.playing")
-    apart = [abs(time - sounding) for time, sounding in page.get("heard") if sounding is not None]
+    performed.driver.find_element(By.ID, "play").click()
+    performed.wait("!studio.clock.playing")
+    apart = [abs(time - sounding) for time, sounding in performed.get("heard") if sounding is not None]
     assert len(apart) > 3
     assert sorted(apart)[len(apart) // 2] < 0.05
     # Before this is told a picture has been drawn, for which a machine without graphics may take long.
@@ -136,17 +134,16 @@ def test_an_emotion_on_selected_text_lies_on_its_words_and_moves_with_them(page:
     page.picture("emotion-on-selection")
 
 
-def test_a_setting_is_performed_at_once_and_undone(page: Page) -> None:
-    perform(page)
-    before = values(page, "take")[0]["take"]
-    choose(page, "perform", "profile", "lively")
-    page.wait(f"studio.store.get('take').take !== {before} && {SETTLED}")
-    assert values(page, "take")[0]["made"]["choices"]["profile"] == "lively"
-    page.driver.find_element(By.ID, "head").click()
-    press(page, Keys.CONTROL, "z")
-    page.wait("studio.store.get('take').made.choices.profile === 'neutral'")
+def test_a_setting_is_performed_at_once_and_undone(performed: Page) -> None:
+    before = values(performed, "take")[0]["take"]
+    choose(performed, "perform", "profile", "lively")
+    performed.wait(f"studio.store.get('take').take !== {before} && {SETTLED}")
+    assert values(performed, "take")[0]["made"]["choices"]["profile"] == "lively"
+    performed.driver.find_element(By.ID, "head").click()
+    press(performed, Keys.CONTROL, "z")
+    performed.wait("studio.store.get('take').made.choices.profile === 'neutral'")
     list_shows = "document.querySelector('#panel-perform [data-choice=profile] select').value"
-    page.wait(f"{list_shows} === 'neutral'")
+    performed.wait(f"{list_shows} === 'neutral'")
 
 
 @pytest.mark.full

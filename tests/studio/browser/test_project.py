@@ -14,22 +14,21 @@ from .driving import Page
 CURVES = "Object.fromEntries(Object.entries(studio.store.get('take').curves).map(([n, c]) => [n, [...c]]))"
 
 
-def test_an_export_shows_its_progress_and_gives_its_files(page: Page) -> None:
-    perform(page)
-    open_panel(page, "Project")
-    page.run("document.querySelectorAll('.outputs input:checked').forEach((box) => box.click())")
-    assert not page.driver.find_element(By.ID, "export").is_enabled()
+def test_an_export_shows_its_progress_and_gives_its_files(performed: Page) -> None:
+    open_panel(performed, "Project")
+    performed.run("document.querySelectorAll('.outputs input:checked').forEach((box) => box.click())")
+    assert not performed.driver.find_element(By.ID, "export").is_enabled()
     for suffix in (".muscles.csv", ".TextGrid"):
-        page.run(f"document.querySelector('[data-suffix=\"{suffix}\"] input').click()")
-    page.run("window.told = []; studio.connection.on('progress', ({ job }) => job && told.push(job))")
-    page.driver.find_element(By.ID, "export").click()
-    page.wait("document.querySelectorAll('#jobs a').length === 2", 120.0)
-    assert page.get("told.length") > 0
-    page.picture("exported")
-    table = page.run("return (await fetch(document.querySelector('#jobs a').href)).text()")
+        performed.run(f"document.querySelector('[data-suffix=\"{suffix}\"] input').click()")
+    performed.run("window.told = []; studio.connection.on('progress', ({ job }) => job && told.push(job))")
+    performed.driver.find_element(By.ID, "export").click()
+    performed.wait("document.querySelectorAll('#jobs a').length === 2", 120.0)
+    assert performed.get("told.length") > 0
+    performed.picture("exported")
+    table = performed.run("return (await fetch(document.querySelector('#jobs a').href)).text()")
     rows = table.splitlines()
     assert rows[0].startswith("time_s,zygomatic_major.left,")
-    assert len(rows) - 1 == values(page, "take")[0]["frames"]
+    assert len(rows) - 1 == values(performed, "take")[0]["frames"]
 
 
 @pytest.mark.full

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from selenium.webdriver.common.by import By
 
-from .acts import SETTLED, open_panel, perform
+from .acts import SETTLED, open_panel
 from .driving import Page, waited
 
 RULE = "signals.brows.accent"
@@ -16,11 +16,10 @@ ROW = f"document.querySelector('#rules [data-rule=\"{RULE}\"]')"
 
 
 @pytest.fixture
-def rules(page: Page) -> Page:
-    perform(page)
-    open_panel(page, "Rules")
-    page.wait("document.querySelector('#rules .rule:not([hidden])')")
-    return page
+def rules(performed: Page) -> Page:
+    open_panel(performed, "Rules")
+    performed.wait("document.querySelector('#rules .rule:not([hidden])')")
+    return performed
 
 
 @pytest.mark.full
