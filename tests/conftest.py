@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
@@ -97,6 +98,13 @@ def clip() -> Take:
     """A short sentence, performed by the standard head without inertia at 10 frames per second."""
     settings = Settings(fps=Fraction(10), dynamics="static", lead=0.3, tail=0.3)
     return speak("Oh, my mother!", emotion={"happiness": 0.5}, settings=settings)
+
+
+@pytest.fixture
+def rules_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The rules that `tests.setting_cases` names, in the current folder."""
+    monkeypatch.chdir(tmp_path)
+    Path("mine.toml").write_text('delete = ["signals", "gaze"]\n')
 
 
 _PAUSES = {

@@ -6,21 +6,16 @@ Fields and options are enumerated here, so that a new one without a case fails.
 from __future__ import annotations
 
 import json
-import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
-import click
 import pytest
 
-import risorius
-from risorius import api, pipeline, stream, take
-from risorius.cli import commands, run
+from risorius import api, pipeline, take
 from risorius.core.score import Score
 from risorius.core.setting import Row, Stage, rows
 from risorius.core.utterance import Utterance
@@ -28,7 +23,6 @@ from risorius.errors import RisoriusError, UnreadError
 from risorius.rules.emotions import Display
 from risorius.script import Script, parse_script
 from risorius.settings import Settings, settings_of
-from risorius.studio import server
 from risorius.unread import (
     CAPTURE,
     CHARACTER,
@@ -43,79 +37,14 @@ from risorius.unread import (
     values_read,
 )
 
-if TYPE_CHECKING:
-    from risorius.batches.library import BatchPlan
-    from risorius.cli.console import Console
+from .setting_cases import BASE, CASES, SKIN
 
-CASES: dict[str, object] = {
-    "language": "de",
-    "voice": "en-gb",
-    "rate": 120,
-    "voice_emotion": False,
-    "lead": 0.25,
-    "tail": 0.25,
-    "profile": "lively",
-    "attitudes": ("ironic",),
-    "blinks": "none",
-    "lively": False,
-    "manner": "whisper",
-    "articulation": 0.5,
-    "without": ("lips",),
-    "rules": Path("mine.toml"),
-    "head": "mei",
-    "age": 70.0,
-    "shape": {"nose_width": 1.0},
-    "wrinkles": {"nasolabial": 2.0},
-    "dynamics": "biphasic",
-    "seed": 4,
-    "fps": Fraction(24),
-    "size": (48, 32),
-    "at": 0.0,
-    "every": 2,
-    "style": "wireframe",
-    "camera": "eyes",
-    "lens": 135.0,
-    "light": "dark",
-    "background": "red",
-    "quality": "high",
-    "hair": "short",
-    "complexion": 1.0,
-    "overlay": ("bars",),
-    "conflict": "sum",
-    "activation_threshold": 0.9,
-    "min_onset": 1.0,
-    "min_offset": 1.0,
-    "onset_function": "linear",
-    "contact": False,
-    "lips": "lookahead",
-}
-"""A value that is not the default for every setting."""
-NO_BYTE = {
-    "patience": "how long the command waits for a receiver's greeting",
-    "without_sound": "which clock counts while frames are sent",
-    "port": "where the studio's page is",
-    "no_browser": "who opens the studio's page",
-    "folder": "where the studio's sessions are",
-    "jobs": "how many processes perform a batch",
-    "timeout": "when a line of a batch is given up",
-    "ray": "which cluster performs a batch",
-    "journal": "where the journal of a batch is",
-    "help": "prints the help",
-}
-"""Options that by design change no byte of any output, and what they do."""
-CLAY = risorius.Look(style="clay", quality="draft", hair="bald")
-BASE = Settings(size=(32, 32), dynamics="static", look=CLAY)
-SKIN = replace(BASE, look=replace(CLAY, style="realistic"))
-"""Settings that cost little; clay has no complexion."""
+if TYPE_CHECKING:
+    pass
+
+pytestmark = pytest.mark.usefixtures("rules_file")
 TEXT = "Maybe you knew my moon, really?"
 ANGRY = (Display("anger", 1.0),)
-
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    Path("mine.toml").write_text('delete = ["signals", "gaze"]\n')
-    return tmp_path
 
 
 @pytest.fixture(scope="module")
@@ -253,208 +182,3 @@ def test_every_input_refuses_by_name_what_it_does_not_read(kind: InputKind, row:
     except RisoriusError:
         pass
     assert refused == (() if row.entry.stage in kind.stages else (row.name,))
-
-
-class FakeTake:
-    """What a command writes, without anything behind it."""
-
-    def __init__(self, calls: list[object]) -> None:
-        self.calls, self.utterance = calls, None
-
-    def write(self, *paths: Path, **_: object) -> None:
-        self.calls.append(paths)
-
-
-@pytest.fixture
-def calls(monkeypatch: pytest.MonkeyPatch) -> list[object]:
-    """What the commands ask of the library, whose functions do nothing."""
-    asked: list[object] = []
-
-    def watched(name: str, result: object) -> Callable[..., object]:
-        def call(*arguments: object, **options: object) -> object:
-            named = {key: _plain(value) for key, value in options.items() if key not in ("progress", "say")}
-            asked.append((name, *map(_plain, arguments), named))
-            return result
-
-        return call
-
-    api.pose({}).write("x.performance.json")
-    for name in ("speak", "mix", "play", "pose", "align"):
-        monkeypatch.setattr(api, name, watched(name, FakeTake(asked)))
-    character = SimpleNamespace(shapes={}, missing=(), unused=())
-    monkeypatch.setattr(api, "rig", watched("rig", (character, [])))
-    monkeypatch.setattr(stream, "send_take", watched("send_take", stream.SendCounts(1, 0)))
-    monkeypatch.setattr(server, "serve", watched("serve", None))
-    monkeypatch.setattr(sys.modules["risorius.cli.studio"], "leave", lambda: None)
-    for name in ("_perform", "_check"):
-        monkeypatch.setattr(sys.modules["risorius.cli.batch"], name, partial(_planned, asked, name))
-    return asked
-
-
-def _planned(asked: list[object], name: str, plan: BatchPlan, console: Console) -> int:
-    asked.append((name, {"settings": plan.settings, "plan": plan}))
-    return 0
-
-
-def _plain(value: object) -> object:
-    """Return a value that can be compared: a performance to come is what it will be made of."""
-    if isinstance(value, partial):
-        return (*value.args, {name: it for name, it in value.keywords.items() if name != "progress"})
-    return None if isinstance(value, FakeTake) else value
-
-
-def _options() -> Iterator[tuple[str, click.Option]]:
-    for name, command in commands.commands.items():
-        inner = command.commands.items() if isinstance(command, click.Group) else [("", command)]
-        for sub, leaf in inner:
-            for parameter in leaf.params:
-                if isinstance(parameter, click.Option):
-                    yield f"{name} {sub}".strip(), parameter
-
-
-EVERY_OPTION = sorted(_options(), key=lambda it: (it[0], str(it[1].name)))
-ARGUMENTS = {
-    "speak": ["Oh.", "-o", "x.png"],
-    "align": ["x.wav", "Oh.", "-o", "x.TextGrid"],
-    "mix": ["x.score.json", "-o", "x.png"],
-    "play": ["x.arkit.csv", "-o", "x.png"],
-    "pose": ["AU1=1", "-o", "x.png"],
-    "stream": ["Oh."],
-    "rig": ["x.glb", "--perform", "Oh.", "-o", "y.glb"],
-    "explain": ["x.performance.json"],
-    "rules list": [],
-    "rules show": ["signals.brows.nuclear"],
-    "rules doctor": [],
-    "studio": [],
-    "batch": ["lines.csv", "-o", "{id}.png"],
-}
-VALUES: dict[str, list[str]] = {
-    "outputs": ["-o", "z.png"],
-    "align outputs": ["-o", "z.TextGrid"],
-    "is_text": ["--text"],
-    "emotions": ["--emotion", "anger:0.5"],
-    "audio": ["--audio", "x.wav"],
-    "transcript": ["--transcript", "Ah."],
-    "protocol": ["--protocol", "vmc"],
-    "to": ["--to", "10.0.0.1"],
-    "listen": ["--listen", "127.0.0.1"],
-    "patience": ["--patience", "1"],
-    "subject": ["--subject", "me"],
-    "names": ["--names", "arkit"],
-    "without_sound": ["--without-sound"],
-    "map_file": ["--map", "x.toml"],
-    "perform": ["--perform", "Ah."],
-    "output": ["-o", "z.glb"],
-    "explain at": ["--at", "0"],
-    "parameter": ["--parameter", "head_yaw"],
-    "port": ["--port", "1"],
-    "no_browser": ["--no-browser"],
-    "folder": ["--folder", "x"],
-    "batch outputs": ["-o", "{id}.glb"],
-    "jobs": ["--jobs", "0"],
-    "timeout": ["--timeout", "9"],
-    "ray": ["--ray", "local"],
-    "shard": ["--shard", "1/2"],
-    "dry_run": ["--dry-run"],
-    "ignore": ["--ignore", "note"],
-    "journal": ["--journal", "x"],
-    "sheets": ["--contact-sheet"],
-}
-"""What gives each option that is no setting a value."""
-BESIDE = {
-    "transcript": ["--audio", "x.wav"],
-    "listen": ["--protocol", "ifacialmocap"],
-    "patience": ["--protocol", "ifacialmocap", "--listen", "127.0.0.1"],
-    "names": ["--protocol", "vmc"],
-    "parameter": ["--at", "0"],
-}
-"""What an option needs beside it."""
-
-
-def _value_of(command: str, option: click.Option) -> list[str]:
-    """Return the words that give an option a value that is not its default."""
-    name = str(option.name)
-    words = VALUES.get(f"{command} {name}", VALUES.get(name))
-    if words is not None:
-        return words
-    row = rows(Settings).get(name)
-    assert row is not None, f"{command} {option.opts[-1]} is a new option: give it a value"
-    if option.is_flag:
-        return [option.opts[-1]]
-    value: Any = CASES[name]
-    return [option.opts[-1], row.text(value)]
-
-
-@pytest.mark.parametrize(
-    ("command", "option"), EVERY_OPTION, ids=[f"{command} {it.opts[-1]}" for command, it in EVERY_OPTION]
-)
-def test_every_option_reaches_what_it_is_for(
-    command: str, option: click.Option, calls: list[object], capsys: pytest.CaptureFixture[str]
-) -> None:
-    def outcome_of(words: list[str]) -> object:
-        calls.clear()
-        code = run([*command.split(), *ARGUMENTS[command], *BESIDE.get(str(option.name), []), *words])
-        return code, [*calls], capsys.readouterr().out
-
-    without, given = outcome_of([]), outcome_of(_value_of(command, option))
-    assert given != without
-    name = str(option.name)
-    if command.partition(" ")[0] != "rules" and f"{command} {name}" not in VALUES and name in rows(Settings):
-        expected = settings_of({name: CASES[name]})
-        assert any(isinstance(call, tuple) and expected in _settings_in(call) for call in calls)
-
-
-def _settings_in(call: tuple[Any, ...]) -> list[Settings]:
-    """Return the settings in a call, or in the performance that it is to wait for."""
-    named = call[-1].values() if call and isinstance(call[-1], dict) else ()
-    inner = [settings for value in named if isinstance(value, tuple) for settings in _settings_in(value)]
-    return [*inner, *(value for value in named if isinstance(value, Settings))]
-
-
-def test_every_option_changes_bytes_or_is_known_to_change_none() -> None:
-    own = {str(option.name) for _, option in EVERY_OPTION} - set(rows(Settings))
-    assert own - set(NO_BYTE) == set(CHANGING)
-    assert set(NO_BYTE) <= own | {"help"}
-
-
-def _written(arguments: list[str], *names: str) -> object:
-    code = run(arguments)
-    return code, [Path(name).read_bytes() for name in names if Path(name).exists()], sorted(Path().iterdir())
-
-
-ON_FILES: list[tuple[str, list[str], list[str]]] = [
-    ("is_text", ["speak", "x.txt", "-o", "y.TextGrid"], ["--text"]),
-    ("emotions", ["speak", "Oh.", "-o", "y.TextGrid", "-o", "y.score.json"], ["--emotion", "anger:1"]),
-    ("emotions", ["pose", "AU1=1", "-o", "y.muscles.csv"], ["--emotion", "anger:1"]),
-    ("audio", ["speak", "x.TextGrid", "-o", "y.wav"], ["--audio", "x.wav"]),
-    ("audio", ["play", "x.score.json", "-o", "y.wav"], ["--audio", "x.wav"]),
-    ("outputs", ["speak", "Oh.", "-o", "y.TextGrid"], ["-o", "y.wav"]),
-]
-
-
-@pytest.mark.parametrize(
-    ("name", "arguments", "option"), ON_FILES, ids=[f"{it[1][0]} {it[0]}" for it in ON_FILES]
-)
-def test_options_that_choose_what_is_performed_change_what_is_written(
-    name: str, arguments: list[str], option: list[str]
-) -> None:
-    Path("x.txt").write_text("Hello.")
-    api.speak("Oh, my.", settings=BASE).write("x.TextGrid", "x.wav", "x.score.json")
-    names = [word for word in arguments if word.startswith("y.")]
-    without = _written(arguments, *names)
-    for written in names:
-        Path(written).unlink(missing_ok=True)
-    assert _written([*arguments, *option], *names) != without
-
-
-CHANGING = {
-    **{name: "files" for name, _, _ in ON_FILES},
-    **dict.fromkeys(("protocol", "names", "subject", "to", "listen"), "packets: tests/stream"),
-    **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/test_rig.py"),
-    "transcript": "words: tests/speech/test_from_recording.py",
-    "parameter": "what explain prints",
-    **dict.fromkeys(
-        ("shard", "dry_run", "ignore", "sheets"), "which lines are made, and the report: tests/batches"
-    ),
-}
-"""Options that change what is written or sent, and where that is seen."""

@@ -1,46 +1,21 @@
 """The channels of paper B, each by its rules, on small utterances."""
 
-import json
-from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from risorius.blend import combine
 from risorius.channels import ChannelInputs, Display, built_channels, compose
-from risorius.core.movement import Movement
 from risorius.core.score import Score
-from risorius.core.utterance import Accent, PauseKind, Utterance
+from risorius.core.utterance import Accent, PauseKind
 from risorius.rules.profiles import BLINK_MODELS, attitude, profile, profile_of, profiles
-from risorius.rules.rule_set import extended, shipped
+from risorius.rules.rule_set import shipped
 
-Maker = Callable[..., Utterance]
-LID = "orbicularis_oculi_palpebralis.left"
+from .at_work import LONG, SAID, Maker, by_rule, movements
+
 INNER, FROWN = "frontalis_medialis.left", "corrugator_supercilii.left"
-SAID = "Well[H*], what about Julia[H*]? She likes popcorn[L+H*]. I am sure[H*], very sure[H*]!"
-LONG = " ".join([SAID] * 12)
-
-
-def certain(prefix: str) -> str:
-    """Return a file that makes our rules under a prefix fire wherever they can."""
-    texts = [e.text for e in shipped().entries.values() if e.rule.id.startswith(prefix)]
-    lines = [line for text in texts for line in text.splitlines() if not line.startswith("probability")]
-    return "\n".join(lines)
-
-
-def movements(said: Utterance, *prefixes: str, seed: int = 0, **inputs: object) -> tuple[Movement, ...]:
-    """Return what is composed with only our rules under the prefixes, which fire wherever they can."""
-    others = [r.id for r in shipped() if not r.id.startswith(prefixes)]
-    text = f"delete = {json.dumps(others)}\n" + "\n".join(certain(p) for p in prefixes)
-    rule_set = extended(shipped(), text, "my.toml")
-    return compose(ChannelInputs(said.duration, said, rules=rule_set, **inputs), seed=seed).movements  # type: ignore[arg-type]
-
-
-def by_rule(found: Sequence[Movement], rule: str) -> list[Movement]:
-    return [m for m in found if m.cause.rule == rule]
 
 
 def test_accents_gather_brows_head_mouth_and_blinks(sentence_of: Maker) -> None:
@@ -220,27 +195,6 @@ def test_emotion_changes_neither_place_nor_type_of_accents(felt: str, sentence_o
     assert {m.cause.trigger for m in on_accents} <= texts
 
 
-def test_periodic_blinks_fill_what_is_left_between_voluntary_ones(sentence_of: Maker) -> None:
-    said = sentence_of(LONG)
-    habits = replace(profile("neutral").blinks, model="pelachaud", period=1.5)
-    found = movements(said, "punctuators.lids.comma", profile=replace(profile("neutral"), blinks=habits))
-    blinks = sorted((m for m in found if LID in m.targets), key=lambda m: m.start)
-    assert {m.channel for m in blinks} >= {"manipulators", "punctuators"}
-    gaps = [b.start - a.end for a, b in pairwise(blinks)]
-    assert max(gaps) < 2.1
-
-
-def test_blinks_of_paper_b_last_a_quarter_of_a_second_on_phonemes(sentence_of: Maker) -> None:
-    said = sentence_of(LONG, phone=0.085)
-    habits = replace(profile("neutral").blinks, model="pelachaud")
-    found = movements(said, "signals.lids", profile=replace(profile("neutral"), blinks=habits))
-    blinks = by_rule(found, "signals.lids.blink")
-    edges = np.array([p.end for p in said.phones])
-    assert len(blinks) > 20
-    assert np.mean([b.end - b.start for b in blinks]) == pytest.approx(0.25, abs=0.06)
-    assert all(np.abs(edges - b.start).min() < 1e-9 for b in blinks)
-
-
 @pytest.mark.parametrize("dropped", built_channels())
 def test_a_channel_left_out_leaves_the_others_as_they_were(dropped: str, sentence_of: Maker) -> None:
     said = sentence_of(LONG)
@@ -266,15 +220,6 @@ def test_profiles_differ_in_how_much_the_face_moves(pair: tuple[str, str], sente
     assert amount(pair[0]) > 1.3 * amount(pair[1])
 
 
-def test_attitudes_hold_their_posture(sentence_of: Maker) -> None:
-    said = sentence_of("One two.")
-    found = compose(ChannelInputs(said.duration, said, attitudes=(attitude("ironic"),))).movements
-    (face,) = by_rule(found, "emotion.posture.speaker")
-    assert face.targets["frontalis_lateralis.left"] > face.targets.get("frontalis_lateralis.right", 0.0)
-    (held,) = by_rule(found, "head.posture.speaker")
-    assert held.targets["head_roll"] < 0.0
-
-
 def test_the_head_follows_pitch_where_the_sound_was_measured(sentence_of: Maker) -> None:
     said = sentence_of("One two[H*] three.")
     loud = tuple(replace(s, pitch=2.0 if i == 1 else -0.5) for i, s in enumerate(said.syllables))
@@ -294,17 +239,6 @@ def test_a_comma_is_underlined_by_slow_movement(sentence_of: Maker) -> None:
     assert np.mean(tilts) < 0.5 * np.mean(beats)
 
 
-@pytest.mark.parametrize(
-    ("text", "rule"), [("One, two.", "punctuators.lids.comma"), ("One. Two.", "punctuators.lids.stop")]
-)
-def test_blinks_occur_in_pauses(text: str, rule: str, sentence_of: Maker) -> None:
-    said = sentence_of(text)
-    blinks = by_rule(movements(said, "punctuators.lids"), rule)
-    assert blinks
-    for blink in blinks:
-        assert any(p.start - 0.05 <= blink.start <= p.end for p in said.pauses)
-
-
 def test_all_four_sets_of_regulators_are_there(sentence_of: Maker) -> None:
     found = movements(sentence_of(LONG), "regulators.eyes")
     rules = {m.cause.rule for m in found}
@@ -319,38 +253,6 @@ def test_a_question_that_only_the_voice_asks_raises_the_brows_more(sentence_of: 
 
     assert size("You like it[L*]?") > size("Do you like it[L*]?") > 0.0
     assert size("You like it[H*].") == 0.0
-
-
-def test_where_no_rule_asks_the_eyes_scan_the_listener_s_face(sentence_of: Maker) -> None:
-    said = sentence_of("One two.", tail=30.0)
-    scans = by_rule(movements(said, "none"), "gaze.scan.face")
-    about = [m for m in scans if m.cause.trigger == "the listener's face"]
-    points = np.array([(m.targets["gaze_pitch"], m.targets["gaze_yaw"]) for m in about])
-    assert len(points) > 10
-    assert np.hypot(*points.T).max() < 5.0
-    assert points.std(axis=0).min() > 0.5
-    assert len(np.unique(np.diff([m.start for m in about]).round(3))) > 8
-
-
-def test_noise_is_halved_at_commas_and_a_fifth_in_final_pauses(sentence_of: Maker) -> None:
-    said = sentence_of("One two, three four. " * 40, pause=1.2, phone=0.3)
-
-    def change(kind: PauseKind | None) -> float:
-        spans = [(p.start, p.end) for p in said.pauses if kind in (None, p.kind)]
-        found = by_rule(compose(ChannelInputs(said.duration, said)).movements, "head.noise.idle")
-        steps = pairwise(found)
-        return float(
-            np.std(
-                [
-                    b.targets["head_pitch"] - a.targets["head_pitch"]
-                    for a, b in steps
-                    if any(s <= b.start < e for s, e in spans) == (kind is not None)
-                ]
-            )
-        )
-
-    assert change(PauseKind.COMMA) == pytest.approx(0.5 * change(None), rel=0.35)
-    assert change(PauseKind.FULL_STOP) == pytest.approx(0.2 * change(None), rel=0.45)
 
 
 @pytest.mark.parametrize("who", list(profiles()))

@@ -5,12 +5,16 @@ from __future__ import annotations
 import itertools
 import json
 import struct
+import urllib.error
+import urllib.request
 from contextlib import contextmanager
 
 # Loaded here: pytest rewrites them, and must not while another thread makes syntax trees (see `running`).
 import hypothesis  # noqa: F401
 import pytest
 from websockets.sync.client import connect
+
+from risorius.studio.session import Session
 
 from .running import running
 
@@ -103,3 +107,18 @@ def serving(folder):
 def server(tmp_path_factory):
     with serving(tmp_path_factory.mktemp("studio")) as served:
         yield served
+
+
+def fetched(server, path, data=None):
+    """Return status and body; a body is posted."""
+    request = urllib.request.Request(server.url + path, data)
+    try:
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            return answer.status, answer.read()
+    except urllib.error.HTTPError as error:
+        return error.code, error.read()
+
+
+@pytest.fixture
+def session(tmp_path):
+    return Session("one", tmp_path)

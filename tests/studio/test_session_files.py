@@ -1,0 +1,161 @@
+"""What a session keeps: projects, its own state, recordings."""
+
+from __future__ import annotations
+
+import json
+import wave
+
+import numpy as np
+import pytest
+
+from risorius.core.edits import Add, Keys
+from risorius.core.progress import quiet
+from risorius.errors import RisoriusError
+from risorius.studio.autosave import FILE, Autosave
+from risorius.studio.project import open_project, project_file
+from risorius.studio.session import Session
+from risorius.studio.wire import requests, shared
+
+from .sessions import edit, perform, state
+
+
+def test_a_project_opens_exactly_elsewhere(session, tmp_path):
+    session.files.save_emotion("grin", {"AU12": 1.0})
+    session.files.save_pose("smirk", {"zygomatic_major.left": 1.0})
+    perform(session, emotions=(shared.EmotionSpan("grin", 0.9, first=3, last=9),))
+    edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
+    edit(session, Keys("masseter", ((0.5, 0.0), (1.0, 0.7))))
+    session.keep_view(requests.View({"tab": "rules"}), quiet)
+    folder = tmp_path / "other"
+    folder.mkdir()
+    other = Session("two", folder)
+    opened = open_project(project_file(session), other.files)
+    other.restore(opened.version, opened.view)
+    _assert_same(other, session)
+    assert other.files.poses() == {"smirk": {"zygomatic_major.left": 1.0}}
+    assert state(other) == state(session)
+    for _ in range(2):
+        other.undo(requests.Undo(), quiet)
+        session.undo(requests.Undo(), quiet)
+        assert state(other) == state(session)
+
+
+def _assert_same(one, other):
+    a, b = one.current.take, other.current.take
+    assert a.performance.values.tobytes() == b.performance.values.tobytes()
+    assert a.score == b.score
+    assert a.settings.blend == b.settings.blend
+    assert np.array_equal(a.utterance.audio.read(), b.utterance.audio.read())
+    assert a.utterance.words == b.utterance.words
+    assert (one.view, one.history.present.inputs) == (other.view, other.history.present.inputs)
+
+
+BROKEN = [
+    (b"", "not JSON"),
+    (b"[]", "an object"),
+    (b'{"risorius_project": 2, "made": {}, "edits": [], "score": {}}', "version 2 is not known"),
+    (b'{"risorius_project": 1, "made": {}, "edits": []}', "key 'score' is missing"),
+    (b'{"risorius_project": 1, "made": {}, "edits": [], "score": {}, "x": 1}', "unknown key 'x'"),
+    (
+        b'{"risorius_project": 1, "made": {"sauce": 1}, "edits": [], "score": {}}',
+        "unknown key 'made.sauce'; did you mean 'source'",
+    ),
+]
+
+
+@pytest.mark.parametrize(("data", "message"), BROKEN)
+def test_what_is_no_project_is_named(session, data, message):
+    with pytest.raises(RisoriusError) as caught:
+        open_project(data, session.files)
+    assert message in str(caught.value)
+
+
+def test_a_project_s_own_path_to_a_sound_is_not_followed(session, tmp_path):
+    perform(session, "Hm.")
+    document = json.loads(project_file(session))
+    document["score"]["speech"]["audio"] = "../../../../etc/passwd"
+    del document["sound"]
+    opened = open_project(json.dumps(document).encode(), session.files)
+    assert not opened.version.utterance.audio.read().any()
+    document["edits"] = [{"kind": "format", "disk": "c"}]
+    with pytest.raises(RisoriusError, match="unknown kind of edit"):
+        open_project(json.dumps(document).encode(), session.files)
+    document["edits"], document["sound"] = [], "AAAA"
+    with pytest.raises(RisoriusError, match="sound"):
+        open_project(json.dumps(document).encode(), session.files)
+
+
+def test_a_session_saves_itself_and_goes_on_after_a_crash(session, tmp_path):
+    perform(session)
+    autosave = Autosave(tmp_path)
+    autosave.save(session)
+    edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
+    session.keep_view(requests.View({"camera": 2}), quiet)
+    autosave.save(session)
+    again = Session("one", tmp_path)
+    assert Autosave(tmp_path).load(again) == ()
+    _assert_same(again, session)
+    assert again.current.number > session.current.number
+    again.undo(requests.Undo(), quiet)
+    session.undo(requests.Undo(), quiet)
+    assert state(again) == state(session)
+
+
+def test_what_is_spoilt_is_put_aside_and_said(session, tmp_path):
+    perform(session, "Hm.")
+    Autosave(tmp_path).save(session)
+    (tmp_path / FILE).write_text('{"risorius_project": 1,', encoding="utf-8")
+    again = Session("one", tmp_path)
+    (note,) = Autosave(tmp_path).load(again)
+    assert "renamed to project-broken.json" in note
+    assert again.current is None
+    assert (tmp_path / "project-broken.json").exists()
+    assert Autosave(tmp_path).load(again) == ()
+
+
+def test_a_sound_that_is_saved_over_is_still_heard_after_an_undo(session, tmp_path):
+    perform(session, "Hm.")
+    Autosave(tmp_path).save(session)
+    again = Session("one", tmp_path)
+    autosave = Autosave(tmp_path)
+    autosave.load(again)
+    perform(again, "Well.")
+    autosave.save(again)
+    assert len(list(tmp_path.glob("voice-*.wav"))) == 1
+    again.undo(requests.Undo(), quiet)
+    assert again.current.take.utterance.audio.read().any()
+
+
+def test_a_recording_is_taken_in_under_a_plain_name_and_performed(session, tmp_path):
+    perform(session, "I like it.")
+    uploaded = tmp_path / "upload"
+    uploaded.write_bytes(session.current.take.utterance.audio.path.read_bytes())
+    name = session.files.add_recording("../../my line!.WAV", uploaded)
+    assert name.startswith("my-line-")
+    assert (tmp_path / "recordings" / name).exists()
+    take = perform(session, "I like it.", recording=name)
+    assert [word.text for word in take.speech.words] == ["I", "like", "it"]
+    project = project_file(session)
+    folder = tmp_path / "other"
+    folder.mkdir()
+    other = Session("two", folder)
+    opened = open_project(project, other.files)
+    other.restore(opened.version, opened.view)
+    assert other.files.recordings() == (name,)
+    _assert_same(other, session)
+
+
+def test_what_is_no_recording_is_refused(session, tmp_path):
+    uploaded = tmp_path / "upload"
+    uploaded.write_bytes(b"RIFF nothing")
+    for name in ("x.wav", "x.exe", "x", ""):
+        with pytest.raises(RisoriusError, match="recording"):
+            session.files.add_recording(name, uploaded)
+    with wave.open(str(uploaded), "wb") as file:
+        file.setnchannels(1)
+        file.setsampwidth(2)
+        file.setframerate(16_000)
+        file.writeframes(bytes(32_000))
+    with pytest.raises(RisoriusError, match="cannot be used"):
+        session.files.add_recording("x.wav", uploaded)
+    assert session.files.recordings() == ()
