@@ -9,6 +9,7 @@ import json
 import re
 import tomllib
 from collections.abc import Generator, Iterator
+from functools import lru_cache
 
 KeyPath = tuple[str | int, ...]
 """From the whole document to a value: names of keys, and numbers of items from 0 on."""
@@ -25,6 +26,7 @@ _TOML_STRING = re.compile(
 _TOML_KEY = re.compile(
     r"""(?:[\w-]+|"(?:\\.|[^"\\\n])*"|'[^'\n]*')(?:[ \t]*\.[ \t]*(?:[\w-]+|"(?:\\.|[^"\\\n])*"|'[^'\n]*'))*"""
 )
+_BARE_KEY = re.compile(r"[\w-]+")
 _TOML_PLAIN = re.compile(r"[^,\]}#\n]+")
 _DECODER = json.JSONDecoder()
 
@@ -67,11 +69,17 @@ def _after_blanks(text: str, at: int) -> int:
 def toml_position(text: str, path: KeyPath) -> int | None:
     """Return where the key, item or header at `path`, or the nearest above it, begins; None for the whole."""
     best: PathAndStart = ((), -1)
-    for entry, at in _toml_entries(text):
+    for entry, at in _toml_places(text):
         here = entry[: len(path)]  # a table also begins with the first thing in it
         if len(here) > len(best[0]) and path[: len(here)] == here:
             best = (here, at)
     return best[1] if best[0] else None
+
+
+@lru_cache(maxsize=1)
+def _toml_places(text: str) -> tuple[PathAndStart, ...]:
+    """Return all entries; the places of many values of one text are asked for in succession."""
+    return tuple(_toml_entries(text))
 
 
 def _toml_entries(text: str) -> Iterator[PathAndStart]:
@@ -143,6 +151,8 @@ def _after_comments(text: str, at: int) -> int:
 
 def _parts(key: str) -> KeyPath:
     """Return the names in a dotted key."""
+    if _BARE_KEY.fullmatch(key):
+        return (key,)
     parts: list[str] = []
     table = tomllib.loads(f"{key} = 0")
     while isinstance(table, dict):
