@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import median_filter, uniform_filter1d
 
 from ...core.arrays import Array, BoolArray
+from ..filters import mean_of, median_of
 from .pitch import STEP, Pitch
 from .running import RunningRange
 
@@ -62,7 +62,7 @@ def contour_of(pitch: Pitch, speaker: RunningRange) -> Contour | None:
         return None
     frames = np.arange(len(raw))
     bridged = np.interp(frames, frames[voiced], raw[voiced])
-    smooth = uniform_filter1d(median_filter(bridged, _MEDIAN, mode="nearest"), _MEAN, mode="nearest")
+    smooth = mean_of(median_of(bridged, _MEDIAN), _MEAN)
     speaker.add(smooth[voiced])
     known = speaker.range
     span = max(known.high - known.low, _LEAST_RANGE)

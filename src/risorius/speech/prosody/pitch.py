@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...core.arrays import Array, BoolArray, Int64Array
+from ..filters import low_pass
 from ..recordings.resampled import RATE, Resampled
 from .running import RunningRange, unknown_speaker
 
@@ -120,9 +121,7 @@ def _normalised_difference(rows: Array, size: int, longest: int) -> Array:
 
 @cache
 def _low_pass() -> Array:
-    from scipy.signal import firwin  # takes longer to import than all of Risorius
-
-    taps: Array = firwin(31, _NOISE, fs=RATE)
+    taps = low_pass(np.hamming(31), _NOISE / (0.5 * RATE))
     taps.setflags(write=False)
     return taps
 

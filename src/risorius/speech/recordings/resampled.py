@@ -10,6 +10,7 @@ import numpy as np
 
 from ...core.arrays import Array, Float32Array, Int32Array
 from ...core.audio import Audio
+from ..filters import low_pass, with_rate
 
 RATE = 16_000
 # Where the loud frames of speech are brought, in units of 16-bit samples (root mean square).
@@ -92,8 +93,6 @@ def _frame_levels(audio: Audio, frames: range, step: float) -> Float32Array:
 
 def _resampled(audio: Audio, first: int, count: int) -> Array:
     """Return `count` samples at 16 kHz from sample `first` (at 16 kHz) on, zeros where there is no sound."""
-    from scipy.signal import resample_poly  # takes longer to import than all of Risorius
-
     divisor = math.gcd(RATE, audio.sample_rate)
     up, down = RATE // divisor, audio.sample_rate // divisor
     # The filter's phase repeats every `down` samples: begin at such a sample, with room for the filter.
@@ -102,17 +101,15 @@ def _resampled(audio: Audio, first: int, count: int) -> Array:
     end = -(-(first + count) * down // up) + margin
     source = _padded(audio, begin, end)
     factor = max(up, down)
-    resampled = source if factor == 1 else resample_poly(source, up, down, window=_low_pass(factor))
+    at_rate = source if factor == 1 else with_rate(source, up, down, _low_pass(factor))
     skipped = first - begin // down * up
-    return np.ascontiguousarray(resampled[skipped : skipped + count])
+    return np.ascontiguousarray(at_rate[skipped : skipped + count])
 
 
 @cache
 def _low_pass(rate: int) -> Array:
-    """Return the filter that `resample_poly` would design anew in each call; `rate`: the greater factor."""
-    from scipy.signal import firwin
-
-    return np.asarray(firwin(20 * rate + 1, 1.0 / rate, window=("kaiser", 5.0)))
+    """Return the filter for a change of rate; `rate`: the greater of the two factors."""
+    return low_pass(np.kaiser(20 * rate + 1, 5.0), 1.0 / rate)
 
 
 def _padded(audio: Audio, begin: int, end: int) -> Array:
