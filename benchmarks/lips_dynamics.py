@@ -14,7 +14,7 @@ import numpy as np
 from lips_measures import machine
 
 from risorius import blend
-from risorius.face.lip_fit import load_lip_rig
+from risorius.face.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import BlendChoices, Settings

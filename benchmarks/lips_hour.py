@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from risorius import blend
 from risorius.core.score import Score
-from risorius.face.lip_fit import load_lip_rig
+from risorius.face.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import BlendChoices, Settings

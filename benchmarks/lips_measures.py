@@ -16,7 +16,7 @@ from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
 from risorius.face.frame import FaceFrame
 from risorius.face.head import load_head
-from risorius.face.lip_fit import load_lip_rig
+from risorius.face.lip_file import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.face.mouth import Mouth
 from risorius.face.solve import FaceSolver

@@ -17,7 +17,7 @@ from risorius import blend
 from risorius.core.movement import Cause
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.errors import InputError
-from risorius.face.lip_fit import load_lip_rig
+from risorius.face.lip_file import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.rules.emotions import emotions
 from risorius.settings import BlendChoices, Settings

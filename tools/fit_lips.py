@@ -13,7 +13,8 @@ import numpy as np
 from risorius.core.articulators import CONTROLS
 from risorius.core.lip_rig import MEASURES
 from risorius.face.head import FORMAT, load_head, shipped_heads
-from risorius.face.lip_fit import AT_REST, FILE, LARGEST, MeasuredMouth, fit
+from risorius.face.lip_file import FILE
+from risorius.face.lip_fit import AT_REST, LARGEST, MeasuredMouth, fit
 
 CHECKS = 200
 

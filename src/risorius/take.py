@@ -276,7 +276,7 @@ def lip_rig(score: Score, head: str) -> LipRig | None:
     It is fitted once per head, at the age and shape that the head has of itself: `--age` and `--shape` do not
     enter, though lips are performed in millimetres.
     """
-    from .face.lip_fit import load_lip_rig
+    from .face.lip_file import load_lip_rig
 
     articulated = any(name in ARTICULATORS for s in score.lips for name in s.targets)
     return load_lip_rig(head) if articulated else None

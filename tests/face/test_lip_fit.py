@@ -14,7 +14,8 @@ from risorius.core.lip_rig import MEASURES, LipRig
 from risorius.core.parameters import DEFAULT_THRESHOLD, INDEX, NEUTRAL, RIVALS
 from risorius.errors import HeadError
 from risorius.face.head import load_head, shipped_heads
-from risorius.face.lip_fit import FILE, MeasuredMouth, load_lip_rig
+from risorius.face.lip_file import FILE, load_lip_rig
+from risorius.face.lip_fit import MeasuredMouth
 from risorius.rules.lips import lip_table
 from tests.profiles import everyday
 

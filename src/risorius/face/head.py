@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from importlib import resources
 from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple, Protocol
@@ -14,13 +13,13 @@ import numpy as np
 
 from ..core.arrays import Array, FloatArray, Int32Array
 from ..core.parameters import MUSCLES
-from ..core.paths import is_file, is_folder
-from ..errors import HeadError, unknown
+from ..errors import HeadError
 from . import ages as age_file
 from . import identity as identity_file
 from .ages import AgeShapes, check_age, read_ages
 from .anatomy import Skin, anatomical_fields, load_pulls
 from .head_file import FORMAT, HeadFile
+from .head_folder import head_file, heads_folder, shipped_heads
 from .identity import UNNAMED, Identity, read_identity
 from .links import link_rows
 from .muscle_table import FILE as MUSCLE_TABLE
@@ -208,7 +207,7 @@ def load_head(
     there is no such head, or if a file in its folder lacks an array or a muscle or holds an array of the
     wrong shape or range; raises as `Head.aged` and `Head.shaped`, too.
     """
-    path = _locate(name_or_path)
+    path = head_file(name_or_path)
     beside = [path, *(path.with_name(name) for name in (identity_file.FILE, age_file.FILE))]
     changed = tuple(file.stat().st_mtime_ns if file.is_file() else 0 for file in beside)
     amounts = tuple(sorted((shape or {}).items()))
@@ -236,31 +235,11 @@ def head_of(choice: HeadChoice) -> Head:
     return load_head(choice.head, age=choice.age, shape=choice.shape)
 
 
-def shipped_heads() -> tuple[str, ...]:
-    """Return the names of the heads that come with Risorius."""
-    return tuple(entry.name for entry in _shipped())
-
-
 def head_titles() -> dict[str, str]:
     """Return the heads that come with Risorius by name, each with who it is in a few words."""
-    return {entry.name: read_identity(entry / identity_file.FILE).title for entry in _shipped()}
-
-
-def _locate(name_or_path: str | Path) -> Path:
-    path = Path(name_or_path)
-    if is_folder(path):
-        path = path / "head.npz"
-    if is_file(path):
-        return path.resolve()
-    shipped = {entry.name: Path(str(entry)) / "head.npz" for entry in _shipped()}
-    if str(name_or_path) in shipped:
-        return shipped[str(name_or_path)]
-    raise HeadError(f"{unknown('head', str(name_or_path), shipped)}, or a folder that holds a head.npz")
-
-
-def _shipped() -> list[Path]:
-    root = Path(str(resources.files("risorius") / "heads"))
-    return [entry for entry in sorted(root.iterdir()) if (entry / "head.npz").is_file()]
+    return {
+        name: read_identity(head_file(name).with_name(identity_file.FILE)).title for name in shipped_heads()
+    }
 
 
 @lru_cache(maxsize=4)
@@ -335,7 +314,7 @@ def _muscle_fields(file: HeadFile, rest: Array, quads: Int32Array) -> Mapping[st
 
 
 def _standard() -> Path:
-    return Path(str(resources.files("risorius") / "heads" / "standard"))
+    return heads_folder() / "standard"
 
 
 def _fields(file: HeadFile, prefix: str, names: tuple[str, ...], count: int) -> Mapping[str, Field]:

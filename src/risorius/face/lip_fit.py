@@ -1,8 +1,4 @@
-"""The fit of a head's lips: the measures of its mesh as functions of the lips' controls (`lips.npz`).
-
-`tools/fit_lips.py` makes the fits of the heads that come with Risorius; for other heads the fit is made when
-they are loaded, which takes seconds.
-"""
+"""The fit of a head's lips: the measures of its mesh as functions of the lips' controls."""
 
 from __future__ import annotations
 
@@ -17,11 +13,9 @@ from ..core.articulators import APERTURE, CONTROLS
 from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig
 from ..core.parameters import BASES, INDEX, NEUTRAL
 from .head import Head, load_head
-from .head_file import HeadFile
 from .measure import CORNERS, Gauge
 from .solve import FaceSolver
 
-FILE = "lips.npz"
 SAMPLES = 1200
 # The largest activation of each control in speech.
 LARGEST = {"jaw": 0.5, "open": 1.0, "upper": 0.6, "round": 0.95, "spread": 0.4, "lift": 0.3, "lower": 0.3}
@@ -33,27 +27,10 @@ _CURVED = ("jaw", "open", "round", "spread")
 _UPPER_LIP = 51  # iBUG
 
 
-def load_lip_rig(name_or_path: str | Path = "standard") -> LipRig:
-    """Return the fit of a head, by its name or path as `load_head` takes it; fit the head if it has none.
-
-    Raises HeadError as `load_head`, and if the file of the fit lacks an array or holds a wrong one.
-    """
-    head = load_head(name_or_path)
-    path = head.folder / FILE
-    return _read(path, path.stat().st_mtime_ns) if path.is_file() else _fitted(str(head.folder))
-
-
 @lru_cache(maxsize=8)
-def _read(path: Path, changed: int) -> LipRig:
-    file = HeadFile.read(path)
-    coefficients = file.array("coefficients", ("k", len(MEASURES)))
-    terms = file.indices("terms", (len(coefficients), DEGREE), NONE + 1)
-    return LipRig(terms.astype(np.int64), coefficients)
-
-
-@lru_cache(maxsize=8)
-def _fitted(folder: str) -> LipRig:
-    return fit(load_head(folder))
+def fitted(file: Path, changed: int) -> LipRig:
+    """Return the fit of the head in a file that was changed at a time (ns)."""
+    return fit(load_head(file))
 
 
 def fit(head: Head) -> LipRig:
