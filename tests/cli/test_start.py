@@ -1,0 +1,45 @@
+"""What a command loads before it writes: each output only what it needs, so that short ones begin soon."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+SIGNALS = {"scipy.signal", "scipy.stats", "scipy.interpolate", "scipy.optimize"}
+"""What scipy imports slowly, and nothing of ours needs for a performance."""
+FACE = {
+    "numba",
+    "scipy.ndimage",
+    "scipy.spatial",
+    "scipy.sparse",
+    "risorius.face.solve",
+    "risorius.render",
+    "PIL",
+}
+
+
+@pytest.mark.parametrize(
+    ("output", "unneeded"),
+    [
+        ("x.TextGrid", SIGNALS | FACE),
+        ("x.muscles.csv", SIGNALS | FACE),
+        pytest.param("x.png", SIGNALS, marks=pytest.mark.full),
+    ],
+)
+def test_an_output_loads_only_what_it_needs(output: str, unneeded: set[str], tmp_path: Path) -> None:
+    arguments = [
+        "speak",
+        "Hi.",
+        "-o",
+        output,
+        *(["--size", "32x32", "--at", "0"] if output == "x.png" else []),
+    ]
+    code = f"import sys; from risorius.cli import run; assert run({arguments}) == 0; print(*sys.modules)"
+    ended = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert (tmp_path / output).exists()
+    assert not unneeded & set(ended.stdout.split())
