@@ -85,7 +85,7 @@ def test_lips_shut_where_the_recording_says(voice: Path, spoken_line: Utterance)
     for phone in spoken_line.phones:
         if phone.symbol in ("P", "B", "M"):
             inside = (take.times > phone.start - 0.05) & (take.times < phone.end + 0.02)
-            assert seal[inside].max() > 0.95, phone
+            assert seal[inside].max() > 0.9, phone
     # A seal takes up to 8 mm from the gap; what it leaves of the gap is the opening.
     left = load_lip_rig().gap({name: take.curves[name] for name in OPENING}) - 8.0 * seal
     for phone in spoken_line.phones:

@@ -28,7 +28,7 @@ from .directions import combine_directions
 from .knots import BLOCK
 from .ledger import DirectionEntry, Ledger, direction_entries
 from .levels import steady
-from .mouth.approach import MouthGaps
+from .mouth.approach import MouthGaps, smooth_minimum
 from .mouth.coarticulation import LIP_MODELS
 from .mouth.contact import CONTACTS
 from .mouth.limits import LIPS, SpeechLimits
@@ -37,6 +37,8 @@ from .mouth.sealing import with_goals
 from .mouth.speech_mouth import JAW
 from .tuning import tune
 
+JAW_ROUNDED = 0.06
+"""Of the jaw's range: how near to the limit of a closed mouth it turns."""
 CHUNK = 16_384
 """Times computed at once: memory beyond the result does not grow with its length."""
 
@@ -170,7 +172,8 @@ class PlanSample:
             total = np.maximum(total, lips.mouth.low_at(name, self.times))
         total = np.minimum(total, 1.0)
         if name == JAW:
-            return np.minimum(total, lips.mouth.jaw_at_seal(self.times))
+            limit = lips.mouth.jaw_at_seal(self.times)
+            return np.where(limit < 1.0, smooth_minimum(total, limit, JAW_ROUNDED), total)
         return with_goals(name, total, self.times, lips, self.mouth_gaps) if name in CONTACTS else total
 
     def _others(self, ledger: Ledger) -> Array:

@@ -70,6 +70,11 @@ CONTROLS: Mapping[str, Mapping[str, float]] = MappingProxyType(
 )
 """The variables of a head's fit: each control moves some muscles, on both sides, by their factors."""
 
+SEAL_MM = 8.0
+"""mm that a seal (`lip_seal`) of 1 takes from a gap; it shuts any (DESIGN, section 2)."""
+WIDEST_MM = 80.0
+"""mm: a seal leaves a gap of at most this times what it lacks to 1; so it shuts wide gaps evenly, too."""
+
 PRESSING: Mapping[str, float] = MappingProxyType({"orbicularis_oris_presser": 0.1, "mentalis": 0.03})
 """Activation per millimetre of aperture below zero: the lips press, which no gap shows."""
 

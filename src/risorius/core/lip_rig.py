@@ -29,7 +29,9 @@ from .articulators import (
     JAW,
     PRESSING,
     PROTRUSION,
+    SEAL_MM,
     UPPER,
+    WIDEST_MM,
     WIDTH,
 )
 from .functions import positive_part
@@ -64,16 +66,16 @@ SEAL = "lip_seal"
 _OPENING = ("jaw", "open", "upper")
 _STEPS = 6
 _ROUNDS = 4
-ROUNDED = 0.3
+ROUNDED = 1.0
 """mm over which a control begins, so that it has no corner where the next one takes over."""
-PARTED = 0.6
+PARTED = 2.0
 """mm of gap over which the lips' own opening, or their contact, takes over from what the jaw opens."""
+SEAL_ROUNDED = 0.05
+"""Of a seal: how near it comes to what a wide gap allows before it turns."""
 _LEAST_EFFECT = 0.6
 """mm of gap: `open` is taken to have at least this effect at first, a seventh of its effect at rest."""
 _HELPING = 0.95 * DEFAULT_THRESHOLD
 """The largest activation of a control's further muscles."""
-_LEAST_GAP = 0.5
-"""mm; a gap that contact closes counts as at least this wide."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +127,7 @@ class LipRig:
         """Return the parameters that move, by name, for blended articulators (mm) from `average`."""
         controls = self.controls(average, articulators)
         seal = controls.pop(SEAL)
-        pressed = positive_part(-average(APERTURE), ROUNDED)
+        pressed = positive_part(-average(APERTURE), PARTED)
         values: dict[str, Array] = {}
         for moved, amount in [*((CONTROLS[n], controls[n]) for n in controls), (PRESSING, pressed)]:
             for number, (base, factor) in enumerate(moved.items()):
@@ -157,7 +159,7 @@ class LipRig:
         # Beside a low jaw and rounding the fit finds little effect at first: a small gap would need a leap.
         powers[1] = np.maximum(powers[1], _LEAST_EFFECT)
         controls["open"] = _solve(powers, positive_part(missing, PARTED))
-        controls[SEAL] = np.minimum(positive_part(-missing, PARTED) / np.maximum(powers[0], _LEAST_GAP), 1.0)
+        controls[SEAL] = seal_of(positive_part(-missing, PARTED), np.maximum(average(APERTURE), 0.0))
         return controls
 
     def gap(self, values: Mapping[str, Array]) -> Array:
@@ -200,6 +202,23 @@ class LipRig:
                 value = value * others[name]
             powers[power] = powers[power] + value
         return powers
+
+
+def seal_of(closed: Array, left: Array) -> Array:
+    """Return the seal that closes so many mm of a gap and leaves so many mm, both 0 or more.
+
+    It takes `SEAL_MM` mm by its whole way, or more from a gap of which it then leaves only what `WIDEST_MM`
+    allows; without a corner where one takes over from the other.
+    """
+    reach, most = closed / SEAL_MM, 1.0 - left / WIDEST_MM
+    near = np.maximum(SEAL_ROUNDED - np.abs(reach - most), 0.0)
+    seal = np.minimum(reach, most) - near * near * (0.25 / SEAL_ROUNDED)
+    return np.asarray(np.clip(seal, 0.0, 1.0))
+
+
+def gap_left(gap: Array, seal: Array) -> Array:
+    """Return the mm that a seal leaves of a gap of so many mm, as the face shows it."""
+    return np.maximum(np.minimum(gap - SEAL_MM * seal, WIDEST_MM * (1.0 - seal)), 0.0)
 
 
 @lru_cache(maxsize=256)

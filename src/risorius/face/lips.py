@@ -10,6 +10,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, Int64Array
+from ..core.articulators import SEAL_MM, WIDEST_MM
 from .complementarity import Gaps, Workspace, solve_gaps
 from .contact import Contacts, find_contacts, narrowest
 from .head import Head
@@ -20,7 +21,6 @@ from .products import SparseRows, carry, carry_upwards
 
 NEAR = 0.12  # mm; wider gaps are left out of the solution after closing
 SHUT = 0.005  # mm that a full seal may leave open
-WIDEST = 80.0  # mm: no gap is wider, so that a seal changes nothing when it begins
 PRESS = 0.05  # mm by which a seal presses the lips together, because facets would keep them apart
 SLACK = 0.005  # mm outside its bounds that a gap may have
 PASSES = 3
@@ -80,14 +80,15 @@ class Lips:
     def solve(self, skin: Array, seal: float, tuck: float) -> None:
         """Move the level-0 `skin` (N0, 3) in place.
 
-        The lower lip goes the share `tuck` (0..1) of its way to the upper teeth, and the lips go the share
-        `seal` of theirs to each other (a full seal leaves no tuck); then lips that overlap are moved apart.
+        The lower lip goes the share `tuck` (0..1) of its way to the upper teeth, and the lips come
+        together by `seal`: by `SEAL_MM`·seal mm, or wholly if it is 1, which leaves no tuck. Then lips that
+        overlap are moved apart.
         """
         if tuck > 0.0 and seal < 1.0:
             self._tuck(skin, tuck * (1.0 - seal))
         if seal > 0.0:
             self._close(skin, seal)
-        opening = (1.0 - seal) * WIDEST + seal * SHUT
+        opening = (1.0 - seal) * WIDEST_MM + seal * SHUT
         for _ in range(PASSES):
             if not self._push_apart(skin, opening):
                 break
@@ -104,19 +105,22 @@ class Lips:
         self._tucked.move(skin, tuck * (goal - here))
 
     def _close(self, skin: Array, seal: float) -> None:
-        """Move the points of the line together by the share `seal`."""
+        """Move the points of the line together, so far as a seal reaches: narrow places meet first."""
         apart = self._line.places(self._matrix.times(skin, self._points))
         apart[:, 1] += PRESS
-        self._line.move(skin, -seal * apart)
+        if seal < 1.0:
+            length = np.sqrt((apart * apart).sum(axis=1, keepdims=True))
+            apart *= np.minimum(SEAL_MM * seal / np.maximum(length, PRESS), 1.0)
+        self._line.move(skin, -apart)
 
     def _push_apart(self, skin: Array, opening: float) -> bool:
         """Push along y until no gap overlaps or is wider than `opening` mm; return False if none did."""
         points = self._matrix.times(skin, self._points)
         contacts = self._contacts
-        count = find_contacts(self._facing, points, NEAR if opening >= WIDEST else np.inf, contacts)
+        count = find_contacts(self._facing, points, NEAR if opening >= WIDEST_MM else np.inf, contacts)
         low, high, gap = self._low[:count], self._high[:count], contacts.gap[:count]
         high[:] = np.inf
-        if opening < WIDEST:
+        if opening < WIDEST_MM:
             high[self._narrowest(points, count)] = opening
         if not ((gap < low - SLACK) | (gap > high + SLACK)).any():
             return False

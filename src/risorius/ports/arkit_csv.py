@@ -18,10 +18,12 @@ import numpy as np
 
 from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
 from ..core.arrays import Array
+from ..core.lip_rig import OPENING, seal_of
 from ..core.parameters import INDEX as PARAMETER
 from ..errors import InputError, unknown
 from ..face.arkit_direct import gaze_of
 from ..face.arkit_fit import ArkitFit, ArkitTrack
+from ..face.lip_file import load_lip_rig
 from ..face.response import Responses
 from ..face.solve import FaceSolver
 from .capture import (
@@ -116,9 +118,12 @@ def read_arkit_capture(path: Path, options: ReadOptions) -> ScoreFile:
     apart[:, INDEX["mouthClose"]] = 0.0
     responses = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin))
     values = responses.of_shapes(apart, fit.visible_displacement(np.eye(len(INDEX))))
-    values[:, PARAMETER["lip_seal"]] = np.where(
-        open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0
-    )
+    closed = np.where(open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0)
+    gap = load_lip_rig(head.folder).gap({name: values[:, PARAMETER[name]] for name in OPENING})
+    gap = np.maximum(gap, 0.0)
+    seal = seal_of(closed * gap, (1.0 - closed) * gap)
+    # What is closed wholly stays so, however wide the jaw's gap.
+    values[:, PARAMETER["lip_seal"]] = np.where(closed < 1.0, seal, 1.0)
     values[:, PARAMETER["tongue_out"]] = take.weights[:, INDEX["tongueOut"]]
     degrees = np.degrees(take.rotations)
     values[:, HEAD_ANGLES] = degrees[:, [1, 0, 2]]

@@ -14,7 +14,7 @@ from risorius import blend
 from risorius.blend.mouth.approach import Approach, smooth_minimum
 from risorius.blend.mouth.contact import SEAL, TUCK, contact_goals
 from risorius.blend.mouth.tradeoffs import checked, tradeoffs
-from risorius.core.lip_rig import OPENING
+from risorius.core.lip_rig import OPENING, gap_left
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
@@ -52,7 +52,7 @@ def test_the_way_is_shut_in_closures_and_never_too_fast(edges: list[float]) -> N
     spans = [(a, b) for a, b in list(pairwise(sorted(edges)))[::2] if b - a > 0.05]
     most = np.minimum(approach(*spans).most(TIMES), 20.0)
     for start, end in spans:
-        assert (most[(start <= TIMES) & (end >= TIMES)] == 0.0).all()
+        assert (most[(start <= TIMES) & (end >= TIMES)] <= 1e-9).all()
     assert np.abs(np.diff(most)).max(initial=0.0) <= 0.001 * FASTEST * 1.001
 
 
@@ -111,7 +111,7 @@ def test_the_gap_is_no_faster_than_people_are(
     score = said("M AA P AE T B IY M AO R P EH N M", each, model, *movements)
     times = np.arange(0.3, score.duration, 0.005)
     values = blend.at(score, times, rig)
-    gap = rig.gap({n: values[:, INDEX[n]] for n in OPENING}) * (1.0 - values[:, INDEX[SEAL]])
+    gap = gap_left(rig.gap({n: values[:, INDEX[n]] for n in OPENING}), values[:, INDEX[SEAL]])
     speed = np.abs(np.diff(gap)) / 0.005
     assert np.percentile(speed, 99.0) <= ASKED
     assert speed.max() <= ASKED * (1.2 if movements else 1.0)
@@ -120,7 +120,7 @@ def test_the_gap_is_no_faster_than_people_are(
     assert (middles[:, INDEX[SEAL]] == 1.0).all()
 
 
-@pytest.mark.parametrize(("model", "most"), [("dominance", ASKED), ("lookahead", 400.0)])
+@pytest.mark.parametrize(("model", "most"), [("dominance", 360.0), ("lookahead", 400.0)])
 @pytest.mark.parametrize("phones", ["AA V M AA", "AA V P AO"])
 def test_a_lip_goes_evenly_from_the_teeth_to_a_closure(phones: str, model: str, most: float) -> None:
     score = said(phones, 0.05, model)

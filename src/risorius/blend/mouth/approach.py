@@ -1,32 +1,40 @@
 """How the lips approach closures and leave them: in time, and no faster than lips can.
 
 The opening before a closure falls early enough, the opening after it rises no faster, and a vowel between two
-closures opens only as far as the time allows. With d the seconds to the closure before or after,
-s(d) = d²/(d + gentle) and V the highest speed, the gap is at most
+closures opens only as far as the time allows. With d the seconds to the closure before or after and V the
+highest speed, the gap is at most
 
-    B = V·s₁·s₂/(s₁ + s₂)
+    B = V·d₁·d₂/(d₁ + d₂)
 
-mm: 0 during closures, V·s beside one, a parabola between two. The numbers are data (`tradeoffs.toml`).
+mm: V·d beside a closure, a parabola between two, and below 0 in a closure, by the seconds to its start and
+end: lips meet at full speed, because their goal lies beyond contact (Löfqvist and Gracco 1997). Beside a tuck
+s(d) = d²/(d + gentle) takes the place of d. The numbers are data (`tradeoffs.toml`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.articulators import APERTURE, PROTRUSION, WIDTH
+from ...core.articulators import APERTURE, PROTRUSION, SEAL_MM, WIDTH
+from ...core.functions import positive_part
+from ...core.lip_rig import seal_of
 from ..intervals import merged
 from .contact import SEAL, TUCK, Goal, GoalCurve
 from .tradeoffs import tradeoffs
 
-LEAST_GAP = 0.5
-"""mm; a closed gap counts as at least this wide, so that a seal begins gently there too."""
+WITHIN = 0.02
+"""Seconds at either end of a closure in which its seal comes to shut any gap, however wide."""
 
 ADDED = 0.5
 """The most that other channels add to the opening of speech, as a share of it; our own choice."""
+
+
+ROUNDED, WIDEST = 1.0, 100.0
+"""mm over which what is left open is rounded at 0, and a gap wider than all."""
 
 
 class Approach:
@@ -37,20 +45,23 @@ class Approach:
         seals = [g for g in goals if g.contact == SEAL and g.value == 1.0]
         tucks = [g for g in goals if g.contact == TUCK]
         gentle = self._table.opening.gentle
-        self._seals = _Distance(seals, gentle)
+        self._seals = _Distance(seals, 0.0)
+        self._shut = GoalCurve([_shutting(g) for g in seals])
         self._tucks = _Distance(tucks if self._table.before("opening", "tuck") else (), gentle)
         self._partial = GoalCurve([g for g in goals if g.contact == SEAL and g.value < 1.0])
         self._tuck = GoalCurve(tucks if self._table.before("rounding", "tuck") else ())
 
     def most(self, times: Array) -> Array:
-        """Return the widest gap that closures allow at sorted times, mm (perhaps infinite), shape (n,)."""
-        return self._table.opening.fastest * self._seals.at(times)
+        """Return the widest gap that closures allow at sorted times, mm, shape (n,).
+
+        It is infinite if there are none, and below 0 during a closure.
+        """
+        return self._table.opening.fastest * (self._seals.at(times) - self._seals.inside(times))
 
     def sealed(self, targeted: Array, times: Array, gaps: MouthGaps | None) -> Array:
         """Return the seal at sorted times (n,) that keeps the lips near the opening of the `targeted` one."""
-        most = self.most(times)
-        seal = targeted if gaps is None else gaps.sealed(targeted, most)
-        left_open = 1.0 - np.maximum(seal, 1.0 - most / LEAST_GAP)
+        seal = targeted if gaps is None else gaps.sealed(targeted, self.most(times))
+        left_open = (1.0 - seal) * (1.0 - self._shut.at(times))
         return np.asarray(1.0 - left_open * (1.0 - self._partial.at(times)))
 
     def reached(self, average: Callable[[str], Array], times: Array) -> Callable[[str], Array]:
@@ -92,18 +103,26 @@ class MouthGaps:
         If speech leaves a gap a, the gap e that other channels add is reduced to e·r/(e + r); r is what a
         lacks to `most`, in speech at most `ADDED`·a. So wide phones stay wide, narrow ones narrow.
         """
-        speech_gap = self.alone * (1.0 - targeted)
-        extra = np.maximum(self.with_others - self.alone, 0.0)
-        room = np.maximum(most - speech_gap, 0.0)
+        speech_gap = self.alone - SEAL_MM * targeted
+        extra = positive_part(self.with_others - self.alone, ROUNDED)
+        room = positive_part(np.minimum(most, WIDEST) - speech_gap, ROUNDED)
         taken = _taken(extra, room)
-        taken += self.speaking * (_taken(extra, np.minimum(room, ADDED * speech_gap)) - taken)
-        closed = self.alone - speech_gap + taken
-        return np.asarray(np.clip(closed / np.maximum(self.with_others, LEAST_GAP), 0.0, 1.0))
+        taken += self.speaking * (
+            _taken(extra, np.minimum(room, ADDED * positive_part(speech_gap, ROUNDED))) - taken
+        )
+        left = np.maximum(speech_gap, 0.0) + extra - taken
+        return np.where(taken > 0.0, seal_of(SEAL_MM * targeted + taken, left), targeted)
 
 
 def _taken(extra: Array, room: Array) -> Array:
     """Return e − e·r/(e + r), what must be closed of the gap e if there is room for r."""
     return np.divide(extra * extra, extra + room, out=np.zeros(len(extra)), where=extra > 0.0)
+
+
+def _shutting(goal: Goal) -> Goal:
+    """Return the times in which the seal of a closure is 1, with the ramps to it within the closure."""
+    inner = min(WITHIN, 0.5 * (goal.end - goal.start))
+    return replace(goal, start=goal.start + inner, end=goal.end - inner, ramp_in=inner, ramp_out=inner)
 
 
 class _Distance:
@@ -121,10 +140,19 @@ class _Distance:
         with np.errstate(divide="ignore"):
             return 1.0 / (self._slowness(before) + self._slowness(ahead))
 
+    def inside(self, times: Array) -> Array:
+        """Return the same to the ends of a goal at sorted times, shape (n,): 0 outside all goals."""
+        number = np.searchsorted(self._start, times, side="right")
+        start = np.append(np.inf, self._start[:-1])[number]
+        since, until = np.maximum(times - start, 0.0), np.maximum(self._end[number] - times, 0.0)
+        both, distance = since + until, np.zeros(len(times))
+        np.divide(since * until, both, out=distance, where=both > 0.0)
+        return distance
+
     def _slowness(self, distance: Array) -> Array:
         """Return 1/s = 1/d + gentle/d²."""
         near = 1.0 / np.maximum(distance, 0.0)
-        return near + self._gentle * near * near
+        return near + self._gentle * near * near if self._gentle else near
 
 
 def smooth_minimum(a: Array, b: Array, width: float) -> Array:

@@ -47,7 +47,7 @@ REST = 1e-9
 """The precision of rest at all times: where no segment holds an articulator, it rests."""
 REACH = 1.0
 """Seconds after which a segment has no effect: 26 time constants of a vowel's turn."""
-PART = 8.0
+PART = 32.0
 """Seconds: the curve is found in parts of so long, each with the segments within `REACH`: the value at a
 time must not depend on which other times are requested."""
 CACHED, GROUPS = 12, 16

@@ -12,12 +12,13 @@ from ...core.articulators import ARTICULATORS
 from ...core.functions import positive_part
 from ...core.lip_rig import SEAL, Averages, LipRig
 from ...core.movement import LipSegment
-from ...core.parameters import INDEX, PARAMETERS
+from ...core.parameters import INDEX, PARAMETERS, Kind
 from ...errors import InputError
 from .contact import CONTACTS
 
-ROUNDED = 0.02
-"""The share of a parameter's range over which it turns to an end of it."""
+ROUNDED, TONGUE = 0.02, 0.15
+"""The share of a parameter's range over which it turns to an end of it; that of the tongue, which passes it
+within 10 ms."""
 
 
 class Shapes:
@@ -57,8 +58,10 @@ class Shapes:
 def _within_range(name: str, value: Array) -> Array:
     """Return a blended parameter that nowhere leaves its range: a blend may overshoot its targets."""
     limits = PARAMETERS[INDEX[name]]
-    above = positive_part(value - limits.low, ROUNDED * (limits.high - limits.low))
-    below = positive_part(limits.high - limits.low - above, ROUNDED * (limits.high - limits.low))
+    length = limits.high - limits.low
+    rounded = (TONGUE if limits.kind is Kind.TONGUE else ROUNDED) * length
+    above = positive_part(value - limits.low, rounded)
+    below = positive_part(length - above, rounded)
     return limits.high - below
 
 
