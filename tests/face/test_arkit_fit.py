@@ -120,7 +120,7 @@ def test_a_sentence_fits(clip) -> None:
     track = clip.arkit
     rms, worst = track.residual
     assert rms < 0.5
-    assert worst < 2.1
+    assert worst < 2.2
     weights = track.weights
     assert weights.min() >= 0.0
     assert weights.max() <= 1.0

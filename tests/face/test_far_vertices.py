@@ -18,7 +18,8 @@ def problem(seed: int, size: float = 3.0):
     wanted = draw.random(SHAPES) @ basis
     wanted.reshape(-1, 3)[:3] += size * draw.normal(size=3)
     normal, right = basis @ basis.T + 1e-3 * np.eye(SHAPES), basis @ wanted
-    return FarVertices(basis, wanted, normal, right), least(normal, right)
+    moves = basis.T.reshape(VERTICES, 3, SHAPES)
+    return FarVertices(moves, wanted.reshape(-1, 3), normal, right), least(normal, right)
 
 
 def least(normal, right):
@@ -28,7 +29,7 @@ def least(normal, right):
 
 def test_what_is_near_stays_as_the_least_squares_have_it() -> None:
     held, start = problem(0, size=0.2)
-    assert np.array_equal(held.solution(start, least), start)
+    assert np.array_equal(held.minimum(start, least), start)
 
 
 @examples(25)
@@ -63,7 +64,7 @@ def test_the_worst_comes_nearer() -> None:
 def test_no_weight_goes_far_from_the_least_squares(monkeypatch: pytest.MonkeyPatch) -> None:
     held, start = problem(3)
     monkeypatch.setattr(far_vertices, "LEEWAY", 0.5 * np.abs(held.minimum(start, least) - start).max())
-    found = held.solution(start, least)
+    found = start + far_vertices.within_leeway(held.minimum(start, least) - start)
     assert np.abs(found - start).max() == pytest.approx(far_vertices.LEEWAY)
     costs = [held.cost(weights)[0] for weights in (held.minimum(start, least), found, start)]
     assert costs == sorted(costs)

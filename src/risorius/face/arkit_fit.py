@@ -9,9 +9,11 @@ that are far off.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import islice
+from typing import NamedTuple
 
 import numpy as np
 from scipy.optimize import nnls
@@ -22,7 +24,7 @@ from ..core.blas import one_thread
 from ..core.parameters import INDEX as PARAMETER
 from .arkit_direct import DIRECT, direct_weights
 from .eyes import pitch_and_yaw
-from .far_vertices import FarVertices
+from .far_vertices import FAR, FarVertices, lengths, within_leeway
 from .frame import FaceFrame
 from .head import Head
 from .lids import FRONT, LID_REACH
@@ -33,6 +35,8 @@ from .shapes import ArkitShapes, arkit_shapes
 RIDGE, AGAINST = 3e-5, 5e-5
 LIPS = 2.0  # how much more the lips count: they have few vertices, and people look at them
 HIDDEN = 3.0  # mm before the eyeball's front plane; behind that, the socket's lining is not visible
+NEARLY = 1.0  # mm below the distance from which a vertex is far: such vertices may become far
+BLOCK = 8  # frames that are fitted together: the shapes are read from memory once for all of them
 MOVED = 0.3  # mm: a vertex counts in the residual if some shape moves it farther
 
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
@@ -86,8 +90,15 @@ class ArkitFit:
         self._fitted = self._basis.copy()
         self._fitted[_CLOSE] += self._fitted[_JAW]
         lips = head.skin.matrix @ head.masks["lips"]
-        self._heavy = self._fitted * np.repeat(1.0 + LIPS * lips[self.counted], 3)
-        self._normal = _regular(self._heavy @ self._fitted.T)
+        heavy = self._fitted * np.repeat(1.0 + LIPS * lips[self.counted], 3)
+        self._heavy = np.ascontiguousarray(heavy.T)
+        self._rest_seen = self.rest[self.counted]
+        self._moves = np.ascontiguousarray(self._fitted.T).reshape(-1, 3, len(SHAPES))
+        self._normal = _regular(heavy @ self._fitted.T)
+        alone = np.ones(len(SHAPES), dtype=bool)
+        alone[_EXCLUSIVE.ravel()] = False
+        self._all = _Factored.of(self._normal, self._free)
+        self._some = _Factored.of(self._normal, self._free & alone)
 
     @classmethod
     @lru_cache(maxsize=2)
@@ -97,11 +108,15 @@ class ArkitFit:
 
     def weights(self, frame: FaceFrame) -> Array:
         """Return the weights (52,) of a frame, 0..1."""
-        return self._solve(self.displacement(frame.skin), direct_weights(frame))
+        return self.of_skin(frame.skin, direct_weights(frame))
 
     def of_skin(self, skin: FloatArray, direct: Array | None = None) -> Array:
         """Return the weights (52,) of a level-1 skin (N1, 3) mm; `direct` (52,) are weights without a fit."""
-        return self._solve(self.displacement(skin), np.zeros(len(SHAPES)) if direct is None else direct)
+        given = np.zeros(len(SHAPES)) if direct is None else direct
+        displacement = self._room()
+        displacement[0] = self.displacement(skin)
+        (weights,) = self._solve(displacement, given[None])
+        return np.asarray(weights)
 
     def skin(self, weights: Array) -> Array:
         """Return the level-1 skin (N1, 3) in mm of `weights` (52,)."""
@@ -112,22 +127,33 @@ class ArkitFit:
 
         Both are over the visible vertices that some shape moves.
         """
-        rest = self.displacement(frame.skin) - weights @ self._basis
-        distance = np.linalg.norm(rest.reshape(-1, 3), axis=1)
-        return float(np.sqrt((distance**2).mean())), float(distance.max())
+        rms, worst = _residual((self.displacement(frame.skin) - weights @ self._basis)[None])
+        return float(rms[0]), float(worst[0])
 
     def track(self, frames: Iterable[FaceFrame]) -> ArkitTrack:
         """Fit all frames in order."""
         with one_thread():
-            rows = [self._row(frame) for frame in frames]
-        weights, head, eyes, errors = (np.array(part) for part in zip(*rows, strict=True))
-        return ArkitTrack(weights, head, eyes, errors[:, 0], errors[:, 1])
+            blocks = [self._block(block) for block in _blocks(frames)]
+        weights, rotations, parameters, rms, worst = (
+            np.concatenate(part) for part in zip(*blocks, strict=True)
+        )
+        head = parameters[:, [PARAMETER[f"head_{axis}"] for axis in ("yaw", "pitch", "roll")]]
+        eyes = [[(yaw, pitch, 0.0) for pitch, yaw in map(pitch_and_yaw, pair)] for pair in rotations]
+        return ArkitTrack(weights, head, np.array(eyes), rms, worst)
 
-    def _row(self, frame: FaceFrame) -> tuple[Array, Array, Array, tuple[float, float]]:
-        weights = self.weights(frame)
-        eyes = np.array([(yaw, pitch, 0.0) for pitch, yaw in map(pitch_and_yaw, frame.eye_rotation)])
-        head = frame.parameters[[PARAMETER[f"head_{axis}"] for axis in ("yaw", "pitch", "roll")]]
-        return weights, head, eyes, self.residual(frame, weights)
+    def _block(self, frames: Sequence[FaceFrame]) -> tuple[Array, Array, Array, Array, Array]:
+        """Return weights, rotations of the eyes, parameters and residuals of up to `BLOCK` frames."""
+        displacement = self._room()
+        for row, frame in zip(displacement, frames, strict=False):
+            row[:] = self.displacement(frame.skin)
+        weights = self._solve(displacement, np.array([direct_weights(frame) for frame in frames]))
+        rms, worst = _residual(displacement - _rows(weights) @ self._basis)
+        rotations = np.array([frame.eye_rotation for frame in frames])
+        parameters = np.array([frame.parameters for frame in frames])
+        return weights, rotations, parameters, rms[: len(frames)], worst[: len(frames)]
+
+    def _room(self) -> Array:
+        return np.zeros((BLOCK, self._basis.shape[1]))
 
     def visible_displacement(self, weights: Array) -> Array:
         """Return the displacements (frames, 3 k) in mm of the visible vertices by `weights` (frames, 52)."""
@@ -135,46 +161,94 @@ class ArkitFit:
 
     def displacement(self, skin: FloatArray) -> Array:
         """Return the displacement (3 k,) in mm of the visible vertices of a level-1 skin (N1, 3)."""
-        return np.asarray((skin[self.counted] - self.rest[self.counted]).ravel(), dtype=np.float64)
+        return np.asarray((skin[self.counted] - self._rest_seen).ravel(), dtype=np.float64)
 
     def _solve(self, displacement: Array, direct: Array) -> Array:
+        """Return the weights (n, 52) of the first n of `BLOCK` displacements; `direct` (n, 52)."""
         direct = direct * self._direct
-        wanted = displacement - direct @ self._basis
-        right = self._heavy @ wanted
-        both = self._least(self._normal, right, np.full(len(SHAPES), np.nan))
-        fixed_weights = _one_of_each(both)
-        start = self._least(self._normal, right, fixed_weights)
-        far = FarVertices(self._fitted, wanted, self._normal, right)
-        weights = (
-            far.solution(start, lambda normal, right: self._least(normal, right, fixed_weights)) + direct
-        )
-        weights[_JAW] += weights[_CLOSE]
+        wanted = displacement - _rows(direct) @ self._basis
+        rights = (wanted @ self._heavy)[: len(direct)]
+        fixed = [_one_of_each(self._all.least(right)) for right in rights]
+        starts = np.array([self._some.least(*row) for row in zip(rights, fixed, strict=True)])
+        apart = _distances(wanted - _rows(starts) @ self._fitted)
+        vectors = wanted.reshape(BLOCK, -1, 3)
+        ways = [self._way(*row) for row in zip(vectors, apart, rights, fixed, starts, strict=False)]
+        weights: Array = starts + np.array(ways) + direct
+        weights[:, _JAW] += weights[:, _CLOSE]
         weights = np.minimum(weights, 1.0)
-        weights[_CLOSE] = min(weights[_CLOSE], weights[_JAW])
+        weights[:, _CLOSE] = np.minimum(weights[:, _CLOSE], weights[:, _JAW])
         return weights
 
-    def _least(self, normal: Array, right: Array, fixed_weights: Array) -> Array:
-        """Return the non-negative least squares (52,) of normal equations.
+    def _way(self, wanted: Array, apart: Array, right: Array, fixed: Array, start: Array) -> Array:
+        """Return how the penalty for far vertices changes the weights `start` (52,) of the least squares.
 
-        `fixed_weights` (52,): NaN for the weights that are free.
+        `wanted` (k, 3) mm; `apart` (k,) mm are the vertices' distances by these weights. Only those that are
+        far or nearly so are looked at, and those that prove to be far in the end.
         """
-        fixed = ~np.isnan(fixed_weights)
-        free = self._free & ~fixed
-        weights = np.where(fixed, fixed_weights, 0.0)
-        if not free.any():
-            return weights
-        factor = np.linalg.cholesky(normal[np.ix_(free, free)])
-        rest = right[free] - normal[np.ix_(free, fixed)] @ weights[fixed]
-        weights[free] = nnls(factor.T, np.linalg.solve(factor, rest))[0]
+        seen = np.zeros(len(apart), dtype=bool)
+        minimum = start
+        while np.any(apart[~seen] > FAR):
+            seen |= apart > FAR - NEARLY
+            far = FarVertices(self._moves[seen], wanted[seen], self._normal, right)
+            minimum = far.minimum(start, lambda normal, right: self._least(normal, right, fixed))
+            apart = lengths(wanted - self._moves @ minimum)
+        return within_leeway(minimum - start)
+
+    def _least(self, normal: Array, right: Array, fixed: Array) -> Array:
+        """Return the non-negative least squares (52,); `fixed` as in `_Factored.least`."""
+        return _Factored.of(normal, self._some.free).least(right, fixed)
+
+
+class _Factored(NamedTuple):
+    """Normal equations (52, 52) of which some shapes are `free` (52,): their factor, and the others' rows."""
+
+    free: BoolArray
+    factor: Array
+    beside: Array
+
+    @classmethod
+    def of(cls, normal: Array, free: BoolArray) -> _Factored:
+        """Take them apart."""
+        factor = np.asarray(np.linalg.cholesky(normal[np.ix_(free, free)]), dtype=np.float64)
+        return cls(free, factor, normal[np.ix_(free, ~free)])
+
+    def least(self, right: Array, fixed: Array | None = None) -> Array:
+        """Return the non-negative least squares (52,); `fixed` (52,) are the weights of shapes not free."""
+        weights = np.zeros(len(SHAPES)) if fixed is None else np.where(self.free, 0.0, fixed)
+        if self.free.any():
+            rest = right[self.free] - self.beside @ weights[~self.free]
+            weights[self.free] = nnls(self.factor.T, np.linalg.solve(self.factor, rest))[0]
         return weights
+
+
+def _blocks(frames: Iterable[FaceFrame]) -> Iterator[list[FaceFrame]]:
+    rest = iter(frames)
+    while block := list(islice(rest, BLOCK)):
+        yield block
+
+
+def _rows(weights: Array) -> Array:
+    """Return weights (n, 52) filled up with zeros to a block: a product's rounding depends on its size."""
+    return np.concatenate((weights, np.zeros((BLOCK - len(weights), weights.shape[1]))))
+
+
+def _distances(left: Array) -> Array:
+    """Return the lengths of vectors (n, 3 k) -> (n, k)."""
+    return lengths(left.reshape(len(left), -1, 3))
+
+
+def _residual(left: Array) -> tuple[Array, Array]:
+    """Return the root mean square and the greatest of the distances that are left over (n, 3 k), mm."""
+    distance = _distances(left)
+    return np.sqrt((distance**2).mean(axis=1)), distance.max(axis=1)
 
 
 def _one_of_each(weights: Array) -> Array:
-    """Return the weights (52,) of shapes that exclude each other, NaN for all others.
+    """Return the weights (52,) of shapes that exclude each other, 0 for all others.
 
     One of the two is 0, the other their difference, because that passes through 0 without a jump.
     """
-    fixed_weights = np.full(len(SHAPES), np.nan)
+    fixed_weights = np.zeros(len(SHAPES))
     one, other = _EXCLUSIVE.T
     difference = weights[one] - weights[other]
     fixed_weights[one], fixed_weights[other] = np.maximum(difference, 0.0), np.maximum(-difference, 0.0)

@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from scipy.linalg.blas import dsyrk
 
 from ..core.arrays import Array
 
@@ -30,20 +31,14 @@ SHORTEST = 1e-3  # the least share of a step that is tried
 
 
 class FarVertices:
-    """The problem for one surface: `basis` (s, 3 n) are the shapes, `wanted` (3 n,) the displacements in mm.
+    """The problem for one surface: `moves` (n, 3, s) are the shapes, `wanted` (n, 3) the displacements in mm.
 
     `normal` (s, s) and `right` (s,) are the normal equations of the least squares.
     """
 
-    def __init__(self, basis: Array, wanted: Array, normal: Array, right: Array) -> None:
-        self._basis, self._wanted = basis, wanted
+    def __init__(self, moves: Array, wanted: Array, normal: Array, right: Array) -> None:
+        self._moves, self._wanted = moves, wanted
         self._normal, self._right = normal, right
-
-    def solution(self, weights: Array, least: Least) -> Array:
-        """Return the weights (s,), given those of the least squares."""
-        way = self.minimum(weights, least) - weights
-        farthest = float(np.abs(way).max())
-        return weights + way * (LEEWAY / farthest) if farthest > LEEWAY else weights + way
 
     def minimum(self, weights: Array, least: Least) -> Array:
         """Return the weights (s,) of the least cost, searched from `weights` on."""
@@ -66,18 +61,32 @@ class FarVertices:
 
     def cost(self, weights: Array) -> tuple[float, Array]:
         """Return the cost, up to a constant, and the distances (n,) in mm."""
-        distance = np.linalg.norm((self._wanted - weights @ self._basis).reshape(-1, 3), axis=1)
+        distance = lengths(self._wanted - self._moves @ weights)
         squares = weights @ (0.5 * self._normal @ weights - self._right)
         return float(squares + STRENGTH * (np.maximum(distance - FAR, 0.0) ** POWER).sum()), distance
 
     def _model(self, weights: Array, distance: Array) -> tuple[Array, Array]:
         """Return the normal equations of the second-order model about `weights`."""
         far = np.flatnonzero(distance > FAR)
-        columns = (3 * far[:, None] + np.arange(3)).ravel()
-        basis, away = self._basis[:, columns], distance[far]
-        towards = (self._wanted[columns] - weights @ basis).reshape(-1, 3) / away[:, None]
+        moves, away = self._moves[far], distance[far]
+        towards = (self._wanted[far] - moves @ weights) / away[:, None]
         first = STRENGTH * POWER * (away - FAR) ** (POWER - 1)
         second = first * (POWER - 1) / (away - FAR)
-        along = np.einsum("snk,nk->sn", basis.reshape(len(basis), -1, 3), towards)
-        curved = (basis * np.repeat(first / away, 3)) @ basis.T + (along * (second - first / away)) @ along.T
-        return self._normal + curved, self._right + curved @ weights + along @ first
+        along = (towards[:, None] @ moves)[:, 0]
+        # A sum of squares: only one half of the matrix is worked out.
+        rows = moves.reshape(-1, moves.shape[2]) * np.sqrt(np.repeat(first / away, 3))[:, None]
+        half = dsyrk(1.0, rows.T)
+        curved = half + np.triu(half, 1).T
+        curved += along.T @ (along * (second - first / away)[:, None])
+        return self._normal + curved, self._right + curved @ weights + first @ along
+
+
+def lengths(vectors: Array) -> Array:
+    """Return the lengths of vectors (…, 3) -> (…,)."""
+    return np.asarray(np.sqrt(np.einsum("...k,...k->...", vectors, vectors)))
+
+
+def within_leeway(way: Array) -> Array:
+    """Return a way from the least squares (s,) that is no longer than `LEEWAY` for any weight."""
+    farthest = float(np.abs(way).max())
+    return way * (LEEWAY / farthest) if farthest > LEEWAY else way
