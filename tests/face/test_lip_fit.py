@@ -37,7 +37,7 @@ POSES = (
 
 
 def muscles(rig: LipRig, targets: Mapping[str, float]) -> dict[str, float]:
-    held = rig.actives(targets)
+    (held,) = rig.actives([targets])
     made = rig.parameters(lambda name: np.array([held.get(name, 0.0)]), held)
     return {name: float(value[0]) for name, value in made.items()}
 

@@ -93,27 +93,40 @@ class LipRig:
         """Return a measure in mm for some controls; the others are 0."""
         return self._along(measure, "", controls)[0]
 
-    def actives(self, targets: Mapping[str, float]) -> dict[str, float]:
-        """Return the articulators of `targets` (mm on the mesh) in the form in which they are blended.
+    def actives(self, targets: Sequence[Mapping[str, float]]) -> list[dict[str, float]]:
+        """Return the articulators of targets (mm on the mesh) in the form in which they are blended.
 
         Width, protrusion and corners are reduced by the effects of the jaw and the opening; a missing
         aperture is what the jaw opens. Other targets are left out.
         """
-        wanted = {name: value for name, value in targets.items() if name in ARTICULATORS}
-        if not wanted:
-            return {}
-        jaw = self._jaw(np.array([wanted.get(JAW, 0.0)]))
-        wanted.setdefault(APERTURE, float(max(self.passive(APERTURE, {"jaw": jaw})[0], 0.0)))
+        wanted = [{n: v for n, v in of.items() if n in ARTICULATORS} for of in targets]
+        alike: dict[frozenset[str], list[int]] = {}
+        for number, own in enumerate(wanted):
+            alike.setdefault(frozenset(own), []).append(number)
+        blended: list[dict[str, float]] = [{} for _ in wanted]
+        for names, numbers in alike.items():
+            if names:
+                columns = {name: np.array([wanted[k][name] for k in numbers]) for name in names}
+                for name, values in self._actives(columns).items():
+                    for k, value in zip(numbers, values.tolist(), strict=True):
+                        blended[k][name] = value
+        return blended
+
+    def _actives(self, wanted: dict[str, Array]) -> dict[str, Array]:
+        """Return what `actives` does for targets of the same articulators, (n,) each."""
+        count = len(next(iter(wanted.values())))
+        jaw = self._jaw(wanted.get(JAW, np.zeros(count)))
+        wanted.setdefault(APERTURE, np.maximum(self.passive(APERTURE, {"jaw": jaw}), 0.0))
         blended = {name: wanted[name] for name in (JAW, APERTURE, UPPER) if name in wanted}
         added = [name for name in (WIDTH, PROTRUSION, CORNERS) if name in wanted]
         for _ in range(_ROUNDS if added else 0):
-            controls = self.controls(_constants(blended), blended)
+            controls = self.controls(lambda name: blended.get(name, np.zeros(count)), blended)
             alone = {name: controls[name] for name in controls if name in _OPENING}
             for name in added:
-                blended[name] = wanted[name] - float(self.passive(name, alone)[0])
+                blended[name] = wanted[name] - self.passive(name, alone)
             if PROTRUSION not in wanted:
                 # Only rounding narrows a mouth, and a phone without a protrusion is not rounded.
-                blended[WIDTH] = max(blended.get(WIDTH, 0.0), 0.0)
+                blended[WIDTH] = np.maximum(blended.get(WIDTH, np.zeros(count)), 0.0)
         return blended
 
     def moved(self, articulators: Collection[str]) -> frozenset[str]:
@@ -266,7 +279,3 @@ def _newton(first: Array, second: Array, third: Array, wanted: Array) -> Array:
             inside = (newton >= low) & (newton <= high)
             x = np.where(inside, newton, 0.5 * (low + high))
     return x
-
-
-def _constants(values: Mapping[str, float]) -> Averages:
-    return lambda name: np.array([values.get(name, 0.0)])

@@ -69,9 +69,10 @@ def performed(segments: Sequence[LipSegment], rig: LipRig | None) -> tuple[LipSe
     """Return the segments with the articulators that the rig blends (`LipRig.actives`)."""
     if rig is None:
         return tuple(segments)
-    targets: dict[int, Mapping[str, float]] = {}
-    for segment in segments:
-        if id(segment.targets) not in targets:
-            others = {n: v for n, v in segment.targets.items() if n not in ARTICULATORS}
-            targets[id(segment.targets)] = others | rig.actives(segment.targets)
+    distinct = {id(segment.targets): segment.targets for segment in segments}
+    actives = rig.actives(list(distinct.values()))
+    targets = {
+        number: {n: v for n, v in own.items() if n not in ARTICULATORS} | active
+        for (number, own), active in zip(distinct.items(), actives, strict=True)
+    }
     return tuple(replace(s, targets=targets[id(s.targets)]) for s in segments)
