@@ -86,6 +86,25 @@ def alone(s: Hold, target: float, t: float) -> float:
     return 0.0
 
 
+def slowing(
+    earlier: list[Hold], parameter: str, signed: bool, two: Hold, a: float, over: float, x: float
+) -> float:
+    """What the speed before movement 2 adds after it has begun: smooth functions make no corner there."""
+    if (
+        two.source.function in ("exponential", "linear")
+        or parameter.startswith("gaze")
+        or x >= over
+        or earlier[-1].start >= two.start
+    ):
+        return 0.0
+    before = max(two.start - 1e-5, earlier[-1].start)
+    speed = (a - concatenated(earlier, parameter, signed, before)) / (two.start - before)
+    if not signed:
+        reach = 27.0 / 256.0 * over
+        speed = min(max(speed, -a / reach), (1.0 - a) / reach)
+    return speed * x * (1.0 - x / over) ** 3
+
+
 def concatenated(held: list[Hold], parameter: str, signed: bool, t: float) -> float:
     """F of all movements in order: paper A, section 5.2, as DESIGN mends it."""
     if not held:
@@ -99,7 +118,8 @@ def concatenated(held: list[Hold], parameter: str, signed: bool, t: float) -> fl
         return alone(two, b, t)
     name, x = two.source.function, t - two.start
     if signed or (a < b and name != "exponential"):
-        return a + (b - a) * shape(name, x / two.onset) if x < two.onset else alone(two, b, t)
+        slowed = slowing(earlier, parameter, signed, two, a, two.onset, x) if a != b else 0.0
+        return a + (b - a) * shape(name, x / two.onset) + slowed if x < two.onset else alone(two, b, t)
     if a < b:
         xi = two.onset * math.log2(1.0 + b - a)
         if x < xi:
@@ -109,6 +129,7 @@ def concatenated(held: list[Hold], parameter: str, signed: bool, t: float) -> fl
     base = b if x <= two.onset else alone(two, b, t)
     if one.offset == 0.0:
         return base
+    base += slowing(earlier, parameter, signed, two, a, one.offset, x)
     if one.source.function != "exponential":
         return base + (a - b) * (1.0 - shape(one.source.function, x / one.offset))
     xi = one.offset * (1.0 - math.log2(1.0 + a - b))

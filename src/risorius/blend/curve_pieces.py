@@ -1,8 +1,9 @@
 """The curve of one parameter in one layer: pieces that follow one another, one for each movement.
 
 A piece has a base (onset, apex, offset) and at most one residue, which fades from the level that the piece
-before it left (DESIGN, section 3). Pieces are compiled one by one, because each takes over the level of the
-one before it (`value_at`); then all are evaluated at once (`MovementCurve`).
+before it left (DESIGN, section 3). Pieces of smooth functions also take over the speed of the one before,
+which dies away, so that the curve has no corner there. Pieces are compiled one by one, because each takes
+over the level of the one before it (`value_at`); then all are evaluated at once (`MovementCurve`).
 """
 
 from __future__ import annotations
@@ -27,9 +28,10 @@ class CurvePiece:
     """How one movement moves one parameter. Seconds; `function` and `fade_function` are names.
 
     Onset: min(begin + rise·f, cap) during `onset`; apex: `level` until `apex_end`; offset: `level`·f
-    backwards until `end`. The residue falls from `excess` with the time constant `fade`. The piece is at rest
-    from `last` on, and it ends at `stop`, when the next piece takes over. `movement`: the one that targets
-    the parameter, or the earlier one whose value this piece lets go.
+    backwards until `end`. The residue falls from `excess` with the time constant `fade`. `speed`, 1/s, is
+    taken over from the piece before and dies away in `slowing`. The piece is at rest from `last` on, and it
+    ends at `stop`, when the next piece takes over. `movement`: the one that targets the parameter, or the
+    earlier one whose value this piece lets go.
     """
 
     start: float
@@ -46,6 +48,8 @@ class CurvePiece:
     excess: float = 0.0
     fade: float = 0.0
     fade_function: str = DEFAULT_FUNCTION
+    speed: float = 0.0
+    slowing: float = 0.0
     last: float = 0.0
     stop: float = math.inf
 
@@ -73,7 +77,21 @@ def value_at(s: CurvePiece, time: float) -> float:
             value += max(0.0, (1.0 + s.excess) * math.exp2(-x / s.fade) - 1.0)
         else:
             value += s.excess * (1.0 - _shape(s.fade_function, x / s.fade))
+    if s.speed and x < s.slowing:
+        value += s.speed * x * (1.0 - x / s.slowing) ** 3
     return value
+
+
+MOMENT = 1e-5
+"""Seconds over which the speed of a piece is measured."""
+FARTHEST = 27.0 / 256.0
+"""How far a speed that dies away moves a curve: so much of speed times `slowing`, at a quarter of it."""
+
+
+def speed_at(s: CurvePiece, time: float) -> float:
+    """Return how fast a piece changes just before `time`, a second."""
+    before = max(time - MOMENT, s.start)
+    return (value_at(s, time) - value_at(s, before)) / (time - before) if time > before else 0.0
 
 
 def last_time(s: CurvePiece, signed: bool) -> float:
@@ -91,7 +109,7 @@ def last_time(s: CurvePiece, signed: bool) -> float:
 
 _numbers = attrgetter(
     "start", "stop", "begin", "rise", "cap", "level",
-    "onset", "apex_end", "offset", "end", "excess", "fade", "last",
+    "onset", "apex_end", "offset", "end", "excess", "fade", "last", "speed", "slowing",
 )  # fmt: skip
 
 
@@ -130,7 +148,8 @@ class MovementCurve:
         table = np.array(pieces.numbers).reshape(len(pieces.movements), -1)
         columns = [_compact(column) for column in table.T]
         self.start, self.stop, self.begin, self.rise, self.cap, self.level = columns[:6]
-        self.onset, self.apex_end, self.offset, self.end, self.excess, self.fade, self.last = columns[6:]
+        self.onset, self.apex_end, self.offset, self.end, self.excess, self.fade, self.last = columns[6:13]
+        self.speed, self.slowing = columns[13:]
         self._movements = tuple(pieces.movements)
         self.functions = tuple(pieces.functions)
         self.function, self.fade_function = np.array(pieces.function), np.array(pieces.fade_function)
@@ -168,6 +187,9 @@ class MovementCurve:
         part = np.divide(left, self.offset[k], out=np.zeros(len(i)), where=self.offset[k] > 0.0)
         values[i] *= self._shapes(self.function[k], part)
         self._add_residue(values, pieces, x)
+        i = np.flatnonzero((self.speed[pieces] != 0.0) & (x < self.slowing[pieces]))
+        k = pieces[i]
+        values[i] += self.speed[k] * x[i] * (1.0 - x[i] / self.slowing[k]) ** 3
         return values
 
     def _add_residue(self, values: Array, pieces: IndexArray, x: Array) -> None:
@@ -209,7 +231,8 @@ class MovementCurve:
             self.end,
         )
         until = np.minimum(self.last, self.stop)
-        rows = np.column_stack((self.start, until, *numbers, self.excess, self.fade)).tolist()
+        residue = (self.excess, self.fade, self.speed, self.slowing)
+        rows = np.column_stack((self.start, until, *numbers, *residue)).tolist()
         for row, shape, fade in zip(rows, self.function, self.fade_function, strict=True):
             yield row[0], row[1], (*row[2:], self.functions[shape], self.functions[fade])
 

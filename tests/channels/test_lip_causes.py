@@ -1,0 +1,39 @@
+"""Causes of timid lips that no single table shows (facts: lips-motion, 7 and 9)."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from risorius import blend
+from risorius.core.articulators import JAW
+from risorius.core.parameters import INDEX
+from risorius.face.lip_file import load_lip_rig
+from risorius.pipeline import compose
+from risorius.rules.lips import lip_table
+from risorius.script import read_script
+from risorius.settings import Settings
+from risorius.speech import say
+
+LINE = "*Sue* said six *wise* boys *push* *new* *maps* to *Boise* *zoo*."
+HELD = ("S", "Z", "SH", "P", "B", "M", "W", "UW")
+
+
+def test_an_accent_opens_the_jaw_by_one_mechanism() -> None:
+    script = read_script(LINE, text=True)
+    utterance, rig = say(script), load_lip_rig()
+    middles = np.array([(p.start + p.end) / 2.0 for p in utterance.phones if p.symbol in HELD])
+    drops = []
+    for without in ((), ("signals",)):
+        score = compose(script, utterance, (), Settings(seed=1, without=without))
+        jaw = blend.at(score, middles, rig)[:, INDEX["masseter"]]
+        drops.append(rig.passive(JAW, {"jaw": jaw}))
+    assert len(utterance.accents) >= 5
+    assert len(middles) >= 12
+    assert np.abs(drops[0] - drops[1]).max() < 0.3
+
+
+@pytest.mark.parametrize("phone", ["AA", "AE", "EH"])
+def test_the_chin_gives_most_of_an_open_vowel_and_not_all(phone: str) -> None:
+    targets = lip_table().shape(phone).targets
+    assert 0.55 <= targets["jaw_drop"] / targets["lip_aperture"] <= 0.65
