@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from risorius.core.utterance import Utterance
-from risorius.errors import OutputError
+from risorius.errors import OutputError, SpeechWarning
 from risorius.ports.azure_json import write_azure_json
 from risorius.ports.oculus_csv import write_oculus_csv
 from risorius.ports.rhubarb import write_moho_dat, write_rhubarb_json, write_rhubarb_tsv, write_rhubarb_xml
@@ -31,9 +31,9 @@ def test_nothing_said_is_an_error(tmp_path: Path, take_of: Callable[..., Writabl
         write(take_of(), tmp_path / "x", WriteOptions())
 
 
-def test_an_unknown_phone_is_named() -> None:
-    with pytest.raises(OutputError, match="unknown phone '!'"):
-        viseme_of("!")
+def test_an_unknown_phone_is_named_and_shown_as_a_neutral_vowel() -> None:
+    with pytest.warns(SpeechWarning, match="phone '!' has no viseme; shown as AH"):
+        assert viseme_of("!") == viseme_of("AH")
 
 
 @pytest.mark.parametrize(
@@ -49,6 +49,9 @@ def test_an_unknown_phone_is_named() -> None:
         ("tʃ", ("B",), 16, ("CH",)),
         ("aː", ("D",), 2, ("aa",)),
         ("aʊ", ("D", "F"), 9, ("aa", "ou")),
+        ("o", ("E",), 8, ("oh",)),
+        ("õ", ("E",), 8, ("oh",)),
+        ("oʊ", ("E", "F"), 8, ("oh", "ou")),
     ],
 )
 def test_phones(symbol: str, rhubarb: tuple[str, ...], azure: int, oculus: tuple[str, ...]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -10,11 +11,13 @@ from importlib import resources
 from ..core.frozen import FrozenDict
 from ..core.toml import parse_rows
 from ..core.utterance import Phone, Utterance
-from ..errors import OutputError, unknown
+from ..errors import OutputError, SpeechWarning, warn
 from .writable import WritableTake
 
 OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
 """The 15 visemes of OVRLipSync, in its order."""
+NEUTRAL = "AH"
+"""What an unknown phone is shown as: the lips of a neutral vowel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,18 +46,27 @@ def viseme_table() -> Mapping[str, Viseme]:
     return FrozenDict(parse_rows(Viseme, text, "visemes.toml"))
 
 
-@lru_cache(maxsize=512)
 def viseme_of(symbol: str) -> Viseme:
-    """Return a phone's visemes, ARPAbet or IPA; raise OutputError for one that the table does not know."""
+    """Return a phone's visemes, ARPAbet or IPA; warn (SpeechWarning) of one that the table does not know."""
+    known = known_viseme(symbol)
+    if known is None:
+        warn(f"phone '{symbol}' has no viseme; shown as {NEUTRAL}", SpeechWarning)
+    return known or viseme_table()[NEUTRAL]
+
+
+@lru_cache(maxsize=512)
+def known_viseme(symbol: str) -> Viseme | None:
+    """Return a phone's visemes by the longest row that it begins with, else by its next letters, or None."""
     table = viseme_table()
     if symbol in table:
         return table[symbol]
-    beginnings = [
-        (len(start), row) for row in table.values() for start in row.ipa if symbol.startswith(start)
-    ]
-    if not beginnings:
-        raise OutputError(unknown("phone", symbol, table))
-    return max(beginnings, key=lambda entry: entry[0])[1]
+    letters = unicodedata.normalize("NFD", symbol).replace("c\u0327", "ç")
+    for at in range(len(letters)):
+        rest = letters[at:]
+        rows = [(len(start), row) for row in table.values() for start in row.ipa if rest.startswith(start)]
+        if rows:
+            return max(rows, key=lambda entry: entry[0])[1]
+    return None
 
 
 def cues(utterance: Utterance, shapes: Callable[[Viseme], tuple[str, ...]], silence: str) -> list[Cue]:

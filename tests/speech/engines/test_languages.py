@@ -10,6 +10,7 @@ import pytest
 
 from risorius.errors import SpeechWarning
 from risorius.languages import language_of
+from risorius.ports.visemes import known_viseme
 from risorius.rules.articulation import is_known
 from risorius.speech.engines.espeak import EspeakEngine, _default_command
 from risorius.speech.engines.espeak_events import render
@@ -68,6 +69,9 @@ def test_every_phoneme_of_the_language_has_lips(language: str, engine: EspeakEng
     rendition = render(answer, np.frombuffer(sound, "<i2"), language_of(language))
     assert len({phone.symbol for phone in rendition.phones}) > 30
     assert rendition.guessed == ()
+    assert [
+        phone.symbol for phone in rendition.phones if phone.symbol and not known_viseme(phone.symbol)
+    ] == []
 
 
 def test_an_unmapped_phone_is_warned_of(engine: EspeakEngine, monkeypatch: pytest.MonkeyPatch) -> None:
