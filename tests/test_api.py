@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pydoc
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import ModuleType
@@ -53,3 +54,23 @@ def test_two_runs_in_two_threads_are_what_each_is_alone_with_its_own_warnings(tm
         assert said_at_once == said
         assert len(said) == 1
         assert f"<{script.stem}> is not understood" in said[0]
+
+
+def test_what_can_be_used_is_listed_and_helped_with() -> None:
+    assert set(risorius.__all__) <= set(dir(risorius))
+    assert not {"Any", "annotations", "TYPE_CHECKING"} & set(dir(risorius))
+    assert "speak(" in pydoc.plain(pydoc.render_doc(risorius))
+
+
+def test_a_take_is_shown_in_one_line(clip: risorius.Take) -> None:
+    assert repr(clip) == f"<Take of {clip.duration:.2f} s, {len(clip.times)} frames, 'Oh, my mother!'>"
+
+
+def test_faults_of_a_caller_are_told_by_one_kind_of_error(clip: risorius.Take) -> None:
+    with pytest.raises(risorius.RisoriusError, match="int cannot be performed; expected a text"):
+        risorius.speak(5)  # type: ignore[arg-type]
+    with pytest.raises(risorius.RisoriusError, match="settings are dict; expected risorius.Settings"):
+        risorius.speak("Hi.", settings={"fps": 60})  # type: ignore[arg-type]
+    with pytest.raises(risorius.RisoriusError, match="unknown parameter 'lip_seel'; did you mean 'lip_seal'"):
+        _ = clip.curves["lip_seel"]
+    assert clip.curves.get("lip_seel") is None

@@ -61,6 +61,10 @@ _MODULES = {
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 
 
+def __dir__() -> list[str]:
+    return sorted({*__all__, "__all__", "__doc__", "__name__", "__version__"})
+
+
 def __getattr__(name: str) -> Any:
     # Loaded when first used: the command line's help must not wait for numpy.
     from importlib import import_module

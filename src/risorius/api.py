@@ -52,7 +52,9 @@ def speak(
     these, it is recognized, which is weaker. `emotion`: intensities 0..1 by name, or displays with their
     spans. Raises RisoriusError with one line on what is wrong and where.
     """
-    settings, displays = settings or Settings(), displays_of(emotion)
+    settings, displays = _checked(settings), displays_of(emotion)
+    if script is not None and not isinstance(script, str):
+        raise InputError(f"{type(script).__name__} cannot be performed; expected a text, or a file's name")
     if script is not None and script.lower().endswith(".json") and not text:
         arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
         refuse(settings, SCORE, Place(script), **arguments)
@@ -83,7 +85,7 @@ def mix(
 
     Raises RisoriusError; UnreadError for settings of a voice or a plan, which a score has behind it.
     """
-    settings = settings or Settings()
+    settings = _checked(settings)
     refuse(settings, SCORE, Place(str(score)))
     file = read_score_file(Path(score))
     blend = settings.blend.over(file.score.settings)
@@ -97,7 +99,7 @@ def load(performance: FileName, *, settings: Settings | None = None) -> Take:
 
     Raises RisoriusError; UnreadError for settings that would change the curves.
     """
-    settings = settings or Settings()
+    settings = _checked(settings)
     file = read_performance_file(Path(performance))
     # Its own frame rate is no change.
     compared = replace(settings, fps=Settings().fps) if settings.fps == file.performance.fps else settings
@@ -121,7 +123,7 @@ def play(
     from .ports.formats import format_read
     from .ports.readable import ReadOptions
 
-    settings, path = settings or Settings(), Path(capture)
+    settings, path = _checked(settings), Path(capture)
     kind = format_read(path)
     if kind.suffix == ".performance.json":
         take = load(path, settings=settings)
@@ -140,7 +142,7 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(pose_curve,), settings=BlendSettings(contact=False))
-    settings = settings or Settings()
+    settings = _checked(settings)
     refuse(settings, POSE)
     return combine(score, settings)
 
@@ -165,7 +167,7 @@ def rig(
     from .ports.glb_file import save_glb
     from .ports.rig import animated, check_performable, read_rig, report
 
-    settings = settings or Settings()
+    settings = _checked(settings)
     refuse(settings, CHARACTER, Place(str(character)))
     rig = read_rig(Path(character), None if map_file is None else Path(map_file))
     if take is not None and output is not None:
@@ -185,3 +187,11 @@ def displays_of(emotion: Emotions) -> Displays:
     if isinstance(emotion, Mapping):
         return tuple(Display(name, intensity) for name, intensity in emotion.items())
     return tuple(emotion)
+
+
+def _checked(settings: Settings | None) -> Settings:
+    if settings is None:
+        return Settings()
+    if not isinstance(settings, Settings):
+        raise InputError(f"settings are {type(settings).__name__}; expected risorius.Settings(…)")
+    return settings

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import astuple, dataclass, field, fields, replace
 from functools import cached_property
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from .face.solve import FaceSolver
 
 
-@dataclass
+@dataclass(repr=False)
 class Take:
     """What `speak`, `mix` and `pose` return.
 
@@ -48,6 +49,11 @@ class Take:
     sound: Audio | None = None
     planned: Plan | None = field(default=None, repr=False, compare=False)
     cache: HeadCache = field(default_factory=lambda: HeadCache(), repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        """Return one line: how long it is, and what is said."""
+        said = "" if self.utterance is None else f", {textwrap.shorten(self.utterance.text, 60)!r}"
+        return f"<Take of {self.duration:.2f} s, {len(self.times)} frames{said}>"
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled: the plan, the head and what they make are made again when asked for."""

@@ -175,6 +175,17 @@ def test_help_explains(command: list[str], capsys: pytest.CaptureFixture[str]) -
     assert "Usage: risorius" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("command", [[], ["rules"]])
+def test_a_bare_command_prints_its_help(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(command) == 0
+    assert len(capsys.readouterr().out.splitlines()) > 5
+
+
+def test_an_unknown_list_is_told_the_nearest(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["list", "emotion"]) == 2
+    assert capsys.readouterr().err == "risorius: unknown list 'emotion'; did you mean 'emotions'?\n"
+
+
 def test_help_loads_nothing_heavy() -> None:
     code = "import sys; from risorius.cli import run; run(['--help']); print(*sys.modules, file=sys.stderr)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

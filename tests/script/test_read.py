@@ -104,7 +104,6 @@ def test_the_source_of_words_is_named() -> None:
         "Oh, really?",
         "Hello.",
         "It costs 3.14",
-        "and/or",
         "e.g. this",
         "a" * 5000,
         "One.\nTwo.",
@@ -168,3 +167,18 @@ def test_a_format_is_one_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     (tmp_path / "a.shout").write_text("hello")
     assert read_script("a.shout").text == "HELLO"
     assert refusal("b.shout").startswith("b.shout: there is no such file")
+
+
+@pytest.mark.parametrize("name", ["missing.mp3", "line.docx", "a_folder/", "lines/one", "a.m4a"])
+def test_what_looks_like_a_file_s_name_is_not_spoken(name: str) -> None:
+    assert (
+        refusal(name) == f"{name}: there is no such file; expected a file, or --text to have the words spoken"
+    )
+    assert read_script(name, text=True).text == name
+
+
+@pytest.mark.parametrize(
+    "words", ["Hello.", "Really?!", "3.5", "Dr.", "and so on…", "yes / no", "See x.y there"]
+)
+def test_words_are_not_taken_for_a_file(words: str) -> None:
+    assert read_script(words).text == words

@@ -55,6 +55,9 @@ def run(arguments: list[str]) -> int:
     except (click.Abort, KeyboardInterrupt):
         say("risorius: interrupted; nothing was written")
         return EXIT_INTERRUPTED
+    except click.exceptions.NoArgsIsHelpError as error:
+        click.echo(error.ctx.get_help())  # what a newcomer types first
+        return 0
     except click.ClickException as error:
         return _fault(error.format_message())
     except UnreadError as error:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -140,8 +141,22 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
 }
 
 
+class KnownName(click.Choice[str]):
+    """One of some names; an unknown one is told the nearest."""
+
+    def __init__(self, kind: str, names: Sequence[str]) -> None:
+        super().__init__(names)
+        self._kind = kind
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Return the name; raise ParameterError for one that is not known."""
+        if value not in self.choices:
+            raise ParameterError(unknown(self._kind, str(value), self.choices))
+        return super().convert(value, param, ctx)
+
+
 @click.command(name="list", cls=Command)
-@click.argument("what", type=click.Choice(list(LISTINGS)))
+@click.argument("what", type=KnownName("list", list(LISTINGS)))
 def list_(what: str) -> None:
     """List what can be named."""
     header, rows = LISTINGS[what]()

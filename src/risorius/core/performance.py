@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..errors import InputError
+from ..errors import InputError, ParameterError, unknown
 from .arrays import Array
 from .parameters import INDEX, NAMES, parameters_named
 from .progress import Progress
@@ -17,6 +17,13 @@ MOST_FRAMES = 1_300_000
 """Frames of a performance: six hours at 60 a second, with 478 MB of curves."""
 MANY_FRAMES = 54_000
 """Half an hour at 30 frames a second: more are announced."""
+
+
+class CurvesByName(dict[str, Array]):
+    """Curves by the names of their parameters; ParameterError, with the nearest, for a name that is none."""
+
+    def __missing__(self, name: str) -> Array:
+        raise ParameterError(unknown("parameter", str(name), NAMES))
 
 
 def frame_count(duration: float, fps: Fraction) -> int:
@@ -83,6 +90,6 @@ class Performance:
         return np.asarray(self.values[:, columns].mean(axis=1))
 
     @property
-    def curves(self) -> dict[str, Array]:
+    def curves(self) -> CurvesByName:
         """All curves by name, in the table's order."""
-        return {name: self.values[:, i] for i, name in enumerate(NAMES)}
+        return CurvesByName((name, self.values[:, i]) for i, name in enumerate(NAMES))

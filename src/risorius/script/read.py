@@ -5,6 +5,7 @@ A new format is a file with a function from text and name to a script, and its l
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -30,6 +31,8 @@ READERS.register(".bml")(parse_bml)
 
 # What is named like an input is a file, never words to speak, even where there is no reader for it.
 INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
+_WORD = re.compile(r"[^\s\0]+")
+_ENDING = re.compile(r"\.\d{0,4}[A-Za-z][A-Za-z0-9]{0,4}")
 RECORDING_SUFFIXES = (".wav", ".flac", ".ogg", ".mp3")
 
 
@@ -42,9 +45,17 @@ def read_script(script: str, *, text: bool = False, source: str = "text") -> Scr
     if text or not script.strip():
         return parse_plain(script, source)
     suffix = _suffix(script)
-    if suffix not in (*INPUT_SUFFIXES, *READERS) and not names_something(script):
+    named = suffix in (*INPUT_SUFFIXES, *READERS) or _is_like_a_name(script)
+    if not named and not names_something(script):
         return parse_plain(script, source)
     return _read_file(script, suffix)
+
+
+def _is_like_a_name(script: str) -> bool:
+    """Tell whether it is one word with a slash, or with an ending of up to five letters, as a file's name."""
+    _, dot, ending = script.rpartition(".")
+    like = "/" in script or _ENDING.fullmatch(dot + ending[:6])
+    return bool(like and _WORD.fullmatch(script))
 
 
 def parse_script(text: str, suffix: str, source: str = "text") -> Script:
