@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -75,4 +74,4 @@ def performed(segments: Sequence[LipSegment], rig: LipRig | None) -> tuple[LipSe
         number: {n: v for n, v in own.items() if n not in ARTICULATORS} | active
         for (number, own), active in zip(distinct.items(), actives, strict=True)
     }
-    return tuple(replace(s, targets=targets[id(s.targets)]) for s in segments)
+    return tuple(s.with_targets(targets[id(s.targets)]) for s in segments)
