@@ -74,3 +74,12 @@ def test_faults_of_a_caller_are_told_by_one_kind_of_error(clip: risorius.Take) -
     with pytest.raises(risorius.RisoriusError, match="unknown parameter 'lip_seel'; did you mean 'lip_seal'"):
         _ = clip.curves["lip_seel"]
     assert clip.curves.get("lip_seel") is None
+
+
+def test_an_unknown_head_is_refused_before_anything_is_spoken() -> None:
+    said: list[str] = []
+    with pytest.raises(risorius.RisoriusError, match="unknown head 'nobody'"):
+        risorius.speak(
+            "Hi.", settings=risorius.Settings(head="nobody"), progress=lambda what, *_: said.append(what)
+        )
+    assert said == []
