@@ -22,6 +22,8 @@ from tests.profiles import samples
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
+PRINTED = re.compile(r"^```sh\n(?:(?!```).*\n)*```\n```\n((?:(?!```).*\n)*)```", re.MULTILINE)
+"""What a page shows as printed by the commands before it."""
 SMALL = {"--size": ("64x64", Settings(size=(64, 64)))} | samples(
     {}, everyday={"--fps": ("6", Settings(fps=Fraction(6)))}
 )
@@ -67,7 +69,7 @@ def changes_output(settings: Settings, formats: list[FileFormat]) -> bool:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
-def test_commands_run(page: Path, folder: Path) -> None:
+def test_commands_run(page: Path, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for line in "".join(blocks(page, "sh")).splitlines():
         program, *arguments = shlex.split(line, comments=True)
         assert program == "risorius"
@@ -75,6 +77,9 @@ def test_commands_run(page: Path, folder: Path) -> None:
         if "--dry-run" not in arguments:
             patterns = [re.sub(r"\{\w+\}", "**/*", b) for a, b in pairwise(arguments) if a == "-o"]
             assert all(written(pattern) for pattern in patterns), line
+    printed = " ".join(capsys.readouterr().out.split())
+    for shown in PRINTED.findall(page.read_text()):
+        assert " ".join(shown.split()) in printed, shown
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
