@@ -163,7 +163,7 @@ def test_mix_writes_the_curves_to_standard_output(folder: Path, capsys: pytest.C
     assert len(lines) == 1 + 11
 
 
-@pytest.mark.parametrize("what", ["muscles", "channels", "emotions", "voices", "outputs"])
+@pytest.mark.parametrize("what", ["muscles", "channels", "emotions", "voices", "languages", "outputs"])
 def test_lists(what: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["list", what]) == 0
     assert len(capsys.readouterr().out.splitlines()) > 5

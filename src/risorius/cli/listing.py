@@ -63,6 +63,27 @@ def voices() -> Listing:
     return ("voice", "language", "name"), [(v.name, v.language, v.description) for v in all_voices()]
 
 
+def languages() -> Listing:
+    """The languages that are known by more than their sounds, and how many voices each has."""
+    from ..languages import language_of
+    from ..languages import languages as all_languages
+    from ..speech.engines.voices import speaking
+
+    spoken = [voice.language.split("-")[0] for voice in speaking().values()]
+    known = [language_of(code) for code in all_languages() if code != "und"]
+    rows: list[Sequence[str]] = [
+        (
+            language.code,
+            language.name,
+            str(spoken.count(language.code)),
+            "yes" if language.function_words else "",
+            "yes" if language.abbreviations.titles else "",
+        )
+        for language in known
+    ]
+    return ("language", "name", "voices", "function words", "abbreviations"), rows
+
+
 def outputs() -> Listing:
     """The outputs by suffix."""
     from ..ports.formats import FORMATS
@@ -133,6 +154,7 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
     "channels": channels,
     "emotions": emotions,
     "voices": voices,
+    "languages": languages,
     "outputs": outputs,
     "heads": heads,
     "sliders": sliders,
