@@ -4,6 +4,7 @@ import os
 import tomllib
 import zipfile
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from headbuild.pack import quantized, write_npz  # type: ignore[import-not-found
 from headbuild.section import MouthSections  # type: ignore[import-not-found]
 from headbuild.source import open_source  # type: ignore[import-not-found]
 from headbuild.teeth import build_teeth, incisor_edge  # type: ignore[import-not-found]
+from headbuild.terms import FLESH, Terms  # type: ignore[import-not-found]
 from hypothesis import given
 from hypothesis import strategies as st
 from tests.profiles import examples, samples
@@ -60,7 +62,11 @@ class TestInvalid:
         [
             ("[triangularis]", "[triangulariss]", "triangulariss"),
             ('part = "below the brow"', 'part = "below the bow"', "unknown part 'below the bow'"),
-            ("shapes = { mouthFrown = 1.0 }", "shape = { mouthFrown = 1.0 }", "unknown key 'shape'"),
+            (
+                "shapes = { mouthShrugLower = 1.0 }",
+                "shape = { mouthShrugLower = 1.0 }",
+                "unknown key 'shape'",
+            ),
             ('lips = "together"', 'lips = "togther"', "lips must be one of"),
         ],
     )
@@ -70,6 +76,38 @@ class TestInvalid:
         (tmp_path / "muscles.toml").write_text(text.replace(old, new, 1), encoding="utf-8")
         with pytest.raises(ValueError, match=message):
             read_recipes(tmp_path / "muscles.toml")
+
+    @pytest.mark.parametrize(
+        ("old", "new", "message"),
+        [
+            ("[[mentalis]]", "[[mentaliss]]", "unknown muscle 'mentaliss'"),
+            ("what = ", "why = ", "key 'what'"),
+            ('skin = "upper"', 'skin = "outer"', "skin must be one of all, upper, lower"),
+        ],
+    )
+    def test_flesh(self, tmp_path: Path, old: str, new: str, message: str) -> None:
+        text = (STANDARD / FLESH).read_text(encoding="utf-8")
+        assert old in text
+        (tmp_path / FLESH).write_text(text.replace(old, new, 1), encoding="utf-8")
+        (tmp_path / "muscles.toml").write_bytes(RECIPES.read_bytes())
+        with pytest.raises(ValueError, match=message):
+            read_recipes(tmp_path / "muscles.toml")
+
+
+class TestTerms:
+    def test_a_term_is_a_bell_off_the_eyes(self) -> None:
+        points = np.array([[30.0, -40.0, 14.0], [-30.0, -40.0, 14.0], [30.0, -28.0, 14.0], [30.0, 0.0, 14.0]])
+        bust = SimpleNamespace(
+            places=points, template=None, ids=points[:, 0],
+            eye_centre=np.array([[30.0, 0.0, 0.0], [-30.0, 0.0, 0.0]]), eye_radius=np.array([14.0, 14.0]),
+        )  # fmt: skip
+        term = {"place": [30.0, -40.0, 14.0], "size": [12.0] * 3, "move": [1.0, 2.0, 3.0], "skin": "upper"}
+        field = Terms(bust, np.zeros(4)).field([term])
+        assert field[0] == pytest.approx([1.0, 2.0, 3.0])
+        assert field[1] == pytest.approx([-1.0, 2.0, 3.0])
+        assert field[2] == pytest.approx(np.exp(-0.5) * field[0], rel=0.02)
+        assert field[3] == pytest.approx(0.0)
+        assert Terms(bust, np.ones(4)).field([term]) == pytest.approx(np.zeros((4, 3)))
 
 
 class TestRecipes:

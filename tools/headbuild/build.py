@@ -24,6 +24,7 @@ from .muscles import muscle_fields, read_recipes
 from .pack import quantized, settled, short
 from .source import Source
 from .teeth import build_teeth, incisor_edge
+from .terms import Terms
 from .tongue import tongue, tongue_fields
 from .tuck import tuck
 
@@ -90,7 +91,8 @@ def build(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
     """All arrays of the head file, by name; `recipes` is the `muscles.toml`."""
     bust, rest, bite = shape.bust, shape.rest, shape.bite
     template = shape.template or shape
-    fields = muscle_fields(bust, rest, shape.seal, read_recipes(recipes))
+    terms = Terms(bust, shape.jaw.weight)
+    fields = muscle_fields(bust, rest, shape.seal, terms, read_recipes(recipes))
     edge = bite.place(incisor_edge(template.bite.line)[None])[0]
     fields["lip_tuck"] = tuck(rest, fields["lip_tuck"], shape.seal, shape.jaw, edge)
     return {

@@ -19,6 +19,7 @@ from .folds import unfolded
 from .lids import close_lids, lid_pairs
 from .masks import smoothstep
 from .mouth import LipSeal, lip_rings, narrowed
+from .terms import FLESH, Terms, read_terms
 
 SIDES = ("left", "right")
 _SEAM = 8.0  # half width in mm of the ramp that splits a shape of both sides
@@ -92,12 +93,13 @@ def read_recipes(path: Path) -> dict[str, dict[str, Any]]:
     wanted = {m.base for m in MUSCLES if m.base != "masseter"} | {"lip_tuck"}
     if set(recipes) != wanted:
         raise ValueError(f"{path.name} and the table of parameters differ: {sorted(set(recipes) ^ wanted)}")
+    flesh = read_terms(path.with_name(FLESH), wanted)
     for name, recipe in recipes.items():
         for key in sorted(set(recipe) - set(_KEYS) - set(_ANATOMY) - set(_DEFAULTS)):
             raise ValueError(
                 f"{path.name}: {name}: unknown key '{key}'; expected {', '.join((*_KEYS, *_DEFAULTS))}"
             )
-        recipes[name] = _DEFAULTS | recipe
+        recipes[name] = _DEFAULTS | recipe | {"terms": flesh.get(name, [])}
         if recipe["part"] not in PARTS:
             raise ValueError(f"{path.name}: {name}: unknown part '{recipe['part']}'")
         if recipes[name]["lips"] not in _LIPS:
@@ -106,7 +108,7 @@ def read_recipes(path: Path) -> dict[str, dict[str, Any]]:
 
 
 def muscle_fields(
-    bust: Bust, rest: AnyArray, seal: LipSeal, recipes: dict[str, dict[str, Any]]
+    bust: Bust, rest: AnyArray, seal: LipSeal, terms: Terms, recipes: dict[str, dict[str, Any]]
 ) -> dict[str, AnyArray]:
     """Field name → displacement (N0, 3) in mm; left and right are exact mirror images."""
     paired = {m.base for m in MUSCLES if m.side}
@@ -115,12 +117,13 @@ def muscle_fields(
         if name in paired:
             left = _field(bust, rest, recipe, "left")
             left = 0.5 * (left + mirrored(bust, _field(bust, rest, recipe, "right")))
+            left = left + terms.field(recipe["terms"]) * _left_share(bust.places)
             change = _lips_change(bust, rest, seal, left + mirrored(bust, left), recipe)
             left = _with_room(bust, rest, left + change * _left_share(bust.places), recipe)
             fields[f"{name}.left"], fields[f"{name}.right"] = left, mirrored(bust, left)
         else:
             both = sum((_field(bust, rest, recipe, side) for side in SIDES), np.zeros_like(rest))
-            both = 0.5 * (both + mirrored(bust, both))
+            both = 0.5 * (both + mirrored(bust, both)) + terms.field(recipe["terms"])
             both = narrowed(bust, rest + both, recipe["narrow"]) - rest
             both = both + _lips_change(bust, rest, seal, both, recipe)
             fields[name] = _with_room(bust, rest, both, recipe)

@@ -11,9 +11,24 @@ from risorius.core.arrays import AnyArray
 from risorius.face.head_file import FORMAT
 
 from .build import Shape
-from .muscles import ironed, read_recipes
+from .muscles import ironed, muscle_fields, read_recipes
 from .pack import quantized
+from .terms import Terms
 
+# Shapes for which muscles are better than the source's sculpt, because flesh swells and is lifted in them
+# (`flesh.toml`): the muscles whose fields, of the shape's side, add up to it.
+MUSCLES = {
+    "browInnerUp": ("frontalis_medialis",),
+    "browOuterUp": ("frontalis_lateralis",),
+    "browDown": ("corrugator_supercilii", "depressor_supercilii", "depressor_glabellae"),
+    "cheekSquint": ("orbicularis_oculi_orbitalis",),
+    "noseSneer": ("levator_labii_nasi",),
+    "mouthSmile": ("zygomatic_major",),
+    "mouthFrown": ("triangularis",),
+    "mouthStretch": ("risorius",),
+    "mouthUpperUp": ("levator_labii_superioris", "zygomatic_minor"),
+    "mouthShrugLower": ("mentalis",),
+}
 _TEETH = "helper-lower-teeth"
 _SMALLEST = 0.02  # mm: what a sculpt moves less is left out
 
@@ -24,16 +39,29 @@ def build_shapes(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
     Sharp folds of a sculpt are ironed out as in the muscles made from it (`recipes`): both are one face.
     """
     bust, stiffness = shape.bust, _stiffness(recipes)
+    muscles = muscle_fields(
+        bust, shape.rest, shape.seal, Terms(bust, shape.jaw.weight), read_recipes(recipes)
+    )
     teeth = bust.source.parts[_TEETH].vertices
     arrays = {
         "format": np.array(FORMAT, np.int32),
         "teeth": np.array([bust.source.shape(name)[teeth].mean(axis=0) for name in SHAPES], np.float32),
     }
     for name in SHAPES:
-        field = ironed(bust, bust.shape(name), stiffness.get(name, 0.0))
+        own = _of_muscles(muscles, name)
+        field = ironed(bust, bust.shape(name), stiffness.get(name, 0.0)) if own is None else own
         for key, values in quantized(field, _SMALLEST).items():
             arrays[f"shape/{name}/{key}"] = values
     return arrays
+
+
+def _of_muscles(fields: dict[str, AnyArray], name: str) -> AnyArray | None:
+    """Return the field (N0, 3) of a shape as its muscles have it, None if they have none."""
+    for shape, muscles in MUSCLES.items():
+        for sides in (("left", "right"), ("left",), ("right",)):
+            if name == shape + (sides[0].capitalize() if len(sides) == 1 else ""):
+                return np.asarray(np.sum([fields[f"{m}.{side}"] for m in muscles for side in sides], axis=0))
+    return None
 
 
 def _stiffness(recipes: Path) -> dict[str, float]:

@@ -20,10 +20,13 @@ from .roots import inverse_cube_root
 # These have no field on the skin at rest: the jaw is a frame, and the lids slide over the eyeball.
 ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")
 
-# Muscles that are heads of one sheet: their fields are parts of one shape and add up to it, unlimited.
+# Muscles that are heads of one sheet, or that lift one pad of flesh (the cheek): their fields are parts of
+# one shape and add up to it, unlimited.
 SHEETS = {
     "zygomatic_minor": "levator_labii_superioris",
     "corrugator_supercilii": "depressor_supercilii",
+    "frontalis_lateralis": "frontalis_medialis",
+    "orbicularis_oculi_orbitalis": "zygomatic_major",
 }
 
 
@@ -126,7 +129,7 @@ class DisplacedSkin:
 
 MOST = 32  # no vertex has more entries
 # mm that two muscles together may move a vertex beyond the larger alone; the second without any damping.
-EXCESS, FREE_EXCESS = 1.75, 1.3
+EXCESS, FREE_EXCESS = 1.6, 1.3
 _PULL = 8  # columns of a pull, one cache line: its three components, and scratch
 NOTHING = 1e-9  # mm: a smaller pull counts as none, because its cube would underflow
 _EVERY = np.uint64(2**64 - 1)
