@@ -129,7 +129,7 @@ class DisplacedSkin:
 
 MOST = 32  # no vertex has more entries
 # mm that two muscles together may move a vertex beyond the larger alone; the second without any damping.
-EXCESS, FREE_EXCESS = 1.6, 1.3
+EXCESS, FREE_EXCESS = 1.45, 1.15
 _PULL = 8  # columns of a pull, one cache line: its three components, and scratch
 NOTHING = 1e-9  # mm: a smaller pull counts as none, because its cube would underflow
 _EVERY = np.uint64(2**64 - 1)
