@@ -1,13 +1,16 @@
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
 import pytest
 
+from risorius.blend import combine
 from risorius.channels import ChannelInputs, Display, built_channels, compose
 from risorius.core.channels import CHANNELS
 from risorius.core.movement import Cause, Movement
 from risorius.core.score import Score
 from risorius.errors import InputError, ParameterError
+from risorius.face.lip_file import load_lip_rig
 
 BLINK = "orbicularis_oculi_palpebralis.left"
 
@@ -80,3 +83,18 @@ def test_random_blinks_keep_clear_of_marked_ones() -> None:
 
 def test_without_liveliness_nothing_random_is_left() -> None:
     assert compose(ChannelInputs(60.0, lively=False)).movements == ()
+
+
+def test_an_overwhelming_emotion_outdoes_the_lips_that_it_conflicts_with(utterance_of) -> None:
+    """Paper A, section 1: one may be too happy to speak. /w/ rounds with 07, the rival of the smile's 01."""
+    utterance = utterance_of("W UW W UW")
+    rounding, smiles = [], []
+    for priority in (None, 80.0):
+        display = Display("joy", 1.0, priority=priority)
+        score = compose(ChannelInputs(2.0, utterance, emotions=(display,)), without=["manipulators"])
+        shown = combine(score, Fraction(100), load_lip_rig()).curves
+        spoken = slice(round(100 * utterance.phones[0].start), round(100 * utterance.phones[-1].end))
+        rounding.append(shown["orbicularis_oris_funneler"][spoken].mean())
+        smiles.append(shown["zygomatic_major.left"][spoken].mean())
+    assert rounding[1] < 0.5 * rounding[0]
+    assert smiles[1] > smiles[0]

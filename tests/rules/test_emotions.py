@@ -84,6 +84,8 @@ def test_unknown_emotions_are_refused(name: str, message: str) -> None:
         ("joy:nan", "emotion 'joy:nan' is not understood"),
         ("joy:-1", "emotion 'joy:-1' is not understood"),
         ("joy:1@2", "emotion 'joy:1@2' is not understood"),
+        ("joy:1/", "emotion 'joy:1/' is not understood"),
+        ("joy:1/high", "emotion 'joy:1/high' is not understood"),
         ("joy:1@-1-2", "emotion 'joy:1@-1-2' is not understood"),
         ("jo\ny:1", "emotion 'jo y:1' is not understood"),
         ("joy:1.5", "happiness = 1.5 is out of range; expected 0 to 1"),
@@ -206,6 +208,8 @@ def test_nothing_felt_shows_nothing_and_all_of_it_the_whole(name: str) -> None:
         ("joy:0.7", Display("happiness", 0.7)),
         (" Scared:1@0.5-2. ", Display("fear", 1.0, 0.5, 2.0)),
         ("anger:0@0-.5", Display("anger", 0.0, 0.0, 0.5)),
+        ("anger:1/80", Display("anger", 1.0, priority=80.0)),
+        ("joy:1@0.5-2/62.5", Display("happiness", 1.0, 0.5, 2.0, 62.5)),
     ],
 )
 def test_options(text: str, display: Display) -> None:

@@ -9,6 +9,7 @@ from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import Movement
 from risorius.core.utterance import Utterance
 from risorius.errors import RisoriusError
+from risorius.rules.doctor import examine
 from risorius.rules.habits import HABITS
 from risorius.rules.profiles import profile_of
 from risorius.rules.rule_set import extended, shipped
@@ -41,6 +42,31 @@ def test_habits_that_do_not_fit_are_refused_with_their_place(text: str, message:
     with pytest.raises(RisoriusError, match=message) as error:
         extended(shipped(), text, "my.toml")
     assert str(error.value).startswith("my.toml:")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (BLINKS + "numbers = {}", "changes nothing: it has no numbers"),
+        (
+            'delete = ["manipulators"]\n' + BLINKS + 'numbers = { "interval.0" = 2.0 }',
+            "is changed and deleted; expected one of both",
+        ),
+        (
+            (BLINKS + 'numbers = { "interval.0" = 2.0 }\n') * 2,
+            "gives 'interval.0' twice; the last one holds",
+        ),
+        (BLINKS.replace("mine", " ") + 'numbers = { "interval.0" = 2.0 }', "lacks a source"),
+    ],
+)
+def test_the_doctor_names_habits_that_are_ill(text: str, message: str) -> None:
+    (finding,) = examine(extended(shipped(), text, "my.toml"))
+    assert str(finding).startswith("my.toml:")
+    assert str(finding).endswith(f"habit 'manipulators.lids.natural' {message}")
+
+
+def test_the_doctor_finds_nothing_in_a_habit_that_is_well() -> None:
+    assert examine(extended(shipped(), BLINKS + 'numbers = { "interval.0" = 2.0 }', "my.toml")) == ()
 
 
 @pytest.mark.parametrize("name", [n for n in HABITS if n not in ("gaze.scan.face", "gaze.lids.shift")])

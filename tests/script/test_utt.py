@@ -14,6 +14,7 @@ BAD = [
     ("hello", "x.utt:1:1: 'hello' is not a line of an utterance"),
     ("emotion: hapiness 0.3\ntext: (A)", "x.utt:1:10: unknown emotion 'hapiness'; did you mean 'happiness'"),
     ("emotion: joy\ntext: (A)", "x.utt:1:10: 'joy' is not an emotion; expected e.g. happiness 0.7"),
+    ("emotion: joy 0.5/\ntext: (A)", "x.utt:1:10: 'joy 0.5/' is not an emotion; expected e.g. happiness 0.7"),
     ("emotion: joy 0.5, fear 2\ntext: (A)", "x.utt:1:19: "),
     ("text: (A)\nemotion: joy 0.5", "x.utt:2:10: emotion comes after the text"),
     ("language: de\nlanguage: fr\ntext: (A)", "x.utt:2:11: language is given twice"),
@@ -83,6 +84,11 @@ def test_julia_is_spoken_as_written() -> None:
         ("popcorn", "L-L%"),
         ("Really", "H-H%"),
     ]
+
+
+def test_an_emotion_at_the_head_may_have_a_priority() -> None:
+    marks = read_script_text("emotion: sadness 1/80, fear 0.2\n").marks
+    assert [mark.priority for mark in marks] == [80.0, None]
 
 
 def test_the_emotion_at_the_head_changes_the_voice() -> None:

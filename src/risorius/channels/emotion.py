@@ -52,7 +52,8 @@ def _placed(display: Display, duration: float) -> Display:
         raise InputError(
             f"emotion {found.name}: from {start:g} to {end:g} s is not a span; expected 0 <= start < end"
         )
-    return Display(emotion_key(display.emotion), check_intensity(found.name, display.intensity), start, end)
+    intensity = check_intensity(found.name, display.intensity)
+    return Display(emotion_key(display.emotion), intensity, start, end, display.priority)
 
 
 def _movements(
@@ -76,6 +77,7 @@ def _movements(
             targets,
             id=f"emotion.{number}.{found.name}" + (f"@{start:.3f}" if start > first else ""),
             layer=f"{number}.{found.name}",
+            priority=display.priority,
             function=channel_timing("emotion").function,
             cause=Cause("emotion.display", f"{found.name} {display.intensity:g}", "option"),
         )

@@ -149,9 +149,10 @@ emotion_option = option(
     "emotions",
     group="Input",
     multiple=True,
-    metavar="NAME:INTENSITY[@START-END]",
+    metavar="NAME:INTENSITY[@START-END][/PRIORITY]",
     type=Named(Names(path="rules.emotions:emotions"), after=":"),
-    help="Show an emotion, 0 to 1, over the whole clip or a span in seconds. May be given several times.",
+    help="Show an emotion, 0 to 1, over the whole clip or a span in seconds, at the priority of its channel "
+    "(10) or another: above 60, the lips', it outdoes speech. May be given several times.",
 )
 
 

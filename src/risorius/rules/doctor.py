@@ -1,14 +1,15 @@
-"""The doctor: rules that hold no error, yet can do nothing or not what they say."""
+"""The doctor: rules and habits that hold no error, yet can do nothing or not what they say."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ..core.action_units import resolve_targets
 from ..core.rivalry import rival_pairs
 from ..core.utterance import PauseKind, Question
 from ..errors import Place
+from .habits import Habit
 from .modulation import is_under
 from .rule import NOTHING_FELT, Level, Rule
 from .rule_set import RuleEntry, RuleSet, shipped
@@ -26,12 +27,32 @@ class Finding:
 
 
 def examine(rule_set: RuleSet) -> tuple[Finding, ...]:
-    """Return the problems of a set of rules, in its order."""
-    return tuple(
+    """Return the problems of a set of rules and of what it changes in habits, in its order."""
+    of_rules = (
         Finding(entry.place, f"rule '{entry.rule.id}' {message}")
         for entry in rule_set.entries.values()
         for message in _problems(entry, rule_set)
     )
+    changed = rule_set.habits.changed
+    of_habits = (
+        Finding(place, f"habit '{habit.id}' {message}")
+        for index, (habit, place) in enumerate(zip(changed, rule_set.habit_places, strict=True))
+        for message in _problems_of_habit(habit, changed[index + 1 :], rule_set)
+    )
+    return (*of_rules, *of_habits)
+
+
+def _problems_of_habit(habit: Habit, later: Sequence[Habit], rule_set: RuleSet) -> Iterator[str]:
+    """Yield what is wrong with new numbers of a habit that others may follow."""
+    if habit.id in rule_set.habits.deleted:
+        yield "is changed and deleted; expected one of both"
+    if not habit.numbers:
+        yield "changes nothing: it has no numbers"
+    for key in habit.numbers:
+        if any(other.id == habit.id and key in other.numbers for other in later):
+            yield f"gives '{key}' twice; the last one holds"
+    if not habit.source.strip():
+        yield "lacks a source"
 
 
 def _problems(entry: RuleEntry, rule_set: RuleSet) -> Iterator[str]:

@@ -94,12 +94,16 @@ class Emotion:
 
 @dataclass(frozen=True, slots=True)
 class Display:
-    """An emotion to show: intensity 0..1 over [start, end] seconds, the whole clip where they are None."""
+    """An emotion to show: intensity 0..1 over [start, end] seconds, the whole clip where they are None.
+
+    `priority`: over other channels (paper A, section 1: "too happy to speak"); None for the channel's.
+    """
 
     emotion: str
     intensity: float
     start: float | None = None
     end: float | None = None
+    priority: float | None = None
 
 
 Displays = tuple[Display, ...]
@@ -152,7 +156,7 @@ def _from_file(path: str) -> Emotion:
 _NUMBER = r"(?:\d++(?:\.\d*+)?|\.\d++)"
 _FILE = ".toml"
 _NAME = re.compile(r"[\w -]++", re.ASCII)
-_INTENSITY = re.compile(rf":({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?\Z", re.ASCII)
+_INTENSITY = re.compile(rf":({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?(?:/({_NUMBER}))?\Z", re.ASCII)
 
 
 def emotion_text(name: str, units: Mapping[str, float]) -> str:
@@ -177,7 +181,7 @@ def emotion_text(name: str, units: Mapping[str, float]) -> str:
 
 
 def parse_display(text: str) -> Display:
-    """Return the display that an option such as `joy:0.7`, `fear:1@0.5-2` or `mine.toml:1` asks for.
+    """Return the display that an option such as `joy:0.7`, `fear:1@0.5-2/80` or `mine.toml:1` asks for.
 
     Raises InputError if it is not of that form, ParameterError for an unknown emotion or intensity above 1.
     """
@@ -188,15 +192,16 @@ def parse_display(text: str) -> Display:
     found = emotion(name)
     key = emotion_key(name)
     intensity = check_intensity(found.name, float(match[1]))
+    priority = None if match[4] is None else float(match[4])
     if match[2] is None:
-        return Display(key, intensity)
+        return Display(key, intensity, priority=priority)
     start, end = float(match[2]), float(match[3])
     if not start < end <= MAX_SECONDS:
         raise InputError(
             f"emotion {found.name}: from {start:g} to {end:g} s is not a span; "
             f"expected start < end, at most {MAX_SECONDS:g} s"
         )
-    return Display(key, intensity, start, end)
+    return Display(key, intensity, start, end, priority)
 
 
 def _by_any_name(table: Mapping[str, Emotion]) -> dict[str, str]:

@@ -44,10 +44,14 @@ class RuleEntry:
 
 @dataclass(frozen=True)
 class RuleSet:
-    """The rules that hold, by id, in the order of their files, and what the files change in habits."""
+    """The rules that hold, by id, in the order of their files, and what the files change in habits.
+
+    `habit_places`: where each of the changed habits stands.
+    """
 
     entries: Mapping[str, RuleEntry] = field(default_factory=FrozenDict)
     habits: HabitChanges = field(default_factory=HabitChanges)
+    habit_places: tuple[Place, ...] = ()
 
     def __iter__(self) -> Iterator[Rule]:
         return (entry.rule for entry in self.entries.values())
@@ -99,7 +103,8 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
     before = rule_set.habits
     habits = HabitChanges((*before.changed, *file.habit), before.deleted | deleted_by(file.delete))
     _check_habits(file, source)
-    return RuleSet(entries, habits)
+    places = tuple(source.place(("habit", index)) for index in range(len(file.habit)))
+    return RuleSet(entries, habits, (*rule_set.habit_places, *places))
 
 
 def _check_habits(file: RuleFile, source: SourceText) -> None:

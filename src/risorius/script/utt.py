@@ -198,10 +198,14 @@ def _display(entry: _Entry) -> Iterator[Mark]:
 
 
 def _mark(written: str, place: Place) -> Mark:
-    name, _, number = " ".join(written.split()).rpartition(" ")
-    intensity = parse_number(number)
-    if not _EMOTION.fullmatch(name) or intensity is None:
-        raise InputError(f"{quoted(written.strip())} is not an emotion; expected e.g. happiness 0.7", place)
+    name, _, numbers = " ".join(written.split()).rpartition(" ")
+    number, outdoes, level = numbers.partition("/")
+    intensity, priority = parse_number(number), parse_number(level) if outdoes else None
+    if not _EMOTION.fullmatch(name) or intensity is None or (outdoes and priority is None):
+        raise InputError(
+            f"{quoted(written.strip())} is not an emotion; expected e.g. happiness 0.7 or happiness 0.7/80",
+            place,
+        )
     try:
         emotion = find_emotion(name)
         targets = emotion.targets(intensity)
@@ -211,5 +215,5 @@ def _mark(written: str, place: Place) -> Mark:
     label = f"emotion: {emotion.name} {intensity:g}"
     return Mark(
         MarkKind.EMOTION, "emotion", start, end, targets, label, place, emotion.onset, emotion.offset,
-        layer=emotion.name, emotions={emotion.name: intensity},
+        layer=emotion.name, emotions={emotion.name: intensity}, priority=priority,
     )  # fmt: skip
