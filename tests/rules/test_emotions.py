@@ -85,6 +85,7 @@ def test_unknown_emotions_are_refused(name: str, message: str) -> None:
         ("joy:-1", "emotion 'joy:-1' is not understood"),
         ("joy:1@2", "emotion 'joy:1@2' is not understood"),
         ("joy:1/", "emotion 'joy:1/' is not understood"),
+        ("joy:1/99999", "emotion 'joy:1/99999' is not understood"),
         ("joy:1/high", "emotion 'joy:1/high' is not understood"),
         ("joy:1@-1-2", "emotion 'joy:1@-1-2' is not understood"),
         ("jo\ny:1", "emotion 'jo y:1' is not understood"),

@@ -154,9 +154,10 @@ def _from_file(path: str) -> Emotion:
 
 
 _NUMBER = r"(?:\d++(?:\.\d*+)?|\.\d++)"
+_LEVEL = r"\d{1,4}(?:\.\d{1,6})?"
 _FILE = ".toml"
 _NAME = re.compile(r"[\w -]++", re.ASCII)
-_INTENSITY = re.compile(rf":({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?(?:/({_NUMBER}))?\Z", re.ASCII)
+_INTENSITY = re.compile(rf":({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?(?:/({_LEVEL}))?\Z", re.ASCII)
 
 
 def emotion_text(name: str, units: Mapping[str, float]) -> str:
