@@ -37,3 +37,15 @@ def test_an_accent_opens_the_jaw_by_one_mechanism() -> None:
 def test_the_chin_gives_most_of_an_open_vowel_and_not_all(phone: str) -> None:
     targets = lip_table().shape(phone).targets
     assert 0.55 <= targets["jaw_drop"] / targets["lip_aperture"] <= 0.65
+
+
+def test_tongue_and_head_have_no_corners_in_speech() -> None:
+    script = read_script(LINE, text=True)
+    plan = blend.Plan(compose(script, say(script), (), Settings(seed=1)), load_lip_rig())
+    names = ("tongue_up", "tongue_back", "tongue_out", "head_yaw", "head_roll", "head_pitch")
+    columns = [INDEX[name] for name in names]
+    bends = []
+    for fps in (100, 400):
+        curves = plan.at(np.arange(0.0, plan.score.duration, 1.0 / fps))[:, columns]
+        bends.append(np.abs(np.diff(curves, 2, axis=0)).max(axis=0))
+    assert (bends[0] >= 8.0 * bends[1]).all(), dict(zip(names, bends[0] / bends[1], strict=True))
