@@ -176,6 +176,16 @@ def test_an_emblem_is_a_weaker_part_of_the_face(name: str) -> None:
     assert max(emblem.values()) < max(shown.targets(1.0).values())
     assert shown.emblem.onset + shown.emblem.offset < shown.emblem.duration
     assert shown.emblem.onset < shown.onset
+    assert shown.emblem.offset < shown.offset
+
+
+def test_what_is_felt_has_a_rise_of_its_own() -> None:
+    """Surprise rises in a fifth of a second, sadness slowly, felt smiles in .5 to .75 s (science/05)."""
+    assert emotion("surprise").onset == 0.2
+    assert emotion("sadness").onset >= 4.0 * emotion("surprise").onset
+    assert 0.5 <= emotion("happiness").onset <= 0.75
+    assert min(emotion(name).onset for name in emotions()) == 0.2
+    assert len({(e.onset, e.offset) for e in emotions().values()}) >= 8
 
 
 def test_no_two_displays_look_alike() -> None:

@@ -105,7 +105,7 @@ def test_the_papers_example_as_printed() -> None:
     assert script.source == "paper.xml"
     (mark,) = script.marks
     assert (mark.kind, mark.channel, mark.layer) == (MarkKind.EMOTION, "emotion", "")
-    assert (str(mark.start), str(mark.end), mark.onset, mark.offset) == ("0", "2", 0.45, 0.75)
+    assert (str(mark.start), str(mark.end), mark.onset, mark.offset) == ("0", "2", 0.2, 0.5)
     assert mark.targets == emotion("surprise").targets(0.7)
     assert mark.label == 'EMOTIONDISPLAY Surprise="0.7"'
     assert mark.place == Place("paper.xml", 2, 1)
