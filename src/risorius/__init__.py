@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .errors import RisoriusError as RisoriusError
     from .errors import RisoriusWarning as RisoriusWarning
     from .errors import warnings_to as warnings_to
+    from .live.session import Live as Live
     from .rules.emotions import Display as Display
     from .settings import BlendChoices as BlendChoices
     from .settings import Look as Look
@@ -32,6 +33,7 @@ __version__ = "0.1.0"
 __all__ = [
     "BlendChoices",
     "Display",
+    "Live",
     "Look",
     "RisoriusError",
     "RisoriusWarning",
@@ -54,6 +56,7 @@ _MODULES = {
     "api": ("align", "load", "mix", "play", "pose", "rig", "speak"),
     "batches.library": ("batch", "pipe"),
     "errors": ("RisoriusError", "RisoriusWarning", "warnings_to"),
+    "live.session": ("Live",),
     "rules.emotions": ("Display",),
     "settings": ("BlendChoices", "Look", "Settings"),
     "take": ("Take",),

@@ -1,0 +1,60 @@
+"""Sentences out of text that arrives in pieces: the same ones however the text is cut."""
+
+from __future__ import annotations
+
+from itertools import takewhile
+
+from ..errors import InputError
+from ..languages import Language
+from ..speech.text.sentences import LIMIT, TextStretch, divide
+from ..speech.text.tokens import is_speakable
+
+LONGEST_WAITING = 100_000
+"""Characters that may wait for the end of their sentence."""
+# Whether a sentence ends is decided by what follows it within so many characters.
+_LOOKAHEAD = 60
+
+
+class SentenceBuffer:
+    """Collects text until a sentence is whole.
+
+    A sentence is whole when the next one has begun, since "3." or "Dr." may not end one: `flush` ends the
+    last. Text longer than can be spoken at once is divided as offline.
+    """
+
+    def __init__(self, language: Language) -> None:
+        self._language = language
+        self._text = ""
+
+    def __bool__(self) -> bool:
+        return is_speakable(self._text)
+
+    def add(self, text: str) -> list[str]:
+        """Add a piece of text; return the sentences that are whole now.
+
+        Raises InputError if too much text waits; the piece is not added then.
+        """
+        if len(self._text) + len(text) > LONGEST_WAITING:
+            message = f"more than {LONGEST_WAITING:,} characters at once; expected text in smaller pieces"
+            raise InputError(message)
+        self._text += text
+        stretches = divide(self._text, self._language)
+        return self._take(list(takewhile(self._is_decided, stretches)))
+
+    def flush(self) -> list[str]:
+        """Return all that waits, as sentences."""
+        sentences = self._take(list(divide(self._text, self._language)))
+        self._text = ""
+        return sentences
+
+    def _is_decided(self, stretch: TextStretch) -> bool:
+        if not stretch.ends_sentence:
+            return len(self._text) >= stretch.start + LIMIT + _LOOKAHEAD
+        following = self._text[stretch.end : stretch.end + _LOOKAHEAD]
+        return len(following) == _LOOKAHEAD or any(character.isalnum() for character in following)
+
+    def _take(self, stretches: list[TextStretch]) -> list[str]:
+        sentences = [self._text[s.start : s.end].strip() for s in stretches]
+        if stretches:
+            self._text = self._text[stretches[-1].end :]
+        return sentences

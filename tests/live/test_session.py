@@ -1,0 +1,193 @@
+"""Live: the law over cuts and arrival, sound frame by frame, interruption, idle life, refusals."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cache
+from itertools import islice, pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from risorius import Live
+from risorius.core.audio import AudioWriter
+from risorius.core.parameters import INDEX, NAMES
+from risorius.core.performance import Performance, frame_count
+from risorius.core.score import Score
+from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError
+from risorius.live.frame import LiveFrame
+from risorius.live.session import SEAM
+from risorius.rules.emotions import Displays
+from risorius.settings import Settings
+from risorius.take import Take
+
+TEXT = (
+    'Dr. Smith paid 3.50 for it... really. "Did he?" Yes! 1. One\n2. Two, e.g. this. '
+    + "long " * 100
+    + "End."
+)
+JAW = INDEX["masseter"]
+RATE = 16_000
+
+
+def perform(text: str, feelings: Displays, chosen: Settings) -> Take:
+    """Perform a sentence at no cost: the sum of its letters is its value and its sound."""
+    if "engine dies" in text:
+        raise SpeechError("the engine died")
+    number = sum(map(ord, text)) % 997
+    with AudioWriter(RATE) as writer:
+        writer.append(np.arange(number * 3, dtype=np.int16))
+        audio = writer.finish()
+    score = Score(max(audio.duration, 0.3))
+    count = frame_count(score.duration, chosen.fps)
+    values = np.full((count, len(NAMES)), number / 997 + chosen.seed * 1e-3 + len(feelings))
+    return Take(Performance(score, chosen.fps, values), chosen, sound=audio)
+
+
+def live(fps: float = 30, chosen: Settings | None = None) -> Live:
+    return Live(chosen or Settings(lively=False), fps=fps, perform=perform)
+
+
+@cache
+def whole() -> list[LiveFrame]:
+    face = live()
+    face.say(TEXT)
+    face.close()
+    return list(face.frames())
+
+
+def same(left: list[LiveFrame], right: list[LiveFrame]) -> None:
+    assert [f.text for f in left] == [f.text for f in right]
+    for a, b in zip(left, right, strict=True):
+        np.testing.assert_array_equal(a.values, b.values)
+        np.testing.assert_array_equal(a.sound, b.sound)
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.lists(st.integers(0, len(TEXT)), max_size=30))
+def test_cuts_change_nothing(cuts: list[int]) -> None:
+    edges = [0, *sorted(cuts), len(TEXT)]
+    face = live()
+    for start, end in pairwise(edges):
+        face.say(TEXT[start:end])
+    face.close()
+    same(list(face.frames()), whole())
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(0, 5), st.integers(60, len(TEXT)))
+def test_pieces_in_time_give_the_frames_of_the_whole(frames: int, cut: int) -> None:
+    face = live()
+    face.say(TEXT[:cut])
+    iterator = face.frames()
+    early = list(islice(iterator, frames))
+    face.say(TEXT[cut:])
+    face.close()
+    same([*early, *iterator], whole())
+
+
+def test_a_sentence_waits_for_what_decides_its_end_or_a_second() -> None:
+    face = live()
+    face.say("It cost 3.")
+    texts = [frame.text for frame in islice(face.frames(), 40)]
+    assert texts[:30] == [""] * 30
+    assert texts[30] == "It cost 3."
+
+
+@pytest.mark.parametrize("fps", [24, 29.97, 60])
+def test_frames_hold_their_samples_and_count_on(fps: float) -> None:
+    face = live(fps)
+    face.say("First one. Second one. Third.")
+    face.close()
+    frames = list(face.frames())
+    assert [f.index for f in frames] == list(range(len(frames)))
+    exact = Fraction(fps).limit_denominator(100_000)
+    assert [len(f.sound) for f in frames] == [
+        round((k + 1) * RATE / exact) - round(k * RATE / exact) for k in range(len(frames))
+    ]
+    for text in ("First one.", "Second one.", "Third."):
+        heard = np.concatenate([f.sound for f in frames if f.text == text])
+        number = sum(map(ord, text)) % 997 * 3
+        np.testing.assert_array_equal(heard[:number], np.arange(number, dtype=np.int16))
+        assert not heard[number:].any()
+
+
+def test_an_interruption_silences_at_once_and_rests_within_a_fifth_of_a_second() -> None:
+    face = live()
+    face.say("zzzzzzz zzzz zzzz. Never said. Nor this")
+    iterator = face.frames()
+    spoken = list(islice(iterator, 8))
+    assert spoken[-1].values[JAW] > 0.1
+    face.interrupt()
+    after = list(islice(iterator, 60))
+    assert not any(f.text or f.sound.any() for f in after)
+    assert 0 < after[0].values[JAW] < spoken[-1].values[JAW]
+    assert after[round(0.2 * 30)].values[JAW] == pytest.approx(0)
+    face.say("Now. ")
+    face.flush()
+    assert next(iterator).text == "Now."
+
+
+def test_values_pass_over_a_seam_without_a_jump() -> None:
+    face = live(60)
+    face.say("A. Zzzz zz. Be. ")
+    face.close()
+    values = np.array([f.values for f in face.frames()])
+    span = values.max() - values.min()
+    assert np.abs(np.diff(values, axis=0)).max() <= 1.5 * span / (SEAM * 60) + 1e-12
+
+
+def test_an_idle_face_lives_and_instances_are_apart() -> None:
+    first, second = live(10, Settings()), live(10, Settings())
+    first.feel("happiness", 0.8)
+    smiling = np.array([f.values for f in islice(first.frames(), 130)])
+    calm = np.array([f.values for f in islice(second.frames(), 130)])
+    assert np.ptp(calm, axis=0).max() > 0.1
+    assert np.abs(smiling - calm).max() > 0.1
+
+
+def test_feelings_hold_from_the_next_whole_sentence_on() -> None:
+    face = live()
+    face.say("Plain. Glad. ")
+    face.feel("happiness", 0.5)
+    face.close()
+    last = {f.text: f.values[JAW] for f in face.frames()}
+    assert last["Plain."] < 1 < last["Glad."]
+
+
+def test_an_error_is_raised_once_and_the_face_goes_on() -> None:
+    face = live()
+    face.say("Here the engine dies. Good. ")
+    face.close()
+    with pytest.raises(SpeechError, match="the engine died"):
+        list(face.frames())
+    assert {f.text for f in face.frames()} == {"Good."}
+
+
+def test_what_is_wrong_is_refused() -> None:
+    face = live()
+    for emotion, intensity, message in (("glee club", 0.5, "emotion"), ("happiness", 1.5, "out of range")):
+        with pytest.raises(RisoriusError, match=message):
+            face.feel(emotion, intensity)
+    with pytest.raises(ParameterError, match="out of range"):
+        face.feel("happiness", float("nan"))
+    with pytest.raises(InputError, match="smaller pieces"):
+        face.say("a" * 100_001)
+    with pytest.raises(InputError, match="fps"):
+        live(0)
+    face.close()
+    with pytest.raises(InputError, match="after close"):
+        face.say("More.")
+    assert list(face.frames()) == []
+
+
+def test_a_spoken_sentence_has_its_voice_and_ends_at_rest() -> None:
+    face = Live(fps=30)
+    face.say("Hello there.")
+    face.close()
+    frames = list(face.frames())
+    assert len({f.text for f in frames}) == 1
+    assert np.abs(np.concatenate([f.sound for f in frames])).max() > 1_000
+    assert frames[3].parameters.keys() == set(NAMES)
