@@ -35,7 +35,7 @@ MOST_WAITING = 1_000
 """Sentences that may wait to be said."""
 _SAMPLE_RATE = 22_050
 
-Perform = Callable[[str, Displays, Settings], Take]
+PerformSentence = Callable[[str, Displays, Settings], Take]
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +74,7 @@ class Live:
         settings: Settings | None = None,
         *,
         fps: float | None = None,
-        perform: Perform = perform_sentence,
+        perform: PerformSentence = perform_sentence,
     ) -> None:
         chosen = settings or Settings()
         if fps is not None:

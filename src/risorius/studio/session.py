@@ -29,7 +29,7 @@ SETTLING = 0.5
 
 
 @dataclass(slots=True)
-class Live:
+class SessionTake:
     """A take with its number, and what the page was told of it."""
 
     number: int
@@ -45,9 +45,9 @@ class Session:
     def __init__(self, name: str, folder: Path) -> None:
         self.name, self.folder = name, folder
         self.files = SessionFiles(folder)
-        self.takes: OrderedDict[int, Live] = OrderedDict()
+        self.takes: OrderedDict[int, SessionTake] = OrderedDict()
         self.history: History[Version] = History(limits.UNDO)
-        self.current: Live | None = None
+        self.current: SessionTake | None = None
         self.view: dict[str, object] = {}
         self.notes: tuple[str, ...] = ()
         self._performer = Performer(self.files)
@@ -118,7 +118,7 @@ class Session:
         self.view = dict(request.view)
         return answers.Done()
 
-    def live(self, number: int) -> Live:
+    def live(self, number: int) -> SessionTake:
         """Return a take by its number; raise InputError if it is no longer in memory."""
         if number not in self.takes:
             raise InputError(f"there is no take {number}; expected one of {sorted(self.takes)}")
@@ -176,7 +176,7 @@ class Session:
         assert before is not None
         return self._difference(before, after)
 
-    def _live(self, version: Version) -> Live:
+    def _live(self, version: Version) -> SessionTake:
         """Return the take of a version, the existing one if there is one."""
         for live in self.takes.values():
             if live.version is version:
@@ -187,7 +187,7 @@ class Session:
         self._prefetch = None
         self._number += 1
         like = None if self.current is None else (self.current.version.score, self.current.blocks)
-        live = Live(
+        live = SessionTake(
             self._number,
             take,
             version,
@@ -214,7 +214,7 @@ class Session:
         prefetch = self._prefetch
         return prefetch if prefetch is not None and prefetch.inputs == inputs else None
 
-    def described(self, live: Live) -> takes.TakeView:
+    def described(self, live: SessionTake) -> takes.TakeView:
         """Return all of a take for the page."""
         take, version = live.take, live.version
         sound = f"/api/session/{self.name}/take/{live.number}/sound.wav"
@@ -234,7 +234,7 @@ class Session:
             milliseconds=version.milliseconds,
         )
 
-    def _difference(self, before: Live, after: Live) -> takes.TakeChange:
+    def _difference(self, before: SessionTake, after: SessionTake) -> takes.TakeChange:
         whole = None if _alike(before, after) else self.described(after)
         first, last = (0, 0) if whole else _frames_changed(before.take, after.take)
         blocks = () if whole else _changed_blocks(before.blocks, after.blocks)
@@ -260,7 +260,7 @@ def _changed_blocks(before: describe.Blocks, after: describe.Blocks) -> tuple[ta
     return tuple(b for n, b in after.items() if (earlier := before.get(n)) is not b and earlier != b)
 
 
-def _alike(a: Live, b: Live) -> bool:
+def _alike(a: SessionTake, b: SessionTake) -> bool:
     """Whether two takes have the same speech, frames and head, and differ in blocks and curves only."""
     one, two = a.version, b.version
     if a.take.duration != b.take.duration or one.utterance is not two.utterance:

@@ -10,7 +10,7 @@ from ..face.frame import FaceFrame
 from ..face.solve import FaceSolver
 from ..settings import Settings
 from ..take import Take
-from .session import Live
+from .session import SessionTake
 from .solvers import Solvers, stage_of
 from .stage import FRAMES, MOMENT, FacePacker
 from .threads import on_thread
@@ -29,7 +29,7 @@ class Streams:
         self._threads, self._solvers, self._send = threads, solvers, send
         self._stopped: dict[int, asyncio.Event] = {}
 
-    async def send(self, live: Live, request: requests.Faces) -> answers.FacesSent:
+    async def send(self, live: SessionTake, request: requests.Faces) -> answers.FacesSent:
         """Send a window; the previous one of the same take ends."""
         self.cancel(request.take)
         stopped = self._stopped[request.take] = asyncio.Event()
@@ -52,7 +52,7 @@ class Streams:
             del self._stopped[request.take]
         return answers.FacesSent(max(first - request.first, 0))
 
-    async def moment(self, live: Live, request: requests.FaceAt) -> answers.FacesSent:
+    async def moment(self, live: SessionTake, request: requests.FaceAt) -> answers.FacesSent:
         """Send the face at a time."""
         if request.still:
             return await self.held(live.take, request.take, request.time)
