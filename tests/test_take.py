@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import gc
 import pickle
+from io import BytesIO
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import risorius
 from risorius.settings import Settings
@@ -70,3 +72,9 @@ def test_the_shape_leaves_the_arkit_weights_of_a_face_at_rest(
 def test_the_solver_moves_the_head_that_the_take_names(changed: dict[str, object]) -> None:
     settings = Settings(**changed)  # type: ignore[arg-type]
     assert make_solver(settings).head is risorius.pose({}, settings=settings).head
+
+
+def test_a_notebook_shows_the_middle_frame(clip: risorius.Take) -> None:
+    shown = Image.open(BytesIO(clip._repr_png_()))
+    assert (shown.format, shown.size, shown.mode) == ("PNG", (320, 320), "RGB")
+    assert np.asarray(shown).std() > 10.0

@@ -170,6 +170,17 @@ class Take:
                 yield overlays.draw(picture, frame)
                 progress("Drawing", done + 1, len(chosen))
 
+    def _repr_png_(self) -> bytes:
+        """Return the middle frame as a small PNG, which notebooks show."""
+        from io import BytesIO
+
+        from PIL import Image
+
+        (picture,) = self.pictures((320, 320), [len(self.performance.values) // 2])
+        data = BytesIO()
+        Image.fromarray(picture).save(data, format="PNG")
+        return data.getvalue()
+
     def _suppression(self, indices: Sequence[int]) -> Array:
         from .blend import suppression
 
