@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from fractions import Fraction
 from functools import cache
 from itertools import islice, pairwise
@@ -16,8 +17,9 @@ from risorius.core.audio import AudioWriter
 from risorius.core.parameters import INDEX, NAMES
 from risorius.core.performance import Performance, frame_count
 from risorius.core.score import Score
-from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError
+from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError, UnreadError
 from risorius.live.frame import LiveFrame
+from risorius.live.pace import Pace
 from risorius.live.session import SEAM
 from risorius.rules.emotions import Displays
 from risorius.settings import Settings
@@ -181,6 +183,29 @@ def test_what_is_wrong_is_refused() -> None:
     with pytest.raises(InputError, match="after close"):
         face.say("More.")
     assert list(face.frames()) == []
+
+
+def test_paced_and_async_forms_yield_the_same_frames(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Pace, "wait", lambda *_: 0.0)
+
+    async def collect() -> list[LiveFrame]:
+        return [frame async for frame in face.aframes()]
+
+    face = live(10)
+    face.say("A.")
+    face.close()
+    frames = asyncio.run(collect())
+    for paced in (False, True):
+        again = live(10)
+        again.say("A.")
+        again.close()
+        same(frames, list(again.frames(paced=paced)))
+
+
+def test_pauses_that_nothing_reads_are_refused() -> None:
+    for chosen in (Settings(lead=1.0), Settings(tail=2.0)):
+        with pytest.raises(UnreadError, match="pauses of its own"):
+            live(30, chosen)
 
 
 def test_a_spoken_sentence_has_its_voice_and_ends_at_rest() -> None:

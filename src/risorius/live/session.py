@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
+import time
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import AsyncIterator, Callable, Iterator
 from dataclasses import dataclass, replace
 from threading import Lock
 
@@ -13,7 +15,7 @@ from ..api import speak
 from ..core.arrays import Array
 from ..core.audio import Samples
 from ..core.frame_rate import parse_fps
-from ..errors import InputError, ParameterError, unknown
+from ..errors import InputError, ParameterError, UnreadError, unknown
 from ..languages import language_of
 from ..pipeline import with_profile
 from ..rules.emotions import Display, Displays, emotion_names
@@ -23,6 +25,7 @@ from ..speech.engines.voices import find_voice
 from ..take import Take
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
+from .pace import Pace
 from .sentences import SentenceBuffer
 
 # Seconds in which the face passes from one stretch to the next: an interrupted mouth shuts within .2 s.
@@ -79,6 +82,9 @@ class Live:
         chosen = settings or Settings()
         if fps is not None:
             chosen = replace(chosen, fps=parse_fps(fps))
+        changed = [name for name in ("lead", "tail") if getattr(chosen, name) != getattr(Settings(), name)]
+        if changed:
+            raise UnreadError(changed, "a live face has pauses of its own; expected none")
         self._settings = replace(chosen, lead=SEAM, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
         self._perform = perform
@@ -137,12 +143,24 @@ class Live:
         with self._lock:
             self._closed = True
 
-    def frames(self) -> Iterator[LiveFrame]:
+    def frames(self, *, paced: bool = False) -> Iterator[LiveFrame]:
         """Yield frame after frame, idle ones too, until `close` and the end of what is being said.
 
-        An error in a sentence (RisoriusError) is raised once; `frames`, called again, goes on after it.
+        With `paced` each is yielded when its time has come, counted from the first. An error in a sentence
+        (RisoriusError) is raised once; `frames`, called again, goes on after it.
         """
+        pace = Pace(self._settings.fps, time.monotonic)
         while (frame := self._frame()) is not None:
+            if paced and (wait := pace.wait(frame.index)):
+                time.sleep(wait)
+            yield frame
+
+    async def aframes(self) -> AsyncIterator[LiveFrame]:
+        """Yield what `frames` does, paced; sentences are performed in another thread meanwhile."""
+        pace = Pace(self._settings.fps, time.monotonic)
+        while (frame := await asyncio.to_thread(self._frame)) is not None:
+            if wait := pace.wait(frame.index):
+                await asyncio.sleep(wait)
             yield frame
 
     def _frame(self) -> LiveFrame | None:
