@@ -19,6 +19,7 @@ from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.errors import InputError
 from risorius.face.lip_file import load_lip_rig
 from risorius.face.measure import Gauge
+from risorius.face.solve import FaceSolver
 from risorius.rules.emotions import emotions
 from risorius.settings import BlendChoices, Settings
 from tests.profiles import everyday, samples
@@ -103,6 +104,17 @@ def test_closures_are_closed_under_every_emotion(emotion: str | None) -> None:
     gaps = [gauge.measure(face).lip_gap_mm for face in take.faces(inside)]
     assert max(gaps) <= 0.05
     assert take.curves["masseter"][inside].max() <= 0.2 + 1e-9
+
+
+@pytest.mark.parametrize("emotion", [None, "surprise"])
+def test_a_closure_is_closed_from_its_first_moment_to_its_last(emotion: str | None) -> None:
+    take = risorius.speak("Bob may bump a member.", emotion={emotion: 1.0} if emotion else {})
+    plan = blend.Plan(take.score, load_lip_rig())
+    closed = [(s.start, s.end) for s in take.score.lips if s.targets.get("lip_seal", 0.0) == 1.0]
+    assert len(closed) >= 8
+    solver, gauge = FaceSolver(take.head), Gauge(take.head)
+    faces = [solver.solve(values) for span in closed for values in plan.at(np.linspace(*span, 4))]
+    assert max(gauge.measure(face).lip_gap_mm for face in faces) <= 0.05
 
 
 def test_a_display_is_kept_where_nothing_conflicts() -> None:

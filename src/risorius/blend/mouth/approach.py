@@ -26,6 +26,9 @@ from ..intervals import merged
 from .contact import SEAL, TUCK, Goal, GoalCurve
 from .tradeoffs import tradeoffs
 
+EARLY = 0.003
+"""Seconds by which lips meet before a closure and part after it: the rounding of what is left open still
+leaves some tenths of a millimetre where they meet."""
 WITHIN = 0.02
 """Seconds at either end of a closure in which its seal comes to shut any gap, however wide."""
 
@@ -45,7 +48,8 @@ class Approach:
         seals = [g for g in goals if g.contact == SEAL and g.value == 1.0]
         tucks = [g for g in goals if g.contact == TUCK]
         gentle = self._table.opening.gentle
-        self._seals = _Distance(seals, 0.0)
+        met = [replace(g, start=g.start - EARLY, end=g.end + EARLY) for g in seals]
+        self._seals = _Distance(met, 0.0)
         self._shut = GoalCurve([_shutting(g) for g in seals])
         self._tucks = _Distance(tucks if self._table.before("opening", "tuck") else (), gentle)
         self._partial = GoalCurve([g for g in goals if g.contact == SEAL and g.value < 1.0])
