@@ -189,7 +189,7 @@ def test_channels(text: str, channel: str) -> None:
             '<EMOTIONDISPLAY joy="0.5" AU26="1"/>',
             {"masseter": 0.35 + JOY["masseter"], "zygomatic_major.left": JOY["zygomatic_major.left"]},
         ),
-        ('<EMOTIONDISPLAY fear="1" surprise="1"/>', {"frontalis_medialis.left": 0.9}),
+        ('<EMOTIONDISPLAY fear="1" surprise="1"/>', {"frontalis_medialis.left": 1.0}),
         ('<SIGNAL time="0"/>', {"frontalis_medialis.left": 0.6, "frontalis_lateralis.right": 0.6}),
         ('<SIGNAL time="0" AU1.right="0.3"/>', {"frontalis_medialis.right": 0.3}),
         ('<MOVEMENT time="0" duration="1" jaw_open="0.3"/>', {"masseter": 0.3}),
