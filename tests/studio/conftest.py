@@ -90,9 +90,9 @@ class Server:
 
     @contextmanager
     def page(self, session, **options):
-        with connect(
-            f"ws://{self.address}/ws/{session}", max_size=None, ping_interval=None, **options
-        ) as socket:
+        # A page that reads no more does not wait long to be said goodbye.
+        options = {"max_size": None, "ping_interval": None, "close_timeout": 0.5} | options
+        with connect(f"ws://{self.address}/ws/{session}", **options) as socket:
             yield Client(socket)
 
 
