@@ -281,6 +281,7 @@ class TestHeads:
         assert "unknown slider 'nose/nose-hum-decr'; did you mean 'nose/nose-hump-decr'" in message
 
 
+@pytest.mark.full
 def test_shapes_are_built_again(tmp_path: Path) -> None:
     from build_shapes import main as build_shapes  # type: ignore[import-not-found]
 
