@@ -115,6 +115,7 @@ def test_digital_silence_and_no_silence_are_both_aligned(spoken: Utterance) -> N
         assert np.abs(away - np.median(away)).max() < 0.08
 
 
+@pytest.mark.full
 def test_long_recordings_are_aligned_window_by_window() -> None:
     text = " ".join(
         f"Number {n} is here. My baby brother put the big map by the beam, I think." for n in range(14)
