@@ -18,7 +18,7 @@ from risorius.core.movement import Dominance, LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS, RIVALS
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError, ParameterError
-from tests.profiles import examples, samples
+from tests.profiles import everyday, examples, samples
 
 from . import reference
 from .strategies import DURATION, movements, scores, speech
@@ -101,6 +101,7 @@ class TestResult:
             == blend.at(Score(4.0, (SMILE,)), np.sort(times))[[3, 0, 2, 1]]
         ).all()
 
+    @pytest.mark.full
     def test_chunks_do_not_show(self) -> None:
         times = np.linspace(118.0, 122.0, 400)
         segment = LipSegment("UW", 119.5, 120.3, {"orbicularis_oris_funneler": 0.9})
@@ -129,7 +130,7 @@ def test_a_lone_movement_is_reproduced(policy: str, found: tuple[Movement, ...])
         assert (values[:, still] == NEUTRAL[still]).all()
 
 
-@pytest.mark.parametrize("policy", POLICIES)
+@pytest.mark.parametrize("policy", everyday(POLICIES, ["graded"]))
 @examples(9)
 @given(data=st.data())
 def test_curves_are_continuous(policy: str, data: st.DataObject) -> None:

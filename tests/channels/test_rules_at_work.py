@@ -267,6 +267,7 @@ def test_any_seed_and_speaker_make_a_score_that_can_be_performed(
         assert all(0.0 <= m.start < m.end for m in score.movements)
 
 
+@pytest.mark.full
 def test_alignment_falls_to_chance_where_accents_are_permuted(sentence_of: Maker) -> None:
     said = sentence_of(LONG * 2)
     starts = np.array([said.syllables[a.syllable].start for a in said.accents])

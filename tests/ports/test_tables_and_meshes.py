@@ -122,6 +122,7 @@ def test_feedback_has_every_word_and_movement(folder: Path, clip: Take) -> None:
         assert times == sorted(times)
 
 
+@pytest.mark.full
 def test_formats_with_a_head_give_the_same_bytes_twice(tmp_path: Path, clip: Take) -> None:
     slow = (".glb", ".rig.glb", ".vertices.npz")  # these have tests of their own
     suffixes = [s for s in FORMATS if Need.HEAD in FORMATS.get(s).needs and s not in slow]

@@ -100,6 +100,7 @@ def test_what_is_written_is_made_ready_in_a_pause(page: Page) -> None:
     assert page.get("asked.filter((verb) => verb === 'prepare').length") == 1
 
 
+@pytest.mark.full
 def test_play_performs_what_is_written_first(page: Page) -> None:
     type_line(page)
     page.driver.find_element(By.ID, "play").click()
