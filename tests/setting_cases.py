@@ -50,6 +50,7 @@ CASES: dict[str, object] = {
     "onset_function": "linear",
     "contact": False,
     "lips": "lookahead",
+    "rounding": 0.1,
 }
 """A value that is not the default for every setting."""
 CLAY = risorius.Look(style="clay", quality="draft", hair="bald")

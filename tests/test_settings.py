@@ -68,7 +68,8 @@ def test_choices_of_blend_lie_over_a_score_and_over_what_is_usual() -> None:
     assert BlendChoices(conflict="graded", contact=False).over(score) == BlendSettings(
         "graded", min_onset=0.2, contact=False
     )
-    assert BlendChoices().planned() == BlendSettings("graded")
+    assert BlendChoices().planned() == BlendSettings("graded", rounding=0.02)
+    assert BlendChoices(onset_function="linear").planned().rounding == 0.0
     assert [f.name for f in fields(BlendChoices)] == [f.name for f in fields(BlendSettings)]
 
 

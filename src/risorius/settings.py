@@ -113,6 +113,9 @@ class BlendChoices:
     lips: str | None = _model(
         "Lips", None, "Model of coarticulation.",
         metavar="MODEL", usual="effort", names="blend.mouth.coarticulation:LIP_MODELS")
+    rounding: float | None = _model(
+        "Rounding, s", None, "Time (s) over which corners of curves are rounded off.",
+        flag=None, low=0.0, high=0.1, step=0.005, usual=0.02)
 
     def __post_init__(self) -> None:
         check(self)
@@ -124,9 +127,12 @@ class BlendChoices:
 
     def planned(self) -> BlendSettings:
         """Return how the movements of a planned score are combined."""
+        from .core.functions import SHARP
         from .core.score import BlendSettings
 
         usual: dict[str, Any] = {name: row.usual for name, row in rows(BlendChoices).items()}
+        if self.onset_function in SHARP:
+            usual["rounding"] = 0.0
         return self.over(BlendSettings(**usual))
 
 

@@ -211,4 +211,5 @@ def test_settings_are_written_in_full() -> None:
         "conflict": "inhibit",
         "contact": True,
         "lips": "effort",
+        "rounding": 0.0,
     }

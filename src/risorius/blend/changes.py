@@ -73,4 +73,4 @@ def _extents(channel: Channel | None, name: str) -> frozenset[Extent]:
 def _reach(before: Plan, after: Plan) -> float:
     """Return how many seconds a change of one channel has an effect on others, from level to level."""
     levels = {level for plan in (before, after) for c in plan.channels for level in c.levels.distinct}
-    return STEEPEST * after.tuning.longest * (len(levels) + 2)
+    return STEEPEST * after.tuning.longest * (len(levels) + 2) + after.score.settings.rounding

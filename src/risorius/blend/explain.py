@@ -13,7 +13,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.lip_rig import LipRig
 from ..core.movement import Cause, LipSegment, Movement
-from ..core.parameters import INDEX
+from ..core.parameters import INDEX, NEUTRAL, PARAMETERS
 from ..core.score import Score
 from ..errors import InputError, ParameterError, unknown
 from .channels import Channel
@@ -28,8 +28,11 @@ from .mouth.lips import CompiledLips
 from .mouth.sealing import seal_of_speech
 from .mouth.speech_mouth import JAW
 from .plan import Plan, PlanSample
+from .rounding import Surroundings
 
 _LEAST = 1e-9
+# The share of its range by which rounding must change a parameter to be worth a note.
+_SEEN = 0.002
 # Seconds around a closure in which it is the closure that brings the lips together.
 _NEARBY = 0.2
 
@@ -83,12 +86,26 @@ def explain(source: Score | Plan, time: float, parameter: str) -> Explanation:
         raise InputError(f"time = {time} s is outside the score; expected 0 to {plan.score.duration:g} s")
     sample = PlanSample(plan, np.array([time]))
     value = float(sample.value(parameter)[0])
-    moving = _turning(sample, parameter) if parameter in SIGNED else _moving(sample, parameter)
-    contributions = sorted([*_goals(sample, parameter), *moving], key=lambda c: -abs(c.applied))
+    contributions = _contributions(sample, parameter)
+    if not contributions and value != NEUTRAL[INDEX[parameter]]:
+        contributions = _contributions(_origin_of_rounded(sample, parameter), parameter)
     winner = contributions[0] if contributions and abs(contributions[0].applied) > _LEAST else None
     losers = tuple(_lost(c, winner, plan.adds(parameter)) for c in contributions if c is not winner)
     notes = tuple(_notes(sample, parameter, value)) if contributions else ()
     return Explanation(time, parameter, value, winner, losers, notes)
+
+
+def _contributions(sample: PlanSample, name: str) -> list[Contribution]:
+    """Return all that moves a parameter, what applies most first."""
+    moving = _turning(sample, name) if name in SIGNED else _moving(sample, name)
+    return sorted([*_goals(sample, name), *moving], key=lambda c: -abs(c.applied))
+
+
+def _origin_of_rounded(sample: PlanSample, name: str) -> PlanSample:
+    """Return the moment near by that moves a parameter most: by rounding it shows in `sample`, too."""
+    near = Surroundings(sample.times, sample.plan.rounding.width(name), sample.plan.score.duration).times
+    found = PlanSample(sample.plan, near).joined(name) - NEUTRAL[INDEX[name]]
+    return PlanSample(sample.plan, near[[int(np.abs(found).argmax())]])
 
 
 def _lost(loser: Contribution, winner: Contribution | None, adds: bool) -> Contribution:
@@ -224,10 +241,13 @@ def _contribution(channel: str, origin: Origin) -> Contribution:
 def _notes(sample: PlanSample, name: str, value: float) -> Iterator[str]:
     """Yield what the last steps did to the joined value."""
     lips, times = sample.plan.lips, sample.times
+    parameter, rounded = PARAMETERS[INDEX[name]], sample.rounded(name)[0]
+    if abs(rounded - sample.joined(name)[0]) > _SEEN * (parameter.high - parameter.low):
+        yield f"rounded over {1000.0 * sample.plan.rounding.width(name):g} ms"
     if lips is None or name in SIGNED:
         return
     mouth = lips.mouth
-    if name == JAW and value >= mouth.jaw_at_seal(times)[0] - _LEAST:
+    if name == JAW and sample.joined(name)[0] >= mouth.jaw_at_seal(times)[0] - _LEAST:
         yield "held by the seal of the lips"
     seal = float(lips.goals[SEAL].at(times)[0])
     if name == TUCK and seal > _LEAST and value >= 1.0 - seal - _LEAST:

@@ -62,10 +62,14 @@ STEEPEST = 1.0 / (1.0 - SOFT)
 """The greatest slope of a ramp, which it has most of the time: so it is hardly longer than necessary."""
 
 
-def ramp(x: Array) -> Array:
-    """Return a ramp for x in [0, 1]: it rises from 0 to 1 at an even pace, but with slope 0 at both ends."""
+def ramp(x: Array, soft: float = SOFT) -> Array:
+    """Return a ramp for x in [0, 1]: it rises from 0 to 1 at an even pace, but with slope 0 at both ends.
+
+    `soft`: the share of the time in which it reaches its speed.
+    """
     near = np.minimum(x, 1.0 - x)
-    risen = STEEPEST * np.where(near < SOFT, near * near * (0.5 / SOFT), near - 0.5 * SOFT)
+    steepest = 1.0 / (1.0 - soft)
+    risen = steepest * np.where(near < soft, near * near * (0.5 / soft), near - 0.5 * soft)
     return np.where(x < 0.5, risen, 1.0 - risen)
 
 

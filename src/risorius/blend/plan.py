@@ -1,13 +1,13 @@
 """From a score to curves: the page on which all parts of the combination meet.
 
 The movements of a layer are concatenated and the lip segments blended; a ledger per parameter resolves the
-conflicts between channels and applies the limits of speech; then the channels are joined, and the contact
-goals come last.
+conflicts between channels and applies the limits of speech; then the channels are joined, what comes out is
+rounded, and the contact goals come last.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -35,6 +35,7 @@ from .mouth.limits import LIPS, SpeechLimits
 from .mouth.lips import CompiledLips
 from .mouth.sealing import with_goals
 from .mouth.speech_mouth import JAW
+from .rounding import Rounding, Surroundings
 from .tuning import tune
 
 JAW_ROUNDED = 0.06
@@ -57,6 +58,7 @@ class Plan:
         LIP_MODELS.get(score.settings.lips)
         self.score, self.rig = score, rig
         self.tuning = tune(score.settings)
+        self.rounding = Rounding(score)
         self.lips: CompiledLips | None
         if like is not None and like.rig is rig and _speak_alike(like.score, score):
             self.lips = like.lips
@@ -129,7 +131,9 @@ class PlanSample:
         self.plan, self.times = plan, times
         self._resolve = plan.policy.at(times)
         self._ledgers: dict[str, Ledger] = {}
+        self._joined: dict[str, Array] = {}
         self._values: dict[str, Array] = {}
+        self._around: dict[float, tuple[Surroundings, PlanSample]] = {}
 
     def values(self) -> Array:
         """Return all parameters, shape (n, 46)."""
@@ -138,11 +142,33 @@ class PlanSample:
             values[:, INDEX[name]] = self.value(name)
         return values
 
+    def joined(self, name: str) -> Array:
+        """Return a parameter by all channels together, before the last steps, shape (n,)."""
+        if name not in self._joined:
+            self._joined[name] = self._direction(name) if name in SIGNED else self._together(name)
+        return self._joined[name]
+
     def value(self, name: str) -> Array:
-        """Return one parameter, shape (n,)."""
+        """Return one parameter after all steps, shape (n,)."""
         if name not in self._values:
-            self._values[name] = self._direction(name) if name in SIGNED else self._joined(name)
+            total, lips = self.rounded(name), self.plan.lips
+            if lips is not None and name in CONTACTS:
+                total = with_goals(name, total, self.times, lips, self.mouth_gaps)
+            self._values[name] = total
         return self._values[name]
+
+    def rounded(self, name: str, read: Callable[[PlanSample, str], Array] = joined) -> Array:
+        """Return what `read` returns of a parameter, averaged around each time, shape (n,)."""
+        width = self.plan.rounding.width(name)
+        if not width:
+            return read(self, name)
+        if width not in self._around:
+            surroundings = Surroundings(self.times, width, self.plan.score.duration)
+            self._around[width] = surroundings, PlanSample(self.plan, surroundings.times)
+        surroundings, sample = self._around[width]
+        average = surroundings.average(read(sample, name))
+        exact = self.plan.rounding.exact(name, self.times)
+        return np.where(exact, read(self, name), average) if exact.any() else average
 
     def ledger(self, name: str) -> Ledger:
         """Return what all channels do with a parameter that is not a direction."""
@@ -160,21 +186,19 @@ class PlanSample:
             name, [entry.applied for entry in self.direction_entries(name)] or [np.zeros(len(self.times))]
         )
 
-    def _joined(self, name: str) -> Array:
-        """Return speech and all other channels together, 0..1, after the last steps."""
+    def _together(self, name: str) -> Array:
+        """Return speech and all other channels together, 0..1."""
         ledger, lips = self.ledger(name), self.plan.lips
         others = self._others(ledger)
         total = ledger.speech + others if self.plan.adds(name) else np.maximum(ledger.speech, others)
         total = self._raised(ledger, total)
-        if lips is None:
-            return np.minimum(total, 1.0)
-        if name in lips.mouth.raised:
+        if lips is not None and name in lips.mouth.raised:
             total = np.maximum(total, lips.mouth.low_at(name, self.times))
         total = np.minimum(total, 1.0)
-        if name == JAW:
-            limit = lips.mouth.jaw_at_seal(self.times)
-            return np.where(limit < 1.0, smooth_minimum(total, limit, JAW_ROUNDED), total)
-        return with_goals(name, total, self.times, lips, self.mouth_gaps) if name in CONTACTS else total
+        if lips is None or name != JAW:
+            return total
+        limit = lips.mouth.jaw_at_seal(self.times)
+        return np.where(limit < 1.0, smooth_minimum(total, limit, JAW_ROUNDED), total)
 
     def _others(self, ledger: Ledger) -> Array:
         """Return what all channels but speech apply together, shape (n,)."""
@@ -204,12 +228,16 @@ class PlanSample:
             total[entry.index] = raised
         return total
 
+    def speech(self, name: str) -> Array:
+        """Return what the lips' own movements leave of a parameter, shape (n,)."""
+        return self.ledger(name).speech
+
     def mouth_gaps(self, rig: LipRig) -> MouthGaps | None:
         """Return the gap by speech and by all channels; None if only speech can part the lips."""
         channels = (channel for channel in self.plan.channels if channel.name != LIPS)
         if self.plan.lips is None or all(OPENING.isdisjoint(channel.curves) for channel in channels):
             return None
-        alone = rig.gap({n: self.ledger(n).speech for n in OPENING})
+        alone = rig.gap({n: self.rounded(n, PlanSample.speech) for n in OPENING})
         together = rig.gap({n: self.value(n) for n in OPENING})
         return MouthGaps(alone, together, self.plan.lips.mouth.speaking_at(self.times))
 

@@ -19,6 +19,8 @@ OnsetFunction = Callable[[Array], Array]
 
 ONSET_FUNCTIONS: Registry[OnsetFunction] = Registry("onset function")
 DEFAULT_FUNCTION = "exponential"
+SHARP = frozenset({"exponential", "linear"})
+"""Those with corners, which their curves keep."""
 
 
 def known_function(name: str) -> str:

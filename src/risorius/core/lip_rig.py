@@ -194,16 +194,18 @@ class LipRig:
     def _rounded(self, controls: Mapping[str, Array], width: Array, protrusion: Array) -> tuple[Array, Array]:
         """Return `round` and `spread`: the first from the protrusion, the second from the remaining width.
 
-        If the mouth must be narrower than that, `round` is the nearest to both targets.
+        If the mouth must be narrower than that, `round` is about the nearest to both targets: one step of
+        Gauss and Newton from the first. It has no corner where the width is just reached.
         """
         forward, narrower = self._along(PROTRUSION, "round", controls), self._along(WIDTH, "round", controls)
         rounding = _solve(forward, positive_part(protrusion, ROUNDED))
         spreading = self._along(WIDTH, "spread", {**controls, "round": rounding})
         remaining = width - (spreading[0] - narrower[0])
-        both = forward[1] ** 2 + narrower[1] ** 2
-        nearest = (forward[1] * protrusion + narrower[1] * width) / both
-        return np.where(remaining < 0.0, np.clip(nearest, 0.0, 1.0), rounding), _solve(
-            spreading, positive_part(remaining, ROUNDED)
+        ahead, aside = _slope(forward, rounding), _slope(narrower, rounding)
+        nearer = -aside * positive_part(-remaining, ROUNDED) / (ahead**2 + aside**2)
+        return (
+            np.clip(rounding + nearer, 0.0, 1.0),
+            _solve(spreading, positive_part(remaining, ROUNDED)),
         )
 
     def _along(self, measure: str, control: str, others: Mapping[str, Array]) -> list[Array]:
@@ -264,6 +266,12 @@ def _solve(powers: Sequence[Array], wanted: Array) -> Array:
     return solution
 
 
+def _slope(powers: Sequence[Array], x: Array) -> Array:
+    """Return the derivative of Σ powers[k] x^k."""
+    _, first, second, third = powers
+    return np.asarray(first + x * (2.0 * second + 3.0 * x * third))
+
+
 def _newton(first: Array, second: Array, third: Array, wanted: Array) -> Array:
     """Return the solution of `_solve` for `wanted` (n,), none of them 0."""
     low, high = np.zeros(len(wanted)), np.ones(len(wanted))
@@ -275,7 +283,7 @@ def _newton(first: Array, second: Array, third: Array, wanted: Array) -> Array:
             missing = wanted - x * (first + x * (second + x * third))
             beyond = missing * rising < 0.0
             low, high = np.where(beyond, low, x), np.where(beyond, x, high)
-            newton = x + missing / (first + x * (2.0 * second + 3.0 * x * third))
+            newton = x + missing / _slope((wanted, first, second, third), x)
             inside = (newton >= low) & (newton <= high)
             x = np.where(inside, newton, 0.5 * (low + high))
     return x

@@ -15,6 +15,8 @@ from .time import put_on_ticks
 from .units import MAX_SECONDS, Share
 
 NotNegative = Annotated[float, Range(0.0)]
+MOST_ROUNDING = 0.1
+"""Seconds; a phone lasts hardly longer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +25,8 @@ class BlendSettings:
 
     `activation_threshold`, `min_onset` and `min_offset` override the parameter table for all muscles, and
     `onset_function` overrides the movements' own, unless None. `contact`: whether the lips' contact goals
-    hold. `lips`: the coarticulation model.
+    hold. `lips`: the coarticulation model. `rounding`: seconds over which corners of curves are rounded off;
+    0 keeps the curves of paper A.
     """
 
     conflict: str = "inhibit"
@@ -33,6 +36,7 @@ class BlendSettings:
     onset_function: FunctionName | None = None
     contact: bool = True
     lips: str = "effort"
+    rounding: Annotated[float, Range(0.0, MOST_ROUNDING)] = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,6 +21,8 @@ from .tradeoffs import tradeoffs
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
+SOFT = 0.2
+"""The share of a ramp in which a contact reaches its speed."""
 SOFTENED = 0.02
 """The root of a tuck above which `beside_tuck` is nearly 1 − √tuck."""
 
@@ -137,7 +139,7 @@ class GoalCurve:
         t = times[index]
         early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
         late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
-        values = self._value[goal] * ramp(1.0 - np.minimum(np.maximum(early, late), 1.0))
+        values = self._value[goal] * ramp(1.0 - np.minimum(np.maximum(early, late), 1.0), SOFT)
         left = np.ones(len(times))
         np.multiply.at(left, index, 1.0 - values)
         return np.asarray(1.0 - left)

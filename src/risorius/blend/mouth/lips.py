@@ -26,8 +26,8 @@ from .speech_mouth import SpeechMouth, limits_in_force
 _MOUTH = frozenset(p.name for p in PARAMETERS if p.kind in (Kind.MUSCLE, Kind.TONGUE, Kind.CONTACT))
 
 
-_GRIDS = 3
-"""Sets of times whose curves stay cached: policies sample at times of their own between those of a caller."""
+_GRIDS = 4
+"""Sets of times whose curves stay cached: those of a caller, those around them, and those of policies."""
 
 
 class CompiledLips:

@@ -112,6 +112,7 @@
  * @property {string|null} [onset_function]
  * @property {boolean} [contact]
  * @property {string} [lips]
+ * @property {number} [rounding]
  * @property {string|null} [profile_text]
  * @property {Array<string>} [rules_off]
  */

@@ -1,0 +1,85 @@
+"""Rounding: curves have no corners where a maximum, an inhibition or a limit switches.
+
+Each curve is averaged over a short time around every moment, before the contact goals. The average is taken
+at a few times around the moment itself, so that it does not depend on the frame rate.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+
+import numpy as np
+
+from ..core.arrays import Array
+from ..core.functions import SHARP
+from ..core.parameters import INDEX, PARAMETERS, Kind
+from ..core.score import Score
+from .intervals import Spans, merged
+
+SAMPLES = 8
+"""Times around a moment at which a curve is read, a power of two; their corners are too small to show."""
+QUICK = 0.25
+"""The share of the time over which lids and eyes are rounded: their fastest movements take some 30 ms."""
+
+
+class Rounding:
+    """Over which time each parameter of a score is averaged, and where it is left as it is."""
+
+    def __init__(self, score: Score) -> None:
+        self._width = score.settings.rounding
+        self._exact = _spans_of(score, self._width) if self._width else {}
+
+    def width(self, name: str) -> float:
+        """Return the seconds over which a parameter is averaged; 0: it is not."""
+        parameter = PARAMETERS[INDEX[name]]
+        quick = parameter.group == "lids" or parameter.kind in (Kind.GAZE, Kind.DISTANCE)
+        return self._width * QUICK if quick else self._width
+
+    def exact(self, name: str, times: Array) -> Array:
+        """Return at which times, shape (n,), a parameter keeps its corners: bool (n,)."""
+        spans = self._exact.get(name)
+        if spans is None:
+            return np.zeros(len(times), dtype=bool)
+        number = np.searchsorted(spans[:, 0], times, side="right") - 1
+        return np.asarray((number >= 0) & (times <= spans[number, 1]))
+
+
+class Surroundings:
+    """The times around some sorted times (n,) at which curves are read for averages over `width` seconds.
+
+    Nothing is read before 0 or after `end`.
+    """
+
+    def __init__(self, times: Array, width: float, end: float) -> None:
+        offsets = width * ((np.arange(SAMPLES) + 0.5) / SAMPLES - 0.5)
+        spread = np.clip(times + offsets[:, np.newaxis], 0.0, end).ravel()
+        self._order = np.argsort(spread, kind="stable")
+        self.times = spread[self._order]
+
+    def average(self, values: Array) -> Array:
+        """Return the averages (n,) of values at `times`; of equal values exactly their value."""
+        unsorted = np.empty(len(values))
+        unsorted[self._order] = values
+        around: Array = unsorted.reshape(SAMPLES, -1)
+        # Halves are added, so that equal values have an exact sum.
+        while len(around) > 1:
+            around = around[: len(around) // 2] + around[len(around) // 2 :]
+        return np.asarray(around[0] / SAMPLES)
+
+
+def _spans_of(score: Score, width: float) -> dict[str, Spans]:
+    """Return where each parameter has corners that are meant: drawn by hand, or of a sharp movement."""
+    found: dict[str, list[tuple[float, float]]] = defaultdict(list)
+    for m in score.movements:
+        if (score.settings.onset_function or m.function) in SHARP or 0.0 in (m.onset, m.offset):
+            _add(found, m.targets, m.start - width, m.end + width)
+    for curve in score.manual:
+        for name, keys in curve.keys.items():
+            _add(found, (name,), keys[0][0] - width, keys[-1][0] + width)
+    return {name: merged(np.array(sorted(spans))) for name, spans in found.items()}
+
+
+def _add(found: dict[str, list[tuple[float, float]]], names: Iterable[str], start: float, end: float) -> None:
+    for name in names:
+        found[name].append((start, end))
