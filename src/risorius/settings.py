@@ -127,11 +127,11 @@ class BlendChoices:
 
     def planned(self) -> BlendSettings:
         """Return how the movements of a planned score are combined."""
-        from .core.functions import SHARP
+        from .core.functions import CORNERED
         from .core.score import BlendSettings
 
         usual: dict[str, Any] = {name: row.usual for name, row in rows(BlendChoices).items()}
-        if self.onset_function in SHARP:
+        if self.onset_function in CORNERED:
             usual["rounding"] = 0.0
         return self.over(BlendSettings(**usual))
 

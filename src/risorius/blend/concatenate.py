@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from ..core.channels import CHANNELS
-from ..core.functions import DEFAULT_FUNCTION
+from ..core.functions import CORNERED, DEFAULT_FUNCTION
 from ..core.movement import Movement, fitted
 from ..core.parameters import NEUTRAL, PARAMETERS, Kind
 from .curve_pieces import FARTHEST, CurvePiece, CurvePieces, MovementCurve, last_time, speed_at, value_at
@@ -22,10 +22,6 @@ from .levels import PriorityClaim
 NEUTRALS: dict[str, float] = {p.name: float(n) for p, n in zip(PARAMETERS, NEUTRAL, strict=True)}
 SIGNED = frozenset(p.name for p in PARAMETERS if p.signed or p.neutral != 0.0)
 """Parameters that are signed deviations from their neutral: degrees, and the distance of the gaze."""
-
-
-CORNERED = ("exponential", "linear")
-"""Functions that change the slope at once, as paper A's do; after others a curve keeps its speed at first."""
 
 
 EYES = frozenset(p.name for p in PARAMETERS if p.kind in (Kind.GAZE, Kind.DISTANCE))
@@ -117,7 +113,7 @@ def _curves(steps: list[LayerStep]) -> dict[str, MovementCurve]:
     before: LayerStep | None = None
     for step in steps:
         levels_left = _take_over(live, step.start)
-        speeds = {name: speed_at(live[name], step.start) for name in levels_left}
+        left = {name: live[name] for name in levels_left}
         _finish(live, finished)
         if before is not None:
             before.until = min(before.until, step.start)
@@ -129,7 +125,7 @@ def _curves(steps: list[LayerStep]) -> dict[str, MovementCurve]:
                 continue
             piece = live[name] = _piece(name, level, step, movement, before)
             if step.function not in CORNERED and name not in EYES:
-                _keep_speed(piece, name, level, speeds.get(name, 0.0))
+                _keep_speed(piece, name, level, left.get(name))
             step.until = max(step.until, piece.last)
         before = step
     _finish(live, finished)
@@ -191,10 +187,11 @@ def _piece(
     return piece
 
 
-def _keep_speed(piece: CurvePiece, name: str, level: float, speed: float) -> None:
+def _keep_speed(piece: CurvePiece, name: str, level: float, left: CurvePiece | None) -> None:
     """Let a piece begin with the speed of the one before, as far as an unsigned value stays within 0..1."""
     slowing = piece.onset if piece.rise else piece.fade
-    if not (speed and slowing > 0.0):
+    speed = speed_at(left, piece.start, level) if left is not None and slowing > 0.0 else 0.0
+    if not speed:
         return
     if name not in SIGNED:
         reach = FARTHEST * slowing

@@ -36,6 +36,7 @@ from .mouth.lips import CompiledLips
 from .mouth.sealing import with_goals
 from .mouth.speech_mouth import JAW
 from .rounding import Rounding, Surroundings
+from .sides import twins_of
 from .tuning import tune
 
 JAW_ROUNDED = 0.06
@@ -73,6 +74,7 @@ class Plan:
         self.policy = policy(self.inputs)
         limited = self.lips.mouth.limited if self.lips else frozenset()
         contacts = CONTACTS if self.lips else ()
+        self.twins = twins_of(self.channels, self.lips)
         self.moving = sorted({*(n for c in self.channels for n in c.curves), *limited, *contacts})
 
     def at(self, times: Array) -> Array:
@@ -150,6 +152,9 @@ class PlanSample:
 
     def value(self, name: str) -> Array:
         """Return one parameter after all steps, shape (n,)."""
+        twin = self.plan.twins.get(name)
+        if twin is not None:
+            return self.value(twin)
         if name not in self._values:
             total, lips = self.rounded(name), self.plan.lips
             if lips is not None and name in CONTACTS:

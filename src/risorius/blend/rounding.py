@@ -12,7 +12,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from ..core.arrays import Array
-from ..core.functions import SHARP
+from ..core.functions import CORNERED
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..core.score import Score
 from .intervals import Spans, merged
@@ -72,7 +72,7 @@ def _spans_of(score: Score, width: float) -> dict[str, Spans]:
     """Return where each parameter has corners that are meant: drawn by hand, or of a sharp movement."""
     found: dict[str, list[tuple[float, float]]] = defaultdict(list)
     for m in score.movements:
-        if (score.settings.onset_function or m.function) in SHARP or 0.0 in (m.onset, m.offset):
+        if (score.settings.onset_function or m.function) in CORNERED or 0.0 in (m.onset, m.offset):
             _add(found, m.targets, m.start - width, m.end + width)
     for curve in score.manual:
         for name, keys in curve.keys.items():

@@ -19,8 +19,8 @@ OnsetFunction = Callable[[Array], Array]
 
 ONSET_FUNCTIONS: Registry[OnsetFunction] = Registry("onset function")
 DEFAULT_FUNCTION = "exponential"
-SHARP = frozenset({"exponential", "linear"})
-"""Those with corners, which their curves keep."""
+CORNERED = frozenset({"exponential", "linear"})
+"""Functions that change the slope at once, as paper A's do; curves with others have no corners."""
 
 
 def known_function(name: str) -> str:

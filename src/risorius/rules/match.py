@@ -124,6 +124,8 @@ def _within(limits: tuple[float, float] | None, value: float) -> bool:
 
 
 def _felt(when: When, felt: Mapping[str, float]) -> bool:
+    if not (when.intensity or when.emotion):
+        return True
     strongest = max(felt, key=lambda name: (felt[name], name), default=NOTHING_FELT)
     if when.intensity and felt.get(strongest, 0.0) < when.intensity:
         return False

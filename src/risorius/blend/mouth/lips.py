@@ -63,6 +63,12 @@ class CompiledLips:
         self._sampled = (*self._sampled[1 - _GRIDS :], (times, values))
         return values[parameter]
 
+    def alike(self, one: str, two: str) -> bool:
+        """Return whether the segments move two sides of a muscle alike, as all articulators do."""
+        if one not in self.parameters and two not in self.parameters:
+            return True
+        return self.mouth.shapes.by_rig(one) and self.mouth.shapes.by_rig(two)
+
     @cached_property
     def alone(self) -> Mapping[str, Array]:
         """The value that each segment has without neighbours, by parameter, shape (segments,)."""

@@ -42,6 +42,10 @@ class Shapes:
         self._driven = moved if contact else moved - {SEAL}
         self.parameters = tuple(sorted(self._driven | set(self._direct)))
 
+    def by_rig(self, name: str) -> bool:
+        """Return whether a parameter is moved by articulators alone, which have no sides."""
+        return name in self._driven and name not in self._direct
+
     def values(self, average: Averages) -> Mapping[str, Array]:
         """Return all `parameters` by name, (n,) each; `average` returns the average of a target (n,)."""
         values: dict[str, Array] = {}
