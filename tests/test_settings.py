@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import importlib.util
 import inspect
-from dataclasses import fields
+from dataclasses import fields, replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -43,6 +44,41 @@ DOCS = Path(__file__).parents[1] / "docs"
 def test_a_wrong_value_is_named(values: dict[str, object], message: str) -> None:
     with pytest.raises(RisoriusError, match=message):
         settings_of(values)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"profile": "livley"}, "unknown profile 'livley'; did you mean 'lively'"),
+        ({"profile": "mine.toml"}, "mine.toml: cannot be read"),
+        ({"profile": 5}, "profile = 5 is not a text"),
+        ({"head": "olav"}, "unknown head 'olav'; did you mean 'olaf'"),
+        ({"attitudes": ("polte",)}, "unknown attitude 'polte'; did you mean 'polite'"),
+        ({"attitudes": "polite"}, "attitudes = 'polite' is not a sequence of names"),
+        ({"without": ("gase",)}, "unknown channel 'gase'; did you mean 'gaze'"),
+        ({"manner": "shoot"}, "unknown manner of speech 'shoot'; did you mean 'shout'"),
+        ({"shape": {"nose_widht": 1.0}}, "unknown slider 'nose_widht'; did you mean 'nose_width'"),
+        ({"shape": {"nose_width": 1.5}}, r"shape nose_width = 1\.5 is out of range; expected -1 to 1"),
+        ({"wrinkles": {"forehead": -1}}, "wrinkles forehead = -1 is out of range; expected 0 to 2"),
+        ({"lively": "yes"}, "lively = 'yes' is not True or False"),
+        ({"blend": {}}, "blend is dict; expected risorius.BlendChoices"),
+        ({"at": 1.0, "every": 2}, "at has no effect: every makes a sheet of the whole clip"),
+    ],
+)
+def test_what_is_wrong_is_told_when_settings_are_made(values: dict[str, Any], message: str) -> None:
+    with pytest.raises(RisoriusError, match=message):
+        Settings(**values)
+
+
+def test_choices_that_lips_and_blends_do_not_know_are_told_when_they_are_made() -> None:
+    with pytest.raises(RisoriusError, match="unknown conflict policy 'grade'; did you mean 'graded'"):
+        BlendChoices(conflict="grade")
+
+
+def test_a_rate_is_a_fraction_and_a_file_a_path_however_they_are_given() -> None:
+    settings = Settings(fps=29.97, rules="mine.toml")
+    assert (settings.fps, settings.rules) == (Fraction(2997, 100), Path("mine.toml"))
+    assert replace(settings, fps="24000/1001").fps == Fraction(24000, 1001)
 
 
 def test_nothing_chosen_is_the_default() -> None:

@@ -14,7 +14,6 @@ from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import BlendSettings, Score
 from .errors import InputError, Place
-from .face.head_folder import head_file
 from .pipeline import combine, perform
 from .ports.performance_json import read_performance_file
 from .ports.score_json import read_score_file
@@ -191,10 +190,9 @@ def displays_of(emotion: Emotions) -> Displays:
 
 
 def _checked(settings: Settings | None) -> Settings:
-    """Return the settings; raise what is wrong with them and can be seen before anything is made."""
+    """Return the settings, by default the usual ones; raise InputError for what is none."""
     if settings is None:
         return Settings()
     if not isinstance(settings, Settings):
         raise InputError(f"settings are {type(settings).__name__}; expected risorius.Settings(…)")
-    head_file(settings.head)
     return settings

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,12 +20,27 @@ from .core import look as looks
 from .core.frame_rate import parse_fps
 from .core.setting import Group, Row, Stage, ValueKind, check, rows, setting
 from .core.units import MAX_SECONDS
-from .errors import InputError, unknown
+from .errors import InputError, UnreadError, unknown
 
 if TYPE_CHECKING:
     from .core.score import BlendSettings
 
+    class FrameRate:
+        """What type checkers know of a frame rate: any number or text is one, and a fraction is kept."""
+
+        def __get__(self, settings: object, owner: object = None) -> Fraction: ...
+        def __set__(self, settings: object, rate: Fraction | float | str) -> None: ...
+
+    class FileName:
+        """What type checkers know of a file's name: a text is one, and a path is kept."""
+
+        def __get__(self, settings: object, owner: object = None) -> Path | None: ...
+        def __set__(self, settings: object, name: str | PathLike[str] | None) -> None: ...
+else:
+    FrameRate, FileName = Fraction, Path | None
+
 LARGEST_SIDE = 4096
+BY_VOICE = "core.setting:later"  # to look a voice up starts the speech engine
 DYNAMICS = ("springs", "biphasic", "static")
 
 _voice = partial(setting, Stage.VOICE, Group.VOICE)
@@ -94,7 +110,7 @@ class BlendChoices:
 
     conflict: str | None = _model(
         "Conflicts", None, "How conflicts between rival muscles are resolved.",
-        metavar="POLICY", usual="graded", names="blend.conflict:POLICIES")
+        metavar="POLICY", usual="graded", names="blend.conflict:POLICIES", what="conflict policy")
     activation_threshold: float | None = _model(
         "Threshold", None, "Activity of a rival above which a muscle gives way.",
         flag=None, low=0.0, high=1.0, step=0.01, unset="by muscle")
@@ -106,13 +122,14 @@ class BlendChoices:
         flag=None, low=0.0, high=10.0, step=0.01, unset="by muscle")
     onset_function: str | None = _model(
         "Onsets", None, "The onset and offset function of all movements.",
-        names="core.functions:ONSET_FUNCTIONS", unset="by channel")
+        names="core.functions:ONSET_FUNCTIONS", what="onset function", unset="by channel")
     contact: bool | None = _model(
         "Lips always close", None, "Switch off the lips' contact goals, to see their effect.",
         flag="--without-contact", usual=True)
     lips: str | None = _model(
         "Lips", None, "Model of coarticulation.",
-        metavar="MODEL", usual="effort", names="blend.mouth.coarticulation:LIP_MODELS")
+        metavar="MODEL", usual="effort", names="blend.mouth.coarticulation:LIP_MODELS",
+        what="lip model")
     rounding: float | None = _model(
         "Rounding, s", None, "Time (s) over which corners of curves are rounded off.",
         flag=None, low=0.0, high=0.1, step=0.005, usual=0.02)
@@ -142,10 +159,10 @@ class Settings:
 
     language: str | None = _voice(
         "Language", None, "Language, spoken by its first voice: de, fr, cmn …",
-        metavar="CODE", names="speech.engines.voices:languages", unset="of the voice")
+        metavar="CODE", names="speech.engines.voices:languages", find=BY_VOICE, unset="of the voice")
     voice: str | None = _voice(
         "Voice", None, "The voice ('risorius list voices'), or its file.",
-        names="speech.engines.voices:speaking", unset="the language's first; en-us")
+        names="speech.engines.voices:speaking", find=BY_VOICE, unset="the language's first; en-us")
     rate: int | None = _voice(
         "Words per minute", None, "Words per minute, 80 to 440.",
         metavar="WPM", low=80, high=440, step=5, unset="the voice's own")
@@ -156,10 +173,12 @@ class Settings:
     tail: float = _silence(
         "Silence after, s", 0.7, "Silence after plain text.", metavar="S", low=0.0, high=60.0, step=0.1)
     profile: str = _manner(
-        "Profile", "neutral", "Who speaks: a profile, or a .toml file.", names="rules.profiles:profiles")
+        "Profile", "neutral", "Who speaks: a profile, or a .toml file.", names="rules.profiles:profiles",
+        find="rules.profiles:profile_of")
     attitudes: tuple[str, ...] = _manner(
         "Attitudes", (), "Attitude of the speaker, added to the profile. May be given several times.",
-        flag="--attitude", names="rules.profiles:attitudes")
+        flag="--attitude", names="rules.profiles:attitudes",
+        find="rules.profiles:attitude")
     blinks: str | None = _manner(
         "Blinks", None, "How blinks are timed: natural, itti, pelachaud or none.",
         names="rules.profiles:BLINK_MODELS", what="model of blinks", unset="the profile's own")
@@ -167,24 +186,26 @@ class Settings:
         "Rules, blinks, gaze", True, "Perform only words and marks: no rules, nothing random.",
         flag="--still")
     manner: str = _manner(
-        "Speaks", "plain", "Manner of speech: plain, whisper, murmur or shout.", names="rules.lips:manners")
+        "Speaks", "plain", "Manner of speech: plain, whisper, murmur or shout.", names="rules.lips:manners",
+        what="manner of speech")
     articulation: float = _manner(
         "Articulation", 1.0, "How far the lips move, 0 to 2.", metavar="X", low=0.0, high=2.0, step=0.05)
     without: tuple[str, ...] = _manner(
         "Leave out", (), "Leave a channel out ('risorius list channels').",
-        metavar="CHANNEL", names="core.channels:CHANNELS")
-    rules: Path | None = _manner(
+        metavar="CHANNEL", names="core.channels:CHANNELS", what="channel")
+    rules: FileName = _manner(
         "Rules", None, "A file of rules that adds to the built-in ones, replaces or deletes them.",
         metavar="FILE", on_page=False)
     head: str = _head(
-        "Head", "standard", "The head that performs: its name, or its folder.", names="face.head:head_titles")
+        "Head", "standard", "The head that performs: its name, or its folder.", names="face.head:head_titles",
+        find="face.head_folder:head_file")
     age: float | None = _shape(
         "Age", None, "How old the head is, 0 to 100.",
         metavar="YEARS", low=0.0, high=100.0, step=1.0, unset="its own")
     shape: Mapping[str, float] = _shape(
         "Shape", {}, "A slider of the head's shape, -1 to 1, e.g. nose_width:0.5; may be repeated. "
         "`list sliders` names them.",
-        metavar="NAME:VALUE", low=-1.0, high=1.0, names="face.sliders:slider_names",
+        metavar="NAME:VALUE", low=-1.0, high=1.0, names="face.sliders:slider_names", what="slider",
         read="face.sliders:parse_slider", on_page=False)
     wrinkles: Mapping[str, float] = _skin(
         "Wrinkles", {}, "Factors 0 to 2 by region: less or more wrinkled than other faces of that age.",
@@ -196,7 +217,7 @@ class Settings:
     seed: int = setting(
         Stage.PLAN, Group.TIME, "Seed", 0, "Seed of everything random.",
         metavar="N", low=0, high=2**63 - 1, step=1)
-    fps: Fraction = setting(
+    fps: FrameRate = setting(
         Stage.FRAMES, Group.TIME, "Frames per second", Fraction(30),
         "Frames per second; fractions such as 24000/1001 work.",
         metavar="RATE", names=("24", "25", "24000/1001", "30", "30000/1001", "50", "60"), read=parse_fps)
@@ -212,8 +233,16 @@ class Settings:
     blend: BlendChoices = field(default_factory=BlendChoices)
 
     def __post_init__(self) -> None:
-        parse_fps(self.fps)
+        object.__setattr__(self, "fps", parse_fps(self.fps))
+        if self.rules is not None:
+            object.__setattr__(self, "rules", Path(self.rules))
         check(self)
+        for name, choices in (("look", Look), ("blend", BlendChoices)):
+            if not isinstance(getattr(self, name), choices):
+                kind = type(getattr(self, name)).__name__
+                raise InputError(f"{name} is {kind}; expected risorius.{choices.__name__}(…)")
+        if self.at is not None and self.every is not None:
+            raise UnreadError(["at"], "every makes a sheet of the whole clip; expected one of the two")
 # fmt: on
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import types
 import typing
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import MISSING, dataclass, field, fields, is_dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -81,6 +81,14 @@ _NUMBERS: Mapping[ValueKind, tuple[Callable[[str], float], str]] = {
     ValueKind.NUMBER: (float, "a number"),
     ValueKind.WHOLE: (int, "a whole number"),
 }
+_NAMED = (ValueKind.TEXT, ValueKind.SEVERAL, ValueKind.AMOUNTS)
+_TYPES: Mapping[ValueKind, tuple[type, str]] = {
+    ValueKind.TEXT: (str, "a text"),
+    ValueKind.SWITCH: (bool, "True or False"),
+    ValueKind.SEVERAL: (Collection, "a sequence of names"),
+    ValueKind.AMOUNTS: (Mapping, "a mapping of names to numbers"),
+    ValueKind.SIZE: (tuple, "width and height"),
+}
 SWITCHED = {"on": True, "off": False}
 
 
@@ -136,7 +144,8 @@ class Setting:
 
     `label`: its name on a page. `flag`: its option, None if the command line has none; `metavar`: what stands
     for its value in help. `low`, `high`: its range, also of each of several amounts; `step` of a control.
-    `names`: what it may be called, `what` errors call one of them. `usual`: what None comes to where a script
+    `names`: what it may be called, `what` errors call one of them; `find`, the path of a function, raises for
+    a name that is not known, where files may be named as well. `usual`: what None comes to where a script
     is planned; `unset`: what None means, in words. `read`, a function or its path, makes a value of a text;
     `fills` names the settings that such a text gives if they are more than one. `on_page`: whether the studio
     shows it.
@@ -153,6 +162,7 @@ class Setting:
     step: float | None
     names: Names | None
     what: str
+    find: str
     usual: object
     unset: str
     read: Callable[[str], Any] | str | None
@@ -174,6 +184,7 @@ def setting(
     step: float | None = None,
     names: Iterable[str] | str | None = None,
     what: str = "",
+    find: str = "",
     usual: object = None,
     unset: str = "",
     read: Callable[[str], Any] | str | None = None,
@@ -184,7 +195,21 @@ def setting(
     known = None if names is None else Names(path=names) if isinstance(names, str) else Names(tuple(names))
     limits = (low, high, step)
     entry = Setting(
-        help, stage, group, label, flag, metavar, *limits, known, what, usual, unset, read, fills, on_page
+        help,
+        stage,
+        group,
+        label,
+        flag,
+        metavar,
+        *limits,
+        known,
+        what,
+        find,
+        usual,
+        unset,
+        read,
+        fills,
+        on_page,
     )
     if isinstance(default, dict):
         return field(default_factory=dict, metadata={_KEY: entry})
@@ -283,36 +308,56 @@ def _kind(hint: Any) -> tuple[ValueKind, bool]:
     return _KINDS[hint], False
 
 
-def check(settings: Any, spec: str = "") -> None:
-    """Raise InputError for the first field that is out of its range or none of its known names.
+def later(name: str) -> None:
+    """Accept any name: those who read the setting look it up."""
 
-    `spec` is the format in which numbers at fault are shown. Names that a registry knows are looked up by
-    those who read them.
+
+def check(settings: Any, spec: str = "") -> None:
+    """Raise InputError for the first field that is not of its kind, out of its range or none of its names.
+
+    `spec` is the format in which numbers at fault are shown. Names that a registry knows are looked up unless
+    they are the default, so that the registry is not imported for it.
     """
     table: type = type(settings)
     for row in rows(table).values():
         value = getattr(settings, row.owner)
         if row.owner == row.name and value is not None:
+            _check_kind(row, value)
             _check_names(row, value)
             _check_range(row, value, spec)
 
 
+def _check_kind(row: Row, value: Any) -> None:
+    types, what = _TYPES.get(row.kind, (object, ""))
+    if not isinstance(value, types) or (isinstance(value, str) and row.kind is ValueKind.SEVERAL):
+        raise InputError(f"{row.name} = {value!r} is not {what}")
+
+
 def _check_names(row: Row, value: Any) -> None:
     names = row.entry.names
-    if names is None or names.path or row.kind not in (ValueKind.TEXT, ValueKind.SEVERAL):
+    if names is None or row.kind not in _NAMED or value == row.default:
         return
+    find = _at(row.entry.find) if row.entry.find else None
     for name in (value,) if row.kind is ValueKind.TEXT else value:
-        if name not in names.known:
-            raise InputError(unknown(row.entry.what or row.name, str(name), names.known))
+        if find is not None:
+            find(name)
+        elif name not in (known := names.known or [choice.name for choice in names.choices()]):
+            raise InputError(unknown(row.entry.what or row.name, str(name), known))
 
 
 def _check_range(row: Row, value: Any, spec: str) -> None:
     low, high = row.entry.low, row.entry.high
-    if low is None or high is None or row.kind is ValueKind.AMOUNTS:
+    if low is None or high is None:
         return
-    for number in value if row.kind is ValueKind.SIZE else (value,):
+    for name, number in _numbers(row, value):
         if isinstance(number, str) or not hasattr(number, "__float__"):
-            raise InputError(f"{row.name} = {number!r} is not a number; expected {low:g} to {high:g}")
+            raise InputError(f"{name} = {number!r} is not a number; expected {low:g} to {high:g}")
         if not low <= number <= high:
-            what = f"{row.name} {number}" if row.kind is ValueKind.SIZE else row.name
-            raise InputError(f"{what} = {number:{spec}} is out of range; expected {low:g} to {high:g}")
+            raise InputError(f"{name} = {number:{spec}} is out of range; expected {low:g} to {high:g}")
+
+
+def _numbers(row: Row, value: Any) -> Iterable[tuple[str, Any]]:
+    """Return the numbers of a setting with their names in messages."""
+    if row.kind is ValueKind.AMOUNTS:
+        return [(f"{row.name} {name}", number) for name, number in value.items()]
+    return [(f"{row.name} {n}", n) for n in value] if row.kind is ValueKind.SIZE else [(row.name, value)]
