@@ -76,10 +76,19 @@ def test_faults_of_a_caller_are_told_by_one_kind_of_error(clip: risorius.Take) -
     assert clip.curves.get("lip_seel") is None
 
 
-def test_an_unknown_head_is_refused_before_anything_is_spoken() -> None:
+@pytest.mark.parametrize(
+    ("chosen", "message"),
+    [
+        ({"head": "nobody"}, "unknown head 'nobody'"),
+        ({"language": "xx"}, "unknown language 'xx'"),
+        ({"voice": "en-uss"}, "unknown voice 'en-uss'"),
+        ({"profile": "nobody"}, "unknown profile 'nobody'"),
+    ],
+)
+def test_unknown_names_are_refused_before_anything_is_spoken(chosen: dict[str, str], message: str) -> None:
     said: list[str] = []
-    with pytest.raises(risorius.RisoriusError, match="unknown head 'nobody'"):
+    with pytest.raises(risorius.RisoriusError, match=message):
         risorius.speak(
-            "Hi.", settings=risorius.Settings(head="nobody"), progress=lambda what, *_: said.append(what)
+            "Hi.", settings=risorius.Settings(**chosen), progress=lambda what, *_: said.append(what)
         )
     assert said == []

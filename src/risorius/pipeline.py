@@ -49,10 +49,9 @@ def speak(
     """Speak a script with a synthesized voice, coloured by emotions; None if it says nothing."""
     if not script.lines:
         return None
-    progress("Speaking …")
     felt = feelings(script, emotions) if settings.voice_emotion else ()
     voice = {name: getattr(settings, name) for name in ("voice", "language", "rate", "lead", "tail")}
-    return say(script, felt=felt, **voice)
+    return say(script, felt=felt, progress=progress, **voice)
 
 
 def compose(script: Script, utterance: Utterance | None, emotions: Displays, settings: Settings) -> Score:

@@ -8,6 +8,7 @@ from functools import partial
 from typing import TypeVar
 
 from ..core.audio import Audio, AudioWriter
+from ..core.progress import Progress, quiet
 from ..core.time import ticks_of
 from ..core.utterance import (
     SILENCE,
@@ -25,6 +26,7 @@ from ..errors import InputError, SpeechError
 from ..script import Script, SpokenLine
 from .affect import Feeling, coloured, common_manner
 from .engines.registry import is_voice_file
+from .engines.voices import find_voice
 from .prosody.measure import pitched
 from .synthesis import synthesize, voice_pitch
 
@@ -54,12 +56,14 @@ def say(
     lead: float = 0.5,
     tail: float = 0.7,
     felt: Sequence[Feeling] = (),
+    progress: Progress = quiet,
 ) -> Utterance:
     """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
 
     Without `voice`, `language`, or else the script's, is spoken by its first voice, English where neither is
-    named. `felt`: emotions that change the voice. Raises InputError, with the line's place,
-    where a line starts before the one before it has ended; SpeechError if the engine fails.
+    named. `felt`: emotions that change the voice. `progress` is told when the voice is found and speaks.
+    Raises InputError, with the line's place, where a line starts before the one before it has ended;
+    SpeechError if the engine fails.
     """
     spoken = language
     if spoken is None and (voice is None or is_voice_file(voice)):
@@ -69,6 +73,9 @@ def say(
         speak = partial(speak, lead=lead, tail=tail)
     manner = common_manner(felt)
     try:
+        if voice is None or not is_voice_file(voice):
+            find_voice(voice, spoken)
+        progress("Speaking …")
         if manner is not None:
             said = _speak(script, partial(speak, manner=manner))
         else:

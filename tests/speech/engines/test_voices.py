@@ -15,7 +15,10 @@ from risorius.speech.engines.voices import find_voice, voices
         ("", None, "unknown voice ''"),
         ("en-us+f33", None, r"unknown variant '\+f33'; did you mean '\+f3'"),
         ("+f3", None, "unknown voice ''"),
-        (None, "klingonese", "unknown language 'klingonese'"),
+        (None, "klingonese", "unknown language 'klingonese'; expected a code such as en, de, fr, es, cmn"),
+        (None, "xx", "unknown language 'xx'; expected a code such as"),
+        (None, "german", "unknown language 'german'; did you mean 'de'"),
+        (None, "fra", "unknown language 'fra'; did you mean 'fr'"),
         ("de", "fr", "voice 'de' speaks 'de', not 'fr'"),
     ],
 )

@@ -9,6 +9,9 @@ from .protocol import SpeechEngine, Voice
 from .registry import load_engine
 
 DEFAULT_VOICE = "en-us"
+_USUAL = ("en", "de", "fr", "es", "cmn")
+_LONG_CODE = 3  # letters of the codes of ISO 639-2
+_LONGEST = 40  # letters of a name that is shown
 
 
 def voices(engine: SpeechEngine | None = None) -> tuple[Voice, ...]:
@@ -62,9 +65,24 @@ def _by_language(language: str, known: tuple[Voice, ...]) -> Voice:
     wanted = _plain(language)
     voice = _speaking(wanted, known) or _speaking(wanted.split("-")[0], known)
     if voice is None:
-        codes = dict.fromkeys(code for voice in known for code in voice.languages)
-        raise SpeechError(unknown("language", language, codes))
+        raise SpeechError(_unknown_language(language, known))
     return voice
+
+
+def _unknown_language(language: str, known: tuple[Voice, ...]) -> str:
+    """Word the message for a language that nobody speaks.
+
+    A code that only looks alike (`xx`, `xex`) is no help: expected is one that begins as this does (`deu`),
+    or whose voice has this name (`german`).
+    """
+    wanted = _plain(language)
+    for voice in known:
+        code = voice.language.split("-")[0]
+        begins = len(wanted) == _LONG_CODE and 0 < len(code) < _LONG_CODE and wanted.startswith(code)
+        if begins or (code and voice.description.lower() == wanted):
+            return f"unknown language '{language}'; did you mean '{code}'?"
+    expected = f"expected a code such as {', '.join(_USUAL)}; 'risorius list languages' shows more"
+    return f"unknown language '{language[:_LONGEST]}'; {expected}"
 
 
 def _speaking(code: str, known: tuple[Voice, ...]) -> Voice | None:
