@@ -1,7 +1,9 @@
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from risorius.core.action_units import ACTION_UNITS
 from risorius.core.look import OVERLAYS
@@ -12,8 +14,8 @@ from risorius.core.score import Score
 from risorius.core.utterance import Word
 from risorius.render.overlay import Overlays, Subject
 from risorius.render.overlay.bars import unit_values
-from risorius.render.overlay.caption import lines_of
-from risorius.render.overlay.lanes import lane_blocks
+from risorius.render.overlay.caption import Caption, lines_of
+from risorius.render.overlay.lanes import Lanes, lane_blocks
 
 SIZE = (240, 200)
 SMILE = Movement("emotion", 0.2, 1.0, 0.1, 0.1, {"zygomatic_major.left": 1.0}, cause=Cause("rule", "a joke"))
@@ -80,6 +82,29 @@ def test_units_are_the_mean_of_their_muscles(subject):
     values = unit_values(subject.performance, units)
     assert values.shape == (len(subject.performance.values), 2)
     assert values[5] == pytest.approx([0.4, 0.0])
+
+
+def test_captions_have_the_marks_of_the_text(clip):
+    caption = Caption(Subject(clip.performance, clip.utterance), SIZE)
+    assert [[word.text for word in line] for line in caption._lines] == [["Oh,", "my", "mother!"]]
+
+
+def test_names_and_labels_of_lanes_stand_whole(subject, monkeypatch):
+    later = [
+        Movement("emotion", start, 1.1, 0.1, 0.1, {}, cause=Cause("rule", "later")) for start in (0.7, 0.74)
+    ]
+    score = Score(subject.performance.duration, (SMILE, NOD, *later))
+    lanes = Lanes(Subject(replace(subject.performance, score=score), None), (720, 720))
+    width = lanes._text.getlength
+    assert lanes._left > max(map(width, lanes._lanes))
+    texts = []
+    monkeypatch.setattr(
+        "PIL.ImageDraw.ImageDraw.text", lambda pen, at, text, **_: texts.append((at[0], text))
+    )
+    lanes.draw(Image.new("RGB", (720, 720 + lanes.below)), 720, 3)
+    labels = {text: x for x, text in texts if text in ("a joke", "later")}
+    assert labels["later"] - labels["a joke"] > width("a joke")
+    assert [text for _, text in texts].count("later") == 1
 
 
 def test_blocks_go_by_channel_and_say_their_cause(subject):

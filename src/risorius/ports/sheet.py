@@ -1,4 +1,4 @@
-"""A contact sheet: every so many frames with their numbers (as paper A, Figure 7)."""
+"""A contact sheet: every so many frames with their numbers (as paper A, Figure 7) and times."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ INK = (30, 30, 30)
 
 
 def write_sheet(take: WritableTake, path: Path, options: WriteOptions, every: int) -> None:
-    """Write frames 0, n, 2n … for n = `every` as PNG, left to right, each with its number under it.
+    """Write frames 0, n, 2n … for n = `every` as PNG, left to right, each with number and seconds.
 
     Pictures have the proportions of `options.size` and are at most WIDTH wide. Raises as `sheet_frames`.
     """
@@ -36,7 +36,7 @@ def write_sheet(take: WritableTake, path: Path, options: WriteOptions, every: in
     for place, (index, picture) in enumerate(zip(indices, pictures, strict=True)):
         row, column = divmod(place, columns)
         corner = (GAP + column * (size[0] + GAP), GAP + row * (size[1] + LABEL))
-        _paste(sheet, picture, corner, f"{index}")
+        _paste(sheet, picture, corner, f"{index} · {float(index / take.performance.fps):.2f} s")
     sheet.save(path, format="PNG")
 
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator, Sequence
-from itertools import groupby, pairwise
+from itertools import groupby
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ..core.utterance import Phrase, Utterance, Word
+from ..core.utterance import Phrase, Utterance
+from ..core.written_words import written_words
 from .formats import register
 from .table import write_lines
 from .visemes import Cue, said
@@ -25,7 +26,7 @@ LINE, LINES = 42, 2
 
 def subtitles(utterance: Utterance) -> Iterator[Cue]:
     """Yield the cues in order; the shape of each is its text, in lines."""
-    shown = _with_punctuation(utterance)
+    shown = written_words(utterance)
     for _, phrases in groupby(utterance.phrases, key=lambda phrase: phrase.sentence):
         for first, last in _divided(list(phrases), shown):
             words = utterance.words[first:last]
@@ -57,28 +58,6 @@ def write_vtt(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write WebVTT (W3C); raise OutputError if nothing is said."""
     rows = [f"{_span(cue, '.')}\n{escape(cue.shape)}\n" for cue in subtitles(said(take))]
     write_lines(path, ["WEBVTT\n", *rows])
-
-
-def _with_punctuation(utterance: Utterance) -> list[str]:
-    """Return the words with the marks that follow each in the text, as they are where they are not found."""
-    starts = list(_starts(utterance.text, utterance.words))
-    if len(starts) < len(utterance.words):
-        return [word.text for word in utterance.words]
-    edges = pairwise([*starts, len(utterance.text)])
-    return [utterance.text[start:end].strip() for start, end in edges]
-
-
-def _starts(text: str, words: Sequence[Word]) -> Iterator[int]:
-    at, lowered = 0, text.lower()
-    for number, word in enumerate(words):
-        found = lowered.find(word.text.lower(), at)
-        if found < 0:
-            return
-        end = found + len(word.text)
-        while found > at and not text[found - 1].isspace():
-            found -= 1  # what opens before a word, as a quotation mark
-        yield found if number else 0
-        at = end
 
 
 def _wrapped(words: Sequence[str]) -> list[str]:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...core.look import Size
 from ...core.utterance import Word
+from ...core.written_words import written_words
 from .ink import BRIGHT, INK, PANEL, Subject, font
 
 if TYPE_CHECKING:
@@ -24,7 +26,9 @@ class Caption:
     def __init__(self, subject: Subject, size: Size) -> None:
         self._times = subject.performance.times
         self._text = font(round(0.045 * min(size)))
-        words = subject.utterance.words if subject.utterance else ()
+        said = subject.utterance
+        shown = written_words(said) if said else ()
+        words = [replace(w, text=text) for w, text in zip(said.words if said else (), shown, strict=True)]
         self._space = self._text.getlength(" ")
         self._lines = lines_of(words, 0.86 * size[0], self._width, self._space)
 

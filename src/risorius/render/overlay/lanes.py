@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from ...core.channels import CHANNELS
@@ -28,6 +29,10 @@ _COLOURS: tuple[InkColour, ...] = (
 )
 
 
+Box = tuple[float, float, float, float]
+"""Left, top, right, bottom, in pixels."""
+
+
 class LaneBlock(NamedTuple):
     """A movement from `start` to `end` seconds, and its name."""
 
@@ -47,6 +52,8 @@ class Lanes:
         high = round(0.026 * min(size))
         row = min(1.55 * high, _SHARE * size[1] / max(len(self._lanes), 1))
         self._text, self._row = font(max(min(high, int(row / 1.3)), 6)), row
+        names = max(map(self._text.getlength, self._lanes), default=0.0)
+        self._left = names + 1.1 * self._text.size
         self.below = round(row * len(self._lanes) + 0.6 * row) if self._lanes else 0
 
     def draw(self, image: Image, height: int, frame: int) -> None:
@@ -56,33 +63,40 @@ class Lanes:
         pen, time = Draw(image, "RGBA"), float(self._times[frame])
         shown = min(self._duration, _SPAN)
         first = min(max(time - 0.5 * shown, 0.0), self._duration - shown)
-        left, right = 5.2 * self._text.size, image.width - 0.6 * self._text.size
+        left, right = self._left, image.width - 0.6 * self._text.size
         scale = (right - left) / shown
         pen.rectangle((0, height, image.width, image.height), fill=GROUND)
         for k, (name, blocks) in enumerate(self._lanes.items()):
             y = height + (k + 0.3) * self._row
             pen.text((0.5 * self._text.size, y), name, font=self._text, fill=SOFT)
             colour = _COLOURS[CHANNELS.names().index(name) % len(_COLOURS)]
-            for block in blocks:
-                start, end = left + (block.start - first) * scale, left + (block.end - first) * scale
-                self._block(
-                    pen, (max(start, left), y, min(end, right), y + 0.82 * self._row), colour, block.label
-                )
+            spans = [(left + (b.start - first) * scale, left + (b.end - first) * scale) for b in blocks]
+            boxes = [(max(x, left), y, min(end, right), y + 0.82 * self._row) for x, end in spans]
+            for box in boxes:
+                self._block(pen, box, colour)
+            for box, free, block in zip(boxes, _uncovered(boxes), blocks, strict=True):
+                if self._text.getlength(block.label) + 6.0 < free:
+                    middle = 0.5 * (box[1] + box[3])
+                    pen.text((box[0] + 4.0, middle), block.label, font=self._text, fill=INK, anchor="lm")
         now = left + (time - first) * scale
         pen.line((now, height, now, image.height), fill=BRIGHT, width=2)
 
-    def _block(
-        self, pen: ImageDraw, box: tuple[float, float, float, float], colour: InkColour, label: str
-    ) -> None:
+    def _block(self, pen: ImageDraw, box: Box, colour: InkColour) -> None:
         if box[2] - box[0] < 1.0:
             return
         radius = 0.2 * self._row
         # PIL raises ValueError for some boxes that are hardly wider than their corners.
         room = min(box[2] - box[0], box[3] - box[1]) >= 2.0 * radius + 4.0
         pen.rounded_rectangle(box, radius=radius if room else 0.0, fill=colour, outline=GROUND)
-        if self._text.getlength(label) + 6.0 < box[2] - box[0]:
-            # On the left: later movements of the lane may lie over the right.
-            pen.text((box[0] + 4.0, 0.5 * (box[1] + box[3])), label, font=self._text, fill=INK, anchor="lm")
+
+
+def _uncovered(boxes: Sequence[Box]) -> list[float]:
+    """Return how far each box can be seen from its left edge: those after it are drawn over it."""
+    return [
+        min([box[2], *(later[0] for later in boxes[k + 1 :] if later[0] < box[2] and box[0] < later[2])])
+        - box[0]
+        for k, box in enumerate(boxes)
+    ]
 
 
 def _name(movement: Movement) -> str:
