@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import shlex
 import shutil
@@ -11,7 +12,9 @@ from pathlib import Path
 
 import pytest
 
+import risorius
 from risorius.cli import commands, run
+from risorius.cli.listing import LISTINGS
 from risorius.core.channels import CHANNELS
 from risorius.errors import UnreadError
 from risorius.ports.formats import FORMATS, FileFormat, format_for
@@ -115,3 +118,23 @@ def test_every_command_channel_and_output_is_documented() -> None:
     )
     for name in (*commands.commands, *CHANNELS, *FORMATS):
         assert f"`{name}`" in reference or f"risorius {name}" in reference, name
+
+
+def signature_of(name: str) -> str:
+    """How the library's page writes a function: without types, and without what a program is told by."""
+    signature = inspect.signature(getattr(risorius, name))
+    named = signature.parameters.values()
+    shown = [p.replace(annotation=p.empty) for p in named if p.default is p.empty or not callable(p.default)]
+    return f"risorius.{name}{inspect.Signature(shown)}"
+
+
+def test_the_functions_of_the_library_are_documented_as_they_are() -> None:
+    page = (ROOT / "docs/reference.md").read_text()
+    functions = {n for n in risorius.__all__ if inspect.isfunction(getattr(risorius, n))} - {"warnings_to"}
+    for name in (*sorted(functions), "Live"):
+        assert f"`{signature_of(name)}`" in page, signature_of(name)
+
+
+def test_the_lists_are_documented() -> None:
+    names = r"\|".join(LISTINGS)
+    assert f"`risorius list {names}`" in (ROOT / "docs/reference.md").read_text()

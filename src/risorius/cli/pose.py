@@ -9,6 +9,7 @@ import click
 
 from ..core.setting import Stage
 from ..errors import InputError, OutputError
+from .console import Console
 from .options import (
     Command,
     check_outputs,
@@ -40,8 +41,10 @@ def pose(
         raise OutputError("no output named; expected -o face.png")
     settings = settings_from(chosen)
     check_outputs(outputs, settings, WITHOUT_SPEECH)
-    take = hold(_assignments(targets), emotion=displays(emotions), settings=settings)
-    take.write(*outputs)
+    with Console() as console:
+        take = hold(_assignments(targets), emotion=displays(emotions), settings=settings)
+        take.write(*outputs)
+        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
 
 
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
