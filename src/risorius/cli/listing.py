@@ -58,11 +58,9 @@ def emotions() -> Listing:
 
 def voices() -> Listing:
     """The voices: the default first, then by name; at the end those that change others."""
-    from ..speech.engines.voices import DEFAULT_VOICE
     from ..speech.engines.voices import voices as all_voices
 
-    ordered = sorted(all_voices(), key=lambda v: (v.name != DEFAULT_VOICE, v.name.startswith("+")))
-    return ("voice", "language", "name"), [(v.name, v.language, v.description) for v in ordered]
+    return ("voice", "language", "name"), [(v.name, v.language, v.description) for v in all_voices()]
 
 
 def languages() -> Listing:

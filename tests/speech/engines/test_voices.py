@@ -60,10 +60,12 @@ def test_variants_change_timbre_and_gender(engine) -> None:
     )
 
 
-def test_the_list_is_sorted_complete_and_unique(engine) -> None:
+def test_the_list_begins_with_what_speaks_and_is_complete_and_unique(engine) -> None:
     listed = voices(engine)
     names = [voice.name for voice in listed]
-    assert names == sorted(names, key=str.lower)
+    speaking = [name for name in names if not name.startswith("+")]
+    assert names[: len(speaking)] == speaking == ["en-us", *sorted({*speaking} - {"en-us"}, key=str.lower)]
+    assert names[len(speaking) :] == sorted(names[len(speaking) :], key=str.lower)
     assert len(set(names)) == len(names) > 150
     assert all(voice.language or voice.name.startswith("+") for voice in listed)
     assert all(voice.gender in ("male", "female", "") for voice in listed)

@@ -15,8 +15,11 @@ _LONGEST = 40  # letters of a name that is shown
 
 
 def voices(engine: SpeechEngine | None = None) -> tuple[Voice, ...]:
-    """Return all voices, in the order of their names. Those named `+name` change the timbre of any other."""
-    return (engine or load_engine()).voices()
+    """Return all voices: the default, those that speak by their names, then those named `+name`, which change
+    the timbre of any other.
+    """
+    known = (engine or load_engine()).voices()
+    return tuple(sorted(known, key=lambda v: (v.name != DEFAULT_VOICE, v.name.startswith("+"))))
 
 
 def speaking() -> dict[str, Voice]:
