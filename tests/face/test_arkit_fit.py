@@ -171,3 +171,9 @@ def test_weights_move_no_faster_than_the_face(fit, head, clip) -> None:
     near = before.skin + 0.01 * (after.skin - before.skin)
     step = np.abs(fit.of_skin(near) - fit.of_skin(before.skin)).max()
     assert step <= 0.05 * max(np.abs(fit.of_skin(after.skin) - fit.of_skin(before.skin)).max(), 0.02)
+
+
+def test_a_frame_has_the_same_weights_after_others_and_alone(fit, clip) -> None:
+    frames = list(clip.faces(range(0, len(clip.times), 4)))
+    alone = np.array([fit.weights(frame) for frame in frames])
+    assert fit.track(frames).weights == pytest.approx(alone, abs=1e-6)

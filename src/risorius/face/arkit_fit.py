@@ -39,6 +39,7 @@ NEARLY = 1.0  # mm below the distance from which a vertex is far: such vertices 
 BLOCK = 8  # frames that are fitted together: the shapes are read from memory once for all of them
 MOVED = 0.3  # mm: a vertex counts in the residual if some shape moves it farther
 
+NO_WAY = np.zeros(len(SHAPES))
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 _EXCLUSIVE = np.array([[INDEX[name] for name in pair] for pair in EXCLUSIVE])
 
@@ -84,7 +85,8 @@ class ArkitFit:
         self.rest: Array = head.skin.matrix @ head.rest
         dense = self.shapes.skin.toarray()
         size = np.linalg.norm(dense.reshape(len(SHAPES), -1, 3), axis=2).max(axis=0)
-        self.counted = np.flatnonzero(_visible(head, self.rest) & (size > MOVED))
+        own = len(head.rest)
+        self.counted = np.flatnonzero(_visible(head, self.rest)[:own] & (size[:own] > MOVED))
         columns = (3 * self.counted[:, None] + np.arange(3)).ravel()
         self._basis = np.ascontiguousarray(dense[:, columns])
         self._fitted = self._basis.copy()
@@ -115,8 +117,7 @@ class ArkitFit:
         given = np.zeros(len(SHAPES)) if direct is None else direct
         displacement = self._room()
         displacement[0] = self.displacement(skin)
-        (weights,) = self._solve(displacement, given[None])
-        return np.asarray(weights)
+        return np.asarray(self._solve(displacement, given[None]).weights[0])
 
     def skin(self, weights: Array) -> Array:
         """Return the level-1 skin (N1, 3) in mm of `weights` (52,)."""
@@ -132,8 +133,11 @@ class ArkitFit:
 
     def track(self, frames: Iterable[FaceFrame]) -> ArkitTrack:
         """Fit all frames in order."""
+        blocks, way = [], NO_WAY
         with one_thread():
-            blocks = [self._block(block) for block in _blocks(frames)]
+            for block in _blocks(frames):
+                part, way = self._block(block, way)
+                blocks.append(part)
         weights, rotations, parameters, rms, worst = (
             np.concatenate(part) for part in zip(*blocks, strict=True)
         )
@@ -141,16 +145,22 @@ class ArkitFit:
         eyes = [[(yaw, pitch, 0.0) for pitch, yaw in map(pitch_and_yaw, pair)] for pair in rotations]
         return ArkitTrack(weights, head, np.array(eyes), rms, worst)
 
-    def _block(self, frames: Sequence[FaceFrame]) -> tuple[Array, Array, Array, Array, Array]:
-        """Return weights, rotations of the eyes, parameters and residuals of up to `BLOCK` frames."""
+    def _block(
+        self, frames: Sequence[FaceFrame], way: Array
+    ) -> tuple[tuple[Array, Array, Array, Array, Array], Array]:
+        """Return weights, rotations of the eyes, parameters and residuals of up to `BLOCK` frames.
+
+        `way` (52,): how the penalty changed the frame before; returned is the last frame's.
+        """
         displacement = self._room()
         for row, frame in zip(displacement, frames, strict=False):
             row[:] = self.displacement(frame.skin)
-        weights = self._solve(displacement, np.array([direct_weights(frame) for frame in frames]))
+        direct = np.array([direct_weights(frame) for frame in frames])
+        weights, way = self._solve(displacement, direct, way)
         rms, worst = _residual(displacement - _rows(weights) @ self._basis)
         rotations = np.array([frame.eye_rotation for frame in frames])
         parameters = np.array([frame.parameters for frame in frames])
-        return weights, rotations, parameters, rms[: len(frames)], worst[: len(frames)]
+        return (weights, rotations, parameters, rms[: len(frames)], worst[: len(frames)]), way
 
     def _room(self) -> Array:
         return np.zeros((BLOCK, self._basis.shape[1]))
@@ -163,8 +173,11 @@ class ArkitFit:
         """Return the displacement (3 k,) in mm of the visible vertices of a level-1 skin (N1, 3)."""
         return np.asarray((skin[self.counted] - self._rest_seen).ravel(), dtype=np.float64)
 
-    def _solve(self, displacement: Array, direct: Array) -> Array:
-        """Return the weights (n, 52) of the first n of `BLOCK` displacements; `direct` (n, 52)."""
+    def _solve(self, displacement: Array, direct: Array, way: Array = NO_WAY) -> _Solution:
+        """Return the weights (n, 52) of the first n of `BLOCK` displacements; `direct` (n, 52).
+
+        `way` (52,): how the penalty changed the weights of the frame before, if there is one.
+        """
         direct = direct * self._direct
         wanted = displacement - _rows(direct) @ self._basis
         rights = (wanted @ self._heavy)[: len(direct)]
@@ -172,31 +185,45 @@ class ArkitFit:
         starts = np.array([self._some.least(*row) for row in zip(rights, fixed, strict=True)])
         apart = _distances(wanted - _rows(starts) @ self._fitted)
         vectors = wanted.reshape(BLOCK, -1, 3)
-        ways = [self._way(*row) for row in zip(vectors, apart, rights, fixed, starts, strict=False)]
-        weights: Array = starts + np.array(ways) + direct
+        weights = starts + direct
+        for k, start in enumerate(starts):
+            way = self._way(vectors[k], apart[k], rights[k], fixed[k], start, way)
+            weights[k] += within_leeway(way)
         weights[:, _JAW] += weights[:, _CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[:, _CLOSE] = np.minimum(weights[:, _CLOSE], weights[:, _JAW])
-        return weights
+        return _Solution(weights, way)
 
-    def _way(self, wanted: Array, apart: Array, right: Array, fixed: Array, start: Array) -> Array:
+    def _way(
+        self, wanted: Array, apart: Array, right: Array, fixed: Array, start: Array, guess: Array
+    ) -> Array:
         """Return how the penalty for far vertices changes the weights `start` (52,) of the least squares.
 
         `wanted` (k, 3) mm; `apart` (k,) mm are the vertices' distances by these weights. Only those that are
-        far or nearly so are looked at, and those that prove to be far in the end.
+        far or nearly so are looked at, and those that prove to be far in the end. `guess` (52,): of the frame
+        before, from which the search begins.
         """
         seen = np.zeros(len(apart), dtype=bool)
+        free = self._some.free
         minimum = start
+        begin = np.where(free, np.maximum(start + guess, 0.0), start)
         while np.any(apart[~seen] > FAR):
             seen |= apart > FAR - NEARLY
-            far = FarVertices(self._moves[seen], wanted[seen], self._normal, right)
-            minimum = far.minimum(start, lambda normal, right: self._least(normal, right, fixed))
-            apart = lengths(wanted - self._moves @ minimum)
-        return within_leeway(minimum - start)
+            far = FarVertices(self._moves[seen], wanted[seen], self._normal, right, start, free)
+            begin = minimum = far.minimum(lambda normal, right: self._least(normal, right, fixed), begin)
+            apart = lengths(wanted - (minimum @ self._fitted).reshape(-1, 3))
+        return minimum - start
 
     def _least(self, normal: Array, right: Array, fixed: Array) -> Array:
         """Return the non-negative least squares (52,); `fixed` as in `_Factored.least`."""
         return _Factored.of(normal, self._some.free).least(right, fixed)
+
+
+class _Solution(NamedTuple):
+    """The weights (n, 52) of some frames, and how the penalty changed the last one's (52,)."""
+
+    weights: Array
+    way: Array
 
 
 class _Factored(NamedTuple):
