@@ -14,7 +14,7 @@ from .options import SHOWN, Command, check_outputs, option, output_option, setti
 
 @click.command(cls=Command)
 @click.argument("capture", type=click.Path(path_type=Path, dir_okay=True))
-@option("--audio", group="Input", metavar="FILE", help="The sound of the performance: WAV, FLAC, OGG or MP3.")
+@option("--audio", group="Input", metavar="FILE", help="The sound of the performance: WAV, MP3, a film …")
 @output_option
 @setting_options(SHOWN)
 def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: Any) -> None:

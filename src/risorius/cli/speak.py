@@ -38,7 +38,12 @@ LONGEST_INPUT = 4_000_000
     help="Speak INPUT as text, even if it looks like a file name.",
 )
 @emotion_option
-@option("--audio", group="Input", metavar="FILE", help="A recorded voice: WAV, FLAC, OGG or MP3.")
+@option(
+    "--audio",
+    group="Input",
+    metavar="FILE",
+    help="A recorded voice: WAV, FLAC, OGG, MP3, M4A, or the sound of a film.",
+)
 @option(
     "--transcript",
     group="Input",

@@ -33,7 +33,10 @@ READERS.register(".bml")(parse_bml)
 INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
 _WORD = re.compile(r"[^\s\0]+")
 _ENDING = re.compile(r"\.\d{0,4}[A-Za-z][A-Za-z0-9]{0,4}")
-RECORDING_SUFFIXES = (".wav", ".flac", ".ogg", ".mp3")
+RECORDING_SUFFIXES = (
+    *(".wav", ".flac", ".ogg", ".opus", ".mp3", ".m4a", ".aac"),
+    *(".mp4", ".m4v", ".mov", ".3gp", ".webm", ".mkv"),
+)
 
 
 def read_script(script: str, *, text: bool = False, source: str = "text") -> Script:

@@ -40,9 +40,9 @@ def test_a_missing_file_a_folder_and_what_is_no_sound_are_refused(tmp_path: Path
     assert "there is no such file" in refusal(tmp_path / "x.wav")
     assert "is a folder" in refusal(tmp_path)
     (tmp_path / "text.wav").write_text("These are no samples. " * 20)
-    assert "expected WAV, FLAC, OGG or MP3" in refusal(tmp_path / "text.wav")
+    assert "expected WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM" in refusal(tmp_path / "text.wav")
     (tmp_path / "empty.wav").touch()
-    assert "expected WAV, FLAC, OGG or MP3" in refusal(tmp_path / "empty.wav")
+    assert "expected WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM" in refusal(tmp_path / "empty.wav")
 
 
 def test_a_file_that_is_damaged_within_is_refused_with_the_time(written, tmp_path: Path) -> None:

@@ -1,6 +1,7 @@
-"""Recorded sound: any file that libsndfile reads, as 16-bit mono on disk, checked on the way.
+"""Recorded sound: any file that libsndfile reads, or the sound of a film, as 16-bit mono on disk, checked on
+the way.
 
-WAV, FLAC, OGG and MP3 among them. Read block by block, so that memory does not grow with the length.
+WAV, FLAC, OGG, MP3, M4A, MP4 and WebM among them. Read block by block: memory does not grow with the length.
 """
 
 from __future__ import annotations
@@ -11,17 +12,15 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...core.arrays import BoolArray, Float32Array
 from ...core.audio import Audio, AudioWriter
 from ...errors import InputError, Place, SpeechWarning, warn
+from .film_sound import FilmSound, container_of
 
-if TYPE_CHECKING:
-    from soundfile import SoundFile
-
+EXPECTED = "WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM"
 LOWEST_RATE, HIGHEST_RATE = 8_000, 96_000
 # Seconds.
 SHORTEST, LONGEST = 0.1, 6 * 3600.0
@@ -32,6 +31,7 @@ CLIPPED_LEVEL, CLIPPED_RUN = 0.985, 4
 # Fewer clipped samples than this share are not worth a word.
 CLIPPED_SHARE = 2e-4
 _BLOCK = 65_536
+_BEGINNING = 16  # bytes by which a film is told from a sound
 _FULL_SCALE = 32_767
 
 
@@ -44,9 +44,9 @@ def read_recording(path: str | PathLike[str]) -> Audio:
     """
     place = Place(str(path))
     with _hushed(), _opened(Path(path), place) as source:
-        checks = _Checks(source.samplerate)
-        with AudioWriter(source.samplerate) as writer:
-            for block in _blocks(source, place):
+        checks = _Checks(source.sample_rate)
+        with AudioWriter(source.sample_rate) as writer:
+            for block in _bounded(source, place):
                 mono = checks.mended(block, writer.frames)
                 writer.append(np.round(np.clip(mono, -1.0, 1.0) * _FULL_SCALE).astype(np.int16))
             audio = writer.finish()
@@ -73,39 +73,70 @@ def _hushed() -> Iterator[None]:
         os.close(kept)
 
 
-def _opened(path: Path, place: Place) -> SoundFile:
-    import soundfile
-
+def _opened(path: Path, place: Place) -> SoundFileSource | FilmSound:
     try:
         if not path.exists():
             raise InputError("there is no such file; expected a recording", place)
         if path.is_dir():
             raise InputError("is a folder; expected a recording", place)
-        source = soundfile.SoundFile(path)
-    except (soundfile.LibsndfileError, OSError, ValueError) as error:
-        raise InputError(f"{_reason(error)}; expected WAV, FLAC, OGG or MP3", place) from None
-    if not LOWEST_RATE <= source.samplerate <= HIGHEST_RATE:
+        with path.open("rb") as file:
+            container = container_of(file.read(_BEGINNING))
+    except (OSError, ValueError) as error:
+        raise InputError(f"{_reason(error)}; expected a recording", place) from None
+    source = SoundFileSource(path, place) if container is None else FilmSound(path, container, place)
+    if not LOWEST_RATE <= source.sample_rate <= HIGHEST_RATE:
         source.close()
         expected = f"expected {LOWEST_RATE:,} to {HIGHEST_RATE:,}"
-        raise InputError(f"has {source.samplerate:,} samples per second; {expected}", place)
+        raise InputError(f"has {source.sample_rate:,} samples per second; {expected}", place)
     return source
 
 
-def _blocks(source: SoundFile, place: Place) -> Iterator[Float32Array]:
-    """Yield the file's sound, its channels averaged, in blocks."""
-    import soundfile
+class SoundFileSource:
+    """A file that libsndfile reads, its channels averaged; InputError with its place if it cannot."""
 
+    def __init__(self, path: Path, place: Place) -> None:
+        import soundfile
+
+        self._place = place
+        try:
+            self._file = soundfile.SoundFile(path)
+        except (soundfile.LibsndfileError, OSError, ValueError) as error:
+            raise InputError(f"{_reason(error)}; expected {EXPECTED}", place) from None
+        self.sample_rate: int = self._file.samplerate
+
+    def blocks(self) -> Iterator[Float32Array]:
+        """Yield the samples, each block of shape (n,), in order."""
+        import soundfile
+
+        frames = 0
+        try:
+            for block in self._file.blocks(_BLOCK, dtype="float32", always_2d=True):
+                frames += len(block)
+                with np.errstate(invalid="ignore", over="ignore"):  # `_Checks` mends what is not a number
+                    yield block.mean(axis=1)
+        except (soundfile.LibsndfileError, RuntimeError, ValueError) as error:
+            at = frames / self.sample_rate
+            raise InputError(f"cannot be decoded from {at:.2f} s on: {_reason(error)}", self._place) from None
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+    def __enter__(self) -> SoundFileSource:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+def _bounded(source: SoundFileSource | FilmSound, place: Place) -> Iterator[Float32Array]:
+    """Yield a recording's sound in blocks; raise InputError where it is too long."""
     frames = 0
-    try:
-        for block in source.blocks(_BLOCK, dtype="float32", always_2d=True):
-            frames += len(block)
-            if frames > LONGEST * source.samplerate:
-                raise InputError(f"is longer than {LONGEST / 3600:g} hours; expected less", place)
-            with np.errstate(invalid="ignore", over="ignore"):  # `_Checks` mends what is not a number
-                yield block.mean(axis=1)
-    except (soundfile.LibsndfileError, RuntimeError, ValueError) as error:
-        at = frames / source.samplerate
-        raise InputError(f"cannot be decoded from {at:.2f} s on: {_reason(error)}", place) from None
+    for block in source.blocks():
+        frames += len(block)
+        if frames > LONGEST * source.sample_rate:
+            raise InputError(f"is longer than {LONGEST / 3600:g} hours; expected less", place)
+        yield block
 
 
 def _reason(error: Exception) -> str:

@@ -1,0 +1,106 @@
+"""Films and what telephones record: their sound is read by a worker, and what is wrong has its place."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import av
+import numpy as np
+import pytest
+
+from risorius.errors import InputError, Place
+from risorius.speech.recordings import film_sound
+from risorius.speech.recordings.film_sound import FilmSound, container_of
+from risorius.speech.recordings.recording import read_recording
+
+SECONDS = 0.5
+
+
+def film(path: Path, codec: str, rate: int = 48_000, *, pictures: bool = False, sound: bool = True) -> Path:
+    """Write a film with a tone of 220 Hz on the left channel."""
+    with av.open(str(path), "w") as container:
+        video = container.add_stream("mpeg4", rate=10) if pictures else None
+        stream = container.add_stream(codec, rate=rate, layout="stereo") if sound else None
+        if video is not None:
+            video.width = video.height = 16
+            for _ in range(5):
+                frame = av.VideoFrame.from_ndarray(np.zeros((16, 16, 3), np.uint8), format="rgb24")
+                container.mux(video.encode(frame))
+            container.mux(video.encode(None))
+        if stream is not None:
+            times = np.arange(round(SECONDS * rate)) / rate
+            left = (9_000 * np.sin(2 * np.pi * 220 * times)).astype(np.int16)
+            frame = av.AudioFrame.from_ndarray(
+                np.stack([left, 0 * left], 1).reshape(1, -1), format="s16", layout="stereo"
+            )
+            frame.sample_rate, frame.time_base, frame.pts = rate, Fraction(1, rate), 0
+            container.mux(stream.encode(frame))
+            container.mux(stream.encode(None))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("name", "codec", "pictures"),
+    [
+        ("x.m4a", "aac", False),
+        ("x.mp4", "aac", True),
+        ("x.mov", "pcm_s16le", True),
+        ("x.webm", "libopus", False),
+        ("x.mkv", "flac", True),
+        ("x.aac", "aac", False),
+        ("x.opus", "libopus", False),
+    ],
+)
+def test_the_sound_of_a_film_is_that_of_its_channels_on_average(
+    name: str, codec: str, pictures: bool, tmp_path: Path
+) -> None:
+    audio = read_recording(film(tmp_path / name, codec, pictures=pictures))
+    assert audio.sample_rate == 48_000
+    assert audio.duration == pytest.approx(SECONDS, abs=0.06)
+    middle = audio.read(audio.frames // 4, audio.frames // 2)
+    assert np.abs(middle.astype(float)).max() == pytest.approx(4_500, rel=0.06)
+
+
+def test_a_film_is_known_by_its_first_bytes() -> None:
+    assert container_of(b"\0\0\0\x20ftypM4A \0\0\0\0") == "mov"
+    assert container_of(b"\x1a\x45\xdf\xa3" + bytes(12)) == "matroska"
+    assert container_of(b"\xff\xf1\x50\x80") == "aac"
+    for other in (b"RIFF\0\0\0\0WAVEfmt ", b"ID3\x03", b"\xff\xfb\x90\x64", b"#EXTM3U\n#EXT-X-", b""):
+        assert container_of(other) is None
+
+
+def refusal(path: Path) -> str:
+    with pytest.raises(InputError) as caught:
+        read_recording(path)
+    assert str(caught.value).startswith(f"{path}: ")
+    return str(caught.value)
+
+
+def test_a_silent_film_and_one_that_is_cut_are_refused(tmp_path: Path) -> None:
+    silent = film(tmp_path / "x.mp4", "aac", pictures=True, sound=False)
+    assert "has no sound; expected a recording, or a film with a voice" in refusal(silent)
+    whole = film(tmp_path / "y.mov", "pcm_s16le").read_bytes()
+    (tmp_path / "y.mov").write_bytes(whole[:200])
+    assert "cannot be read" in refusal(tmp_path / "y.mov")
+
+
+def test_a_list_of_addresses_is_never_followed(tmp_path: Path) -> None:
+    film(tmp_path / "x.m4a", "aac")
+    (tmp_path / "x.mp4").write_text(f"#EXTM3U\n#EXTINF:1,\n{tmp_path}/x.m4a\n#EXT-X-ENDLIST\n")
+    assert "expected WAV, FLAC" in refusal(tmp_path / "x.mp4")
+
+
+def test_a_decoder_that_says_nothing_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = film(tmp_path / "x.m4a", "aac")
+    monkeypatch.setattr(film_sound, "PATIENCE", 0.0)
+    with pytest.raises(InputError, match=r"the decoder gave no answer within 0 s"):
+        FilmSound(path, "mov", Place(str(path)))
+
+
+def test_a_decoder_that_dies_is_told(tmp_path: Path) -> None:
+    path = film(tmp_path / "x.m4a", "aac")
+    with FilmSound(path, "mov", Place(str(path))) as sound:
+        sound._process.kill()
+        with pytest.raises(InputError, match=r"x\.m4a: cannot be .*the decoder died, exit status -9"):
+            list(sound.blocks())
