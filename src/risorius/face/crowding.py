@@ -10,6 +10,7 @@ every activation.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -84,11 +85,12 @@ class Crowding:
         """Find the distances that all muscles of `head` together could shorten too far."""
         fields = _fields(head)
         edges, widths = struts(head.quads), altitudes(head.quads)
-        across = Distances.of(widths, head.rest)
+        along, across = Distances.of(edges[:, [0, 1, 1]], head.rest), Distances.of(widths, head.rest)
+        narrowed = _shortened(across, fields)
         limits = [
-            _limits(Distances.of(edges[:, [0, 1, 1]], head.rest), fields, 1.0 - LEAST, 1.0 - LEAST),
-            _limits(across, fields, 1.0 - LEAST_WIDTH, TURNING),
-            *(_tilts(across, fields, head.rest, side) for side in (1.0, -1.0)),
+            _limits(along, _shortened(along, fields), 1.0 - LEAST, 1.0 - LEAST),
+            _limits(across, narrowed, 1.0 - LEAST_WIDTH, TURNING),
+            *_tilts(across, np.sum(narrowed, axis=0), fields, head.rest),
         ]
         tables = [(d.points, d.foot, d.way, d.length, allowance) for d, allowance in limits]
         *distances, allowance = (np.concatenate(parts) for parts in zip(*tables, strict=True))
@@ -103,7 +105,11 @@ class Crowding:
 def struts(quads: IntArray) -> IntArray:
     """Return the sides and diagonals (e, 2) of `quads` (Q, 4), each once."""
     ends = [quads[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3))]
-    return np.asarray(np.unique(np.sort(np.vstack(ends), axis=1), axis=0))
+    sides = np.sort(np.vstack(ends), axis=1).astype(np.int64)
+    # Numbers are sorted much faster than pairs.
+    beyond = int(sides.max(initial=0)) + 1
+    once = np.unique(sides[:, 0] * beyond + sides[:, 1])
+    return np.column_stack(np.divmod(once, beyond)).astype(quads.dtype)
 
 
 def altitudes(quads: IntArray) -> IntArray:
@@ -113,32 +119,37 @@ def altitudes(quads: IntArray) -> IntArray:
 
 
 def _limits(
-    distances: Distances, fields: list[Array], most: float, turning: float
+    distances: Distances, shortened: list[Array], most: float, turning: float
 ) -> tuple[Distances, Array]:
     """Return the `distances` at risk, and by how many mm each may shorten.
 
-    A distance may shorten by the share `most`, or by as much as one of the `fields` alone shortens it. It is
-    at risk if all fields together shorten it by more than that and by more than the share `turning`.
+    A distance may shorten by the share `most`, or by as much as a muscle alone shortens it (`shortened`, (d,)
+    mm for each). It is at risk if all muscles together shorten it by more than that and by more than the
+    share `turning`.
     """
-    shortened = _shortened(distances, fields)
     allowance = np.maximum(most * distances.length, np.max(shortened, axis=0))
     risky = np.sum(shortened, axis=0) > np.maximum(allowance, turning * distances.length)
     return distances.only(risky), allowance[risky]
 
 
-def _tilts(widths: Distances, fields: list[Array], rest: Array, side: float) -> tuple[Distances, Array]:
-    """Return the `widths` that all `fields` together could halve and fold over, and how far corners may rise.
+def _tilts(
+    widths: Distances, crowded: Array, fields: list[Array], rest: Array
+) -> Iterator[tuple[Distances, Array]]:
+    """Yield the `widths` that all `fields` together could halve and fold over, and how far corners may rise.
 
-    They are measured out of the plane of their three points at `rest` (N0, 3), to the `side` 1 or -1.
+    `crowded` (d,) mm: by how much all fields shorten each. Corners are measured out of the plane of their
+    three points at `rest` (N0, 3), first to the one side, then to the other.
     """
-    crowded = np.sum(_shortened(widths, fields), axis=0)
     base = rest[widths.points[:, 2]] - rest[widths.points[:, 1]]
     normal = np.cross(base, widths.way)
-    heights = replace(widths, way=side * normal / np.linalg.norm(normal, axis=1, keepdims=True))
-    risen = _shortened(heights, fields)
-    risky = crowded + np.sum(risen, axis=0) > LAID_OVER * widths.length
-    risky &= crowded > (1.0 - LEAST_WIDTH) * widths.length
-    return heights.only(risky), np.maximum(STEEPEST * widths.length, np.max(risen, axis=0))[risky]
+    heights = replace(widths, way=normal / np.linalg.norm(normal, axis=1, keepdims=True))
+    risen = [heights.shortened(field) for field in fields]
+    for side in (1.0, -1.0):
+        raised = [np.maximum(side * each, 0.0) for each in risen]
+        risky = crowded + np.sum(raised, axis=0) > LAID_OVER * widths.length
+        risky &= crowded > (1.0 - LEAST_WIDTH) * widths.length
+        allowance = np.maximum(STEEPEST * widths.length, np.max(raised, axis=0))
+        yield replace(heights, way=side * heights.way).only(risky), allowance[risky]
 
 
 def _shortened(distances: Distances, fields: list[Array]) -> list[Array]:
