@@ -39,6 +39,8 @@ NO_BYTE = {
     "ray": "which cluster performs a batch",
     "journal": "where the journal of a batch is",
     "help": "prints the help",
+    "quiet": "how much is said: tests/cli/test_messages.py",
+    "json": "in which form it is said: tests/cli/test_messages.py",
 }
 """Options that by design change no byte of any output, and what they do."""
 
@@ -74,6 +76,8 @@ VALUES: dict[str, list[str]] = {
     "ignore": ["--ignore", "note"],
     "journal": ["--journal", "x"],
     "sheets": ["--contact-sheet"],
+    "presets": ["--preset", "close-up"],
+    "configs": ["--config", "own.toml"],
 }
 """What gives each option that is no setting a value."""
 
@@ -102,6 +106,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[object]:
         return call
 
     api.pose({}).write("x.performance.json")
+    Path("own.toml").write_text('light = "dark"\n')
     for name in ("speak", "mix", "play", "pose", "align"):
         monkeypatch.setattr(api, name, watched(name, FakeTake(asked)))
     character = SimpleNamespace(shapes={}, missing=(), unused=())
@@ -208,7 +213,7 @@ def _settings_in(call: tuple[Any, ...]) -> list[Settings]:
 def test_every_option_changes_bytes_or_is_known_to_change_none() -> None:
     own = {str(option.name) for _, option in EVERY_OPTION} - set(rows(Settings))
     assert own - set(NO_BYTE) == set(CHANGING)
-    assert set(NO_BYTE) <= own | {"help"}
+    assert set(NO_BYTE) <= own | {"help", "quiet", "json"}
 
 
 def _written(arguments: list[str], *names: str) -> object:
@@ -247,6 +252,7 @@ CHANGING = {
     **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/test_rig.py"),
     "transcript": "words: tests/speech/test_from_recording.py",
     "parameter": "what explain prints",
+    **dict.fromkeys(("presets", "configs"), "settings: tests/test_presets.py"),
     **dict.fromkeys(
         ("shard", "dry_run", "ignore", "sheets"), "which lines are made, and the report: tests/batches"
     ),

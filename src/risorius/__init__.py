@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from .errors import RisoriusWarning as RisoriusWarning
     from .errors import warnings_to as warnings_to
     from .live.session import Live as Live
+    from .presets import load_settings as load_settings
     from .rules.emotions import Display as Display
     from .settings import BlendChoices as BlendChoices
     from .settings import Look as Look
@@ -42,6 +43,7 @@ __all__ = [
     "align",
     "batch",
     "load",
+    "load_settings",
     "mix",
     "pipe",
     "play",
@@ -57,6 +59,7 @@ _MODULES = {
     "batches.library": ("batch", "pipe"),
     "errors": ("RisoriusError", "RisoriusWarning", "warnings_to"),
     "live.session": ("Live",),
+    "presets": ("load_settings",),
     "rules.emotions": ("Display",),
     "settings": ("BlendChoices", "Look", "Settings"),
     "take": ("Take",),

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from ..errors import ParameterError, unknown
-from .console import table
+from .messages import print_table
 from .options import Command
 
 Listing = tuple[Sequence[str], list[Sequence[str]]]
@@ -128,6 +128,13 @@ def attitudes() -> Listing:
     return ("attitude", "description"), [(a.name, a.description) for a in all_attitudes().values()]
 
 
+def presets() -> Listing:
+    """The presets: settings that are kept together (--preset NAME)."""
+    from ..presets import presets as all_presets
+
+    return ("preset", "description"), list(all_presets().items())
+
+
 def rule_rows(file: Path | None, prefix: str | None) -> Listing:
     """The rules that hold, or those whose id is `prefix` or begins with it; ParameterError if none does."""
     from ..rules.modulation import is_under
@@ -160,6 +167,7 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
     "sliders": sliders,
     "profiles": profiles,
     "attitudes": attitudes,
+    "presets": presets,
 }
 
 
@@ -182,5 +190,4 @@ class KnownName(click.Choice[str]):
 def list_(what: str) -> None:
     """List what can be named."""
     header, rows = LISTINGS[what]()
-    for line in table(header, rows):
-        click.echo(line)
+    print_table(header, rows)

@@ -10,7 +10,9 @@ import click
 from click.shell_completion import CompletionItem
 
 from ..core.setting import Group, Names, Row, Stage, ValueKind, rows
-from ..settings import Settings, settings_of
+from ..errors import InputError, Place
+from ..settings import Settings
+from .messages import JSON, QUIET
 
 if TYPE_CHECKING:
     from ..channels import Display
@@ -21,7 +23,12 @@ SHOWN = (Stage.FRAMES, Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, St
 
 
 class Command(click.Command):
-    """A command whose help shows options under the headings of their groups."""
+    """A command that says how it goes in the form that is wanted; help has options in their groups."""
+
+    def get_params(self, ctx: click.Context) -> list[click.Parameter]:
+        """Return the parameters; those of messages, which `messages` reads, stand before `--help`."""
+        *own, last = super().get_params(ctx)
+        return [*own, *_MESSAGES, last]
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the options, group by group in the order in which the groups come first."""
@@ -41,6 +48,12 @@ class Option(click.Option):
     def __init__(self, *arguments: Any, group: str = "Options", **about: Any) -> None:
         super().__init__(*arguments, **about)
         self.group = group
+
+
+_MESSAGES = (
+    Option(["-q", QUIET], is_flag=True, expose_value=False, help="Say nothing but warnings and errors."),
+    Option([JSON], is_flag=True, expose_value=False, help="Say it in JSON, an object a line."),
+)
 
 
 class Named(click.ParamType[str]):
@@ -76,7 +89,7 @@ def setting_options(stages: Collection[Stage] = (), names: Collection[str] = ())
         for row in [row for group in Group for row in _rows_in(group)][::-1]:
             if row.flag is not None and (row.entry.stage in stages or row.name in names):
                 command = _option(row)(command)
-        return command
+        return config_option(preset_option(command)) if stages else command
 
     return decorate
 
@@ -87,9 +100,15 @@ def _rows_in(group: Group) -> list[Row]:
 
 def settings_from(chosen: Mapping[str, Any]) -> Settings:
     """Return the settings that a command's options chose; raise RisoriusError for what is none."""
-    table = rows(Settings)
-    values = {name: _value(table[name], value) for name, value in chosen.items() if _is_given(value)}
-    return settings_of(values)
+    from ..presets import load_settings
+
+    table, kept = rows(Settings), {**chosen}
+    for name in kept.get("configs", ()):
+        if not name.endswith(".toml"):
+            raise InputError("is not a .toml file; expected one for --config", Place(name))
+    names = (*kept.pop("presets", ()), *kept.pop("configs", ()))
+    values = {name: _value(table[name], value) for name, value in kept.items() if _is_given(value)}
+    return load_settings(*names, **values)
 
 
 def _is_given(value: Any) -> bool:
@@ -134,6 +153,23 @@ def _value(row: Row, given: Any) -> Any:
     return given
 
 
+preset_option = option(
+    "--preset",
+    "presets",
+    group="Settings",
+    multiple=True,
+    metavar="NAME",
+    type=Named(Names(path="presets:presets")),
+    help="Settings that go together ('risorius list presets'); options overrule them. May be repeated.",
+)
+config_option = option(
+    "--config",
+    "configs",
+    group="Settings",
+    multiple=True,
+    metavar="FILE",
+    help="A .toml file with settings of yours, such as fps = 60, over presets and under options.",
+)
 output_option = option(
     "-o",
     "--output",
@@ -141,7 +177,8 @@ output_option = option(
     group="Output",
     multiple=True,
     type=click.Path(path_type=Path, dir_okay=True),
-    help="File to write; its suffix is the format ('risorius list outputs'). May be given several times.",
+    help="File to write; its suffix is the format ('risorius list outputs'). `-.SUFFIX` is standard output. "
+    "May be given several times.",
 )
 rules_option = setting_options(names=("rules",))
 emotion_option = option(
