@@ -21,7 +21,8 @@ def completed(*words: str) -> list[str]:
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        (("speak", "--conf"), ["--conflict"]),
+        (("speak", "--conf"), ["--config", "--conflict"]),
+        (("speak", "--preset", "clo"), ["close-up"]),
         (("speak", "--conflict", "in"), ["inhibit"]),
         (("speak", "--skin", ""), ["springs", "biphasic", "static"]),
         (("speak", "--overlay", "caption,b"), ["caption,bars"]),

@@ -7,18 +7,20 @@ import os
 import signal
 import sys
 import traceback
+from dataclasses import asdict
 from pathlib import Path
 
 import click
 
 from .. import __version__
 from ..core.paths import is_file
-from ..errors import LONGEST_LINE, RisoriusError, UnreadError, printable, shortened
+from ..errors import LONGEST_LINE, Place, RisoriusError, UnreadError, printable, shortened
 from .align import align
 from .batch import batch
-from .console import EXIT_INTERRUPTED, interrupt, say
+from .console import EXIT_INTERRUPTED, interrupt
 from .explain import explain
 from .listing import list_
+from .messages import choose_form, send
 from .mix import mix
 from .options import flag
 from .play import play
@@ -50,10 +52,11 @@ def run(arguments: list[str]) -> int:
     end = arguments.index("--") if "--" in arguments else len(arguments)
     debug = DEBUG in arguments[:end]
     arguments = [argument for argument in arguments[:end] if argument != DEBUG] + arguments[end:]
+    choose_form(arguments[:end])
     try:
         code = commands.main(arguments, prog_name="risorius", standalone_mode=False)
     except (click.Abort, KeyboardInterrupt):
-        say("risorius: interrupted; nothing was written")
+        send("risorius: interrupted; nothing was written", error="interrupted; nothing was written")
         return EXIT_INTERRUPTED
     except click.exceptions.NoArgsIsHelpError as error:
         click.echo(error.ctx.get_help())  # what a newcomer types first
@@ -61,9 +64,9 @@ def run(arguments: list[str]) -> int:
     except click.ClickException as error:
         return _fault(error.format_message())
     except UnreadError as error:
-        return _fault(str(error.spelled(flag)))
+        return _fault(str(error.spelled(flag)), error.place)
     except RisoriusError as error:
-        return _fault(str(error))
+        return _fault(str(error), error.place)
     except BrokenPipeError:
         sys.stdout = None  # the reader has gone: nothing more can be said to it
         return 0
@@ -74,8 +77,10 @@ def run(arguments: list[str]) -> int:
     return code if isinstance(code, int) else 0  # what a command exits with
 
 
-def _fault(message: str) -> int:
-    say(shortened(f"risorius: {printable(message)}", LONGEST_LINE))
+def _fault(message: str, place: Place | None = None) -> int:
+    line = shortened(f"risorius: {printable(message)}", LONGEST_LINE)
+    where = {} if place is None else asdict(place)
+    send(line, error=line.removeprefix("risorius: "), **where)
     return EXIT_FAULT
 
 

@@ -9,6 +9,7 @@ import click
 from ..errors import OutputError
 from .console import Console
 from .options import Command, check_outputs, output_option
+from .outputs import files_for
 
 
 @click.command(cls=Command)
@@ -21,15 +22,15 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None
     Correct the TextGrid in Praat, then perform it: risorius speak x.TextGrid --audio x.wav. Without a
     TRANSCRIPT the words are guessed.
     """
-    with Console() as console:
+    if not outputs:
+        raise OutputError("no output named; expected -o x.TextGrid")
+    with Console() as console, files_for(outputs) as files:
         from ..api import align as find
         from ..speech.prosody import speech_rate
 
-        if not outputs:
-            raise OutputError("no output named; expected -o x.TextGrid")
-        check_outputs(outputs, available=("speech",))
+        check_outputs(files, available=("speech",))
         take = find(audio, transcript, progress=console.progress)
-        take.write(*outputs)
+        take.write(*files)
         if said := take.utterance:
             console.say(f"{len(said.words)} words, {speech_rate(said):.1f} syllables per second of speech")
-        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
+        console.wrote(outputs)

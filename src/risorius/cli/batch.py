@@ -120,7 +120,7 @@ def _check(plan: BatchPlan, console: Console) -> int:
             good += 1
         else:
             bad += 1
-            console.say(f"risorius: {error}")
+            console.fail(str(error))
     console.say(f"{good + bad:,} rows: {good:,} can be performed, {bad:,} cannot")
     return bad
 
@@ -135,7 +135,7 @@ def _perform(plan: BatchPlan, console: Console) -> int:
             progress.add(result)
     except KeyboardInterrupt:
         results.close()
-        console.say(f"risorius: interrupted; {progress.made:,} lines were made, start again to go on")
+        console.fail(f"interrupted; {progress.made:,} lines were made, start again to go on")
         raise click.exceptions.Exit(EXIT_INTERRUPTED) from None
     progress.finish(plan.folder())
     return progress.failed

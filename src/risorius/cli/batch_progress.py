@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..core.units import clock
-from .console import Console
+from .console import INTERVAL, Console
+from .messages import is_watched
 
 if TYPE_CHECKING:
     from ..batches.outcome import LineResult
 
 MOST_ERRORS = 20  # failures that are printed
-INTERVAL = 10.0  # seconds between lines where nobody watches
 
 
 class BatchProgress:
@@ -51,14 +50,14 @@ class BatchProgress:
 
     def _say_failure(self, error: str) -> None:
         if self.failed <= MOST_ERRORS:
-            self._console.say(f"risorius: {error}")
+            self._console.fail(error)
         elif self.failed == MOST_ERRORS + 1:
-            self._console.say("risorius: more lines failed; errors.jsonl has them all")
+            self._console.fail("more lines failed; errors.jsonl has them all")
 
     def _say_how_it_goes(self) -> None:
         done, now = self.made + self.whole + self.failed, time.monotonic()
         total = max(self._total, done)
-        if sys.stderr.isatty():
+        if is_watched():
             self._console.progress("Lines", done, total, f"{self._rate():.1f}/s")
         elif now - self._said >= INTERVAL:
             self._said = now

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-import sys
 import threading
-from collections.abc import Iterable, Iterator, Sequence
+import time
+from collections.abc import Iterable
+from pathlib import Path
 from types import FrameType, TracebackType
 from typing import TYPE_CHECKING
 
-import click
-
 from ..errors import warnings_to
+from .messages import MessageForm, is_watched, message_form, send
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
 
 EXIT_INTERRUPTED = 130
+INTERVAL = 10.0  # seconds between lines where there is no bar
 _interrupted = threading.Event()
 
 
@@ -34,39 +35,63 @@ def interrupt(number: int, frame: FrameType | None) -> None:
     raise Interrupted
 
 
-def say(line: str) -> None:
-    """Print one line on standard error."""
-    click.echo(line, err=True)
-
-
 class Console:
-    """Says what is being done. A bar where a person watches, plain lines otherwise."""
+    """Says what is being done: by a bar where a person watches, by lines or JSON (`messages`) otherwise."""
 
     def __init__(self) -> None:
         self._bar: Progress | None = None
         self._tasks: dict[str, TaskID] = {}
-        self._warnings = warnings_to(lambda line: self.say(f"risorius: warning: {line}"))
+        self._said: dict[str, float] = {}
+        self._warnings = warnings_to(self._warn)
 
     def say(self, line: str) -> None:
-        """Print one line."""
+        """Say one line of what is done, unless only faults are wanted."""
+        if message_form() is not MessageForm.QUIET:
+            self._send(line, message=line)
+
+    def fail(self, line: str) -> None:
+        """Say what went wrong, though the work goes on."""
+        self._send(f"risorius: {line}", error=line)
+
+    def wrote(self, outputs: Iterable[Path]) -> None:
+        """Say which files were written."""
+        names = [str(output) for output in outputs]
+        if message_form() is not MessageForm.QUIET:
+            self._send(f"Wrote {', '.join(names)}", wrote=names)
+
+    def _warn(self, line: str) -> None:
+        self._send(f"risorius: warning: {line}", warning=line)
+
+    def _send(self, line: str, /, **parts: object) -> None:
         if self._bar is not None:
             self._bar.console.print(line, highlight=False, markup=False)
         else:
-            print(line, file=sys.stderr, flush=True)
+            send(line, **parts)
 
     def progress(self, stage: str, done: int = 0, total: int = 0, note: str = "") -> None:
         """Say that `stage` goes on: `done` of `total` steps, or that it began where total is 0.
 
-        `note` stands behind the bar.
+        `note` stands behind the bar. Without a bar a line comes every `INTERVAL` seconds, and at the end.
         """
         if _interrupted.is_set():
             raise Interrupted
+        if message_form() is MessageForm.QUIET:
+            return
         if total == 0:
-            self.say(stage)
-        elif sys.stderr.isatty():
+            self._send(stage, stage=stage)
+        elif is_watched():
             self._show(stage, done, total, note)
         elif done == total:
-            self.say(f"{stage}: {total} frames")
+            self._send(f"{stage}: {total} frames", stage=stage, done=done, total=total)
+        elif self._is_due(stage):
+            self._send(f"{stage}: {done} of {total} frames", stage=stage, done=done, total=total)
+
+    def _is_due(self, stage: str) -> bool:
+        now = time.monotonic()
+        due = now - self._said.setdefault(stage, now) >= INTERVAL
+        if due:
+            self._said[stage] = now
+        return due
 
     def _show(self, stage: str, done: int, total: int, note: str) -> None:
         if self._bar is None:
@@ -100,11 +125,3 @@ def _bar() -> Progress:
         TextColumn("{task.fields[note]}"),
         console=Terminal(stderr=True),
     )
-
-
-def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
-    """Yield the lines of a plain table: columns as wide as their widest cell, two spaces apart."""
-    cells = [list(header), *(list(row) for row in rows)]
-    widths = [max(len(row[i]) for row in cells) for i in range(len(header))]
-    for row in cells:
-        yield "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()

@@ -10,6 +10,9 @@ import click
 from ..core.setting import Stage
 from .console import Console
 from .options import SHOWN, Command, check_outputs, output_option, setting_options, settings_from
+from .outputs import files_for
+
+PRINTED = "-.muscles.csv"
 
 
 @click.command(cls=Command)
@@ -22,20 +25,10 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     Without -o the curves go to standard output as CSV. What no option chooses is as the score says.
     """
     from ..api import mix as combine
-    from ..ports.formats import FORMATS
-    from ..unread import refuse_unwritten
 
-    settings = settings_from(chosen)
-    if outputs:
-        check_outputs(outputs, settings)
-    else:
-        refuse_unwritten(settings, [FORMATS.get(".muscles.csv")])
-    with Console() as console:
+    settings, outputs = settings_from(chosen), outputs or (Path(PRINTED),)
+    with Console() as console, files_for(outputs) as files:
+        check_outputs(files, settings)
         take = combine(score, settings=settings, progress=console.progress)
-        if outputs:
-            take.write(*outputs, progress=console.progress)
-    if not outputs:
-        from ..ports.muscles_csv import rows
-
-        for row in rows(take.performance):
-            click.echo(row)
+        take.write(*files, progress=console.progress)
+        console.wrote(outputs)

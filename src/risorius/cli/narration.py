@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from .console import table
+from .messages import table
 
 if TYPE_CHECKING:
     from ..blend import Tally

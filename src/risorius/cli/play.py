@@ -10,6 +10,7 @@ import click
 from ..errors import OutputError
 from .console import Console
 from .options import SHOWN, Command, check_outputs, option, output_option, setting_options, settings_from
+from .outputs import files_for
 
 
 @click.command(cls=Command)
@@ -25,10 +26,10 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
     if not outputs:
         raise OutputError("no output named; expected -o y.mp4")
     settings = settings_from(chosen)
-    with Console() as console:
+    with Console() as console, files_for(outputs) as files:
         from ..api import play as perform
 
-        check_outputs(outputs, settings)
+        check_outputs(files, settings)
         take = perform(capture, audio=audio, settings=settings, progress=console.progress)
-        take.write(*outputs, progress=console.progress)
-        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
+        take.write(*files, progress=console.progress)
+        console.wrote(outputs)

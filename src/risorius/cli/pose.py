@@ -19,6 +19,7 @@ from .options import (
     setting_options,
     settings_from,
 )
+from .outputs import files_for
 
 WITHOUT_SPEECH = ("movements", "curves", "vertices", "pixels", "head")
 
@@ -40,11 +41,11 @@ def pose(
     if not outputs:
         raise OutputError("no output named; expected -o face.png")
     settings = settings_from(chosen)
-    check_outputs(outputs, settings, WITHOUT_SPEECH)
-    with Console() as console:
+    with Console() as console, files_for(outputs) as files:
+        check_outputs(files, settings, WITHOUT_SPEECH)
         take = hold(_assignments(targets), emotion=displays(emotions), settings=settings)
-        take.write(*outputs)
-        console.say(f"Wrote {', '.join(str(output) for output in outputs)}")
+        take.write(*files)
+        console.wrote(outputs)
 
 
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:

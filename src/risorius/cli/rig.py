@@ -60,4 +60,4 @@ def rig(
         for line in tell_rig(shown, rows, guessed=map_file is None):
             click.echo(line)
         if output is not None:
-            console.say(f"Wrote {output}")
+            console.wrote([output])

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from ..errors import InputError
-from .console import table
+from .messages import print_table
 from .options import Command, rules_option
 
 
@@ -23,8 +23,7 @@ def list_rules(prefix: str | None, rules: Path | None) -> None:
     """List all rules, or those whose id is PREFIX or begins with it up to a dot."""
     from .listing import rule_rows
 
-    for line in table(*rule_rows(rules, prefix)):
-        click.echo(line)
+    print_table(*rule_rows(rules, prefix))
 
 
 @rules.command(cls=Command)

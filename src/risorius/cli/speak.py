@@ -22,6 +22,7 @@ from .options import (
     setting_options,
     settings_from,
 )
+from .outputs import files_for
 
 DEFAULT_OUTPUT = "performance.mp4"
 LONGEST_INPUT = 4_000_000
@@ -72,14 +73,14 @@ def speak(
     if source is None and is_text:
         raise UnreadError(["text"], "INPUT is missing; expected a text, or --transcript TEXT")
     settings = settings_from(chosen)
-    targets = outputs or (Path(DEFAULT_OUTPUT),)
-    with Console() as console:
-        if not outputs:
+    outputs, named = outputs or (Path(DEFAULT_OUTPUT),), bool(outputs)
+    with Console() as console, files_for(outputs) as files:
+        if not named:
             console.say(f"Writing {DEFAULT_OUTPUT} (choose with -o)")
         source, name = (source, "text") if source != "-" else (_standard_input(), "stdin")
         from ..api import speak as perform
 
-        check_outputs(targets, settings)
+        check_outputs(files, settings)
         take = perform(
             source,
             audio=audio,
@@ -90,8 +91,8 @@ def speak(
             settings=settings,
             progress=console.progress,
         )
-        take.write(*targets, progress=console.progress)
-        console.say(f"Wrote {', '.join(str(target) for target in targets)}")
+        take.write(*files, progress=console.progress)
+        console.wrote(outputs)
 
 
 def _standard_input() -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from .console import say
+from .console import Console
 from .options import Command, option
 
 
@@ -31,7 +31,7 @@ def studio(port: int | None, no_browser: bool, folder: Path | None) -> None:
     """See, hear and shape a performance in the browser, on this machine alone."""
     from ..studio.server import PORT, serve
 
-    serve(PORT if port is None else port, folder=folder, browser=not no_browser, say=say)
+    serve(PORT if port is None else port, folder=folder, browser=not no_browser, say=Console().say)
     leave()
 
 
