@@ -30,7 +30,7 @@ POSES = (
     {"jaw_drop": 3.0, "lip_aperture": 5.0, "lip_width": 2.0},
     {"jaw_drop": 2.0, "lip_aperture": 4.0, "lip_width": -13.0, "lip_protrusion": 4.0},
     {"jaw_drop": 4.0, "lip_aperture": 6.0, "lip_width": -7.0, "lip_protrusion": 1.5},
-    {"jaw_drop": 1.0, "lip_aperture": 3.5, "lip_width": -7.0, "lip_protrusion": 2.5, "upper_lip": 0.7},
+    {"jaw_drop": 1.4, "lip_aperture": 4.2, "lip_width": -8.0, "lip_protrusion": 2.7, "upper_lip": 0.5},
     {"jaw_drop": 1.0, "lip_aperture": 2.0, "lip_corners": 1.5},
     {"jaw_drop": 1.0, "lip_aperture": 2.0, "lip_corners": -1.5},
 )

@@ -29,6 +29,9 @@ MUSCLES = {
     "mouthUpperUp": ("levator_labii_superioris", "zygomatic_minor"),
     "mouthShrugLower": ("mentalis",),
 }
+# Apple's lips are rounded apart in mouthFunnel, closed in mouthPucker: one muscle, and contact.
+FUNNEL, PUCKER = "mouthFunnel", "mouthPucker"
+_ROUNDING = "orbicularis_oris_funneler"
 _TEETH = "helper-lower-teeth"
 _SMALLEST = 0.02  # mm: what a sculpt moves less is left out
 
@@ -42,13 +45,15 @@ def build_shapes(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
     muscles = muscle_fields(
         bust, shape.rest, shape.seal, Terms(bust, shape.jaw.weight), read_recipes(recipes)
     )
+    rounded = muscles[_ROUNDING]
+    lips = {FUNNEL: rounded, PUCKER: shape.seal.together(shape.rest + rounded) - shape.rest}
     teeth = bust.source.parts[_TEETH].vertices
     arrays = {
         "format": np.array(FORMAT, np.int32),
         "teeth": np.array([bust.source.shape(name)[teeth].mean(axis=0) for name in SHAPES], np.float32),
     }
     for name in SHAPES:
-        own = _of_muscles(muscles, name)
+        own = lips[name] if name in lips else _of_muscles(muscles, name)
         field = ironed(bust, bust.shape(name), stiffness.get(name, 0.0)) if own is None else own
         for key, values in quantized(field, _SMALLEST).items():
             arrays[f"shape/{name}/{key}"] = values

@@ -70,9 +70,14 @@ _LOWER = (
 )
 
 
+# mm by which the incisors' edges stand below the lips' line. Between parted lips 1.9 (men) to 3.4 mm (women)
+# of the upper ones show (Vig and Brundo 1978, "The kinetics of anterior tooth display"), little of the lower.
+_UPPER_EDGE, _LOWER_EDGE = 2.2, 0.4
+
+
 def build_teeth(line: float) -> dict[str, Part]:
     """Upper and lower teeth with their gums for lips that meet at the height `line` (mm) at rest."""
-    lower = Row(Arch(17.7, 0.0385), line + 0.4, -1.0, _LOWER)
+    lower = Row(Arch(17.7, 0.0385), line - _LOWER_EDGE, -1.0, _LOWER)
     return {"teeth_upper": _row(_upper(line)), "teeth_lower": _row(lower)}
 
 
@@ -83,7 +88,7 @@ def incisor_edge(line: float) -> AnyArray:
 
 
 def _upper(line: float) -> Row:
-    return Row(Arch(20.4, 0.0325), line - 1.4, 1.0, _UPPER)
+    return Row(Arch(20.4, 0.0325), line - _UPPER_EDGE, 1.0, _UPPER)
 
 
 def _row(row: Row) -> Part:

@@ -58,7 +58,7 @@ ARTICULATORS: Mapping[str, Articulator] = MappingProxyType(
 CONTROLS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
         "jaw": {"masseter": 1.0},
-        "open": {"depressor_labii": 1.0, "levator_labii_superioris": 0.14},
+        "open": {"depressor_labii": 1.0, "levator_labii_superioris": 0.25},
         "upper": {"levator_labii_superioris": 1.0},
         "round": {"orbicularis_oris_funneler": 1.0},
         # Not the risorius: beside a triangularis, which pulls in nearly the same direction, it does not widen

@@ -23,7 +23,7 @@ LARGEST = {"jaw": 0.5, "open": 1.0, "upper": 0.6, "round": 0.95, "spread": 0.4, 
 AT_REST = 0.35
 OPEN_MM = 0.3
 # Controls whose effects are too curved for squares, alone or together.
-_CURVED = ("jaw", "open", "round", "spread")
+_CURVED = ("jaw", "open", "upper", "round", "spread")
 _UPPER_LIP = 51  # iBUG
 
 
