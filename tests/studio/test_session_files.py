@@ -159,3 +159,22 @@ def test_what_is_no_recording_is_refused(session, tmp_path):
     with pytest.raises(RisoriusError, match="cannot be used"):
         session.files.add_recording("x.wav", uploaded)
     assert session.files.recordings() == ()
+
+
+def test_what_is_written_is_kept_until_it_is_performed(session, tmp_path):
+    saved = Autosave(tmp_path)
+    session.keep_draft(
+        requests.Draft(shared.Source("Not yet."), emotions=(shared.EmotionSpan("joy", 0.5),)), quiet
+    )
+    saved.save(session)
+    again = Session("one", tmp_path)
+    assert Autosave(tmp_path).load(again) == ()
+    assert again.draft == session.draft
+    perform(again, "Not yet.", emotions=again.draft.emotions)
+    assert again.draft is None
+    again.keep_draft(
+        requests.Draft(shared.Source("Not yet."), emotions=(shared.EmotionSpan("joy", 0.5),)), quiet
+    )
+    assert again.draft is None
+    (tmp_path / "draft.json").write_text("{")
+    assert "draft-broken.json" in Autosave(tmp_path).load(Session("one", tmp_path))[0]

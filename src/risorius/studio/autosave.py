@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -14,13 +14,16 @@ from ..ports.atomic import replacing
 from ..ports.layout import write_json
 from ..ports.readable import ScoreFile
 from ..ports.score_json import score_to_json
+from .messages import encoded
 from .project import Opened, ProjectVersion, SavedEdits, SavedMade, header, version_of
 from .scores import parsed, read_score
 from .session import Session
 from .session_files import SessionFiles, digest, write_text
 from .version import Version
+from .wire.shared import TakeInputs
 
 FILE = "project.json"
+DRAFT = "draft.json"
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,16 +39,25 @@ class AutosaveDocument:
     take: int = 0
 
 
+@dataclass(frozen=True, slots=True)
+class DraftDocument:
+    """What is written but not performed."""
+
+    draft: SavedMade
+
+
 class Autosave:
     """Keeps a session's folder as the session is. `loaded` says once how the last one was found."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._base: object = None
+        self._draft: TakeInputs | None = None
         self._beside: dict[str, str | None] = {}
 
     def save(self, session: Session) -> None:
-        """Save the present version, if there is one. Raises OutputError where the disk does not take it."""
+        """Save the draft and the present version, if any. Raises OutputError if the disk does not take it."""
+        self._save_draft(session.draft)
         version = session.history.present
         if version is None:
             return
@@ -55,6 +67,16 @@ class Autosave:
         document = {**header(version, session.view), **self._beside, "take": session.last_number}
         write_text(self._folder / FILE, json.dumps(document, ensure_ascii=False))
         self._tidy()
+
+    def _save_draft(self, draft: TakeInputs | None) -> None:
+        if draft == self._draft:
+            return
+        path = self._folder / DRAFT
+        if draft is None:
+            path.unlink(missing_ok=True)
+        else:
+            write_text(path, json.dumps({"draft": encoded(draft)}, ensure_ascii=False))
+        self._draft = draft
 
     def _save_base(self, version: Version) -> dict[str, str | None]:
         sound = None
@@ -79,16 +101,26 @@ class Autosave:
 
     def load(self, session: Session) -> tuple[str, ...]:
         """Take up what was saved, if anything was; return what went wrong, then the file is put aside."""
-        path = self._folder / FILE
+
+        def project(path: Path) -> None:
+            opened, number = self._read(path, session.files)
+            session.restore(opened.version, opened.view, number)
+
+        def draft(path: Path) -> None:
+            session.draft = self._draft = parsed(path.read_bytes(), DRAFT).read(DraftDocument).draft
+
+        return (*self._taken_up(FILE, "project", project), *self._taken_up(DRAFT, "draft", draft))
+
+    def _taken_up(self, file: str, what: str, take_up: Callable[[Path], None]) -> tuple[str, ...]:
+        path = self._folder / file
         if not path.exists():
             return ()
         try:
-            opened, number = self._read(path, session.files)
-            session.restore(opened.version, opened.view, number)
+            take_up(path)
         except (RisoriusError, OSError, ValueError) as error:
-            aside = path.with_name("project-broken.json")
+            aside = path.with_name(f"{path.stem}-broken.json")
             path.replace(aside)
-            return (f"the saved project cannot be opened and was renamed to {aside.name}: {error}",)
+            return (f"the saved {what} cannot be opened and was renamed to {aside.name}: {error}",)
         return ()
 
     def _read(self, path: Path, files: SessionFiles) -> tuple[Opened, int]:

@@ -50,6 +50,7 @@ class Session:
         self.current: SessionTake | None = None
         self.view: dict[str, object] = {}
         self.notes: tuple[str, ...] = ()
+        self.draft: shared.TakeInputs | None = None
         self._performer = Performer(self.files)
         self._number = 0
         self._prefetch: Prefetch | None = None
@@ -59,7 +60,14 @@ class Session:
         take = None if self.current is None else self.described(self.current)
         files = self.files
         return takes.State(
-            self.name, take, files.recordings(), tuple(files.emotions()), files.poses(), self.view, self.notes
+            self.name,
+            take,
+            files.recordings(),
+            tuple(files.emotions()),
+            files.poses(),
+            self.view,
+            self.notes,
+            self.draft,
         )
 
     def perform(self, request: requests.Perform, progress: Progress) -> takes.TakeView:
@@ -75,6 +83,13 @@ class Session:
             with suppress(RisoriusError):
                 version = self._performer.perform(inputs, quiet)
                 self._prefetch = Prefetch(inputs, version, self._performed(version))
+        return answers.Done()
+
+    def keep_draft(self, request: requests.Draft, progress: Progress) -> answers.Done:
+        """Save what is written, unless it is what was performed."""
+        draft = shared.TakeInputs(request.source, request.choices, request.emotions)
+        performed = self.history.present
+        self.draft = None if performed is not None and performed.inputs == draft else draft
         return answers.Done()
 
     def forget_prefetch(self) -> None:
@@ -168,6 +183,8 @@ class Session:
         live = self._live(version)
         self.history.push(version, what)
         self.current = live
+        if self.draft == inputs:
+            self.draft = None
         return self.described(live)
 
     def _changed(self, version: Version) -> takes.TakeChange:

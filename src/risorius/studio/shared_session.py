@@ -26,6 +26,7 @@ HANDLERS: dict[type, Handler] = {
     requests.Open: Session.open,
     requests.Perform: Session.perform,
     requests.Prepare: Session.prepare,
+    requests.Draft: Session.keep_draft,
     requests.Choose: Session.choose,
     requests.Compare: Session.compare,
     **dict.fromkeys(requests.EDITS.values(), Session.edit),
@@ -40,7 +41,7 @@ HANDLERS: dict[type, Handler] = {
 }
 """The handler of each request; it runs on the session's thread."""
 CHANGING = (requests.Perform, requests.Choose, *requests.EDITS.values(), requests.Undo, requests.Redo)
-SAVING = (*CHANGING, requests.View)
+SAVING = (*CHANGING, requests.View, requests.Draft)
 
 
 class Page(Protocol):

@@ -1,6 +1,5 @@
+import { adopted, written } from "./drafts.js";
 import { changedTake, takeOf } from "./take.js";
-
-const PARTS = ["source", "choices", "emotions"];
 
 /**
  * What the user can have done, by name: each asks the server, and puts its answer into the store.
@@ -29,13 +28,13 @@ export class Actions {
    * @param {() => void} [arrives] called when the take is here, before anybody is told of it
    */
   perform(arrives) {
-    return this.#changing("perform", this.#parts(), "Performing …", arrives);
+    return this.#changing("perform", written(this.#store), "Performing …", arrives);
   }
 
   /** Have the server make ready what is written, in case it is performed. */
   prepare() {
     // Nothing is lost where it does not.
-    if (this.#store.get("busy") === "") this.#connection.request("prepare", this.#parts()).catch(() => {});
+    if (this.#store.get("busy") === "") this.#connection.request("prepare", written(this.#store)).catch(() => {});
   }
 
   /**
@@ -110,14 +109,13 @@ export class Actions {
   }
 
   async #changing(verb, fields, busy, arrives = () => {}) {
-    const asked = this.#parts();
     this.#store.set({ busy, saved: "saving" });
     const answer = await this.ask(verb, fields);
     this.#store.set({ busy: "" });
     if (answer === null) this.#store.set({ saved: "saved" });
     else {
       arrives();
-      this.#take(answer, asked);
+      this.#take(answer, fields);
     }
     return answer;
   }
@@ -128,21 +126,8 @@ export class Actions {
     const whole = answer.duration !== undefined || answer.whole;
     const take = answer.duration === undefined ? changedTake(before, answer) : takeOf(answer);
     const [first, last] = whole ? [0, take.frames] : [answer.from_frame, answer.to_frame];
-    const made = this.#adopted(before?.made, take.made, asked);
+    const made = adopted(this.#store, before?.made, take.made, asked);
     this.#store.set({ take, faces: { take: take.take, first, last }, dial: null, ...made });
     for (const line of take.warnings) this.#notify(line);
-  }
-
-  /** What is other in how the take was made, but for what the user has changed meanwhile. */
-  #adopted(before, now, asked) {
-    const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
-    const names = PARTS.filter(
-      (name) => !same(before?.[name], now[name]) && this.#store.get(name) === asked[name],
-    );
-    return Object.fromEntries(names.map((name) => [name, now[name]]));
-  }
-
-  #parts() {
-    return Object.fromEntries(PARTS.map((name) => [name, this.#store.get(name)]));
   }
 }

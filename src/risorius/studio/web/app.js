@@ -3,6 +3,7 @@
 import { Actions } from "./actions.js";
 import { Clock } from "./clock.js";
 import { Connection } from "./connection.js";
+import { NOTHING } from "./drafts.js";
 import { listenToDrops } from "./dropping.js";
 import { mountHeader } from "./header.js";
 import { listenToKeys } from "./keys.js";
@@ -27,9 +28,10 @@ const store = new Store({
   session: sessionName(),
   link: "down",
   saved: "saved",
-  source: { script: "", format: "text", recording: null },
+  ...NOTHING,
   choices: null,
-  emotions: [],
+  draft: "saved",
+  aside: null,
   take: null,
   faces: null,
   busy: "",

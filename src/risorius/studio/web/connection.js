@@ -62,6 +62,11 @@ export class Connection {
     if (this.up) this.#tell("up", null);
   }
 
+  /** Let the connection go, as a network does; it is made again. */
+  drop() {
+    this.#socket?.close();
+  }
+
   /** Close for good. */
   end() {
     this.#ended = true;

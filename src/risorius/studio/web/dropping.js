@@ -1,5 +1,6 @@
 /** Files dropped anywhere on the page: recordings are performed, projects opened. */
 
+import { bringBack, isDraft, putAside } from "./drafts.js";
 import { upload } from "./panels/recording.js";
 
 /** @param {object} studio */
@@ -31,12 +32,15 @@ export async function openProject({ store, connection, notify }, file) {
     notify(`${file.name} is larger than ${Math.round(limit / 1e6)} MB`);
     return;
   }
+  const written = isDraft(store);
+  putAside(store);
   try {
     const address = `/api/session/${store.get("session")}/project`;
     const response = await fetch(address, { method: "POST", body: file });
     if (!response.ok) throw new Error((await response.text()).trim());
     connection.reopen();
   } catch (error) {
+    if (written) bringBack(store);
     notify(error.message);
   }
 }

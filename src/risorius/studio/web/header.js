@@ -2,6 +2,7 @@
 
 import { button } from "./parts/fields.js";
 import { fill, make } from "./parts/dom.js";
+import { isDraft } from "./drafts.js";
 import { glyph } from "./parts/glyphs.js";
 import { switchTheme } from "./theme.js";
 
@@ -28,7 +29,7 @@ export function mountHeader(tools, state, { store, actions }) {
     showStep(undo, "Undo", store.get("take")?.undoes, "Ctrl Z");
     showStep(redo, "Redo", store.get("take")?.redoes, "Ctrl Shift Z");
   });
-  store.watch(["link", "saved", "busy", "take", "catalogue"], () => showState(state, store));
+  store.watch(["link", "saved", "busy", "take", "draft", "catalogue"], () => showState(state, store));
   const list = (known) =>
     fill(
       keys,
@@ -59,6 +60,6 @@ function stateOf(store) {
   if (store.get("busy")) return ["", store.get("busy")];
   const saved = store.get("saved");
   if (saved !== "saved" && saved !== "saving") return ["bad", saved];
-  if (!store.get("take")) return ["", ""];
-  return ["", saved === "saving" ? "Saving …" : "All changes saved"];
+  if (saved === "saving" || store.get("draft") === "saving") return ["", "Saving …"];
+  return ["", store.get("take") || isDraft(store) ? "All changes saved" : ""];
 }

@@ -1,5 +1,6 @@
 /** The session: its name in the address, its state when the socket opens, and what the clock plays. */
 
+import { NOTHING, adopted, isDraft, keepDraft, remembered } from "./drafts.js";
 import { settled } from "./parts/dom.js";
 import { takeOf } from "./take.js";
 
@@ -40,12 +41,21 @@ export function openSession(studio) {
 async function open(studio) {
   const { store, connection, notify } = studio;
   if (!store.get("catalogue")) await loadCatalogue(store);
-  const first = store.get("link") === "down" && store.get("take") === null;
   const state = await connection.request("open");
   const { recordings, poses, emotions: ownEmotions } = state;
+  const [before, first] = [store.get("take"), !studio.opened];
   const take = state.take && takeOf(state.take);
-  store.set({ link: "up", saved: "saved", recordings, poses, ownEmotions, take, faces: null, ...take?.made });
-  if (first) showView(studio, state.view);
+  const draft = first
+    ? { ...take?.made, ...(remembered(store.get("session"), store.get("choices")) ?? state.draft) }
+    : take && adopted(store, before?.made ?? NOTHING, take.made);
+  store.set({ link: "up", saved: "saved", recordings, poses, ownEmotions, take, faces: null, ...draft });
+  if (first) {
+    studio.opened = true;
+    keepDraft(studio);
+    showView(studio, state.view);
+  } else if (take?.take !== before?.take && isDraft(store)) {
+    notify("Another page has changed this session. What you have written is kept.");
+  }
   for (const line of state.notes) notify(line);
 }
 

@@ -12,6 +12,8 @@
  *   source      {script, format, recording}: what is to be performed (`Source` of the wire)
  *   choices     `Choices` of the wire: the settings of the next performance
  *   emotions    `EmotionSpan`s of the wire
+ *   draft       "saved" | "saving": whether the server has what is written but not performed
+ *   aside       what was written and was put aside for what is performed; null if nothing
  *   take        the current take (`take.js`); null before the first
  *   faces       {take, first, last}: frames whose faces are other than before, set with each new take
  *   busy        a sentence on what is being waited for; "" when nothing is

@@ -154,6 +154,14 @@
  * @property {Array<EmotionSpan>} [emotions]
  */
 /**
+ * Save what is written but not performed, with the fields of Perform; State has it until then.
+ * @typedef {Object} Draft
+ * @property {"draft"} do
+ * @property {Source} source
+ * @property {Choices} [choices]
+ * @property {Array<EmotionSpan>} [emotions]
+ */
+/**
  * Perform the same script with other choices or emotions; null keeps them. Answered by TakeView.
  * @typedef {Object} Choose
  * @property {"choose"} do
@@ -416,7 +424,8 @@
  */
 /**
  * A session: its take (null before the first), and the recordings, emotions and poses saved in it.
- * `view`: what the page saved of itself. `notes`: what could not be restored.
+ * `view`: what the page saved of itself. `notes`: what could not be restored. `draft`: what was written
+ * last where it is not what was performed.
  * @typedef {Object} State
  * @property {string} session
  * @property {TakeView|null} take
@@ -425,6 +434,7 @@
  * @property {Object<string, Object<string, number>>} poses
  * @property {Object<string, any>} view
  * @property {Array<string>} notes
+ * @property {TakeInputs|null} draft
  */
 /**
  * The curves that an edit would change, in base64 as in TakeView; "" if the parameter would not move.
@@ -768,7 +778,7 @@
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "prepare" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "draft" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

@@ -40,6 +40,15 @@ class Prepare:
 
 
 @dataclass(frozen=True, slots=True)
+class Draft:
+    """Save what is written but not performed, with the fields of Perform; State has it until then."""
+
+    source: Source
+    choices: Choices = field(default_factory=Choices)
+    emotions: tuple[EmotionSpan, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Choose:
     """Perform the same script with other choices or emotions; null keeps them. Answered by TakeView."""
 
@@ -212,6 +221,7 @@ VERBS: Mapping[str, type] = {
     "open": Open,
     "perform": Perform,
     "prepare": Prepare,
+    "draft": Draft,
     "choose": Choose,
     "undo": Undo,
     "redo": Redo,

@@ -158,7 +158,8 @@ class TakeChange:
 class State:
     """A session: its take (null before the first), and the recordings, emotions and poses saved in it.
 
-    `view`: what the page saved of itself. `notes`: what could not be restored.
+    `view`: what the page saved of itself. `notes`: what could not be restored. `draft`: what was written last
+    where it is not what was performed.
     """
 
     session: str
@@ -168,6 +169,7 @@ class State:
     poses: Mapping[str, Mapping[str, float]]
     view: Mapping[str, object]
     notes: tuple[str, ...] = ()
+    draft: TakeInputs | None = None
 
 
 @dataclass(frozen=True, slots=True)

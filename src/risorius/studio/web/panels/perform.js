@@ -3,6 +3,7 @@
 import { button, choice, field } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { mountChoices } from "./choices.js";
+import { mountDraft } from "./draft.js";
 import { mountEmotions } from "./emotions.js";
 import { mountRecording } from "./recording.js";
 import { mountScript } from "./script.js";
@@ -19,7 +20,7 @@ export function mountPerform(element, studio) {
     perform,
     make("span", { class: "hint" }, make("kbd", {}, "Ctrl"), " ", make("kbd", {}, "Enter")),
   );
-  element.append(script.element, mountRecording(studio), mountEmotions(studio, script), form, foot);
+  element.append(script.element, mountDraft(studio), mountRecording(studio), mountEmotions(studio, script), form, foot);
   const ready = store.watch(["catalogue"], () => {
     if (!store.get("catalogue")) return;
     form.append(formatField(studio));

@@ -1,0 +1,61 @@
+"""What is written but not performed is never lost."""
+
+from __future__ import annotations
+
+from selenium.webdriver.common.by import By
+
+from .acts import SETTLED, perform, type_line
+from .driving import Page
+
+WRITTEN = "document.getElementById('script').value"
+DRAFT = "A sentence that nobody has performed."
+SAVED = f"{SETTLED} && studio.store.get('draft') === 'saved'"
+
+
+def test_a_draft_outlasts_a_lost_connection_another_tab_undo_and_a_reload(page: Page) -> None:
+    """One page for all of them: to perform takes the time."""
+    perform(page, "One.")
+    type_line(page, DRAFT)
+    page.run("""
+      const { connection, store } = studio;
+      const down = new Promise((go) => connection.on("down", go));
+      connection.drop();
+      await down;
+    """)
+    page.wait("studio.store.get('link') === 'up'")
+    page.wait(f"{SAVED}")
+    assert page.get(WRITTEN) == DRAFT
+    # Another tab performs something else.
+    page.run("""
+      const socket = new WebSocket(`ws://${location.host}/ws/${studio.store.get("session")}`);
+      await new Promise((go) => { socket.onopen = go; });
+      const done = new Promise((go) => {
+        socket.onmessage = ({ data }) => JSON.parse(data).re === 1 && go();
+      });
+      socket.send(JSON.stringify({ id: 1, do: "perform", source: { script: "Two." } }));
+      await done;
+      socket.close();
+    """)
+    page.wait("studio.store.get('take').made.source.script === 'Two.'")
+    assert page.get(WRITTEN) == DRAFT
+    assert "kept" in page.get("document.querySelector('#notice span').textContent")
+    page.driver.find_element(By.ID, "undo").click()
+    page.wait("studio.store.get('take').made.source.script === 'One.'")
+    assert page.get(WRITTEN) == DRAFT
+    page.open(page.get("location.hash.slice(1)"))
+    assert page.get("studio.store.get('take').made.source.script") == "One."
+    assert page.get(WRITTEN) == DRAFT
+    # Without what this tab remembers, as after a crash: the server has it.
+    page.run("sessionStorage.clear()")
+    page.open(page.get("location.hash.slice(1)"))
+    assert page.get(WRITTEN) == DRAFT
+
+
+def test_a_draft_is_put_aside_and_brought_back(performed: Page) -> None:
+    line = performed.get(WRITTEN)
+    type_line(performed, DRAFT)
+    performed.driver.find_element(By.ID, "draft-aside").click()
+    assert performed.get(WRITTEN) == line
+    performed.driver.find_element(By.ID, "draft-back").click()
+    assert performed.get(WRITTEN) == DRAFT
+    performed.driver.find_element(By.ID, "draft-aside").click()
