@@ -151,9 +151,10 @@ class Take:
     def pictures(
         self, size: Size | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet
     ) -> Iterator[ByteArray]:
-        """Yield pictures as the settings' look wants them; each is valid until the next is asked for.
+        """Yield pictures as the settings' look wants them, of all frames or of those in `indices`.
 
-        They are RGB, uint8 (height, width, 3), or with a transparent background RGBA with straight alpha.
+        Each is an array of its own: RGB, uint8 (height, width, 3), or with a transparent background RGBA with
+        straight alpha. `size` is width and height, by default the settings'.
         """
         from .render import PictureInput, RendererSetup, open_renderer
         from .render.overlay import Overlays, Subject
@@ -167,11 +168,37 @@ class Take:
         with open_renderer(setup) as renderer:
             inputs = map(PictureInput, self.faces(chosen, reuse=True), suppression)
             for done, (frame, picture) in enumerate(zip(chosen, renderer.draw(inputs), strict=True)):
-                yield overlays.draw(picture, frame)
+                drawn = overlays.draw(picture, frame)
+                yield drawn.copy() if drawn is picture else drawn
                 progress("Drawing", done + 1, len(chosen))
 
+    def to_pandas(self) -> Any:
+        """Return a `pandas.DataFrame`: a row a frame, indexed by `time_s`, and a column for each parameter.
+
+        Raises RisoriusError if pandas is not installed.
+        """
+        from .notebook.table import data_frame
+
+        return data_frame(self.performance)
+
+    def plot(self, *parameters: str) -> Any:
+        """Return a `matplotlib` figure: sound and words, curves, head and gaze, channels, over one time.
+
+        `parameters` are those to draw, with or without their sides; without any, those that move most. Raises
+        RisoriusError if matplotlib is not installed, ParameterError for an unknown name.
+        """
+        from .notebook.figure import plotted
+
+        return plotted(self, parameters)
+
+    def _repr_html_(self) -> str:
+        """Return a picture, the sound and the curves, which notebooks show."""
+        from .notebook.page import html
+
+        return html(self, self._repr_png_())
+
     def _repr_png_(self) -> bytes:
-        """Return the middle frame as a small PNG, which notebooks show."""
+        """Return the middle frame as a small PNG."""
         from io import BytesIO
 
         from PIL import Image

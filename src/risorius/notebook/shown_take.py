@@ -1,0 +1,56 @@
+"""What a notebook shows of a take, and the curves that are worth a line."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..core.arrays import Array
+from ..core.audio import Audio
+from ..core.parameters import BASES, INDEX, Kind
+from ..core.performance import Performance
+from ..core.utterance import Utterance
+from ..errors import RisoriusError
+
+MOST = 8  # curves of a figure
+_LEAST = 0.05  # that a curve moves, to be shown
+
+
+class ShownTake(Protocol):
+    """A performance with what is said, as `Take` is one."""
+
+    @property
+    def performance(self) -> Performance:
+        """The curves and the score that they were made from."""
+
+    @property
+    def utterance(self) -> Utterance | None:
+        """What is said; None if nothing is."""
+
+    @property
+    def audio(self) -> Audio | None:
+        """The sound that is heard; None if there is none."""
+
+
+def liveliest(performance: Performance) -> dict[str, Array]:
+    """Return curves by name, shape (frames,): the muscles and contacts, 0 to 1, that move most, both sides'
+    mean, in the order of the table.
+    """
+    means: dict[str, Array] = {
+        base: np.mean([performance.values[:, INDEX[side.name]] for side in sides], axis=0)
+        for base, sides in BASES.items()
+        if sides[0].kind in (Kind.MUSCLE, Kind.CONTACT)
+    }
+    moved = sorted(((float(np.ptp(curve)), name) for name, curve in means.items()), reverse=True)
+    kept = {name for range_, name in moved[:MOST] if range_ >= _LEAST}
+    return {name: curve for name, curve in means.items() if name in kept}
+
+
+def optional(module: str, package: str) -> Any:
+    """Return a module of a package that need not be installed; raise RisoriusError if it is not."""
+    try:
+        return import_module(module)
+    except ImportError:
+        raise RisoriusError(f"needs {package}; run pip install 'risorius[notebook]'") from None
