@@ -185,7 +185,7 @@ def test_edits_are_made_again_on_another_plan_and_what_does_not_fit_is_named(ses
     assert not again.warnings
     without = session.choose(requests.Choose(shared.Choices(without=("signals",))), quiet)
     (warning,) = without.warnings
-    assert f"an edit could not be applied again (move {block.id}): unknown block" in warning
+    assert warning.startswith('1 of the changes by hand did not fit any more: move brows (signals) on "Oh')
     assert "hand.1" in {b.id for b in without.blocks}
     session.undo(requests.Undo(), quiet)
     assert session.current.blocks[block.id].start == 0.1

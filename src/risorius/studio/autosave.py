@@ -15,7 +15,7 @@ from ..ports.layout import write_json
 from ..ports.readable import ScoreFile
 from ..ports.score_json import score_to_json
 from .messages import encoded
-from .project import Opened, ProjectVersion, SavedEdits, SavedMade, header, version_of
+from .project import Opened, ProjectVersion, SavedEdits, SavedLost, SavedMade, header, version_of
 from .scores import parsed, read_score
 from .session import Session
 from .session_files import SessionFiles, digest, write_text
@@ -35,6 +35,7 @@ class AutosaveDocument:
     edits: SavedEdits
     view: Mapping[str, object]
     score: str
+    lost: SavedLost = ()
     sound: str | None = None
     take: int = 0
 
@@ -128,7 +129,8 @@ class Autosave:
         score = self._folder / Path(saved.score).name
         sound = None if saved.sound is None else self._folder / Path(saved.sound).name
         score_file = _with_own_sound(read_score(parsed(score.read_bytes(), score.name), sound))
-        return Opened(version_of(saved.made, score_file, saved.edits, files), dict(saved.view)), saved.take
+        version = version_of(saved.made, score_file, saved.edits, files, saved.lost)
+        return Opened(version, dict(saved.view)), saved.take
 
 
 def _with_own_sound(score_file: ScoreFile) -> ScoreFile:

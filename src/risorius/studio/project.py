@@ -19,7 +19,7 @@ import numpy as np
 import soundfile
 
 from ..core.audio import Audio, AudioWriter
-from ..core.edits import Edit
+from ..core.edits import Add, Edit, Keys
 from ..core.hints import Then
 from ..core.schema import placed, within
 from ..core.utterance import Utterance
@@ -32,7 +32,7 @@ from .messages import encoded, read_message
 from .scores import parsed, score_file
 from .session import Session
 from .session_files import SessionFiles
-from .version import Version
+from .version import LostEdit, Version
 from .wire import requests, shared
 
 VERSION = 1
@@ -60,6 +60,21 @@ def _edit(members: Mapping[str, object]) -> Edit:
 
 ProjectVersion = Annotated[int, Then(_known_version)]
 SavedMade = Annotated[shared.TakeInputs, Then(_made, of=Mapping[str, object])]
+
+
+def _lost(members: Mapping[str, object]) -> LostEdit:
+    text, edit = members.get("text"), members.get("edit")
+    if not isinstance(text, str):
+        raise InputError("a lost change has no text; expected 'text'")
+    if not isinstance(edit, Mapping | None):
+        raise InputError("a lost change is not an object")
+    again = None if edit is None else _edit(edit)
+    if not isinstance(again, Add | Keys | None):
+        raise InputError("a lost change is not 'add' or 'keys'")
+    return LostEdit(text[:200], again)
+
+
+SavedLost = tuple[Annotated[LostEdit, Then(_lost, of=Mapping[str, object])], ...]
 SavedEdits = tuple[Annotated[Edit, Then(_edit, of=Mapping[str, object])], ...]
 
 
@@ -80,6 +95,7 @@ class ProjectDocument:
     edits: SavedEdits
     score: ScoreDocument
     view: Mapping[str, object] = field(default_factory=dict)
+    lost: SavedLost = ()
     sound: str | None = None
     recording: RecordingEntry | None = None
     emotions: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
@@ -99,9 +115,14 @@ def header(version: Version, view: Mapping[str, object]) -> dict[str, Any]:
     return {
         "risorius_project": VERSION,
         "made": encoded(version.inputs),
-        "edits": [{"kind": _KINDS[type(edit)], **encoded(edit)} for edit in version.edits],
+        "edits": [_kept_edit(edit) for edit in version.edits],
+        "lost": [{"text": it.text, "edit": it.edit and _kept_edit(it.edit)} for it in version.lost],
         "view": dict(view),
     }
+
+
+def _kept_edit(edit: Edit) -> dict[str, Any]:
+    return {"kind": _KINDS[type(edit)], **encoded(edit)}
 
 
 def project_file(session: Session) -> bytes:
@@ -146,16 +167,21 @@ def _opened(project: ProjectDocument, files: SessionFiles) -> Opened:
         file = score_file(project.score, None)
     with within("sound"):
         utterance = _sounding(file.utterance, project.sound)
-    version = version_of(inputs, ScoreFile(file.score, utterance), project.edits, files)
+    version = version_of(inputs, ScoreFile(file.score, utterance), project.edits, files, project.lost)
     return Opened(version, dict(project.view))
 
 
 def version_of(
-    inputs: shared.TakeInputs, score_file: ScoreFile, edits: tuple[Edit, ...], files: SessionFiles
+    inputs: shared.TakeInputs,
+    score_file: ScoreFile,
+    edits: tuple[Edit, ...],
+    files: SessionFiles,
+    lost: tuple[LostEdit, ...] = (),
 ) -> Version:
     """Return the version of a session that a score and its edits are."""
     settings = with_profile(settings_of(inputs.choices, files.folder))
-    return Version(inputs, score_file.score, score_file.score, settings, score_file.utterance, edits)
+    base = score_file.score
+    return Version(inputs, base, base, settings, score_file.utterance, edits, lost=lost)
 
 
 def _with_recording(

@@ -17,11 +17,12 @@ from ..errors import InputError, RisoriusError
 from ..pipeline import combine
 from ..take import Take
 from . import describe, limits
+from .edits_carried import brought_back, carried
 from .history import History
 from .performer import Performer
 from .prefetch import Prefetch, worth_it
 from .session_files import SessionFiles
-from .version import Version, worded
+from .version import LostEdit, Version, worded
 from .wire import answers, requests, shared, takes
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
@@ -104,13 +105,27 @@ class Session:
     def compare(self, request: requests.Compare, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices and the same edits, as a second take."""
         version = self._performer.perform(self._inputs(request.choices, request.emotions), progress)
-        return self.described(self._live(version.with_edits(self.version().edits)))
+        return self.described(self._live(carried(self.version(), version)))
 
     def edit(self, edit: Edit, progress: Progress) -> takes.TakeChange:
         """Make an edit."""
-        version = self.version().changed(edit)
-        self.history.push(version, worded(version.edits[-1]))
+        before = self.version()
+        version = before.changed(edit)
+        self.history.push(version, worded(version.edits[-1], before.score))
         return self._changed(version)
+
+    def bring_back(self, request: requests.BringBack, progress: Progress) -> takes.TakeChange:
+        """Make something again that was lost when the text changed."""
+        version, entry = self._lost(request.number)
+        after = brought_back(version, request.number)
+        self.history.push(after, f"bring back: {entry.text}")
+        return self._changed(after)
+
+    def let_go(self, request: requests.LetGo, progress: Progress) -> takes.TakeChange:
+        """Forget what was lost when the text changed."""
+        after = replace(self.version(), lost=(), warnings=())
+        self.history.push(after, "forget what did not fit")
+        return self._changed(after)
 
     def preview(self, edit: Edit) -> tuple[Take, takes.Previewed]:
         """Return the take that an edit would make, and which curves it would change; nothing is changed."""
@@ -151,8 +166,9 @@ class Session:
         step = replace(version, score=version.base, edits=())
         history.push(step, "perform")
         for edit in version.edits:
+            what = worded(edit, step.score)
             step = step.changed(edit)
-            history.push(step, worded(edit))
+            history.push(step, what)
         self.forget_prefetch()
         self.current = self._live(step)
         self.history, self.view = history, view
@@ -163,6 +179,13 @@ class Session:
         if version is None:
             raise InputError("nothing is performed yet; expected 'perform' first")
         return version
+
+    def _lost(self, number: int) -> tuple[Version, LostEdit]:
+        version = self.version()
+        lost = version.lost_made
+        if number >= len(lost):
+            raise InputError(f"{len(lost)} changes did not fit; there is no number {number}")
+        return version, lost[number]
 
     def _inputs(
         self, choices: shared.Choices | None, emotions: tuple[shared.EmotionSpan, ...] | None
@@ -178,8 +201,8 @@ class Session:
         before = self.history.present
         ready = self._prefetched(inputs)
         version = ready.version if ready else self._performer.perform(inputs, progress)
-        if before is not None and before.inputs.source == inputs.source:
-            version = version.with_edits(before.edits)
+        if before is not None:
+            version = carried(before, version)
         live = self._live(version)
         self.history.push(version, what)
         self.current = live
@@ -248,6 +271,7 @@ class Session:
             undoes=self.history.undoes,
             redoes=self.history.redoes,
             warnings=version.warnings,
+            lost=_lost_texts(version),
             milliseconds=version.milliseconds,
         )
 
@@ -269,7 +293,12 @@ class Session:
             redoes=self.history.redoes,
             whole=whole,
             warnings=after.version.warnings,
+            lost=_lost_texts(after.version),
         )
+
+
+def _lost_texts(version: Version) -> tuple[str, ...]:
+    return tuple(entry.text for entry in version.lost_made)
 
 
 def _changed_blocks(before: describe.Blocks, after: describe.Blocks) -> tuple[takes.Block, ...]:

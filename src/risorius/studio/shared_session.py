@@ -30,6 +30,8 @@ HANDLERS: dict[type, Handler] = {
     requests.Choose: Session.choose,
     requests.Compare: Session.compare,
     **dict.fromkeys(requests.EDITS.values(), Session.edit),
+    requests.BringBack: Session.bring_back,
+    requests.LetGo: Session.let_go,
     requests.Undo: Session.undo,
     requests.Redo: Session.redo,
     requests.View: Session.keep_view,
@@ -40,7 +42,15 @@ HANDLERS: dict[type, Handler] = {
     requests.SavePose: looking.name_pose,
 }
 """The handler of each request; it runs on the session's thread."""
-CHANGING = (requests.Perform, requests.Choose, *requests.EDITS.values(), requests.Undo, requests.Redo)
+CHANGING = (
+    requests.Perform,
+    requests.Choose,
+    *requests.EDITS.values(),
+    requests.BringBack,
+    requests.LetGo,
+    requests.Undo,
+    requests.Redo,
+)
 SAVING = (*CHANGING, requests.View, requests.Draft)
 
 

@@ -2,20 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from ..core.edits import Add, Edit, edited, named
+from ..core.edits import Add, ClearKeys, Edit, Keys, edited, named
+from ..core.movement import Movement
 from ..core.score import Score
 from ..core.utterance import Utterance
-from ..errors import RisoriusError
 from ..settings import Settings
 from .wire.shared import TakeInputs
 
 
 @dataclass(frozen=True, slots=True)
+class LostEdit:
+    """A change by hand that did not fit the line when it was planned anew.
+
+    `text` names it; `edit` makes its movement or curve again, and is None for a movement that was deleted
+    (that it is not there needs no word). `edits` of `origin` did not fit; they are tried on each plan again.
+    """
+
+    text: str
+    edit: Add | Keys | None = None
+    edits: tuple[Edit, ...] = ()
+    origin: Version | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Version:
-    """What a take is made from. `base`: the score as planned; `score`: with all edits made."""
+    """What a take is made from.
+
+    `base`: the score as planned; `score`: with all edits made; `lost`: those that have no place in it.
+    """
 
     inputs: TakeInputs
     base: Score
@@ -24,7 +40,13 @@ class Version:
     utterance: Utterance | None
     edits: tuple[Edit, ...] = ()
     warnings: tuple[str, ...] = ()
+    lost: tuple[LostEdit, ...] = ()
     milliseconds: dict[str, float] = field(default_factory=dict, compare=False)
+
+    @property
+    def lost_made(self) -> tuple[LostEdit, ...]:
+        """Those lost edits that had made something."""
+        return tuple(entry for entry in self.lost if entry.edit is not None)
 
     def changed(self, edit: Edit) -> Version:
         """Return the version with one more edit; raise InputError or ParameterError if it does not fit."""
@@ -37,23 +59,21 @@ class Version:
             milliseconds={},
         )
 
-    def with_edits(self, edits: Iterable[Edit]) -> Version:
-        """Return the version with other edits; an edit that does not fit is named and left out."""
-        version, dropped = self, list(self.warnings)
-        for edit in edits:
-            try:
-                version = version.changed(edit)
-            except RisoriusError as error:
-                dropped.append(f"an edit could not be applied again ({worded(edit)}): {error}")
-        return replace(version, warnings=tuple(dropped), milliseconds=self.milliseconds)
 
-
-def worded(edit: Edit) -> str:
-    """Return a short description of an edit."""
+def worded(edit: Edit, *scores: Score) -> str:
+    """Return a short description of an edit; movements are looked up in `scores`."""
     verb = _WORDS[type(edit).__name__]
     if isinstance(edit, Add):
-        return f"{verb} {edit.id or f'to {edit.channel}'}"
-    return f"{verb} {getattr(edit, 'movement', '') or getattr(edit, 'parameter', '')}"
+        return f"{verb} a movement of {edit.channel} at {edit.start:.2f} s"
+    if isinstance(edit, Keys | ClearKeys):
+        return f"{verb} {edit.parameter.replace('_', ' ')}"
+    found = next((m for score in scores for m in score.movements if m.id == edit.movement), None)
+    return f"{verb} {edit.movement if found is None else _said(found)}"
+
+
+def _said(m: Movement) -> str:
+    what = m.channel if m.layer in ("", m.id, m.channel) else f"{m.layer} ({m.channel})"
+    return f"{what} on {m.cause.trigger}" if m.cause.trigger else f"{what} at {m.start:.2f} s"
 
 
 _WORDS = {

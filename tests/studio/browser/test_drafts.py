@@ -59,3 +59,22 @@ def test_a_draft_is_put_aside_and_brought_back(performed: Page) -> None:
     performed.driver.find_element(By.ID, "draft-back").click()
     assert performed.get(WRITTEN) == DRAFT
     performed.driver.find_element(By.ID, "draft-aside").click()
+
+
+def test_changes_by_hand_follow_the_text_or_can_be_brought_back(performed: Page) -> None:
+    word = "studio.store.get('take').speech.words.find(({ text }) => text === 'very')"
+    edited = "studio.store.get('take').blocks.filter((block) => block.edited)"
+    performed.run(f"""
+      const {{ start, end }} = {word};
+      await studio.actions.edit("add", {{ channel: "signals", start, end, targets: {{ AU1: 0.8 }} }});
+    """)
+    perform(performed, "Well, I like it very much!")
+    assert performed.get(f"{edited}.length") == 1
+    assert performed.get(f"Math.abs({edited}[0].start - {word}.start) < 0.001")
+    perform(performed, "Well, I like it!")
+    assert performed.get(f"{edited}.length") == 0
+    assert "did not fit" in performed.get("document.querySelector('#notice span').textContent")
+    performed.picture("lost")
+    performed.driver.find_element(By.CSS_SELECTOR, "#lost li button").click()
+    performed.wait(f"{edited}.length === 1")
+    assert performed.get("document.getElementById('lost').hidden")

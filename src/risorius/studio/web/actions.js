@@ -77,6 +77,16 @@ export class Actions {
     this.#store.set({ preview: false });
   }
 
+  /** Make a change again that did not fit a new text. @param {number} number in the take's `lost` */
+  bringBack(number) {
+    return this.#changing("bring_back", { number }, "");
+  }
+
+  /** Forget the changes that did not fit. */
+  letGo() {
+    return this.#changing("let_go", {}, "");
+  }
+
   /** Take back the last change. */
   undo() {
     return this.#store.get("take")?.undoes ? this.#changing("undo", {}, "") : null;

@@ -40,7 +40,7 @@ export function changedTake(take, change) {
   blocks.sort((a, b) => a.start - b.start);
   const curves = { ...take.curves, ...decoded(change.curves) };
   for (const [name, text] of Object.entries(change.curves)) if (text === "") delete curves[name];
-  const { drawn, made, undoes, redoes, warnings } = change;
+  const { drawn, made, undoes, redoes, warnings, lost } = change;
   return {
     ...take,
     take: change.take,
@@ -51,6 +51,7 @@ export function changedTake(take, change) {
     undoes,
     redoes,
     warnings,
+    lost,
   };
 }
 

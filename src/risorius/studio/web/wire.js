@@ -137,7 +137,7 @@
  * @property {"open"} do
  */
 /**
- * Perform a script; edits of blocks that exist in the new take are applied again. Answered by TakeView.
+ * Perform a script; edits follow its words, and what does not fit is `lost`. Answered by TakeView.
  * The voice is synthesized only if something that it depends on has changed.
  * @typedef {Object} Perform
  * @property {"perform"} do
@@ -174,6 +174,17 @@
  * @typedef {Object} Preview
  * @property {Move|Stretch|Retarget|Add|Delete|Keys|ClearKeys} edit
  * @property {number|null} [face]
+ */
+/**
+ * Make a change again that did not fit a new plan, by its number in `lost`; answered by TakeChange.
+ * @typedef {Object} BringBack
+ * @property {"bring_back"} do
+ * @property {number} number
+ */
+/**
+ * Forget the changes that did not fit; answered by TakeChange.
+ * @typedef {Object} LetGo
+ * @property {"let_go"} do
  */
 /**
  * Undo the last change; answered by TakeChange.
@@ -387,7 +398,8 @@
  * A whole take. `fps` is text such as "24000/1001". `speech` is null if nothing is said.
  * `curves`: `frames` values for each parameter that moves; the others stay at their neutral value. `made`:
  * what it was performed from. `undoes`, `redoes`: the changes that undo and redo would act on. `warnings`:
- * where the take differs from what was requested. `milliseconds`: the duration of each step.
+ * where the take differs from what was requested. `lost`: changes by hand that did not fit when the line
+ * was planned anew, which `bring_back` makes again. `milliseconds`: the duration of each step.
  * @typedef {Object} TakeView
  * @property {number} take
  * @property {number} duration
@@ -401,6 +413,7 @@
  * @property {string} undoes
  * @property {string} redoes
  * @property {Array<string>} warnings
+ * @property {Array<string>} lost
  * @property {Object<string, number>} milliseconds
  */
 /**
@@ -421,6 +434,7 @@
  * @property {string} redoes
  * @property {TakeView|null} whole
  * @property {Array<string>} warnings
+ * @property {Array<string>} lost
  */
 /**
  * A session: its take (null before the first), and the recordings, emotions and poses saved in it.
@@ -778,7 +792,7 @@
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "prepare" | "draft" | "choose" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "draft" | "choose" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

@@ -20,7 +20,7 @@ class Open:
 
 @dataclass(frozen=True, slots=True)
 class Perform:
-    """Perform a script; edits of blocks that exist in the new take are applied again. Answered by TakeView.
+    """Perform a script; edits follow its words, and what does not fit is `lost`. Answered by TakeView.
 
     The voice is synthesized only if something that it depends on has changed.
     """
@@ -77,6 +77,18 @@ class Preview:
 
     edit: Edit
     face: Seconds | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class BringBack:
+    """Make a change again that did not fit a new plan, by its number in `lost`; answered by TakeChange."""
+
+    number: Whole
+
+
+@dataclass(frozen=True, slots=True)
+class LetGo:
+    """Forget the changes that did not fit; answered by TakeChange."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,6 +235,8 @@ VERBS: Mapping[str, type] = {
     "prepare": Prepare,
     "draft": Draft,
     "choose": Choose,
+    "bring_back": BringBack,
+    "let_go": LetGo,
     "undo": Undo,
     "redo": Redo,
     "faces": Faces,

@@ -113,7 +113,8 @@ class TakeView:
 
     `curves`: `frames` values for each parameter that moves; the others stay at their neutral value. `made`:
     what it was performed from. `undoes`, `redoes`: the changes that undo and redo would act on. `warnings`:
-    where the take differs from what was requested. `milliseconds`: the duration of each step.
+    where the take differs from what was requested. `lost`: changes by hand that did not fit when the line was
+    planned anew, which `bring_back` makes again. `milliseconds`: the duration of each step.
     """
 
     take: int
@@ -128,6 +129,7 @@ class TakeView:
     undoes: str = ""
     redoes: str = ""
     warnings: tuple[str, ...] = ()
+    lost: tuple[str, ...] = ()
     milliseconds: Mapping[str, float] = field(default_factory=dict)
 
 
@@ -152,6 +154,7 @@ class TakeChange:
     redoes: str = ""
     whole: TakeView | None = None
     warnings: tuple[str, ...] = ()
+    lost: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ import { make } from "../parts/dom.js";
 import { mountChoices } from "./choices.js";
 import { mountDraft } from "./draft.js";
 import { mountEmotions } from "./emotions.js";
+import { mountLost } from "./lost.js";
 import { mountRecording } from "./recording.js";
 import { mountScript } from "./script.js";
 
@@ -20,7 +21,7 @@ export function mountPerform(element, studio) {
     perform,
     make("span", { class: "hint" }, make("kbd", {}, "Ctrl"), " ", make("kbd", {}, "Enter")),
   );
-  element.append(script.element, mountDraft(studio), mountRecording(studio), mountEmotions(studio, script), form, foot);
+  element.append(script.element, mountDraft(studio), mountLost(studio), mountRecording(studio), mountEmotions(studio, script), form, foot);
   const ready = store.watch(["catalogue"], () => {
     if (!store.get("catalogue")) return;
     form.append(formatField(studio));
