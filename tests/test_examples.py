@@ -8,7 +8,7 @@ from risorius.api import speak
 from risorius.settings import Settings
 
 FOLDER = Path(__file__).parent.parent / "examples"
-EXAMPLES = sorted(path for path in FOLDER.iterdir() if path.suffix not in (".toml", ".csv"))
+EXAMPLES = sorted(p for p in FOLDER.iterdir() if p.is_file() and p.suffix not in (".toml", ".csv"))
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.name)

@@ -116,6 +116,8 @@ ANSWERS = [
     ("print('hello')", "printed no JSON"),
     ("print('[]')", "printed an object with other keys; expected sample_rate, audio and phones"),
     ("print('{\"sample_rate\": 8000}')", "printed an object with other keys"),
+    ('print(\'{"audio": "AAAA"}\')', "sample_rate = None; expected 4000 to 192000"),
+    ("print('RIFFraff')", "printed a sound file that cannot be read"),
     ("import sys; sys.exit('no voice today')", "failed with exit code 1: no voice today"),
     ('print(\'{"sample_rate": 0, "audio": "AAAA"}\')', "sample_rate = 0; expected 4000 to 192000"),
     ('print(\'{"sample_rate": 8000, "audio": "%%"}\')', "audio is not base64"),

@@ -1,12 +1,14 @@
-"""Any program as a voice: a request in JSON on its input, sound and phone times in JSON on its output.
+"""Any program as a voice: a request in JSON on its input, on its output sound and phone times in JSON, or the
+sound alone as a file (WAV, MP3 …).
 
-`docs/reference.md` gives both objects. The program is started for each stretch of text, in a process of its
+`docs/voices.md` gives both objects. The program is started for each stretch of text, in a process of its
 own; nothing of it is imported.
 """
 
 from __future__ import annotations
 
 import base64
+import io
 import json
 import os
 import sys
@@ -31,6 +33,8 @@ from .voices import find_voice
 
 SECONDS = 60.0
 LONGEST_ANSWER = 400_000_000
+_FULL_SCALE = 32_767
+_BEGINNINGS = (b"RIFF", b"fLaC", b"OggS", b"ID3")
 _KEYS = {"sample_rate", "audio", "phones"}
 _RATES = (4_000, 192_000)
 _LARGEST_NUMBER = 1e9  # of a time in seconds, or of an index in the text
@@ -89,32 +93,53 @@ class ProgramEngine:
         return finished.output
 
     def _read(self, output: bytes, request: SpeechRequest) -> Rendition:
+        if is_sound_file(output):
+            return self._timed(*self._decoded(output), request)
         try:
             answer = json.loads(output)
         except (ValueError, RecursionError) as error:
             raise self._fault(f"printed no JSON ({error}); expected one object") from None
         if is_too_deep(answer):
             raise self._fault(f"printed JSON that {TOO_DEEP}")
-        if not isinstance(answer, dict) or not {"sample_rate", "audio"} <= set(answer) <= _KEYS:
+        if not isinstance(answer, dict) or not {"audio"} <= set(answer) <= _KEYS:
             raise self._fault("printed an object with other keys; expected sample_rate, audio and phones")
-        rate = answer["sample_rate"]
-        if type(rate) is not int or not _RATES[0] <= rate <= _RATES[1]:
-            raise self._fault(f"sample_rate = {rate!r}; expected {_RATES[0]} to {_RATES[1]}")
-        samples = self._samples(answer["audio"])
+        samples, rate = self._sound(answer)
         if answer.get("phones") is None:
-            reference = referred(request, self._language)
-            phones = warped(reference, samples, rate)
-            return Rendition(samples, rate, phones, reference.guessed)
+            return self._timed(samples, rate, request)
         return Rendition(samples, rate, self._phones(answer["phones"], rate, len(samples), len(request.text)))
 
-    def _samples(self, audio: object) -> Samples:
+    def _timed(self, samples: Samples, rate: int, request: SpeechRequest) -> Rendition:
+        """Return sound with the phone times of espeak-ng's voice, warped onto it."""
+        reference = referred(request, self._language)
+        return Rendition(samples, rate, warped(reference, samples, rate), reference.guessed)
+
+    def _sound(self, answer: Mapping[str, Any]) -> tuple[Samples, int]:
+        """Return the samples of an answer, and how many there are in a second."""
         try:
-            data = base64.b64decode(str(audio), validate=True)
+            data = base64.b64decode(str(answer["audio"]), validate=True)
         except ValueError:
             raise self._fault("audio is not base64") from None
+        if "sample_rate" not in answer and is_sound_file(data):
+            return self._decoded(data)
+        rate = answer.get("sample_rate")
+        if type(rate) is not int or not _RATES[0] <= rate <= _RATES[1]:
+            raise self._fault(f"sample_rate = {rate!r}; expected {_RATES[0]} to {_RATES[1]}")
         if len(data) % 2 or not data:
             raise self._fault("audio is not 16-bit samples")
-        return np.frombuffer(data, "<i2").astype(np.int16)
+        return np.frombuffer(data, "<i2").astype(np.int16), rate
+
+    def _decoded(self, data: bytes) -> tuple[Samples, int]:
+        """Return the samples of a sound file, its channels averaged, and how many there are in a second."""
+        import soundfile
+
+        try:
+            channels, rate = soundfile.read(io.BytesIO(data), dtype="float32", always_2d=True)
+        except (soundfile.LibsndfileError, RuntimeError, ValueError) as error:
+            raise self._fault(f"printed a sound file that cannot be read: {error}") from None
+        if not len(channels) or not _RATES[0] <= rate <= _RATES[1]:
+            raise self._fault(f"printed a sound file of {len(channels)} samples at {rate} Hz")
+        mono = np.clip(np.nan_to_num(channels.mean(axis=1)), -1.0, 1.0)
+        return np.round(mono * _FULL_SCALE).astype(np.int16), int(rate)
 
     def _phones(self, rows: object, rate: int, frames: int, characters: int) -> tuple[SpokenPhone, ...]:
         if not isinstance(rows, list):
@@ -152,6 +177,12 @@ class ProgramEngine:
 
     def _fault(self, message: str) -> SpeechError:
         return SpeechError(f"the voice '{self._name}': {message}")
+
+
+def is_sound_file(data: bytes) -> bool:
+    """Whether bytes begin as a WAV, FLAC, OGG or MP3 file does."""
+    mp3 = len(data) > 1 and data[0] == 0xFF and data[1] & 0xE0 == 0xE0
+    return mp3 or data.startswith(_BEGINNINGS)
 
 
 def request_of(request: SpeechRequest, language: str) -> dict[str, Any]:
