@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import click
 import pytest
 from click.shell_completion import ShellComplete
@@ -39,6 +42,14 @@ def completed(*words: str) -> list[str]:
 )
 def test_a_shell_completes_values(words: tuple[str, ...], expected: list[str]) -> None:
     assert completed(*words) == expected
+
+
+def test_what_the_page_offers_is_offered() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "completion.md").read_text()
+    rows = re.findall(r"^\| `risorius ([^`]*)` \| (.*) \|$", page, re.MULTILINE)
+    assert len(rows) == 5
+    for typed, offered in rows:
+        assert completed(*typed.split()) == re.findall(r"`([^`]*)`", offered)
 
 
 def test_help_has_the_groups_of_the_table_in_its_order(capsys: pytest.CaptureFixture[str]) -> None:

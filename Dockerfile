@@ -1,0 +1,24 @@
+# docker build -t risorius .
+# docker run --rm --read-only --tmpfs /tmp -v "$PWD:/work" --user "$(id -u):$(id -g)" risorius speak "Hello!" -o hello.mp4
+FROM python:3.13-slim AS build
+WORKDIR /src
+COPY requirements/run.txt requirements/run.txt
+RUN python -m venv /opt/risorius && /opt/risorius/bin/pip install --no-cache-dir --require-hashes -r requirements/run.txt
+COPY pyproject.toml README.md LICENSE LICENSE-CC0 ./
+COPY src src
+RUN /opt/risorius/bin/pip install --no-cache-dir --no-deps --no-build-isolation --no-index .
+# Compiled once, for whatever user runs it later. The cache is for processors of the builder's kind: build where you run.
+ENV NUMBA_CACHE_DIR=/opt/risorius-cache OPENBLAS_NUM_THREADS=1
+RUN /opt/risorius/bin/risorius pose AU12=1 --size 64x64 -o /tmp/warm.png \
+ && /opt/risorius/bin/risorius speak "Warm." --size 64x64 --fps 4 -o /tmp/warm.mp4 \
+ && chmod -R a+rX /opt/risorius-cache
+
+FROM python:3.13-slim
+RUN useradd --create-home --uid 10001 risorius
+COPY --from=build /opt/risorius /opt/risorius
+COPY --from=build /opt/risorius-cache /opt/risorius-cache
+ENV PATH=/opt/risorius/bin:$PATH NUMBA_CACHE_DIR=/opt/risorius-cache OPENBLAS_NUM_THREADS=1
+USER risorius
+WORKDIR /work
+ENTRYPOINT ["risorius"]
+CMD ["--help"]
