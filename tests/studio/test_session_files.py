@@ -178,3 +178,26 @@ def test_what_is_written_is_kept_until_it_is_performed(session, tmp_path):
     assert again.draft is None
     (tmp_path / "draft.json").write_text("{")
     assert "draft-broken.json" in Autosave(tmp_path).load(Session("one", tmp_path))[0]
+
+
+def test_what_a_project_replaces_can_be_put_back(session, tmp_path):
+    perform(session, "Hm.")
+    edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
+    own = state(session)
+    other = Session("two", tmp_path)
+    perform(other, "Oh!")
+    edit(other, Keys("masseter", ((0.1, 0.0), (0.2, 0.7))))
+    opened = open_project(project_file(other), session.files)
+    session.open_version(opened.version, opened.view)
+    assert state(session) == state(other)
+    assert session.history.undoes == "draw masseter"
+    for _ in range(2):
+        session.undo(requests.Undo(), quiet)
+    assert state(session) == own
+    for _ in range(2):
+        session.redo(requests.Redo(), quiet)
+    session.undo(requests.Undo(opened=True), quiet)
+    assert state(session) == own
+    assert session.history.redoes == "open the project"
+    with pytest.raises(RisoriusError, match="nothing to go back to"):
+        session.undo(requests.Undo(opened=True), quiet)

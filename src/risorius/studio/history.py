@@ -41,6 +41,12 @@ class History(Generic[T]):
         """What a redo would restore, "" if nothing."""
         return self._steps[self._at + 1].what if self._at + 1 < len(self._steps) else ""
 
+    def copy(self) -> History[T]:
+        """Return a history with the same states, which goes on by itself."""
+        other: History[T] = History(self._most)
+        other._steps, other._at = self._steps, self._at
+        return other
+
     def push(self, state: T, what: str) -> None:
         """Make `state` the present; what was undone is forgotten, and the oldest where there are too many."""
         self._steps = [*self._steps[: self._at + 1], Step(state, what)][-self._most - 1 :]
@@ -51,6 +57,14 @@ class History(Generic[T]):
         if self._at <= 0:
             raise InputError("there is nothing to undo")
         self._at -= 1
+        return self._steps[self._at].state
+
+    def undo_before(self, what: str) -> T:
+        """Return the state before the last change called `what` and make it the present one."""
+        at = next((k for k in range(self._at, 0, -1) if self._steps[k].what == what), 0)
+        if at == 0:
+            raise InputError("there is nothing to go back to")
+        self._at = at - 1
         return self._steps[self._at].state
 
     def redo(self) -> T:

@@ -27,6 +27,8 @@ from .wire import answers, requests, shared, takes
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
 SETTLING = 0.5
+# What opening a project is called among what can be undone.
+OPENED = "open the project"
 
 
 @dataclass(slots=True)
@@ -137,7 +139,8 @@ class Session:
 
     def undo(self, request: requests.Undo, progress: Progress) -> takes.TakeChange:
         """Undo the last change."""
-        return self._changed(self.history.undo())
+        undone = self.history.undo_before(OPENED) if request.opened else self.history.undo()
+        return self._changed(undone)
 
     def redo(self, request: requests.Redo, progress: Progress) -> takes.TakeChange:
         """Redo the change that was undone last."""
@@ -162,16 +165,29 @@ class Session:
     def restore(self, version: Version, view: dict[str, object], number: int = 0) -> None:
         """Restore a saved version; each of its edits can be undone. Takes are numbered from `number` on."""
         self._number = max(self._number, number)
-        history: History[Version] = History(limits.UNDO)
+        self._take_up(version, History(limits.UNDO), "perform")
+        self.view = view
+
+    def open_version(self, version: Version, view: dict[str, object]) -> None:
+        """Show the version of another project; undo leads through its edits to what was here before."""
+        self._take_up(version, self.history.copy(), OPENED)
+        self.view = view
+
+    def _take_up(self, version: Version, history: History[Version], what: str) -> None:
+        """Go on with a version; on an error, nothing changes."""
         step = replace(version, score=version.base, edits=())
-        history.push(step, "perform")
-        for edit in version.edits:
-            what = worded(edit, step.score)
+        # What was here before must not be pushed out by the edits of what is opened.
+        at_once = max(0, len(version.edits) - limits.UNDO // 2)
+        for edit in version.edits[:at_once]:
             step = step.changed(edit)
-            history.push(step, what)
+        history.push(step, what)
+        for edit in version.edits[at_once:]:
+            said = worded(edit, step.score)
+            step = step.changed(edit)
+            history.push(step, said)
         self.forget_prefetch()
         self.current = self._live(step)
-        self.history, self.view = history, view
+        self.history = history
 
     def version(self) -> Version:
         """Return the present version; raise InputError before the first."""

@@ -111,11 +111,11 @@ class SharedSession:
         return await self._run(lambda: project_file(self.session))
 
     async def open_project(self, data: bytes) -> None:
-        """Replace the session's state with an uploaded project; on RisoriusError nothing changes."""
+        """Go on with an uploaded project, which can be undone; on RisoriusError nothing changes."""
 
         def opened() -> None:
             project = open_project(data, self.session.files)
-            self.session.restore(project.version, project.view)
+            self.session.open_version(project.version, project.view)
 
         await self._run(opened)
         await self.tell_others(None)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from selenium.webdriver.common.by import By
 
-from .acts import SETTLED, SHOWN, choose, open_panel, perform, values
+from .acts import SETTLED, SHOWN, choose, open_panel, perform, type_line, values
 from .driving import Page
 
 CURVES = "Object.fromEntries(Object.entries(studio.store.get('take').curves).map(([n, c]) => [n, [...c]]))"
@@ -42,6 +42,27 @@ def test_an_export_that_is_stopped_leaves_nothing(page: Page) -> None:
     page.run("document.querySelector('#jobs button').click()")
     page.wait("document.querySelector('#jobs .bad')", 120.0)
     assert page.get("document.querySelectorAll('#jobs a').length") == 0
+
+
+def test_what_a_project_replaces_can_be_put_back(performed: Page, tmp_path: Path) -> None:
+    before = performed.get(CURVES)
+    text = performed.run(
+        "const made = await studio.connection.request('project'); return (await fetch(made.path)).text()"
+    )
+    other = json.loads(text)
+    other["made"]["source"]["script"] = "Another file."
+    file = tmp_path / "other.risorius.json"
+    file.write_text(json.dumps(other), encoding="utf-8")
+    type_line(performed, "A draft.")
+    open_panel(performed, "Project")
+    performed.driver.find_element(By.CSS_SELECTOR, "#panel-project input[type=file]").send_keys(str(file))
+    performed.wait("studio.store.get('source').script === 'Another file.'")
+    performed.wait("document.querySelector('#notice button')?.textContent === 'Put back'")
+    performed.driver.find_element(By.CSS_SELECTOR, "#notice button").click()
+    performed.wait("studio.store.get('take').made.source.script === studio.store.get('source').script")
+    assert performed.get(CURVES) == before
+    assert performed.get("studio.store.get('aside').source.script") == "A draft."
+    performed.run("studio.store.set({ aside: null })")
 
 
 @pytest.mark.full

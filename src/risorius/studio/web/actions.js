@@ -92,6 +92,11 @@ export class Actions {
     return this.#store.get("take")?.undoes ? this.#changing("undo", {}, "") : null;
   }
 
+  /** Show again what was here before a project was opened. */
+  undoOpening() {
+    return this.#changing("undo", { opened: true }, "");
+  }
+
   /** Make the change that was taken back last again. */
   redo() {
     return this.#store.get("take")?.redoes ? this.#changing("redo", {}, "") : null;

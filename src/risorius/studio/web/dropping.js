@@ -26,19 +26,23 @@ export function listenToDrops(studio) {
 }
 
 /** Open a project's file in place of what the session has. @param {object} studio @param {File} file */
-export async function openProject({ store, connection, notify }, file) {
+export async function openProject({ store, connection, notify, actions }, file) {
   const limit = store.get("catalogue")?.limits.project ?? Infinity;
   if (file.size > limit) {
     notify(`${file.name} is larger than ${Math.round(limit / 1e6)} MB`);
     return;
   }
-  const written = isDraft(store);
+  const [written, had] = [isDraft(store), store.get("take") !== null];
   putAside(store);
   try {
     const address = `/api/session/${store.get("session")}/project`;
     const response = await fetch(address, { method: "POST", body: file });
     if (!response.ok) throw new Error((await response.text()).trim());
     connection.reopen();
+    if (had) {
+      const offer = { label: "Put back", act: () => actions.undoOpening() };
+      notify(`${file.name} is open in place of what was here.`, offer);
+    }
   } catch (error) {
     if (written) bringBack(store);
     notify(error.message);

@@ -188,8 +188,10 @@
  */
 /**
  * Undo the last change; answered by TakeChange.
+ * `opened`: go back to what was here before a project was opened, with all that was changed since.
  * @typedef {Object} Undo
  * @property {"undo"} do
+ * @property {boolean} [opened]
  */
 /**
  * Redo the change that was undone last; answered by TakeChange.

@@ -93,7 +93,12 @@ class LetGo:
 
 @dataclass(frozen=True, slots=True)
 class Undo:
-    """Undo the last change; answered by TakeChange."""
+    """Undo the last change; answered by TakeChange.
+
+    `opened`: go back to what was here before a project was opened, with all that was changed since.
+    """
+
+    opened: bool = False
 
 
 @dataclass(frozen=True, slots=True)

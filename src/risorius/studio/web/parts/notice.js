@@ -5,18 +5,26 @@ import { fill, make } from "./dom.js";
 import { glyph } from "./glyphs.js";
 
 const STAYS = 8000; // ms
+const STAYS_WITH_OFFER = 20_000;
 
-/** @param {HTMLElement} element @returns {(text: string) => void} says a line */
+/**
+ * @param {HTMLElement} element
+ * @returns {(text: string, offer?: {label: string, act: () => void}) => void} says a line, with what can be done
+ */
 export function mountNotice(element) {
   let timer = 0;
   const close = () => {
     element.hidden = true;
   };
-  return (text) => {
+  return (text, offer) => {
     clearTimeout(timer);
     const closer = button(glyph("close"), { class: "icon", "aria-label": "Close", onclick: close });
-    fill(element, make("span", {}, text), closer);
+    const act = () => {
+      close();
+      offer?.act();
+    };
+    fill(element, make("span", {}, text), offer ? button(offer.label, { onclick: act }) : null, closer);
     element.hidden = false;
-    timer = setTimeout(close, STAYS);
+    timer = setTimeout(close, offer ? STAYS_WITH_OFFER : STAYS);
   };
 }
