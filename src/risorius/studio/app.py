@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import json
-import re
 import threading
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
@@ -25,19 +24,19 @@ from starlette.websockets import WebSocket
 from ..api import speak
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
-from . import limits
+from . import limits, session_list
 from .catalogue import catalogue_json
 from .connection import Connection
 from .guard import Guard
 from .mesh import head_glb
 from .messages import encoded
+from .session_list import NAME
 from .shade import shade
 from .shared_session import SharedSession
 from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, to_file, to_memory
 
 WEB = Path(str(resources.files(__package__) / "web"))
-NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 SAME_FOR_AN_HOUR = {"cache-control": "private, max-age=3600"}
 
 
@@ -85,6 +84,11 @@ class Studio:
             Route("/api/stage", stage),
             Route("/api/shade", shading),
             Route("/api/session/{session}/take/{take:int}/sound.wav", self.sound),
+            Route("/api/sessions", self.list_sessions),
+            Route("/api/session/{session}/rename", self.rename_session, methods=["POST"]),
+            Route("/api/session/{session}/copy", self.copy_session, methods=["POST"]),
+            Route("/api/session/{session}/delete", self.delete_session, methods=["POST"]),
+            Route("/api/session/{session}/put-back", self.put_back_session, methods=["POST"]),
             Route("/api/session/{session}/recording", self.recording, methods=["POST"]),
             Route("/api/session/{session}/project", self.project),
             Route("/api/session/{session}/project", self.open_project, methods=["POST"]),
@@ -120,6 +124,53 @@ class Studio:
             await socket.close(1008)
             return
         await Connection(socket, shared, self.solvers, self.warm).run()
+
+    async def list_sessions(self, request: Request) -> Response:
+        """Return the sessions, the latest first."""
+        shown = {name for name, shared in self.sessions.items() if shared.pages}
+        entries = await run_in_threadpool(session_list.listed, self.folder, shown)
+        return JSONResponse(encoded(entries), headers={"cache-control": "no-store"})
+
+    async def rename_session(self, request: Request) -> Response:
+        """Give a session a name for people: `title` in the query."""
+        session_list.rename(self._existing(request), request.query_params.get("title", ""))
+        return JSONResponse({})
+
+    async def copy_session(self, request: Request) -> Response:
+        """Copy a session as it is now; `session` in the answer is the name of the copy."""
+        source, name = self._existing(request), session_list.new_name()
+        opened = self.sessions.get(source.name)
+
+        def copy() -> None:
+            session_list.copy(source, self.folder / name)
+
+        await (opened.alone(copy) if opened else run_in_threadpool(copy))
+        return JSONResponse({"session": name})
+
+    async def delete_session(self, request: Request) -> Response:
+        """Delete a session that no page shows; until another of its name is deleted it can be put back."""
+        folder = self._existing(request)
+        opened = self.sessions.get(folder.name)
+        if opened is not None and opened.pages:
+            raise InputError("the session is open in a tab; expected it to be closed first")
+        if opened is not None:
+            del self.sessions[folder.name]
+            await opened.finish()
+        await run_in_threadpool(session_list.delete, self.folder, folder.name)
+        return JSONResponse({})
+
+    async def put_back_session(self, request: Request) -> Response:
+        """Put a deleted session back."""
+        await run_in_threadpool(session_list.put_back, self.folder, request.path_params["session"])
+        return JSONResponse({})
+
+    def _existing(self, request: Request) -> Path:
+        """Return the folder of a session that exists."""
+        name: str = request.path_params["session"]
+        folder = self.folder / name
+        if not NAME.fullmatch(name) or not folder.is_dir():
+            raise InputError(f"there is no session '{name[:40]}'")
+        return folder
 
     async def sound(self, request: Request) -> Response:
         """Return a take's sound."""

@@ -121,6 +121,11 @@ class SharedSession:
         await self.tell_others(None)
         await self.save()
 
+    async def alone(self, work: Callable[[], T]) -> T:
+        """Do work on the session's folder after all that was begun is saved."""
+        await self.save()
+        return await self._run(work)
+
     async def add_recording(self, name: str, uploaded: Path) -> str:
         """Save an uploaded recording; return the name that it was given."""
         return await self._run(lambda: self.session.files.add_recording(name, uploaded))

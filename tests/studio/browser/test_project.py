@@ -108,3 +108,21 @@ def test_a_file_that_is_no_project_is_refused_in_one_line(page: Page, tmp_path: 
     page.driver.find_element(By.CSS_SELECTOR, "#panel-project input[type=file]").send_keys(str(file))
     page.wait("!document.querySelector('#notice').hidden")
     assert "\n" not in page.get("document.querySelector('#notice span').textContent").strip()
+
+
+def test_sessions_are_listed_named_copied_and_deleted(performed: Page) -> None:
+    rows = "document.querySelectorAll('#sessions li').length"
+    open_panel(performed, "Project")
+    performed.wait(f"{rows} > 0")
+    here = performed.get("studio.store.get('session')")
+    own = performed.driver.find_element(By.CSS_SELECTOR, f"#sessions li[data-session='{here}']")
+    assert not own.find_element(By.XPATH, ".//button[text()='Delete']").is_enabled()
+    before = performed.get(rows)
+    own.find_element(By.XPATH, ".//button[text()='Copy']").click()
+    performed.wait(f"{rows} === {before + 1}")
+    performed.picture("sessions")
+    copied = performed.driver.find_element(By.CSS_SELECTOR, "#sessions li")
+    assert copied.find_element(By.TAG_NAME, "input").get_attribute("value") == "Copy"
+    copied.find_element(By.XPATH, ".//button[text()='Delete']").click()
+    performed.wait(f"{rows} === {before}")
+    assert "Put back" in performed.get("document.querySelector('#notice').textContent")

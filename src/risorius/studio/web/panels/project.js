@@ -5,6 +5,7 @@ import { make } from "../parts/dom.js";
 import { download } from "../parts/download.js";
 import { openProject } from "../dropping.js";
 import { mountExports } from "./exports.js";
+import { mountSessions } from "./sessions.js";
 
 const NOTE =
   "Everything is saved automatically. A project file restores this state exactly; it may also be dropped on the page.";
@@ -13,7 +14,7 @@ const NOTE =
 export function mountProject(element, studio) {
   const { store } = studio;
   const exports = make("section", { class: "stack", id: "exports" });
-  element.append(projectOf(studio), exports);
+  element.append(projectOf(studio), exports, mountSessions(studio));
   store.watch(["catalogue"], () => {
     if (store.get("catalogue") && exports.childElementCount === 0) mountExports(exports, studio);
   });

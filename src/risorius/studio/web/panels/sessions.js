@@ -1,0 +1,86 @@
+/** The sessions of this studio: open, name, copy, delete. */
+
+import { button } from "../parts/fields.js";
+import { fill, make } from "../parts/dom.js";
+
+const WHEN = { dateStyle: "medium", timeStyle: "short" };
+
+/** @param {object} studio @returns {HTMLElement} */
+export function mountSessions(studio) {
+  const { store, notify } = studio;
+  const list = make("ul", { class: "sessions" });
+  const element = make(
+    "section",
+    { class: "stack tight", id: "sessions", "aria-label": "Sessions" },
+    make("h3", {}, "Sessions"),
+    list,
+  );
+  let asked = 0;
+  store.watch(["tab", "saved", "link"], () => {
+    if (store.get("tab") === "project" && store.get("link") === "up" && store.get("saved") === "saved") show();
+  });
+  return element;
+
+  async function show() {
+    const number = ++asked;
+    const response = await fetch("/api/sessions").catch(() => null);
+    const sessions = response?.ok ? await response.json() : null;
+    if (number !== asked || sessions === null || list.contains(document.activeElement)) return;
+    fill(list, ...sessions.map(row));
+  }
+
+  function row(entry) {
+    const { session, title, line, changed } = entry;
+    const here = session === store.get("session");
+    const called = title || line || "Untitled";
+    const name = make("input", {
+      type: "text",
+      value: title,
+      maxlength: 80,
+      placeholder: line || "Untitled",
+      "aria-label": `Name of the session “${called}”`,
+      onchange: () => act(session, `rename?title=${encodeURIComponent(name.value)}`),
+    });
+    const open = button(here ? "Open now" : "Open", {
+      disabled: here,
+      "aria-label": `Open the session “${called}”`,
+      onclick: () => {
+        location.hash = session;
+      },
+    });
+    const copy = button("Copy", {
+      "aria-label": `Copy the session “${called}”`,
+      onclick: async () => (await act(session, "copy")) && show(),
+    });
+    const remove = button("Delete", {
+      disabled: entry.open,
+      title: entry.open ? "It is open in a tab" : null,
+      "aria-label": `Delete the session “${called}”`,
+      onclick: () => drop(session, called),
+    });
+    const when = make("p", { class: "hint" }, new Date(1000 * changed).toLocaleString([], WHEN));
+    const tools = make("div", { class: "row" }, open, copy, remove);
+    return make("li", { "data-session": session, "aria-current": here ? "true" : null }, name, when, tools);
+  }
+
+  async function drop(session, called) {
+    if (!(await act(session, "delete"))) return;
+    document.activeElement?.blur();
+    show();
+    const back = async () => (await act(session, "put-back")) && show();
+    notify(`“${called}” is deleted.`, { label: "Put back", act: back });
+  }
+
+  /** @returns {Promise<boolean>} whether it was done */
+  async function act(session, what) {
+    try {
+      const response = await fetch(`/api/session/${session}/${what}`, { method: "POST" });
+      if (!response.ok) throw new Error((await response.text()).trim());
+      if (what === "copy") document.activeElement?.blur();
+      return true;
+    } catch (error) {
+      notify(error.message);
+      return false;
+    }
+  }
+}
