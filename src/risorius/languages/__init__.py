@@ -6,7 +6,16 @@ otherwise than it is written, `phones.toml` its phones, `mnemonics.toml` how esp
 language without a folder, is as in `und`, the undetermined language.
 """
 
-from .language import Clauses, Language, Questions, plain_word
+from .language import AccentPlaces, Clauses, Language, Nouns, Questions, plain_word
 from .load import language_of, languages
 
-__all__ = ["Clauses", "Language", "Questions", "language_of", "languages", "plain_word"]
+__all__ = [
+    "AccentPlaces",
+    "Clauses",
+    "Language",
+    "Nouns",
+    "Questions",
+    "language_of",
+    "languages",
+    "plain_word",
+]

@@ -28,6 +28,7 @@ class Candidate:
     after_focus: bool
     ends: Ending
     lexical_tone: bool = False
+    deaccented: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +41,7 @@ class AccentRule:
     focus: bool | None = None
     after_focus: bool | None = None
     lexical_tone: bool | None = None
+    deaccented: bool | None = None
     ends: tuple[Ending, ...] = ()
     label: str | None = None
     confidence: Share = 1.0
@@ -57,6 +59,7 @@ class AccentRule:
             (self.focus, candidate.focus),
             (self.after_focus, candidate.after_focus),
             (self.lexical_tone, candidate.lexical_tone),
+            (self.deaccented, candidate.deaccented),
         )
         return all(wanted in (None, given) for wanted, given in pairs) and (
             not self.ends or candidate.ends in self.ends

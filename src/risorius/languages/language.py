@@ -5,6 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from enum import StrEnum
 from typing import Annotated
 
 from ..core.hints import Range
@@ -57,6 +58,34 @@ class Clauses:
     least: Annotated[int, Range(1, 50)] = 3
 
 
+class Nouns(StrEnum):
+    """How nouns are told from other content words."""
+
+    CAPITALS = "capitals"
+    DETERMINERS = "determiners"
+
+
+@dataclass(frozen=True, slots=True)
+class AccentPlaces:
+    """Which content words carry no accent where they stand.
+
+    `trailing`: words at the end of a phrase that the nucleus passes over. `verbs`: how verbs look that end a
+    clause and are unaccented right after a noun ("ge…t": "…" is two letters or more), but those of
+    `not_verbs`; a noun has a capital, or one of `determiners` shortly before it and none of the endings
+    `adjectives`. `group`: most syllables of content words in a row of which only the last is accented, 0 for
+    none. `clash`: no accent right before another one.
+    """
+
+    trailing: tuple[str, ...] = ()
+    verbs: tuple[str, ...] = ()
+    not_verbs: tuple[str, ...] = ()
+    nouns: Nouns = Nouns.DETERMINERS
+    determiners: tuple[str, ...] = ()
+    adjectives: tuple[str, ...] = ()
+    group: Annotated[int, Range(0, 20)] = 0
+    clash: bool = False
+
+
 @dataclass(frozen=True, slots=True)
 class LanguageTable:
     """The file `language.toml`.
@@ -71,6 +100,7 @@ class LanguageTable:
     fillers: tuple[str, ...] = ()
     questions: Questions = Questions()
     clauses: Clauses = Clauses()
+    accents: AccentPlaces = AccentPlaces()
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +128,7 @@ class Language:
     fillers: frozenset[str]
     questions: Questions
     clauses: Clauses
+    accents: AccentPlaces
     onsets: frozenset[tuple[str, ...]]
     spellings: Mapping[str, str]
     abbreviations: Abbreviations

@@ -51,6 +51,7 @@ def _language(code: str) -> Language:
         fillers=frozenset(table.fillers),
         questions=table.questions,
         clauses=table.clauses,
+        accents=table.accents,
         onsets=frozenset(tuple(cluster.split()) for cluster in phones.onsets),
         spellings=phones.spellings,
         abbreviations=_read(Abbreviations, code, "abbreviations.toml"),

@@ -1,7 +1,8 @@
 """Pitch accents and boundary tones: from the text, by its language's rules, and those written by hand.
 
-Content words are accented on the syllable that the engine stresses; the last accent of a phrase is its
-nucleus. Measured against the pitch of a voice, either rule alone finds accents with an F1 near 0.73.
+Content words are accented on the syllable that the engine stresses, but those that their language passes over
+(`deaccent`); the last accent of a phrase is its nucleus. Measured against the pitch of a voice, either rule
+alone finds accents with an F1 near 0.73.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from ...core.directions import UNDIRECTED, Directions, ToneMark
 from ...core.utterance import Accent, Boundary, Phrase, Utterance, Word
 from ...languages import Language, language_of, phonesets
 from ...languages.intonation import Candidate
+from .deaccent import deaccented
 from .phrases import find_phrases
 
 PRIMARY = 2
@@ -76,7 +78,9 @@ def _candidates(
     if only and (strongest := _strongest(utterance, words)) is not None:
         stressed = [strongest]
     word_of = {index: utterance.syllables[index].word for index in stressed}
-    nucleus = max((i for i in stressed if word_of[i] in focused), default=max(stressed, default=-1))
+    silent = set() if only else deaccented(utterance, language, words, stressed, focused)
+    last = max((index for index in stressed if index not in silent), default=-1)
+    nucleus = max((i for i in stressed if word_of[i] in focused), default=last)
     return [
         (
             index,
@@ -88,6 +92,7 @@ def _candidates(
                 after_focus=word_of[index] > min(focused, default=phrase.last_word),
                 ends=phrase.ending,
                 lexical_tone=language.tones,
+                deaccented=index in silent,
             ),
         )
         for index in stressed
