@@ -15,6 +15,8 @@ export class HeadPlayers {
   #heads;
   #figures = [null, null];
   #players;
+  /** How often another head was wanted at each place: one that comes late must not take the place of another. */
+  #casts = [0, 0];
 
   /** @param {HTMLCanvasElement} canvas @param {object} studio store, connection, clock, notify */
   constructor(canvas, { store, connection, clock, notify }) {
@@ -57,6 +59,7 @@ export class HeadPlayers {
 
   /** Put the head of a take at its place, and have it follow the take. */
   async #cast(place, take) {
+    const cast = ++this.#casts[place];
     if (!this.#store.get("catalogue") || (place === 1 && !take)) {
       this.#leave(place);
       return;
@@ -65,12 +68,12 @@ export class HeadPlayers {
     const choices = place === 0 ? this.#store.get("choices") : take.made.choices;
     try {
       const figure = await this.#heads.get(choices, place);
-      if (this.#figures[place] === figure) return;
+      if (this.#casts[place] !== cast || this.#figures[place] === figure) return;
       this.#figures[place] = figure;
       this.stage.figures = this.#figures.filter((found) => found !== null);
       this.#players[place].update();
     } catch (error) {
-      this.#notify(`The head cannot be shown: ${error.message}`);
+      if (this.#casts[place] === cast) this.#notify(`The head cannot be shown: ${error.message}`);
     }
   }
 

@@ -23,11 +23,13 @@ const OFFERED = [
 ];
 const MOST_LISTED = 8;
 const WAIT = 250;
+const BUSY = "Performing the other take …";
 
 /** @param {HTMLElement} element @param {object} studio */
 export function mountCompare(element, studio) {
   const { store, actions } = studio;
   let other = {}; // what the second take has other than the first
+  let asked = 0; // how often a comparison was asked for or ended: what comes late is not wanted any more
   const form = make("div", { class: "stack" });
   const note = make(
     "p",
@@ -35,10 +37,11 @@ export function mountCompare(element, studio) {
     "The take is on the left. On the right is the same line with these settings:",
   );
   const show = button("Show side by side", { class: "primary", id: "compare", onclick: compare });
-  const end = button("Show one head", { id: "compare-end", onclick: () => store.set({ other: null }) });
+  const end = button("Show one head", { id: "compare-end", onclick: finish });
   const table = make("div", { class: "stack tight" });
   element.append(note, form, table, make("div", { class: "panel-foot" }, show, end));
   const again = settled(() => store.get("other") && compare(), WAIT);
+  let comparing = false;
   let rows = null;
   store.watch(["catalogue"], () => {
     const catalogue = store.get("catalogue");
@@ -50,10 +53,10 @@ export function mountCompare(element, studio) {
     rows?.show({ ...store.get("choices"), ...other });
     if (rows) mark();
   });
-  store.watch(["take"], () => (store.get("take") === null ? store.set({ other: null }) : again()));
+  store.watch(["take"], () => (store.get("take") === null ? finish() : again()));
   store.watch(["take", "other", "link"], () => {
     show.disabled = store.get("take") === null || store.get("link") !== "up";
-    end.hidden = store.get("other") === null;
+    end.hidden = store.get("other") === null && !comparing;
     fill(table, ...differences(store.get("take"), store.get("other"), store.get("catalogue")));
   });
 
@@ -69,10 +72,23 @@ export function mountCompare(element, studio) {
   }
 
   async function compare() {
-    store.set({ busy: "Performing the other take …" });
+    const [number, label] = [++asked, labelOf(other)];
+    [comparing, end.hidden] = [true, false];
+    store.set({ busy: BUSY });
     const answer = await actions.ask("compare", { choices: { ...store.get("choices"), ...other } });
-    store.set({ busy: "" });
-    if (answer) store.set({ other: { ...takeOf(answer), label: labelOf(other) }, dial: null });
+    if (number !== asked) return;
+    comparing = false;
+    if (store.get("busy") === BUSY) store.set({ busy: "" });
+    if (answer) store.set({ other: { ...takeOf(answer), label }, dial: null });
+    else end.hidden = store.get("other") === null;
+  }
+
+  /** Show one head, also if the second is still on its way. */
+  function finish() {
+    asked += 1;
+    [comparing, end.hidden] = [false, true];
+    if (store.get("busy") === BUSY) store.set({ busy: "" });
+    store.set({ other: null });
   }
 }
 
