@@ -50,3 +50,11 @@ def test_an_edited_profile_is_performed_from_a_file_of_the_session(tmp_path):
     settings = settings_of(Choices(profile_text=text), tmp_path)
     assert profile_of(settings.profile).blinks.wait == 2.5
     assert [path.suffix for path in tmp_path.iterdir()] == [".toml"]
+
+
+def test_a_rule_that_is_none_is_named_without_a_path_of_this_machine(tmp_path):
+    with pytest.raises(RisoriusError) as caught:
+        settings_of(Choices(rules_off=("../../x",)), tmp_path)
+    assert str(caught.value).startswith("rules_off:1:11: unknown rule")
+    assert str(tmp_path) not in str(caught.value)
+    assert not list(tmp_path.iterdir())

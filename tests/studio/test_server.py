@@ -191,11 +191,11 @@ def test_an_edit_is_told_explained_undone_and_there_after_a_reload(server):
         assert back["redoes"]
         assert "nothing to redo" in (page.ask("redo") and page.refused("redo"))
         assert "unknown block 'x'" in page.refused("edit", kind="delete", movement="x")
-        page.ask("view", view={"playhead": 1.5})
+        page.ask("view", view={"time": 1.5})
     with server.page("edit") as page:
         state = page.ask("open")
         assert state["take"]["take"] == drawn["take"]
-        assert state["view"] == {"playhead": 1.5}
+        assert state["view"]["time"] == 1.5
         assert [d["parameter"] for d in state["take"]["drawn"]] == ["mentalis.left"]
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import base64
+import io
 import json
 import wave
 
 import numpy as np
 import pytest
+import soundfile
 
 from risorius.core.edits import Add, Keys
 from risorius.core.progress import quiet
@@ -15,6 +18,7 @@ from risorius.studio.autosave import FILE, Autosave
 from risorius.studio.project import open_project, project_file
 from risorius.studio.session import Session
 from risorius.studio.wire import requests, shared
+from risorius.studio.wire.views import PageView
 
 from .sessions import edit, perform, state
 
@@ -25,7 +29,7 @@ def test_a_project_opens_exactly_elsewhere(session, tmp_path):
     perform(session, emotions=(shared.EmotionSpan("grin", 0.9, first=3, last=9),))
     edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
     edit(session, Keys("masseter", ((0.5, 0.0), (1.0, 0.7))))
-    session.keep_view(requests.View({"tab": "rules"}), quiet)
+    session.keep_view(requests.View(PageView("rules")), quiet)
     folder = tmp_path / "other"
     folder.mkdir()
     other = Session("two", folder)
@@ -90,7 +94,7 @@ def test_a_session_saves_itself_and_goes_on_after_a_crash(session, tmp_path):
     autosave = Autosave(tmp_path)
     autosave.save(session)
     edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
-    session.keep_view(requests.View({"camera": 2}), quiet)
+    session.keep_view(requests.View(PageView(time=2.0)), quiet)
     autosave.save(session)
     again = Session("one", tmp_path)
     assert Autosave(tmp_path).load(again) == ()
@@ -201,3 +205,61 @@ def test_what_a_project_replaces_can_be_put_back(session, tmp_path):
     assert session.history.redoes == "open the project"
     with pytest.raises(RisoriusError, match="nothing to go back to"):
         session.undo(requests.Undo(opened=True), quiet)
+
+
+HOSTILE = [
+    ({"time": "abc"}, 'view.time = "abc" cannot be used'),
+    ({"graphs": {"folded": 7}}, "view.graphs.folded = 7 cannot be used"),
+    ({"camera": "junk"}, "view.camera"),
+    ({"camera": {"centre": [0, 0], "height": 1, "turn": 0, "tilt": 0}}, "view.camera.centre"),
+    ({"graphs": {"chosen": ["x"] * 201}}, "has 201 entries; expected up to 200"),
+    ({"graphs": {"sides": {"x" * 61: "left"}}}, "more than 60 characters"),
+    ({"notes": "x" * 20_000_000}, "unknown key 'view.notes'"),
+]
+
+
+@pytest.fixture(scope="module")
+def small_project(tmp_path_factory):
+    session = Session("small", tmp_path_factory.mktemp("small"))
+    perform(session, "Hm.")
+    return project_file(session)
+
+
+@pytest.mark.parametrize(("view", "message"), HOSTILE, ids=lambda given: str(given)[:40])
+def test_a_view_that_cannot_be_shown_is_refused(session, small_project, view, message):
+    document = json.loads(small_project) | {"view": view}
+    with pytest.raises(RisoriusError) as caught:
+        open_project(json.dumps(document).encode(), session.files)
+    assert message in str(caught.value)
+    assert len(str(caught.value)) < 300
+
+
+def test_a_session_whose_view_cannot_be_shown_is_not_lost(session, tmp_path):
+    perform(session, "Hm.")
+    Autosave(tmp_path).save(session)
+    document = json.loads((tmp_path / FILE).read_text()) | {"view": {"playhead": "x"}}
+    (tmp_path / FILE).write_text(json.dumps(document))
+    again = Session("one", tmp_path)
+    assert Autosave(tmp_path).load(again) == ()
+    assert (again.view, again.current is not None) == (PageView(), True)
+
+
+def _flac(seconds, claimed=None):
+    buffer = io.BytesIO()
+    soundfile.write(
+        buffer, np.zeros(int(22_050 * seconds), np.int16), 22_050, format="FLAC", subtype="PCM_16"
+    )
+    data = bytearray(buffer.getvalue())
+    if claimed is not None:
+        # STREAMINFO: 36 bits of the number of samples, from bit 4 of byte 21 of the file on.
+        data[21] = data[21] & 0xF0 | claimed >> 32
+        data[22:26] = (claimed & 0xFFFFFFFF).to_bytes(4, "big")
+    return base64.b64encode(bytes(data)).decode()
+
+
+@pytest.mark.parametrize("sound", [_flac(0.1, 2**36 - 1), _flac(100.0)], ids=["claims", "is long"])
+def test_a_sound_is_not_decoded_beyond_its_speech(session, small_project, sound):
+    document = json.loads(small_project) | {"sound": sound}
+    with pytest.raises(RisoriusError, match="sound") as caught:
+        open_project(json.dumps(document).encode(), session.files)
+    assert "\n" not in str(caught.value)

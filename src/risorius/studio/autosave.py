@@ -9,18 +9,20 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..core.audio import AudioWriter
+from ..core.schema import MisfitError
 from ..errors import RisoriusError
 from ..ports.atomic import replacing
 from ..ports.layout import write_json
 from ..ports.readable import ScoreFile
 from ..ports.score_json import score_to_json
-from .messages import encoded
+from .messages import encoded, read_message
 from .project import Opened, ProjectVersion, SavedEdits, SavedLost, SavedMade, header, version_of
 from .scores import parsed, read_score
 from .session import Session
 from .session_files import SessionFiles, digest, write_text
 from .version import Version
 from .wire.shared import TakeInputs
+from .wire.views import PageView
 
 FILE = "project.json"
 DRAFT = "draft.json"
@@ -130,7 +132,15 @@ class Autosave:
         sound = None if saved.sound is None else self._folder / Path(saved.sound).name
         score_file = _with_own_sound(read_score(parsed(score.read_bytes(), score.name), sound))
         version = version_of(saved.made, score_file, saved.edits, files, saved.lost)
-        return Opened(version, dict(saved.view)), saved.take
+        return Opened(version, _view(saved.view)), saved.take
+
+
+def _view(saved: Mapping[str, object]) -> PageView:
+    """Return what the page showed; what cannot be shown any more is no reason to lose the session."""
+    try:
+        return read_message(PageView, saved)
+    except (RisoriusError, MisfitError):
+        return PageView()
 
 
 def _with_own_sound(score_file: ScoreFile) -> ScoreFile:

@@ -11,6 +11,7 @@ from ..errors import InputError, unknown
 from ..face.head import shipped_heads
 from ..rules.profiles import profile as named_profile
 from ..rules.profiles import profile_from, profile_texts
+from ..rules.rule_set import extended, shipped
 from ..settings import BlendChoices, Settings
 from ..settings import settings_of as settings_from
 from ..speech.engines.registry import is_voice_file
@@ -55,4 +56,7 @@ def _profile(choices: Choices, folder: Path) -> str:
 def _rules(off: tuple[str, ...], folder: Path) -> Path | None:
     if not off:
         return None
-    return kept_table(f"delete = {json.dumps(sorted(set(off)))}\n", "rules", folder)
+    text = f"delete = {json.dumps(sorted(set(off)))}\n"
+    # Read before it is a file: an error names the setting, not a path of this machine.
+    extended(shipped(), text, "rules_off")
+    return kept_table(text, "rules", folder)

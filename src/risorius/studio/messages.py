@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from typing import Any, TypeVar, cast
@@ -17,6 +18,7 @@ from .wire.requests import EDITS, VERBS, Preview
 
 T = TypeVar("T")
 MOST_ID = 2**53
+_BEGINNING = re.compile(r'\s*\{\s*"id"\s*:\s*(\d{1,16})\s*,')
 _EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}
 
 
@@ -47,10 +49,12 @@ def decode(text: str) -> Request:
     try:
         data = _parsed(text)
         number = _number(data)
+        if is_too_deep(data):
+            raise InputError(f"the message {TOO_DEEP}")
         return Request(number, _body(data))
     except RisoriusError as error:
         bad = BadRequestError(error.message)
-        bad.id = number
+        bad.id = _first_number(text) if number is None else number
         raise bad from None
 
 
@@ -59,11 +63,15 @@ def _parsed(text: str) -> dict[str, Any]:
         data = json.loads(text)
     except (ValueError, RecursionError):
         raise InputError("the message is not JSON") from None
-    if is_too_deep(data):
-        raise InputError(f"the message {TOO_DEEP}")
     if not isinstance(data, dict):
         raise InputError("the message is not an object {…}")
     return data
+
+
+def _first_number(text: str) -> int | None:
+    """Return the number of a message that is not JSON but begins as the page's do: the page waits for it."""
+    found = _BEGINNING.match(text)
+    return int(found[1]) if found and int(found[1]) <= MOST_ID else None
 
 
 def _number(data: dict[str, Any]) -> int:

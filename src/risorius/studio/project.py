@@ -34,9 +34,12 @@ from .session import Session
 from .session_files import SessionFiles
 from .version import LostEdit, Version
 from .wire import requests, shared
+from .wire.views import PageView
 
 VERSION = 1
 _PLACE = "project"
+_BLOCK = 65_536  # samples
+_LONGER = 1.0  # s after which a sound is certainly longer than its speech
 _KINDS = {cls: kind for kind, cls in requests.EDITS.items()}
 
 
@@ -58,6 +61,11 @@ def _edit(members: Mapping[str, object]) -> Edit:
     return edit
 
 
+def _view(members: Mapping[str, object]) -> PageView:
+    return read_message(PageView, members)
+
+
+SavedView = Annotated[PageView, Then(_view, of=Mapping[str, object])]
 ProjectVersion = Annotated[int, Then(_known_version)]
 SavedMade = Annotated[shared.TakeInputs, Then(_made, of=Mapping[str, object])]
 
@@ -94,7 +102,7 @@ class ProjectDocument:
     made: SavedMade
     edits: SavedEdits
     score: ScoreDocument
-    view: Mapping[str, object] = field(default_factory=dict)
+    view: SavedView = field(default_factory=PageView)
     lost: SavedLost = ()
     sound: str | None = None
     recording: RecordingEntry | None = None
@@ -107,17 +115,17 @@ class Opened:
     """What a project holds."""
 
     version: Version
-    view: dict[str, object]
+    view: PageView
 
 
-def header(version: Version, view: Mapping[str, object]) -> dict[str, Any]:
+def header(version: Version, view: PageView) -> dict[str, Any]:
     """Return what a project says beside score and sound."""
     return {
         "risorius_project": VERSION,
         "made": encoded(version.inputs),
         "edits": [_kept_edit(edit) for edit in version.edits],
         "lost": [{"text": it.text, "edit": it.edit and _kept_edit(it.edit)} for it in version.lost],
-        "view": dict(view),
+        "view": encoded(view),
     }
 
 
@@ -168,7 +176,7 @@ def _opened(project: ProjectDocument, files: SessionFiles) -> Opened:
     with within("sound"):
         utterance = _sounding(file.utterance, project.sound)
     version = version_of(inputs, ScoreFile(file.score, utterance), project.edits, files, project.lost)
-    return Opened(version, dict(project.view))
+    return Opened(version, project.view)
 
 
 def version_of(
@@ -213,20 +221,23 @@ def _sounding(utterance: Utterance | None, sound: str | None) -> Utterance | Non
     if utterance is None or sound is None:
         return utterance
     try:
-        return replace(utterance, audio=_sound(sound))
+        return replace(utterance, audio=_sound(sound, utterance.duration))
     except ValueError as error:
         raise InputError(
             f"the sound does not fit the speech: {error}; expected one of the same length"
         ) from None
 
 
-def _sound(text: str) -> Audio:
+def _sound(text: str, seconds: float) -> Audio:
+    """Return a sound; it is read block by block, and no further than the speech lasts."""
     try:
-        samples, rate = soundfile.read(io.BytesIO(_bytes(text)), dtype="int16")
+        with soundfile.SoundFile(io.BytesIO(_bytes(text))) as file, AudioWriter(file.samplerate) as writer:
+            if file.channels != 1:
+                raise InputError("has several channels; expected one")
+            for block in file.blocks(_BLOCK, dtype="int16"):
+                writer.append(np.asarray(block, np.int16))
+                if writer.frames > (seconds + _LONGER) * file.samplerate:
+                    raise InputError(f"the sound is longer than the speech; expected {seconds:.2f} s")
+            return writer.finish()
     except (RuntimeError, OSError) as error:
         raise InputError(f"is not a sound: {error}; expected a FLAC file") from None
-    if samples.ndim != 1:
-        raise InputError("has several channels; expected one")
-    with AudioWriter(rate) as writer:
-        writer.append(np.asarray(samples, np.int16))
-        return writer.finish()

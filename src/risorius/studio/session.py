@@ -24,6 +24,7 @@ from .prefetch import Prefetch, worth_it
 from .session_files import SessionFiles
 from .version import LostEdit, Version, worded
 from .wire import answers, requests, shared, takes
+from .wire.views import PageView
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
 SETTLING = 0.5
@@ -51,7 +52,7 @@ class Session:
         self.takes: OrderedDict[int, SessionTake] = OrderedDict()
         self.history: History[Version] = History(limits.UNDO)
         self.current: SessionTake | None = None
-        self.view: dict[str, object] = {}
+        self.view = PageView()
         self.notes: tuple[str, ...] = ()
         self.draft: shared.TakeInputs | None = None
         self._performer = Performer(self.files)
@@ -148,7 +149,7 @@ class Session:
 
     def keep_view(self, request: requests.View, progress: Progress) -> answers.Done:
         """Save the view of the page."""
-        self.view = dict(request.view)
+        self.view = request.view
         return answers.Done()
 
     def live(self, number: int) -> SessionTake:
@@ -162,13 +163,13 @@ class Session:
         """The number of the last take; numbers are never used twice."""
         return self._number
 
-    def restore(self, version: Version, view: dict[str, object], number: int = 0) -> None:
+    def restore(self, version: Version, view: PageView, number: int = 0) -> None:
         """Restore a saved version; each of its edits can be undone. Takes are numbered from `number` on."""
         self._number = max(self._number, number)
         self._take_up(version, History(limits.UNDO), "perform")
         self.view = view
 
-    def open_version(self, version: Version, view: dict[str, object]) -> None:
+    def open_version(self, version: Version, view: PageView) -> None:
         """Show the version of another project; undo leads through its edits to what was here before."""
         self._take_up(version, self.history.copy(), OPENED)
         self.view = view

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import AsyncIterator
 from pathlib import Path
 
 from starlette.requests import ClientDisconnect, Request
 
 from ..errors import InputError
+
+
+class UnfinishedUploadError(InputError):
+    """The client went before all of an upload was here: nobody hears the answer."""
 
 
 class TooLargeError(InputError):
@@ -21,11 +26,11 @@ async def to_file(request: Request, folder: Path, most: int) -> Path:
     path, size = Path(name), 0
     try:
         with os.fdopen(number, "wb") as file:
-            async for piece in request.stream():
+            async for piece in _pieces(request):
                 size += len(piece)
                 _check(size, most)
                 file.write(piece)
-    except (InputError, ClientDisconnect, OSError):
+    except (InputError, OSError):
         path.unlink(missing_ok=True)
         raise
     return path
@@ -34,10 +39,18 @@ async def to_file(request: Request, folder: Path, most: int) -> Path:
 async def to_memory(request: Request, most: int) -> bytes:
     """Return the request's body; raise TooLargeError beyond `most` bytes."""
     data = bytearray()
-    async for piece in request.stream():
+    async for piece in _pieces(request):
         _check(len(data) + len(piece), most)
         data += piece
     return bytes(data)
+
+
+async def _pieces(request: Request) -> AsyncIterator[bytes]:
+    try:
+        async for piece in request.stream():
+            yield piece
+    except ClientDisconnect:
+        raise UnfinishedUploadError("the upload was broken off") from None
 
 
 def _check(size: int, most: int) -> None:

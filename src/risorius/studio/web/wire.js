@@ -132,6 +132,29 @@
  * @property {Array<EmotionSpan>} emotions
  */
 /**
+ * Where the head is seen from: centre and height of what is seen in metres, turn and tilt in degrees.
+ * @typedef {Object} CameraView
+ * @property {[number, number, number]} centre
+ * @property {number} height
+ * @property {number} turn
+ * @property {number} tilt
+ */
+/**
+ * Which muscles have graphs (null: those that move most), which sides, and which lanes are folded.
+ * @typedef {Object} GraphsView
+ * @property {Array<string>|null} [chosen]
+ * @property {Object<string, "both"|"left"|"right">} [sides]
+ * @property {Array<string>} [folded]
+ */
+/**
+ * The open panel, the camera, the playhead and the graphs; null where nothing was chosen.
+ * @typedef {Object} PageView
+ * @property {string|null} [tab]
+ * @property {CameraView|null} [camera]
+ * @property {number|null} [time]
+ * @property {GraphsView|null} [graphs]
+ */
+/**
  * Ask for the session's state; answered by State.
  * @typedef {Object} Open
  * @property {"open"} do
@@ -310,10 +333,10 @@
  * @property {"project"} do
  */
 /**
- * Save the page's view (camera, tab, playhead …) with the project; the server does not interpret it.
+ * Save the page's view (camera, tab, playhead …) with the project.
  * @typedef {Object} View
  * @property {"view"} do
- * @property {Object<string, any>} view
+ * @property {PageView} view
  */
 /**
  * A word; `first` and `last` are its characters in the script's text. Seconds.
@@ -448,7 +471,7 @@
  * @property {Array<string>} recordings
  * @property {Array<string>} emotions
  * @property {Object<string, Object<string, number>>} poses
- * @property {Object<string, any>} view
+ * @property {PageView} view
  * @property {Array<string>} notes
  * @property {TakeInputs|null} draft
  */

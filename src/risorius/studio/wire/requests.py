@@ -11,6 +11,7 @@ from ...core.hints import Range
 from ...core.units import Seconds, Share
 from .choices import export_class
 from .shared import Choices, EmotionSpan, Source, Whole
+from .views import PageView
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,9 +230,9 @@ class Project:
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """Save the page's view (camera, tab, playhead …) with the project; the server does not interpret it."""
+    """Save the page's view (camera, tab, playhead …) with the project."""
 
-    view: Mapping[str, object]
+    view: PageView
 
 
 VERBS: Mapping[str, type] = {

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from .shared import TakeInputs
+from .views import PageView
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +171,7 @@ class State:
     recordings: tuple[str, ...]
     emotions: tuple[str, ...]
     poses: Mapping[str, Mapping[str, float]]
-    view: Mapping[str, object]
+    view: PageView
     notes: tuple[str, ...] = ()
     draft: TakeInputs | None = None
 

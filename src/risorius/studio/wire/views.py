@@ -1,0 +1,63 @@
+"""What a page shows, as it is saved with the project. Projects are also of other people: it is bounded."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Annotated, Literal, TypeVar
+
+from ...core.hints import Range, Then
+from ...core.units import Seconds
+from ...errors import InputError
+
+MOST_NAMES = 200
+LONGEST_NAME = 60
+
+_Names = TypeVar("_Names", tuple[str, ...], Mapping[str, str])
+
+
+def _few(names: _Names) -> _Names:
+    if len(names) > MOST_NAMES:
+        raise InputError(f"has {len(names)} entries; expected up to {MOST_NAMES}")
+    if any(len(name) > LONGEST_NAME for name in names):
+        raise InputError(f"has a name of more than {LONGEST_NAME} characters")
+    return names
+
+
+def _short(name: str) -> str:
+    return name[:LONGEST_NAME]
+
+
+Metres = Annotated[float, Range(-10.0, 10.0)]
+AnyDegrees = Annotated[float, Range(-1e6, 1e6)]
+Side = Literal["both", "left", "right"]
+FewNames = Annotated[tuple[str, ...], Then(_few)]
+
+
+@dataclass(frozen=True, slots=True)
+class CameraView:
+    """Where the head is seen from: centre and height of what is seen in metres, turn and tilt in degrees."""
+
+    centre: tuple[Metres, Metres, Metres]
+    height: Annotated[float, Range(0.01, 10.0)]
+    turn: AnyDegrees
+    tilt: Annotated[float, Range(-90.0, 90.0)]
+
+
+@dataclass(frozen=True, slots=True)
+class GraphsView:
+    """Which muscles have graphs (null: those that move most), which sides, and which lanes are folded."""
+
+    chosen: FewNames | None = None
+    sides: Annotated[Mapping[str, Side], Then(_few)] = field(default_factory=dict)
+    folded: FewNames = ()
+
+
+@dataclass(frozen=True, slots=True)
+class PageView:
+    """The open panel, the camera, the playhead and the graphs; null where nothing was chosen."""
+
+    tab: Annotated[str, Then(_short)] | None = None
+    camera: CameraView | None = None
+    time: Seconds | None = None
+    graphs: GraphsView | None = None
