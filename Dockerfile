@@ -1,6 +1,7 @@
 # docker build -t risorius .
 # docker run --rm --read-only --tmpfs /tmp -v "$PWD:/work" --user "$(id -u):$(id -g)" risorius speak "Hello!" -o hello.mp4
-FROM python:3.13-slim AS build
+# The digests of requirements/run.txt are those of the files for CPython 3.11 on Linux with x86-64.
+FROM --platform=linux/amd64 python:3.11-slim AS build
 WORKDIR /src
 COPY requirements/run.txt requirements/run.txt
 RUN python -m venv /opt/risorius && /opt/risorius/bin/pip install --no-cache-dir --require-hashes -r requirements/run.txt
@@ -13,7 +14,7 @@ RUN /opt/risorius/bin/risorius pose AU12=1 --size 64x64 -o /tmp/warm.png \
  && /opt/risorius/bin/risorius speak "Warm." --size 64x64 --fps 4 -o /tmp/warm.mp4 \
  && chmod -R a+rX /opt/risorius-cache
 
-FROM python:3.13-slim
+FROM --platform=linux/amd64 python:3.11-slim
 RUN useradd --create-home --uid 10001 risorius
 COPY --from=build /opt/risorius /opt/risorius
 COPY --from=build /opt/risorius-cache /opt/risorius-cache

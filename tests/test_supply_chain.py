@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-FILES = {name: ROOT / "requirements" / f"{name}.txt" for name in ("run", "test")}
+FILES = {name: ROOT / "requirements" / f"{name}.txt" for name in ("run", "test", "site")}
 _ENTRY = re.compile(r"([a-z0-9-]+)==([\w.+!-]+)((?: \\\n    --hash=sha256:[0-9a-f]{64})+)\n")
 _PERMISSIVE = re.compile(
     r"\b(MIT|BSD|Apache|PSF|ISC|0BSD|Zlib|CC0|HPND|free and unencumbered|granted, free of charge)\b",
@@ -46,6 +46,7 @@ def test_all_that_is_needed_is_locked_with_digests() -> None:
     needed = names(project["project"]["dependencies"]) | names(project["build-system"]["requires"])
     assert needed <= locked("run").keys()
     assert names(project["project"]["optional-dependencies"]["test"]) <= locked("test").keys()
+    assert names(project["project"]["optional-dependencies"]["site"]) <= locked("site").keys()
     assert locked("run").items() <= locked("test").items()
 
 

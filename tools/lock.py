@@ -1,11 +1,11 @@
 """Writes `requirements/`: the packages with which Risorius is tested, each with the digests of its files.
 
-    pip install --dry-run --ignore-installed --report 311.json ".[test]" hatchling editables
+    pip install --dry-run --ignore-installed --report 311.json ".[test,site]" hatchling editables
     python tools/lock.py 311.json
 
 The reports are pip's, one for each platform. `run.txt` is what Risorius needs to run and to be built,
-`test.txt` that and what the tests need. The files name no host: whatever index pip is configured for must
-have files with these digests.
+`test.txt` that and what the tests need, `site.txt` what builds the site of the docs. The files name no host:
+whatever index pip is configured for must have files with these digests.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def lines(names: Iterable[str], pins: Mapping[str, str], digests: Mapping[str, s
 
 
 def main(reports: Sequence[str]) -> None:
-    """Write both files from pip's reports."""
+    """Write the files from pip's reports."""
     pins: dict[str, str] = {}
     needs: dict[str, Sequence[str]] = {}
     digests: dict[str, set[str]] = {}
@@ -82,6 +82,7 @@ def main(reports: Sequence[str]) -> None:
     FOLDER.mkdir(exist_ok=True)
     (FOLDER / "run.txt").write_text(lines(run, pins, digests))
     (FOLDER / "test.txt").write_text(lines(test, pins, digests))
+    (FOLDER / "site.txt").write_text(lines(closure(extras["site"], needs), pins, digests))
 
 
 if __name__ == "__main__":
