@@ -1,6 +1,7 @@
 """Spoilt files of every kind: read, or refused in one line, within bounds of time and memory.
 
-Every day a few of each; `--full` tries 20,000, and others in each run; RISORIUS_FUZZ sets another number.
+Every day 300 of each, a few of them hypothesis's; under `--full` it tries 20,000, and others in each run;
+RISORIUS_FUZZ sets another number. `python -m tests.fuzz` reads many more in the same time.
 """
 
 from __future__ import annotations
@@ -27,11 +28,13 @@ from risorius.ports.formats import FORMATS
 from risorius.script.read import READERS as SCRIPTS
 
 from ..profiles import samples
+from .cases import spoilt
 from .guard import bounded, one_line_or_done
 from .mutation import mutated
 from .readers import PACKAGE, READERS
 
 CASES = int(os.environ.get("RISORIUS_FUZZ", samples(20_000, 12)))
+COUNTED = samples(2000, 288)
 PACKAGE_TABLES = {
     "Articulation", "Attitude", "BmlTable", "Bulge", "EdgeTable", "Expression", "FuzzyTable", "MarkupTable",
     "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "Tradeoffs", "Viseme",
@@ -77,6 +80,19 @@ def test_a_spoilt_file_is_read_or_refused(
     path.write_bytes(data.draw(mutated(reader.samples())))
     with one_line_or_done():
         reader.read(path)
+
+
+@pytest.mark.filterwarnings("ignore::risorius.errors.RisoriusWarning")
+@pytest.mark.parametrize("suffix", READERS)
+def test_counted_spoilt_files_are_read_or_refused(suffix: str, tmp_path: Path) -> None:
+    path = tmp_path / f"spoilt{suffix}"
+    for number in range(COUNTED):
+        path.write_bytes(spoilt(suffix, number))
+        try:
+            with one_line_or_done():
+                READERS[suffix].read(path)
+        except (pytest.fail.Exception, AssertionError) as error:
+            raise AssertionError(f"spoilt({suffix!r}, {number}): {error}") from error
 
 
 NOT_NUMBERS = (float("inf"), float("-inf"), float("nan"), True, "1", None, [], {})
