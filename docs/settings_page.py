@@ -38,6 +38,7 @@ def page() -> str:
 
 def _refusal(source: InputKind) -> str:
     refused = ", ".join(stage for stage in Stage if stage not in source.stages)
+    refused += "".join(f", but not `{name}`" for name in source.also)
     return f"| {source.what} | {refused} | {source.reason.partition(';')[0]} |\n"
 
 

@@ -13,7 +13,7 @@ from .core.movement import Cause, ManualCurve
 from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import BlendSettings, Score
-from .errors import InputError, Place
+from .errors import InputError, Place, UnreadError
 from .pipeline import combine, perform
 from .ports.performance_json import read_performance_file
 from .ports.score_json import read_score_file
@@ -24,7 +24,7 @@ from .settings import BlendChoices, Settings
 from .speech import Input, Recording, hear, read_transcript
 from .speech.recordings.recording import read_recording
 from .take import Take
-from .unread import CAPTURE, CHARACTER, PERFORMANCE, POSE, SCORE, refuse
+from .unread import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, refuse
 
 if TYPE_CHECKING:
     from .ports.rig import Rig, Shown
@@ -59,16 +59,26 @@ def speak(
         arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
         refuse(settings, SCORE, Place(script), **arguments)
         return mix(script, settings=settings, progress=progress)
-    return perform(Input(script, audio, transcript, text, source), displays, settings, progress)
+    named = Input(script, audio, transcript, text, source, language=settings.language)
+    return perform(named, displays, settings, progress)
 
 
-def align(audio: FileName, transcript: str | None = None, *, progress: Progress = quiet) -> Take:
+def align(
+    audio: FileName,
+    transcript: str | None = None,
+    *,
+    language: str | None = None,
+    progress: Progress = quiet,
+) -> Take:
     """Return what is said when, and how, in a recording of `transcript` (a text, or the name of its file).
 
+    `language` is that of the transcript, by default English; without one the words are recognized as English.
     The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
     where.
     """
-    _, utterance = hear(Recording(audio, read_transcript(transcript)), progress)
+    if transcript is None and language is not None:
+        raise UnreadError(["language"], RECOGNIZED, Place(str(audio)))
+    _, utterance = hear(Recording(audio, read_transcript(transcript), language=language), progress)
     return combine(Score(utterance.duration, text=utterance.text), Settings(), utterance)
 
 

@@ -158,7 +158,7 @@ class Settings:
     """All settings of a performance; frozen, checked on creation (InputError names the one at fault)."""
 
     language: str | None = _voice(
-        "Language", None, "Language, spoken by its first voice: de, fr, cmn …",
+        "Language", None, "Language, spoken by its first voice, or of a recording: de, fr, cmn …",
         metavar="CODE", names="speech.engines.voices:languages", find=BY_VOICE, unset="of the voice")
     voice: str | None = _voice(
         "Voice", None, "The voice ('risorius list voices'), or its file.",

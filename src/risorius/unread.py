@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from .core.setting import Row, Stage, rows
@@ -18,11 +18,15 @@ SHOWN = (Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE)
 
 @dataclass(frozen=True, slots=True)
 class InputKind:
-    """Something that is performed: `what` it is, the `stages` that it goes through, and why no others."""
+    """Something that is performed: `what` it is, the `stages` that it goes through, and why no others.
+
+    `also`: settings of other stages that it reads.
+    """
 
     what: str
     stages: Collection[Stage]
     reason: str
+    also: Collection[str] = ()
 
 
 SCORE = InputKind(
@@ -44,6 +48,7 @@ RECORDING = InputKind(
     "a recording",
     [stage for stage in Stage if stage is not Stage.VOICE],
     "the voice is recorded; expected no option of a synthesized voice",
+    ("language",),
 )
 LABELS = InputKind(
     "a TextGrid",
@@ -62,6 +67,7 @@ CHARACTER = InputKind(
     "a character is compared with a head; expected only head, age or shape",
 )
 INPUTS = (RECORDING, LABELS, SILENCE, SCORE, PERFORMANCE, CAPTURE, POSE, CHARACTER)
+RECOGNIZED = "words are recognized as English only; expected a transcript as well"
 SCHEDULED = "the times of this script are absolute; silence is added around plain text only"
 
 
@@ -120,7 +126,11 @@ def values_read(settings: Settings, stage: Stage) -> tuple[object, ...]:
 def refuse(settings: Settings, kind: InputKind, place: Place | None = None, **arguments: object) -> None:
     """Raise UnreadError for settings that no stage of an input reads, and for `arguments` but None and ()."""
     unread = [name for name, value in arguments.items() if value is not None and value != ()]
-    unread += [name for name in chosen(settings) if rows(Settings)[name].entry.stage not in kind.stages]
+    unread += [
+        name
+        for name in chosen(settings)
+        if rows(Settings)[name].entry.stage not in kind.stages and name not in kind.also
+    ]
     if unread:
         raise UnreadError(unread, kind.reason, place)
 
@@ -129,8 +139,10 @@ def refuse_unread(source: Script | Recording | LabelledRecording, settings: Sett
     """Raise UnreadError for settings of a synthesized voice that a source has no use for."""
     if isinstance(source, Recording):
         refuse(settings, RECORDING, Place(str(source.audio)))
+        if settings.language is not None and source.transcript is None and source.script is None:
+            raise UnreadError(["language"], RECOGNIZED, Place(str(source.audio)))
     elif isinstance(source, LabelledRecording):
-        kind = LABELS if source.audio is None else RECORDING
+        kind = LABELS if source.audio is None else replace(RECORDING, also=())
         refuse(settings, kind, Place(str(source.audio or source.labels)))
     elif not source.lines:
         refuse(settings, SILENCE)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from ..errors import InputError, Place, RisoriusError, UnreadError
@@ -82,7 +82,8 @@ class JobMaker:
         if settings.look.transparent:
             check_alpha(Target(local_path(pattern.text), pattern.format) for pattern in self.patterns)
         sheet = None if self.sheets is None else str(self.sheets / f"{name}.png")
-        return BatchJob(name, row.place, self._input(cells), emotions, settings, outputs, sheet)
+        given = replace(self._input(cells), language=settings.language)
+        return BatchJob(name, row.place, given, emotions, settings, outputs, sheet)
 
     def _settings(self, cells: Mapping[str, str]) -> dict[str, str]:
         """Return the settings that a row chooses, as texts by name."""

@@ -12,7 +12,7 @@ from urllib.parse import quote
 
 from ..errors import Place
 from ..ports.atomic import replacing
-from ..speech.alignment.doubt import DOUBTFUL_WORD
+from ..speech.alignment.doubt import OWN
 from .outcome import LineResult, LineState, Outcome
 from .places import is_remote
 from .report_page import PageLine, Totals, page
@@ -54,7 +54,7 @@ class Report:
     def _lists(self) -> tuple[list[PageLine], list[PageLine], list[PageLine], list[PageLine]]:
         """Return the lists of the page: failed, in doubt, of an odd pace, and all others."""
         failed = "state = 'failed'"
-        doubtful = f"NOT {failed} AND doubt >= {-DOUBTFUL_WORD}"
+        doubtful = f"NOT {failed} AND doubt >= {-OWN.doubt}"
         odd = f"NOT ({doubtful}) AND pace > 0 AND (pace < {SLOW} OR pace > {FAST})"
         rest = f"NOT {failed} AND NOT ({doubtful}) AND NOT ({odd})"
         return (

@@ -8,7 +8,7 @@ import click
 
 from ..errors import OutputError
 from .console import Console
-from .options import Command, check_outputs, output_option
+from .options import Command, check_outputs, output_option, setting_options
 from .outputs import files_for
 
 
@@ -16,11 +16,12 @@ from .outputs import files_for
 @click.argument("audio")
 @click.argument("transcript", required=False)
 @output_option
-def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None:
+@setting_options(names=("language",))
+def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], language: str | None) -> None:
     """Say when each word and phone of TRANSCRIPT (a text or a file with it) is spoken in AUDIO.
 
     Correct the TextGrid in Praat, then perform it: risorius speak x.TextGrid --audio x.wav. Without a
-    TRANSCRIPT the words are guessed.
+    TRANSCRIPT the words are guessed, as English.
     """
     if not outputs:
         raise OutputError("no output named; expected -o x.TextGrid")
@@ -29,7 +30,7 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...]) -> None
         from ..speech.prosody import speech_rate
 
         check_outputs(files, available=("speech",))
-        take = find(audio, transcript, progress=console.progress)
+        take = find(audio, transcript, language=language, progress=console.progress)
         take.write(*files)
         if said := take.utterance:
             console.say(f"{len(said.words)} words, {speech_rate(said):.1f} syllables per second of speech")

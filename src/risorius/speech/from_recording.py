@@ -31,12 +31,13 @@ class Recording:
     """A recorded voice: the file `audio`, and what is known of what it says.
 
     `transcript`: the words; `script`: what is marked, and the words where there is no transcript. Without
-    either, the words are recognized.
+    either, the words are recognized. `language` is that of the words, by default the script's, or English.
     """
 
     audio: str | PathLike[str]
     transcript: str | None = None
     script: Script | None = None
+    language: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,14 +57,17 @@ def hear(recording: Recording | LabelledRecording, progress: Progress = quiet) -
         utterance = _labelled(recording, progress)
         return _script_of(utterance, recording.labels), utterance
     audio, script = recording.audio, recording.script
+    language = recording.language or (None if script is None else script.language)
     if recording.transcript is not None or script is None:
-        utterance = hear_words(audio, recording.transcript, progress)
+        utterance = hear_words(audio, recording.transcript, progress, language)
     else:
-        utterance = with_written_tones(_hear_script(audio, script, progress), script)
+        utterance = with_written_tones(_hear_script(audio, script, progress, language), script)
     return script or _script_of(utterance, str(audio)), utterance
 
 
-def _hear_script(audio: str | PathLike[str], script: Script, progress: Progress) -> Utterance:
+def _hear_script(
+    audio: str | PathLike[str], script: Script, progress: Progress, language: str | None
+) -> Utterance:
     """Return what is said when a recording reads a script; durations that it writes are its labels."""
     directions = Directions()
     for line in script.lines:
@@ -74,11 +78,19 @@ def _hear_script(audio: str | PathLike[str], script: Script, progress: Progress)
     if dictated is not None:
         message = "phonemes without durations are not used with a recording; expected durations as well"
         warn(f"{dictated.place}: {message}", SpeechWarning)
-    return hear_words(audio, script.text, progress)
+    return hear_words(audio, script.text, progress, language)
 
 
-def hear_words(audio: str | PathLike[str], transcript: str | None, progress: Progress = quiet) -> Utterance:
-    """Return what is said when, and how, in a recording; its words are recognized if None are given."""
+def hear_words(
+    audio: str | PathLike[str],
+    transcript: str | None,
+    progress: Progress = quiet,
+    language: str | None = None,
+) -> Utterance:
+    """Return what is said when, and how, in a recording; its words are recognized if None are given.
+
+    `language` is that of the words that are given, by default English.
+    """
     sound = read_recording(audio)
     try:
         if transcript is None:
@@ -86,7 +98,7 @@ def hear_words(audio: str | PathLike[str], transcript: str | None, progress: Pro
             warn(f"{audio}: {WEAKER}", SpeechWarning)
             return measured(recognize(sound))
         progress("Aligning …")
-        return measured(align(sound, transcript))
+        return measured(align(sound, transcript, language))
     except InputError as error:
         raise error.at(Place(str(audio))) from None
 

@@ -21,7 +21,8 @@ class Input:
 
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
-    name of a file with them. `content`: what the file `script` holds, if it is not to be read from there.
+    name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
+    holds, if it is not to be read from there.
     """
 
     script: str | None = None
@@ -30,6 +31,7 @@ class Input:
     text: bool = False
     name: str = "text"
     content: str | None = None
+    language: str | None = None
 
     @property
     def labels(self) -> str | None:
@@ -52,7 +54,7 @@ def read(source: Input) -> Script | Recording | LabelledRecording:
         return LabelledRecording(source.labels, source.audio)
     script = None if source.script is None else _script(source, source.script)
     if source.audio is not None:
-        return Recording(source.audio, read_transcript(source.transcript), script)
+        return Recording(source.audio, read_transcript(source.transcript), script, source.language)
     if script is None:
         raise InputError("nothing to perform; expected a text, a file or --audio")
     return script

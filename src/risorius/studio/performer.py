@@ -88,7 +88,10 @@ class Performer:
     ) -> tuple[Script, Utterance | None, Displays]:
         """Return a source's script and what is said of it, and where the spans lie in that."""
         if source.recording is not None or source.format == "TextGrid":
-            script, heard = self._heard.get(source, lambda: hear(self._recording(source), progress))
+            language = settings.language
+            script, heard = self._heard.get(
+                (source, language), lambda: hear(self._recording(source, language), progress)
+            )
             return script, heard, _placed(spans, heard)
         script = parse_script(source.script, _SUFFIX[source.format], "script")
 
@@ -103,10 +106,11 @@ class Performer:
         utterance = spoken(displays)
         return script, utterance, _placed(spans, utterance)
 
-    def _recording(self, source: Source) -> Recording | LabelledRecording:
+    def _recording(self, source: Source, language: str | None) -> Recording | LabelledRecording:
         audio = None if source.recording is None else self._files.recording(source.recording)
         if audio is not None and source.format != "TextGrid":
-            return Recording(audio, script=read_script(source.script, text=True) if source.script else None)
+            script = read_script(source.script, text=True) if source.script else None
+            return Recording(audio, script=script, language=language if script else None)
         labels = self._files.folder / "labels.TextGrid"
         labels.write_text(source.script, encoding="utf-8")
         return LabelledRecording(str(labels), audio)

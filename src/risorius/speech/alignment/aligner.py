@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import islice, pairwise
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from ..structure.accents import intone
 from ..structure.pauses import find_pauses
 from ..structure.syllables import syllabify
 from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings
-from .doubt import check_words
+from .doubt import check_words, mean_score
 from .edges import place_edges
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
@@ -30,32 +30,56 @@ UNHEARD_CLOSURE = 0.015
 _LEAST = 0.005
 
 
-def align(audio: Audio, transcript: str) -> Utterance:
-    """Return what is said when in a recording of a `transcript`, in the language of the model (English).
+def align(audio: Audio, transcript: str, language: str | None = None) -> Utterance:
+    """Return what is said when in a recording of a `transcript`, in `language`, by default English.
 
-    Raises InputError for a transcript without words, and for one that does not fit the recording; warns
-    (SpeechWarning) of single words that may not fit.
+    The model is English: the phones of another language are found by the nearest of its phones. Raises
+    InputError for a transcript without words, and for one that does not fit the recording, SpeechError for an
+    unknown language; warns (SpeechWarning) of single words that may not fit.
     """
     resampled = Resampled(audio)
-    _, words = read_transcript(transcript)
+    spoken, words = read_transcript(transcript, language)
     as_decoded: list[AlignedPhone] = []
     aligned: list[AlignedPhone] = []
     for stretch in decoded(resampled, [word.readings for word in words]):
         as_decoded += stretch
         aligned += refined(resampled, stretch)
     check_words(words, as_decoded)
-    return assembled(audio, transcript, aligned, words)
+    return assembled(audio, transcript, owned(aligned, words), words, spoken.language)
+
+
+def owned(aligned: Sequence[AlignedPhone], words: Sequence[ScriptWord]) -> list[AlignedPhone]:
+    """Return aligned phones as those of the words' own language, where that is not the model's."""
+    phones = iter(aligned)
+    found: list[AlignedPhone] = []
+    for phone in phones:
+        own = words[phone.word].own if phone.word >= 0 else ()
+        if not own:
+            found.append(phone)
+            continue
+        inside = iter((phone, *islice(phones, sum(part.parts for part in own) - 1)))
+        for symbol, count in own:
+            parts = list(islice(inside, count))
+            found.append(parts[0]._replace(symbol=symbol, end=parts[-1].end, score=mean_score(parts)))
+    return found
 
 
 def assembled(
-    audio: Audio, text: str, aligned: Sequence[AlignedPhone], words: Sequence[ScriptWord]
+    audio: Audio,
+    text: str,
+    aligned: Sequence[AlignedPhone],
+    words: Sequence[ScriptWord],
+    code: str = MODEL_LANGUAGE,
 ) -> Utterance:
-    """Return the utterance of all aligned phones, contiguous over the sound; every word has a phone."""
+    """Return the utterance of all aligned phones, contiguous over the sound; every word has a phone.
+
+    `code` is the language of the words.
+    """
     phones, timed = _timed(aligned, words, audio.duration)
-    language = language_of(MODEL_LANGUAGE)
+    language = language_of(code)
     syllables = syllabify(phones, timed, language)
     pauses = find_pauses(text, phones, timed, language)
-    return intone(Utterance(text, MODEL_LANGUAGE, audio, phones, timed, syllables, pauses))
+    return intone(Utterance(text, code, audio, phones, timed, syllables, pauses))
 
 
 def decoded(resampled: Resampled, words: Sequence[Readings]) -> Iterator[list[AlignedPhone]]:

@@ -24,18 +24,46 @@ _CURLY = str.maketrans("\u2019\u02bc\u2010\u2011", "''--")
 _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
 
+class OwnPhone(NamedTuple):
+    """A phone of another language than the model's, and how many of the model's stand for it."""
+
+    symbol: str
+    parts: int
+
+
 class ScriptWord(NamedTuple):
-    """A word of the transcript: its place, how it may be said, and its vowels' stress in context."""
+    """A word of the transcript: its place, how it may be said, and its vowels' stress in context.
+
+    `own`: its phones, if they are not the model's; then it has one reading.
+    """
 
     word: Word
     readings: Readings
     stresses: tuple[int, ...]
+    own: tuple[OwnPhone, ...] = ()
 
 
-def read_transcript(text: str) -> tuple[Utterance, tuple[ScriptWord, ...]]:
-    """Return the transcript as espeak-ng says it, and its words; raise InputError if nothing can be said."""
-    spoken = synthesize(text)
-    return spoken, tuple(_script_word(spoken, word) for word in spoken.words)
+def read_transcript(text: str, language: str | None = None) -> tuple[Utterance, tuple[ScriptWord, ...]]:
+    """Return the transcript as espeak-ng says it, and its words; raise InputError if nothing can be said.
+
+    `language` is that of the words, the model's by default. The phones of another one are read as the nearest
+    of the model's.
+    """
+    spoken = synthesize(text, language=language)
+    read = _script_word if language_of(spoken.language).arpabet else _foreign_word
+    return spoken, tuple(read(spoken, word) for word in spoken.words)
+
+
+def _foreign_word(spoken: Utterance, word: Word) -> ScriptWord:
+    """Return a word of another language, whose phones are IPA, by the nearest phones of the model."""
+    phones = [phone for phone in spoken.phones[word.first_phone : word.last_phone] if phone.symbol]
+    nearest = [phonesets.to_arpabet(phone.symbol) for phone in phones]
+    own = tuple(OwnPhone(p.symbol, len(parts)) for p, parts in zip(phones, nearest, strict=True) if parts)
+    stresses = tuple(p.stress for p, parts in zip(phones, nearest, strict=True) if parts and p.stress >= 0)
+    reading = tuple(part for parts in nearest for part in parts)
+    if not reading:  # nothing of it can be heard: as little as the model has
+        own, reading = (OwnPhone(phones[0].symbol, 1),), (phonesets.UNKNOWN_VOWEL,)
+    return ScriptWord(word, (reading,), stresses, own)
 
 
 def stresses_of(reading: Sequence[str], engine: Sequence[int]) -> list[int]:

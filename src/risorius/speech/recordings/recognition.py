@@ -32,7 +32,7 @@ from ..alignment.decoder import (
     decode,
     prepared,
 )
-from ..alignment.doubt import POOR_WORD, mean_score
+from ..alignment.doubt import OWN, mean_score
 from ..alignment.lexicon import ScriptWord, read_transcript, written_readings
 from ..alignment.silences import without_gaps
 from .resampled import LEVEL_STEP, RATE, Resampled
@@ -119,7 +119,7 @@ def _recognized(sound: Array, decoders: RecognizingDecoders) -> tuple[list[Align
     if names:
         with contextlib.suppress(AlignmentError):
             aligned = decoders.align_words(sound, [written_readings(name) for name in names])
-            if mean_score([f for f in aligned if f.word >= 0]) >= POOR_WORD:
+            if mean_score([f for f in aligned if f.word >= 0]) >= OWN.poor:
                 return aligned, names
     return _phone_runs(sound, decoders.phones)
 
