@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import json
+import zipfile
 
 import pytest
 from websockets.exceptions import ConnectionClosed
@@ -25,6 +27,10 @@ def test_files_are_exported_with_progress_and_fetched(server):
             status, data = fetched(server, file["path"].replace(" ", "%20"))
             assert status == 200
             assert len(data) > 100
+        archive = done["files"][0]["path"].rpartition("/")[0] + "/all.zip"
+        with zipfile.ZipFile(io.BytesIO(fetched(server, archive)[1])) as whole:
+            assert whole.namelist() == [f["name"] for f in done["files"]]
+        assert fetched(server, archive.replace(f"/{job}/", "/99/"))[0] == 404
         steps = [e for e in page.events if e["event"] == "progress" and e["job"] == job]
         assert any(0 < step["done"] <= step["total"] for step in steps)
         for wrong in (

@@ -27,6 +27,7 @@ from ..face.head import shipped_heads
 from . import limits, session_list
 from .catalogue import catalogue_json
 from .connection import Connection
+from .exports import ARCHIVE
 from .guard import Guard
 from .mesh import head_glb
 from .messages import encoded
@@ -203,9 +204,10 @@ class Studio:
         return JSONResponse({})
 
     async def export(self, request: Request) -> Response:
-        """Return a file that an export has written."""
+        """Return a file that an export has written, or all of them as one archive."""
         name = request.path_params["file"]
-        path = self._requested(request).exports.file(request.path_params["job"], name)
+        exports, job = self._requested(request).exports, request.path_params["job"]
+        path = await run_in_threadpool(exports.archive, job) if name == ARCHIVE else exports.file(job, name)
         return FileResponse(path, filename=name)
 
     def _requested(self, request: Request) -> SharedSession:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 import shutil
 import threading
+import zipfile
 from collections import OrderedDict
 from pathlib import Path
 
 from ..core.look import TRANSPARENT, parse_colour
 from ..core.progress import Progress
 from ..errors import InputError, RisoriusError
+from ..ports.atomic import replacing
 from ..ports.formats import FORMATS
 from ..ports.targets import check_targets
 from ..settings import Settings, settings_of
@@ -21,6 +23,8 @@ from .wire.choices import exported_rows
 
 _NAME = re.compile(r"[^\w -]+")
 _MOST_JOBS = 20
+ARCHIVE = "all.zip"
+"""Under this name all files of an export are one."""
 
 
 class StoppedError(RisoriusError):
@@ -76,6 +80,18 @@ class Exports:
         if (job, name) not in self._files:
             raise InputError("there is no such file")
         return self._files[job, name]
+
+    def archive(self, job: int) -> Path:
+        """Return one archive of all files that an export has written; raise InputError if there are none."""
+        files = [path for (number, _), path in self._files.items() if number == job]
+        if not files:
+            raise InputError("there is no such file")
+        path = self._folder / str(job) / ARCHIVE
+        if not path.exists():
+            with replacing(path) as beside, zipfile.ZipFile(beside, "w", zipfile.ZIP_STORED) as archive:
+                for file in files:
+                    archive.write(file, file.name)
+        return path
 
 
 def check(take: Take, request: requests.Export) -> None:

@@ -22,10 +22,14 @@ def test_an_export_shows_its_progress_and_gives_its_files(performed: Page) -> No
         performed.run(f"document.querySelector('[data-suffix=\"{suffix}\"] input').click()")
     performed.run("window.told = []; studio.connection.on('progress', ({ job }) => job && told.push(job))")
     performed.driver.find_element(By.ID, "export").click()
-    performed.wait("document.querySelectorAll('#jobs a').length === 2", 120.0)
+    performed.wait("document.querySelectorAll('#jobs a').length === 3", 120.0)
+    seen, shown = performed.get(
+        "['#jobs', '#panel-project'].map((name) => document.querySelector(name).getBoundingClientRect().top)"
+    )
+    assert seen >= shown
     assert performed.get("told.length") > 0
     performed.picture("exported")
-    table = performed.run("return (await fetch(document.querySelector('#jobs a').href)).text()")
+    table = performed.run("return (await fetch(document.querySelectorAll('#jobs a')[1].href)).text()")
     rows = table.splitlines()
     assert rows[0].startswith("time_s,zygomatic_major.left,")
     assert len(rows) - 1 == values(performed, "take")[0]["frames"]

@@ -74,7 +74,7 @@ function keepView({ store, connection, clock, view }) {
   }, WAIT);
   store.watch(["tab", "graphs"], keep);
   clock.on("tick", keep);
-  view.onmove = keep;
+  view.onmove(keep);
 }
 
 function showView({ store, view, clock, openTab }, { tab, camera, time, graphs }) {

@@ -10,6 +10,8 @@ export function mountSplitter(bar) {
   const timeline = document.getElementById("timeline");
   const kept = Number(localStorage.getItem(KEY));
   if (kept) set(kept);
+  else tell(timeline.clientHeight);
+  window.addEventListener("resize", () => tell(timeline.clientHeight));
   bar.addEventListener("pointerdown", (event) => {
     const from = event.clientY + timeline.clientHeight;
     bar.setPointerCapture(event.pointerId);
@@ -27,12 +29,18 @@ export function mountSplitter(bar) {
   });
 
   function set(height) {
+    const now = tell(height);
+    document.documentElement.style.setProperty("--timeline-height", `${now}px`);
+    localStorage.setItem(KEY, String(now));
+  }
+
+  /** Say a height within the bounds to screen readers, and return it. */
+  function tell(height) {
     const highest = Math.max(LOWEST, window.innerHeight - LEFT_ABOVE);
     const now = Math.round(Math.min(Math.max(height, LOWEST), highest));
-    document.documentElement.style.setProperty("--timeline-height", `${now}px`);
     bar.setAttribute("aria-valuenow", String(now));
     bar.setAttribute("aria-valuemin", String(LOWEST));
     bar.setAttribute("aria-valuemax", String(highest));
-    localStorage.setItem(KEY, String(now));
+    return now;
   }
 }

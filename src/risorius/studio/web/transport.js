@@ -53,6 +53,9 @@ export function mountTransport(element, studio) {
     const frame = Math.round(clock.time * clock.fps);
     place.show(clock.time, clock.duration, `${clock.time.toFixed(2)} seconds`);
     time.value = `${stamp(clock.time)} / ${stamp(clock.duration)} · ${frame}`;
+    const last = `${stamp(clock.duration)} / ${stamp(clock.duration)} · ${Math.round(clock.duration * clock.fps)}`;
+    // As wide as it will ever be: the scrubber beside it must not move while it plays.
+    time.style.minWidth = `${last.length}ch`;
     time.title = `frame ${frame} of ${Math.round(clock.duration * clock.fps)}`;
   }
 

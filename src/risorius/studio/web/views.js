@@ -11,9 +11,17 @@ const PATIENCE = 400; // ms for which a face may be missing before that is said
 /** @param {HTMLElement} element @param {HTMLElement} note @param {HTMLElement} names @param {object} studio */
 export function mountViews(element, note, names, studio) {
   const { store, view } = studio;
-  Object.entries(VIEWS).forEach(([name, { label }], place) => {
-    element.append(button(label, { title: `${label} (${place + 1})`, onclick: () => view.choose(name) }));
+  const cameras = Object.entries(VIEWS).map(([name, { label }], place) => {
+    const camera = button(label, { title: `${label} (${place + 1})`, onclick: () => view.choose(name) });
+    return { name, camera };
   });
+  element.append(...cameras.map(({ camera }) => camera));
+  const showCamera = () => {
+    const now = view.name;
+    for (const { name, camera } of cameras) camera.setAttribute("aria-pressed", String(name === now));
+  };
+  view.onmove(showCamera);
+  showCamera();
   document.getElementById("head").addEventListener("keydown", (event) => turn(event, view));
   store.watch(["other", "dial"], () => {
     const other = store.get("other");

@@ -99,7 +99,7 @@ class Dials {
   }
 
   #group({ title, dials }) {
-    const heading = title !== "" && make("h3", {}, spoken(title));
+    const heading = title !== "" && make("h2", {}, spoken(title));
     return make("section", { class: "stack tight" }, heading, ...dials.map((dial) => this.#row(dial)));
   }
 

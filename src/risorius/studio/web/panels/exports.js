@@ -27,11 +27,11 @@ class Exports {
     const boxes = make("div", { class: "outputs" }, ...outputs.map((output) => this.#box(output)));
     const foot = make("div", { class: "panel-foot" }, this.#go);
     element.append(
-      make("h3", {}, "Export"),
+      make("h2", {}, "Export"),
+      this.#jobs,
       field("Name", this.#title),
       boxes,
       this.#picture(pictured),
-      this.#jobs,
       foot,
     );
     studio.store.watch(["take", "link"], () => this.#name());
@@ -80,7 +80,9 @@ class Exports {
       name,
       ...this.#look,
     });
-    if (answer) this.#jobs.prepend(jobOf(this.#studio, answer.job, suffixes));
+    if (!answer) return;
+    this.#jobs.prepend(jobOf(this.#studio, answer.job, suffixes));
+    this.#jobs.firstElementChild.scrollIntoView({ block: "nearest" });
   }
 }
 
@@ -103,7 +105,7 @@ function jobOf({ connection, actions }, job, suffixes) {
       ends.forEach((end) => end());
       fill(
         element,
-        ...(told.error ? [make("p", { class: "hint bad" }, told.error)] : told.files.map(fileLink)),
+        ...(told.error ? [make("p", { class: "hint bad" }, told.error)] : linksOf(told.files)),
       );
     }),
   ];
@@ -114,6 +116,13 @@ function showProgress(bar, label, { stage, done, total }) {
   label.textContent = total ? `${stage} ${done} of ${total}` : stage;
   if (total) bar.value = done / total;
   else bar.removeAttribute("value");
+}
+
+/** One archive where there are several files, and each file. */
+function linksOf(files) {
+  if (files.length < 2) return files.map(fileLink);
+  const path = files[0].path.replace(/[^/]*$/, "all.zip");
+  return [fileLink({ path, name: "all.zip" }), ...files.map(fileLink)];
 }
 
 function fileLink({ path, name }) {

@@ -48,7 +48,7 @@ function projectOf(studio) {
   return make(
     "section",
     { class: "stack" },
-    make("h3", {}, "Project"),
+    make("h2", {}, "Project"),
     row,
     file,
     make("p", { class: "hint" }, NOTE),

@@ -57,7 +57,7 @@ class Rules {
       make(
         "section",
         { class: "stack tight" },
-        make("h3", {}, spoken(title)),
+        make("h2", {}, spoken(title)),
         ...rules.map((rule) => this.#row(rule)),
       ),
     );

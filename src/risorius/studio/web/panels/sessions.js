@@ -12,7 +12,7 @@ export function mountSessions(studio) {
   const element = make(
     "section",
     { class: "stack tight", id: "sessions", "aria-label": "Sessions" },
-    make("h3", {}, "Sessions"),
+    make("h2", {}, "Sessions"),
     list,
   );
   let asked = 0;

@@ -27,9 +27,11 @@ export class Backdrop {
    * @param {(x: number, y: number, width: number, height: number) => void} cut confines what is cleared
    */
   paint(renderer, x, width, height, cut) {
+    // Places are rounded to whole points of the picture: bands that only touch would leave rows out between them.
+    const over = Math.ceil(2 / renderer.getPixelRatio());
     this.#colours.forEach((colour, k) => {
       const [from, to] = [k, k + 1].map((at) => Math.round((at * height) / BANDS));
-      cut(x, from, width, to - from);
+      cut(x, from, width, Math.min(to + over, height) - from);
       renderer.setClearColor(colour);
       renderer.clear(true, false, false);
     });

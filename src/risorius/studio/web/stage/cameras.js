@@ -24,13 +24,27 @@ export class View {
   #turn = 0;
   #tilt = 0;
   #changed;
-  /** Called when the view has become another. */
-  onmove = () => {};
+  #calls = [];
 
   /** @param {() => void} changed called when there is something else to see */
   constructor(changed) {
     this.#changed = changed;
     this.#take(VIEWS.front);
+  }
+
+  /** Hear when the view has become another. @param {() => void} call */
+  onmove(call) {
+    this.#calls.push(call);
+  }
+
+  /** The name of the view, or null where it was turned, moved or zoomed since. */
+  get name() {
+    const own = JSON.stringify(this.state);
+    const name = Object.keys(VIEWS).find((known) => {
+      const { centre, height, turn, tilt } = VIEWS[known];
+      return JSON.stringify({ centre, height, turn, tilt }) === own;
+    });
+    return name ?? null;
   }
 
   /** @param {keyof VIEWS} name */
@@ -118,7 +132,7 @@ export class View {
   #moved() {
     this.#place();
     this.#changed();
-    this.onmove();
+    for (const call of this.#calls) call();
   }
 
   #place() {

@@ -121,7 +121,16 @@ class Timeline {
     this.#arrange();
     if (fresh) this.#scene.view.open();
     this.#parts.list.setModel(model);
+    this.#follow(before);
     this.#select();
+  }
+
+  /** A selected movement that was moved or stretched is explained where it is now, not where it was. */
+  #follow(before) {
+    const { movement, time } = this.#store.get("selection");
+    const [now, was] = [this.#scene.model, before].map((model) => model?.blocks.get(movement));
+    if (!now || !was || (now.start === was.start && now.end === was.end)) return;
+    if (time < now.start || time > now.end || now.start !== was.start) this.#controller.choose(now);
   }
 
   /** The user has other graphs or lanes: lay out, and have it kept with the project. */

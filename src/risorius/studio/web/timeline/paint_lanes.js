@@ -6,7 +6,6 @@ import { blockBand } from "./rows.js";
 
 const SMALLEST = 2; // pixels: a narrower block is a stroke, and only one of those is drawn in a pixel
 const LABELLED = 34;
-const WITH_LAYER = 90;
 export const HANDLE = 3.5; // half the size of what a block is stretched by
 const LEAST_HEIGHT = 0.45; // share of its row that the weakest movement fills
 
@@ -93,10 +92,10 @@ function paintEdited(context, xs, top, colour) {
 function paintLabel({ context, view, palette, count }, block, xs, [top, bottom], labels) {
   const [left, right] = [Math.max(xs[0], 0) + 4, Math.min(xs[3], view.width) - 3];
   const phone = !block.editable;
-  const text = block.layer && right - left > WITH_LAYER ? `${layerOf(block)} ${block.label}` : block.label;
   if (!block.label || right - left < (phone ? 6 : LABELLED)) return;
   if (left < labels.get(top)) return;
   context.font = `${phone ? 10 : 11}px ${palette.font}`;
+  const text = phone ? block.label : labelWithin(context, block, right - left);
   labels.set(top, left + Math.min(context.measureText(text).width, right - left));
   context.fillStyle = palette.label;
   context.textBaseline = "middle";
@@ -108,6 +107,17 @@ function paintLabel({ context, view, palette, count }, block, xs, [top, bottom],
   context.fillText(text, phone ? (left + right) / 2 : left, (top + bottom) / 2 + 1);
   context.restore();
   count.texts++;
+}
+
+/** What moves and on what; where that has no room, what moves: on what is seen above. */
+export function labelWithin(context, block, room) {
+  const layer = layerOf(block);
+  const texts = layer ? [`${layer} ${block.label}`, layer] : [block.label];
+  const fits = texts.find((text) => context.measureText(text).width <= room);
+  if (fits !== undefined) return fits;
+  const letters = [...texts.at(-1)];
+  while (letters.length > 1 && context.measureText(`${letters.join("")}…`).width > room) letters.pop();
+  return `${letters.join("").trimEnd()}…`;
 }
 
 /** A layer's name as people read it: "brows"; one that only counts ("1.happiness") says nothing more. */

@@ -22,10 +22,10 @@ export function paletteOf(element, channels) {
 export function onTheme(call) {
   const watcher = new MutationObserver(call);
   watcher.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme", "class", "style"] });
-  const media = matchMedia("(prefers-color-scheme: dark)");
-  media.addEventListener("change", call);
+  const media = ["(prefers-color-scheme: dark)", "(forced-colors: active)"].map((query) => matchMedia(query));
+  for (const one of media) one.addEventListener("change", call);
   return () => {
     watcher.disconnect();
-    media.removeEventListener("change", call);
+    for (const one of media) one.removeEventListener("change", call);
   };
 }
