@@ -14,8 +14,10 @@ SEEN = """['#script', '#perform', '#play', '#head', '#timeline canvas', '#explan
   return width < 20 || height < 15 || left < 0 || right > innerWidth + 1;
 })"""
 
-DRAWN = "(({ drawn }) => new Promise((go) => setTimeout(() => go(drawn === studio.headPlayers.stage.drawn), 100)))"
-DRAWN = f"(await {DRAWN}(studio.headPlayers.stage))"
+DRAWN = """(await (async ({ stage }, drawn) => {
+  await new Promise((go) => setTimeout(go, 100));
+  return drawn === stage.drawn;
+})(studio.headPlayers, studio.headPlayers.stage.drawn))"""
 """Whether the stage has come to rest."""
 
 
