@@ -5,6 +5,7 @@ import { Clock } from "./clock.js";
 import { Connection } from "./connection.js";
 import { NOTHING } from "./drafts.js";
 import { listenToDrops } from "./dropping.js";
+import { mountExample } from "./example.js";
 import { mountHeader } from "./header.js";
 import { listenToKeys } from "./keys.js";
 import { mountPanels } from "./panels/index.js";
@@ -55,6 +56,7 @@ const studio = { store, clock, connection, actions, notify, headPlayers, view: h
 const help = mountHeader(element("tools"), element("state"), studio);
 help.list([...listenToKeys(studio, help.open), ...TIMELINE_KEYS]);
 mountTransport(element("transport"), studio);
+mountExample(element("stage"), studio);
 mountViews(element("views"), element("empty"), element("views-names"), studio);
 mountSplitter(element("splitter"));
 mountPanels(element("panel"), studio);

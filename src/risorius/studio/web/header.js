@@ -2,6 +2,7 @@
 
 import { button } from "./parts/fields.js";
 import { fill, make } from "./parts/dom.js";
+import { showHints } from "./example.js";
 import { isDraft } from "./drafts.js";
 import { glyph } from "./parts/glyphs.js";
 import { switchTheme } from "./theme.js";
@@ -21,7 +22,12 @@ export function mountHeader(tools, state, { store, actions }) {
     { "aria-label": "Keys" },
     make("h2", {}, "Keys"),
     keys,
-    make("form", { method: "dialog", class: "row" }, make("button", { class: "primary" }, "Close")),
+    make(
+      "form",
+      { method: "dialog", class: "row" },
+      make("button", { class: "primary" }, "Close"),
+      make("button", { id: "show-hints", onclick: () => setTimeout(showHints) }, "Show the hints"),
+    ),
   );
   const open = () => dialog.showModal();
   tools.append(undo, redo, tool("theme", "Light or dark", switchTheme), tool("help", "Keys", open), dialog);

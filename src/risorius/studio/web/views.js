@@ -48,7 +48,7 @@ function mountNote(note, { store, clock, headPlayers }) {
 
 function emptyNote(store) {
   if (!store.get("catalogue") || store.get("take") || store.get("dial")) return "";
-  return store.get("busy") || "Write a line, then perform it.";
+  return store.get("busy") || "Write a line and perform it, or play an example.";
 }
 
 function turn(event, view) {

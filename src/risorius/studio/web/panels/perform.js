@@ -8,6 +8,7 @@ import { mountEmotions } from "./emotions.js";
 import { mountLost } from "./lost.js";
 import { mountRecording } from "./recording.js";
 import { mountScript } from "./script.js";
+import { mountTags } from "./tags.js";
 
 /** @param {HTMLElement} element @param {object} studio */
 export function mountPerform(element, studio) {
@@ -21,7 +22,7 @@ export function mountPerform(element, studio) {
     perform,
     make("span", { class: "hint" }, make("kbd", {}, "Ctrl"), " ", make("kbd", {}, "Enter")),
   );
-  element.append(script.element, mountDraft(studio), mountLost(studio), mountRecording(studio), mountEmotions(studio, script), form, foot);
+  element.append(script.element, mountTags(studio), mountDraft(studio), mountLost(studio), mountRecording(studio), mountEmotions(studio, script), form, foot);
   const ready = store.watch(["catalogue"], () => {
     if (!store.get("catalogue")) return;
     form.append(formatField(studio));
