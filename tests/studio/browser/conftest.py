@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from ..running import running
-from .acts import LINE, SHOWN, perform, restore
+from .acts import LINE, SHOWN, open_panel, perform, restore
 from .driving import CHROMIUM, DRIVER, Page, open_browser
 
 PERFORMED = "performed"
@@ -45,6 +45,8 @@ def performed(browser_page: Page) -> Iterator[Page]:
         browser_page.run("await studio.connection.request('open')")
         if browser_page.get("studio.store.get('take')?.made.source.script") == LINE:
             browser_page.wait(SHOWN)
+            # The page opens with the panel that it was left with.
+            open_panel(browser_page, "Perform")
         else:
             perform(browser_page)
     yield browser_page
