@@ -119,14 +119,16 @@ def test_sessions_are_listed_named_copied_and_deleted(performed: Page) -> None:
     open_panel(performed, "Project")
     performed.wait(f"{rows} > 0")
     here = performed.get("studio.store.get('session')")
-    own = performed.driver.find_element(By.CSS_SELECTOR, f"#sessions li[data-session='{here}']")
-    assert not own.find_element(By.XPATH, ".//button[text()='Delete']").is_enabled()
-    before = performed.get(rows)
-    own.find_element(By.XPATH, ".//button[text()='Copy']").click()
-    performed.wait(f"{rows} === {before + 1}")
+    # Each button is found and pressed at once: the list is made anew when other sessions are saved.
+    button = """const row = document.querySelector(`#sessions li[data-session='${arguments[0]}']`);
+      const button = [...row.querySelectorAll("button")].find((it) => it.textContent === arguments[1]);"""
+    assert performed.run(f"{button} return button.disabled", here, "Delete")
+    known = performed.run("return (await (await fetch('/api/sessions')).json()).map((it) => it.session)")
+    performed.run(f"{button} button.click()", here, "Copy")
+    performed.wait("[...document.querySelectorAll('#sessions input')].some(({ value }) => value === 'Copy')")
     performed.picture("sessions")
-    copied = performed.driver.find_element(By.CSS_SELECTOR, "#sessions li")
-    assert copied.find_element(By.TAG_NAME, "input").get_attribute("value") == "Copy"
-    copied.find_element(By.XPATH, ".//button[text()='Delete']").click()
-    performed.wait(f"{rows} === {before}")
+    now = performed.run("return (await (await fetch('/api/sessions')).json()).map((it) => it.session)")
+    (copied,) = set(now) - set(known)
+    performed.run(f"{button} button.click()", copied, "Delete")
+    performed.wait(f"!document.querySelector('#sessions li[data-session={copied}]')")
     assert "Put back" in performed.get("document.querySelector('#notice').textContent")

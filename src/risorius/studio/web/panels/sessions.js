@@ -16,6 +16,7 @@ export function mountSessions(studio) {
     list,
   );
   let asked = 0;
+  let shown = ""; // rows are made anew only where they would be others: nothing goes from under the pointer
   store.watch(["tab", "saved", "link"], () => {
     if (store.get("tab") === "project" && store.get("link") === "up" && store.get("saved") === "saved") show();
   });
@@ -26,11 +27,16 @@ export function mountSessions(studio) {
     const response = await fetch("/api/sessions").catch(() => null);
     const sessions = response?.ok ? await response.json() : null;
     if (number !== asked || sessions === null || list.contains(document.activeElement)) return;
-    fill(list, ...sessions.map(row));
+    const now = JSON.stringify(sessions.map(({ changed, ...entry }) => entry));
+    if (now !== shown) fill(list, ...sessions.map(row));
+    shown = now;
+    sessions.forEach(({ changed }, k) => {
+      list.children[k].querySelector(".hint").textContent = new Date(1000 * changed).toLocaleString([], WHEN);
+    });
   }
 
   function row(entry) {
-    const { session, title, line, changed } = entry;
+    const { session, title, line } = entry;
     const here = session === store.get("session");
     const called = title || line || "Untitled";
     const name = make("input", {
@@ -58,7 +64,7 @@ export function mountSessions(studio) {
       "aria-label": `Delete the session “${called}”`,
       onclick: () => drop(session, called),
     });
-    const when = make("p", { class: "hint" }, new Date(1000 * changed).toLocaleString([], WHEN));
+    const when = make("p", { class: "hint" });
     const tools = make("div", { class: "row" }, open, copy, remove);
     return make("li", { "data-session": session, "aria-current": here ? "true" : null }, name, when, tools);
   }
