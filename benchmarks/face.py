@@ -24,7 +24,7 @@ REPEATS = 5
 # What is timed: the name of a step, and the methods that make it.
 STEPS: tuple[tuple[str, Callable[[FaceSolver], Any], str], ...] = (
     ("links", lambda s: s._links, "apply"),
-    ("muscles", lambda s: s._muscles, "displace"),
+    ("muscles", lambda s: s._displaced_skin, "at"),
     ("jaw", lambda s: s.jaw, "carry_skin"),
     ("lids", lambda s: s._lids[0], "close"),
     ("lips", lambda s: s._lips, "solve"),
@@ -75,10 +75,10 @@ def shares(take: Take, solver: FaceSolver, whole: float, moving: bool) -> dict[s
 
 
 def report(take: Take, solver: FaceSolver, moving: bool) -> None:
-    room = solver.room()
+    buffers = solver.buffers()
 
     def run() -> None:
-        for _ in animate(take.performance, solver, moving, take._curves_between_frames, room=room):
+        for _ in animate(take.performance, solver, moving, take._curves_between_frames, buffers=buffers):
             pass
 
     whole = seconds(run) / len(take.performance.values)

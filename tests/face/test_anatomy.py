@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -44,6 +46,17 @@ def fields(head):
     skin = Skin(head.rest, head.quads, head.jaw_weight)
     muscles, pulls = load_muscles(head.folder), load_pulls(head.folder, BASES)
     return anatomical_fields(skin, head.mirror, muscles, pulls, required_fields())
+
+
+@pytest.mark.parametrize("name", ["orbicularis_oris_funneler", "lip_tuck"])
+def test_a_type_that_the_weights_do_not_fit_is_named(head, name):
+    skin = Skin(head.rest, head.quads, head.jaw_weight)
+    muscles, pulls = load_muscles(head.folder), load_pulls(head.folder, (name,))
+    muscles[name] = replace(muscles[name], type="sphincter")
+    with pytest.raises(
+        HeadError, match=rf"muscles\.toml.*'{name}': type 'sphincter' pulls in 3 .* expected .* 4"
+    ):
+        anatomical_fields(skin, head.mirror, muscles, pulls, (name,))
 
 
 def dense(head, field):

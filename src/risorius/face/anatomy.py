@@ -20,6 +20,7 @@ from scipy.spatial.distance import cdist
 from ..core.arrays import Array, Int32Array, IntArray
 from ..core.npz import read_arrays
 from ..errors import HeadError, Place
+from .muscle_table import FILE as TABLE
 from .muscle_table import ForceType, Muscle
 from .stiffness import spring_stiffness
 
@@ -117,11 +118,13 @@ def anatomical_fields(
 ) -> dict[str, tuple[Int32Array, Array]]:
     """Return vertices (k,) and displacements (k, 3) in mm at activation 1 for parameters by name.
 
-    `mirror` (N,) is the index of each vertex's mirror image; a right muscle mirrors the left one.
+    `mirror` (N,) is the index of each vertex's mirror image; a right muscle mirrors the left one. Raises
+    HeadError if a muscle's type pulls in more or fewer directions than its weights are for.
     """
     fields = {}
     for name in names:
         base, _, side = name.partition(".")
+        _check_type(base, muscles[base], pulls[base])
         field = skin.displaced(muscles[base], pulls[base])
         if side == "right":
             field = field[mirror] * MIRROR
@@ -129,6 +132,17 @@ def anatomical_fields(
         vertices = np.flatnonzero(length > NEGLIGIBLE * length.max()).astype(np.int32)
         fields[name] = (vertices, field[vertices])
     return fields
+
+
+def _check_type(name: str, muscle: Muscle, pull: Pull) -> None:
+    point = np.zeros((1, 3))
+    ways, weighted = directions(muscle, point, point).shape[1], pull.weights.shape[1]
+    if ways != weighted:
+        raise HeadError(
+            f"muscle '{name}': type '{muscle.type}' pulls in {ways} directions; expected a type that pulls "
+            f"in {weighted}, as its weights were fitted (tools/fit_anatomy.py fits them anew)",
+            Place(TABLE),
+        )
 
 
 def load_pulls(folder: Path, names: tuple[str, ...]) -> dict[str, Pull]:
