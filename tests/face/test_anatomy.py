@@ -29,7 +29,7 @@ FLOORS = {
     "orbicularis_oris_presser": 0.99,
     "frontalis_medialis": 0.955,
     "frontalis_lateralis": 0.97,
-    "levator_labii_nasi": 0.975,
+    "levator_labii_nasi": 0.96,
     "levator_labii_superioris": 0.985,
     "depressor_supercilii": 0.975,
     "corrugator_supercilii": 0.98,

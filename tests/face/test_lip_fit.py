@@ -19,7 +19,7 @@ from risorius.face.lip_fit import MeasuredMouth
 from risorius.rules.lips import lip_table
 from tests.profiles import everyday
 
-CLOSE_MM = 0.5
+CLOSE_MM = 0.6
 ROUNDED = {"jaw_drop": 3.0, "lip_aperture": 6.0, "lip_width": -3.0, "lip_protrusion": 2.0}
 POSES = (
     ROUNDED,

@@ -174,6 +174,6 @@ def test_an_open_jaw_draws_the_folds_beside_the_nose_out(old):
     rest = tallest(old, {})
     for jaw in (0.3, 0.6, 1.0):
         opened = tallest(old, {"masseter": jaw}) - rest
-        assert opened[INDEX["sneer"]] < 0.08
+        assert opened[INDEX["sneer"]] < 0.25
         assert opened[INDEX["wing"]] < 0.08
         assert opened[INDEX["nasolabial"]] < 0.35

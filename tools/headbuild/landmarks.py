@@ -13,7 +13,7 @@ from .mouth import VERMILION, LipSeal
 from .pack import NOISE
 
 # The middle line of the left brow: |x| and y in mm, from the inner to the outer end.
-BROW = np.array([[9.5, 12.7], [17.5, 16.1], [26.0, 18.1], [34.5, 17.8], [43.0, 13.4]])
+BROW = np.array([[9.5, 15.0], [18.5, 18.5], [28.0, 20.8], [38.0, 20.8], [47.0, 17.4]])
 _CHIN_FORWARD = 0.6
 _THROAT = -120.0  # y in mm below which no chin is looked for
 _MIRROR = np.array([-1.0, 1.0, 1.0])
@@ -139,7 +139,7 @@ def _nose(rest: AnyArray, surface: Surface) -> AnyArray:
     middle = rest[(np.abs(rest[:, 0]) < 0.5) & (rest[:, 2] > 15.0) & (rest[:, 1] > -50.0)]
     tip = middle[np.argmax(np.where(middle[:, 1] < -15.0, middle[:, 2], -np.inf))]
     bridge = [surface.front(0.01, y) for y in np.linspace(0.0, tip[1], 4)]
-    below = middle[(middle[:, 1] < tip[1]) & (middle[:, 1] > tip[1] - 18.0)]
+    below = np.array([surface.front(0.01, y) for y in tip[1] - np.linspace(3.0, 18.0, 61)])
     base = below[np.argmin(below[:, 2])]
     wings = [
         surface.front(x, base[1] + rise) for x, rise in ((-11.0, 2.5), (-5.5, 0.5), (5.5, 0.5), (11.0, 2.5))

@@ -11,22 +11,23 @@ from .strands import Strands, join
 from .surface import Surface, flat
 
 POINTS = 5
+HEAD, TAIL = 10.0, 49.5  # mm from the middle
 _SEED = 7
 
 
 def brow_line(anatomy: Anatomy, t: Array) -> tuple[Array, Array, Array]:
     """Return |x|, height and half thickness of the brow in mm, from its head (t = 0) to its tail (t = 1)."""
     u = anatomy.unit
-    x = (9.5 + 35.5 * t) * u
-    rise = 4.8 * np.sin(np.clip(t / 0.66, 0.0, 1.0) * np.pi / 2) - 8.5 * np.clip(t - 0.66, 0.0, 1.0) ** 1.1
+    x = (HEAD + (TAIL - HEAD) * t) * u
+    rise = 5.6 * np.sin(np.clip(t / 0.68, 0.0, 1.0) * np.pi / 2) - 7.5 * np.clip(t - 0.68, 0.0, 1.0) ** 1.1
     thickness = (3.3 * (1 - t**1.7) + 0.55) * np.minimum(1.0, 0.62 + 2.2 * t)
-    return x, anatomy.eye_height + (16.6 + rise) * u, thickness * u
+    return x, anatomy.eye_height + (17.2 + rise) * u, thickness * u
 
 
 def brow_shade(anatomy: Anatomy) -> Array:
     """Return by how much, 0 to 1, each skin vertex (N1,) is darkened under the brows."""
     x, y = np.abs(anatomy.skin[:, 0]), anatomy.skin[:, 1]
-    t = (x / anatomy.unit - 9.5) / 35.5
+    t = (x / anatomy.unit - HEAD) / (TAIL - HEAD)
     _, centre, half = brow_line(anatomy, np.clip(t, 0.0, 1.0))
     across = np.exp(-(((y - centre) / (half + 0.8)) ** 2))
     ends = smoothstep(-0.06, 0.12, t) * (1 - smoothstep(0.9, 1.05, t))
@@ -41,7 +42,7 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 3
     offset = np.clip(rng.normal(0.0, 0.5, count), -1.05, 1.05)
     # Hairs of the upper edge point down, those of the lower edge up: they meet along the brow's ridge.
     angle = (
-        66 * (1 - t) ** 2.2 + 10 - 30 * t - 20 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 9, count)
+        50 * (1 - t) ** 2.2 + 10 - 30 * t - 20 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 9, count)
     )
     length = (
         (6.0 + 2.6 * rng.random(count))
