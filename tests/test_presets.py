@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from fractions import Fraction
 from pathlib import Path
 
@@ -76,10 +77,25 @@ def test_the_command_line_tells_it(
 
 
 def test_a_file_of_settings_changes_what_is_written(folder: Path) -> None:
-    Path("own.toml").write_text("size = [64, 48]\n")
-    assert run(["pose", "AU1=1", "--preset", "draft", "--config", "own.toml", "-o", "x.png"]) == 2  # fps
-    assert run(["pose", "AU1=1", "--preset", "close-up", "--config", "own.toml", "-o", "x.png"]) == 0
-    assert int.from_bytes(Path("x.png").read_bytes()[16:20], "big") == 64
+    Path("own.toml").write_text("fps = 5\nlead = 0.0\ntail = 0.0\n")
+    arguments = [
+        "speak",
+        "Oh.",
+        "--preset",
+        "paper-a",
+        "--config",
+        "own.toml",
+        "--tail",
+        "1",
+        "-o",
+        "x.score.json",
+    ]
+    assert run(arguments) == 2  # no output has frames
+    assert run([*arguments, "-o", "x.muscles.csv"]) == 0
+    times = [float(row.split(",")[0]) for row in Path("x.muscles.csv").read_text().splitlines()[1:]]
+    assert times[1] == 0.2
+    assert times[-1] > 1.0
+    assert json.loads(Path("x.score.json").read_text())["settings"]["conflict"] == "inhibit"
 
 
 def test_the_file_that_the_docs_show_can_be_used(folder: Path) -> None:

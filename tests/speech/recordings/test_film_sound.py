@@ -40,21 +40,23 @@ def film(path: Path, codec: str, rate: int = 48_000, *, pictures: bool = False, 
     return path
 
 
+FILMS = {
+    "x.m4a": ("aac", False),
+    "x.mp4": ("aac", True),
+    "x.webm": ("libopus", False),
+    "x.mov": ("pcm_s16le", True),
+    "x.mkv": ("flac", True),
+    "x.aac": ("aac", False),
+    "x.opus": ("libopus", False),
+}
+DAILY = ("x.mp4", "x.webm")
+
+
 @pytest.mark.parametrize(
-    ("name", "codec", "pictures"),
-    [
-        ("x.m4a", "aac", False),
-        ("x.mp4", "aac", True),
-        ("x.mov", "pcm_s16le", True),
-        ("x.webm", "libopus", False),
-        ("x.mkv", "flac", True),
-        ("x.aac", "aac", False),
-        ("x.opus", "libopus", False),
-    ],
+    "name", [pytest.param(n, marks=[pytest.mark.full] * (n not in DAILY)) for n in FILMS]
 )
-def test_the_sound_of_a_film_is_that_of_its_channels_on_average(
-    name: str, codec: str, pictures: bool, tmp_path: Path
-) -> None:
+def test_the_sound_of_a_film_is_that_of_its_channels_on_average(name: str, tmp_path: Path) -> None:
+    codec, pictures = FILMS[name]
     audio = read_recording(film(tmp_path / name, codec, pictures=pictures))
     assert audio.sample_rate == 48_000
     assert audio.duration == pytest.approx(SECONDS, abs=0.06)
