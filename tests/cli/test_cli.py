@@ -88,6 +88,7 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["speak", "Hello.", "--size", "720"], "720x720"),
         (["speak", "Hello.", "--without", "blinks"], "unknown channel"),
         (["speak", "Hello.", "--conflict", "inhibitt"], "did you mean 'inhibit'"),
+        (["speak", "Hello.", "--voice-emotion", "of"], "unknown voice_emotion 'of'; did you mean 'off'?"),
         (["speak", "Hello.", "--lips", "dominanc"], "did you mean 'dominance'"),
         (["speak", "Hello.", "--head", "standart", "-o", "x.png"], "did you mean 'standard'"),
         (["speak", "Hello.", "--seed", "-1"], "seed"),

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
 import click
 
 from ..errors import ParameterError, unknown
 from .messages import print_table
-from .options import Command
+from .options import Command, KnownName
 
 Listing = tuple[Sequence[str], list[Sequence[str]]]
 
@@ -169,20 +168,6 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
     "attitudes": attitudes,
     "presets": presets,
 }
-
-
-class KnownName(click.Choice[str]):
-    """One of some names; an unknown one is told the nearest."""
-
-    def __init__(self, kind: str, names: Sequence[str]) -> None:
-        super().__init__(names)
-        self._kind = kind
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        """Return the name; raise ParameterError for one that is not known."""
-        if value not in self.choices:
-            raise ParameterError(unknown(self._kind, str(value), self.choices))
-        return super().convert(value, param, ctx)
 
 
 @click.command(name="list", cls=Command)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -10,7 +10,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from ..core.setting import Group, Names, Row, Stage, ValueKind, rows
-from ..errors import InputError, Place
+from ..errors import InputError, ParameterError, Place, unknown
 from ..settings import Settings
 from .messages import JSON, QUIET
 
@@ -54,6 +54,20 @@ _MESSAGES = (
     Option(["-q", QUIET], is_flag=True, expose_value=False, help="Say nothing but warnings and errors."),
     Option([JSON], is_flag=True, expose_value=False, help="Say it in JSON, an object a line."),
 )
+
+
+class KnownName(click.Choice[str]):
+    """One of some names; an unknown one is told the nearest."""
+
+    def __init__(self, kind: str, names: Sequence[str]) -> None:
+        super().__init__(names)
+        self._kind = kind
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Return the name; raise ParameterError for one that is not known."""
+        if value not in self.choices:
+            raise ParameterError(unknown(self._kind, str(value), self.choices))
+        return super().convert(value, param, ctx)
 
 
 class Named(click.ParamType[str]):
@@ -134,7 +148,7 @@ def _option(row: Row) -> Callable[[F], F]:
 
 def _type(row: Row) -> Any:
     if row.kind is ValueKind.SWITCH:
-        return click.Choice(["on", "off"])
+        return KnownName(row.name, ["on", "off"])
     if row.kind is ValueKind.FILE:
         return click.Path(path_type=Path, dir_okay=True)
     if row.entry.names is not None:
