@@ -304,3 +304,20 @@ def test_blocks_after_changes_are_those_of_the_score_described_whole(session):
     assert session.current.blocks == describe.blocks(session.current.version.score)
     perform(session, "Something else.")
     assert session.current.blocks == describe.blocks(session.current.version.score)
+
+
+def test_several_edits_are_one_change_or_none(session):
+    take = perform(session)
+    blocks = [b for b in take.blocks if b.channel == "signals"][:3]
+    before = state(session)
+    edits = tuple(Move(b.id, b.start + 0.1) for b in blocks)
+    session.edit_all(requests.EditAll(edits), quiet)
+    moved = [session.current.blocks[b.id].start for b in blocks]
+    assert moved == pytest.approx([b.start + 0.1 for b in blocks], abs=1e-4)
+    assert session.history.undoes.endswith("and 2 more")
+    session.undo(requests.Undo(), quiet)
+    assert state(session) == before
+    for wrong in ((*edits, Delete("none")), (), edits * 1000):
+        with pytest.raises(RisoriusError):
+            session.edit_all(requests.EditAll(wrong), quiet)
+        assert state(session) == before

@@ -21,6 +21,8 @@ SESSIONS = 32
 TAKES = 6
 UNDO = 200
 EXPORTED = 40
+# Edits in one change.
+EDITS = 2_000
 
 
 def described() -> LimitsTable:

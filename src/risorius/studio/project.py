@@ -23,7 +23,7 @@ from ..core.edits import Add, Edit, Keys
 from ..core.hints import Then
 from ..core.schema import placed, within
 from ..core.utterance import Utterance
-from ..errors import InputError, unknown
+from ..errors import InputError
 from ..pipeline import with_profile
 from ..ports.readable import ScoreFile
 from ..ports.score_json import ScoreDocument, score_to_json
@@ -53,14 +53,6 @@ def _made(members: Mapping[str, object]) -> shared.TakeInputs:
     return read_message(shared.TakeInputs, members)
 
 
-def _edit(members: Mapping[str, object]) -> Edit:
-    kind = members.get("kind")
-    if not isinstance(kind, str) or kind not in requests.EDITS:
-        raise InputError(unknown("kind of edit", str(kind), requests.EDITS))
-    edit: Edit = read_message(requests.EDITS[kind], {k: v for k, v in members.items() if k != "kind"})
-    return edit
-
-
 def _view(members: Mapping[str, object]) -> PageView:
     return read_message(PageView, members)
 
@@ -76,14 +68,14 @@ def _lost(members: Mapping[str, object]) -> LostEdit:
         raise InputError("a lost change has no text; expected 'text'")
     if not isinstance(edit, Mapping | None):
         raise InputError("a lost change is not an object")
-    again = None if edit is None else _edit(edit)
+    again = None if edit is None else requests.edit_of(edit)
     if not isinstance(again, Add | Keys | None):
         raise InputError("a lost change is not 'add' or 'keys'")
     return LostEdit(text[:200], again)
 
 
 SavedLost = tuple[Annotated[LostEdit, Then(_lost, of=Mapping[str, object])], ...]
-SavedEdits = tuple[Annotated[Edit, Then(_edit, of=Mapping[str, object])], ...]
+SavedEdits = tuple[requests.AnyEdit, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -130,6 +130,18 @@ class Session:
         self.history.push(after, "forget what did not fit")
         return self._changed(after)
 
+    def edit_all(self, request: requests.EditAll, progress: Progress) -> takes.TakeChange:
+        """Make several edits as one change."""
+        before = version = self.version()
+        if not 0 < len(request.edits) <= limits.EDITS:
+            raise InputError(f"{len(request.edits)} edits at once; expected 1 to {limits.EDITS}")
+        for edit in request.edits:
+            version = version.changed(edit)
+        what = worded(version.edits[-1], before.score)
+        rest = len(request.edits) - 1
+        self.history.push(version, f"{what} and {rest} more" if rest else what)
+        return self._changed(version)
+
     def preview(self, edit: Edit) -> tuple[Take, takes.Previewed]:
         """Return the take that an edit would make, and which curves it would change; nothing is changed."""
         version, live = self.version().changed(edit), self.current

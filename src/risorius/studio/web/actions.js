@@ -58,6 +58,11 @@ export class Actions {
     return this.#changing("edit", { kind, ...fields }, "");
   }
 
+  /** Make several changes of the score as one. @param {Record<string, any>[]} edits each with its `kind` */
+  editAll(edits) {
+    return this.#changing("edit_all", { edits }, "");
+  }
+
   /**
    * Ask what a change would do; null where it cannot be made, which is not said: it is not yet what is wanted.
    * @param {string} kind @param {Record<string, any>} fields as those of `edit`

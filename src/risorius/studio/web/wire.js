@@ -192,6 +192,12 @@
  * @property {Array<EmotionSpan>|null} [emotions]
  */
 /**
+ * Make several edits as one change, or none if one does not fit; answered by TakeChange.
+ * @typedef {Object} EditAll
+ * @property {"edit_all"} do
+ * @property {Array<Move|Stretch|Retarget|Add|Delete|Keys|ClearKeys>} edits
+ */
+/**
  * Ask for the effect of an edit without applying it: `{"do": "preview", "kind": KIND, …}`.
  * Answered by Previewed. With `face`, a time, the face held at that time is sent before the answer.
  * @typedef {Object} Preview
@@ -817,7 +823,7 @@
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "prepare" | "draft" | "choose" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "draft" | "choose" | "edit_all" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

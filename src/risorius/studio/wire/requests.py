@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
 
 from ...core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Retarget, Stretch
-from ...core.hints import Range
+from ...core.hints import Range, Then
+from ...core.schema import converter
 from ...core.units import Seconds, Share
+from ...errors import InputError, unknown
 from .choices import export_class
 from .shared import Choices, EmotionSpan, Source, Whole
 from .views import PageView
@@ -67,6 +69,25 @@ EDITS: Mapping[str, type] = {
     "clear_keys": ClearKeys,
 }
 """The kinds of `{"do": "edit", "kind": KIND, …}`, which are the library's own; answered by TakeChange."""
+
+
+def edit_of(members: Mapping[str, object]) -> Edit:
+    """Return the edit whose `kind` and fields these are."""
+    kind = members.get("kind")
+    if not isinstance(kind, str) or kind not in EDITS:
+        raise InputError(unknown("kind of edit", str(kind)[:40], EDITS))
+    fields = {name: value for name, value in members.items() if name != "kind" and value is not None}
+    return cast(Edit, converter(EDITS[kind])(fields))
+
+
+AnyEdit = Annotated[Edit, Then(edit_of, of=Mapping[str, object])]
+
+
+@dataclass(frozen=True, slots=True)
+class EditAll:
+    """Make several edits as one change, or none if one does not fit; answered by TakeChange."""
+
+    edits: tuple[AnyEdit, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -241,6 +262,7 @@ VERBS: Mapping[str, type] = {
     "prepare": Prepare,
     "draft": Draft,
     "choose": Choose,
+    "edit_all": EditAll,
     "bring_back": BringBack,
     "let_go": LetGo,
     "undo": Undo,

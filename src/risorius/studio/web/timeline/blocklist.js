@@ -131,6 +131,7 @@ export class BlockList {
     const again = (key.toLowerCase() === "z" && shiftKey) || key === "y";
     if (again) this.#controller.redo();
     else if (key.toLowerCase() === "z") this.#controller.undo();
+    else if (key.toLowerCase() === "a") this.#controller.chooseLane();
     else return false;
     return true;
   }

@@ -1,3 +1,4 @@
+import { movedTogether } from "./group.js";
 import { moved, pulled, timesOf } from "./times.js";
 
 const PATIENCE = 350; // ms without a key after which what was done by keys is sent
@@ -11,6 +12,7 @@ export class TimelineController {
   draws = false; // whether a pointer draws on graphs
   chosen = null; // the block that was last selected here, and not elsewhere on the page
   #nudged = null; // the block whose times were changed by keys and not sent yet
+  #nudgedAll = null; // the same of several blocks
   #timer = 0;
 
   /** @param {object} parts scene, edits, details, clock, actions, store, scroller, repaint, arrange */
@@ -20,16 +22,47 @@ export class TimelineController {
 
   /** Select a block (null: none), and explain it at a time within it. */
   choose(block, time = null) {
-    if (block?.id !== this.#nudged?.id) this.settle();
+    if (block?.id !== this.#nudged?.id || this.#nudgedAll) this.settle();
     this.scene.selectedKey = null;
+    this.scene.group.clear();
     if (block === null) {
       this.actions.select({});
+      this.repaint();
       return;
     }
     const shown = this.edits.shown(block) ?? block;
     const at = time ?? (shown.apex_start + shown.apex_end) / 2;
     this.chosen = block.id;
     this.actions.select({ movement: block.id, time: Math.min(at, this.scene.model.duration) });
+  }
+
+  /** Select several blocks; the last one is explained. */
+  chooseAll(blocks) {
+    const all = new Map(blocks.filter(({ editable }) => editable).map((block) => [block.id, block]));
+    this.choose([...all.values()].at(-1) ?? null);
+    if (all.size > 1) this.scene.group = new Set(all.keys());
+    this.repaint();
+  }
+
+  /** Select a block besides those that are selected, or no longer. */
+  toggle(block) {
+    const { blocks } = this;
+    const rest = blocks.filter(({ id }) => id !== block.id);
+    this.chooseAll(rest.length < blocks.length ? rest : [...blocks, block]);
+  }
+
+  /** Select all movements of the selected one's lane. */
+  chooseLane() {
+    const { block } = this;
+    const lane = block && this.scene.model.lanes.find(({ channel }) => channel === block.channel);
+    if (lane) this.chooseAll([...lane.spans.items.filter(({ id }) => id !== block.id), block]);
+  }
+
+  /** All selected blocks. */
+  get blocks() {
+    const { group, model } = this.scene;
+    if (group.size > 1) return [...group].map((id) => model.blocks.get(id)).filter(Boolean);
+    return this.block ? [this.block] : [];
   }
 
   /** Ask why a parameter, or both sides of one, has its value at a time. */
@@ -55,9 +88,13 @@ export class TimelineController {
    * @param {"move" | 0 | 1 | 2 | 3} what all of it, or one of its times
    */
   nudge(what, frames) {
-    const { block } = this;
+    const { block, blocks } = this;
     if (!block?.editable) return;
     const { duration, frame } = this.scene.model;
+    if (blocks.length > 1) {
+      if (what === "move") this.#nudgeAll(blocks, frames * frame, duration);
+      return;
+    }
     const times = timesOf(this.edits.shown(block) ?? block);
     const delta = frames * frame;
     const after = what === "move" ? moved(times, delta, duration) : pulled(times, what, times[what] + delta, duration);
@@ -68,11 +105,22 @@ export class TimelineController {
     this.#timer = setTimeout(() => this.settle(), PATIENCE);
   }
 
+  #nudgeAll(blocks, delta, duration) {
+    const times = blocks.map((block) => timesOf(this.edits.shown(block) ?? block));
+    this.#nudgedAll = blocks;
+    this.edits.holdAll(blocks, movedTogether(times, delta, duration));
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.settle(), PATIENCE);
+  }
+
   /** Send what was changed by keys. @returns {Promise<any>} done when the answer is here */
   async settle() {
     clearTimeout(this.#timer);
     const block = this.#nudged;
     this.#nudged = null;
+    const blocks = this.#nudgedAll;
+    this.#nudgedAll = null;
+    if (blocks) await this.edits.sendAll(blocks);
     if (block) await this.edits.send(block);
   }
 
@@ -90,11 +138,14 @@ export class TimelineController {
       this.removeKey(this.scene.selectedKey);
       return;
     }
-    const { block } = this;
+    const { block, blocks } = this;
     if (!block?.editable) return;
     clearTimeout(this.#timer);
-    this.#nudged = null;
-    this.edits.remove(block);
+    this.#nudged = this.#nudgedAll = null;
+    if (blocks.length > 1) {
+      this.edits.holdAll(blocks, null);
+      this.edits.sendAll(blocks);
+    } else this.edits.remove(block);
   }
 
   /** Both sides of a parameter where their keys are the same, else itself alone. */

@@ -1,3 +1,4 @@
+import { editsOf } from "./group.js";
 import { Preview } from "./preview.js";
 import { editOf, timesOf } from "./times.js";
 
@@ -58,6 +59,22 @@ export class Edits {
     this.#blocks.set(block.id, times);
     if (times) this.#preview.show(blockEdit(block, times));
     this.#changed();
+  }
+
+  /** Show several blocks at other times (null: deleted). */
+  holdAll(blocks, times) {
+    blocks.forEach((block, k) => this.#blocks.set(block.id, times === null ? null : times[k]));
+    this.#changed();
+  }
+
+  /** Send the held times of several blocks as one change; where they are deleted, that. @returns {Promise<any>} */
+  async sendAll(blocks) {
+    const gone = blocks.every(({ id }) => this.#blocks.get(id) === null);
+    const times = blocks.map((block) => this.#blocks.get(block.id) ?? timesOf(block));
+    const edits = gone ? blocks.map(({ id }) => ({ kind: "delete", movement: id })) : editsOf(blocks, times);
+    const answer = edits.length > 0 ? await this.#actions.editAll(edits) : null;
+    for (const { id } of blocks) this.drop(id);
+    return answer;
   }
 
   holdKeys(names, keys) {

@@ -127,6 +127,9 @@ class Timeline {
 
   /** A selected movement that was moved or stretched is explained where it is now, not where it was. */
   #follow(before) {
+    const { group } = this.#scene;
+    for (const id of group) if (!this.#scene.model.blocks.has(id)) group.delete(id);
+    if (group.size > 1) return;
     const { movement, time } = this.#store.get("selection");
     const [now, was] = [this.#scene.model, before].map((model) => model?.blocks.get(movement));
     if (!now || !was || (now.start === was.start && now.end === was.end)) return;

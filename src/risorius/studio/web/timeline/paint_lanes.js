@@ -17,15 +17,15 @@ const LEAST_HEIGHT = 0.45; // share of its row that the weakest movement fills
 
 /** @param {import("./scene.js").Scene} scene */
 export function paintLane(scene, row) {
-  const { context, view, palette, edits, selected } = scene;
+  const { context, view, palette, edits, selected, group } = scene;
   context.fillStyle = palette.grid;
   context.fillRect(0, row.y + row.height - 1, scene.width, 1);
   const drawn = { strokes: new Map(), labels: new Map() };
   for (const block of row.lane.spans.within(view.start, view.end)) {
-    if (block.id === selected || edits.has(block.id)) continue;
+    if (block.id === selected || group.has(block.id) || edits.has(block.id)) continue;
     paintBlock(scene, row, block, drawn);
   }
-  for (const id of new Set([...edits.held, selected])) {
+  for (const id of new Set([...edits.held, ...group, selected])) {
     const block = scene.model.blocks.get(id);
     if (block?.channel === row.lane.channel) paintBlock(scene, row, block, { labels: new Map() });
   }
@@ -47,7 +47,7 @@ function paintBlock(scene, row, block, { strokes, labels }) {
     return;
   }
   count.blocks++;
-  const chosen = block.id === selected;
+  const chosen = block.id === selected || scene.group.has(block.id);
   fillBlock(scene, shown, xs, [top, bottom], colour, chosen || block.id === hovered);
   if (shown.edited) paintEdited(context, xs, top, colour);
   paintLabel(scene, shown, xs, [top, bottom], labels);

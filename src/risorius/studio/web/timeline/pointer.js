@@ -1,6 +1,7 @@
 import { spoken } from "./dom.js";
 import { DragKey, DrawKeys } from "./drawing.js";
 import { DragBlock, DragLoop, Pan, Scrub } from "./gestures.js";
+import { DragBox, DragGroup } from "./group.js";
 import { clockTime } from "./paint_head.js";
 import { pick } from "./pick.js";
 
@@ -68,6 +69,13 @@ export function listen(canvas, controller, { add, walk }) {
 function begun(controller, found, x, y, event) {
   const { kind, block, handle, row, parameter, index } = found;
   if (kind === "head") return event.shiftKey ? new DragLoop(controller, x) : new Scrub(controller, x);
+  const more = event.shiftKey || event.ctrlKey || event.metaKey;
+  if (kind === "block" && more && block.editable) {
+    controller.toggle(block);
+    return null;
+  }
+  if (kind === "block" && controller.scene.group.has(block.id)) return new DragGroup(controller, x, block);
+  if (kind === "lane" || kind === "none") return new DragBox(controller, x, y, more);
   if (kind === "handle") return new DragBlock(controller, x, block, handle);
   if (kind === "block") {
     controller.choose(block, found.time);

@@ -22,6 +22,8 @@ export class Scene {
   height = 0;
   time = 0;
   selected = null; // a block's id
+  group = new Set(); // ids of all selected blocks, where they are several
+  box = null; // {x0, y0, x1, y1} from the top of the body, while blocks are selected by it
   hovered = null;
   selectedKey = null; // {parameter, index}
   focused = false; // whether the selected block has the keyboard
@@ -81,6 +83,7 @@ export class Scene {
     this.#paintWords();
     for (const row of this.visible()) (row.kind === "lane" ? paintLane : paintGraph)(this, row);
     this.#paintMarked();
+    this.#paintBox();
     context.restore();
     this.#paintHead();
     if (this.guide !== null) this.#line(this.guide, palette.mark, [2, 2]);
@@ -125,6 +128,15 @@ export class Scene {
     if (!row) return;
     this.context.fillStyle = this.palette.mark;
     this.context.fillRect(this.view.x(this.marked.time) - 0.5, row.y, 1, row.height - 1);
+  }
+
+  #paintBox() {
+    if (this.box === null) return;
+    const { x0, y0, x1, y1 } = this.box;
+    this.context.strokeStyle = this.palette.mark;
+    this.context.setLineDash([3, 2]);
+    this.context.strokeRect(x0, y0, x1 - x0, y1 - y0);
+    this.context.setLineDash([]);
   }
 
   #line(time, colour, dash) {

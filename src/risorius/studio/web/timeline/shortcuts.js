@@ -16,6 +16,8 @@ export const TIMELINE_KEYS = [
   { keys: "Alt ← →", does: "Movements: stretch the start" },
   { keys: "Ctrl ← →", does: "Movements: longer or shorter onset" },
   { keys: "Ctrl Shift ← →", does: "Movements: longer or shorter offset" },
+  { keys: "Shift click, drag a box", does: "Movements: select several; all of them move, and are deleted" },
+  { keys: "Ctrl A", does: "Movements: select all of the lane" },
   { keys: "Delete", does: "Movements: delete" },
   { keys: "Escape", does: "Movements: select none; cancel a drag" },
 ];
