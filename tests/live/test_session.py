@@ -12,15 +12,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from risorius import Live
+from risorius import Live, speak
 from risorius.core.audio import AudioWriter
-from risorius.core.parameters import INDEX, NAMES
+from risorius.core.parameters import INDEX, NAMES, PARAMETERS, Kind
 from risorius.core.performance import Performance, frame_count
 from risorius.core.score import Score
+from risorius.core.utterance import Phone, Utterance, Word
 from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError, UnreadError
+from risorius.languages import language_of
 from risorius.live.frame import LiveFrame
 from risorius.live.pace import Pace
-from risorius.live.session import SEAM
+from risorius.live.sentences import SentenceBuffer
+from risorius.live.session import SEAM, TAIL
 from risorius.rules.emotions import Displays
 from risorius.settings import Settings
 from risorius.take import Take
@@ -31,21 +34,37 @@ TEXT = (
     + "End."
 )
 JAW = INDEX["masseter"]
+MUSCLES = [INDEX[p.name] for p in PARAMETERS if p.kind is Kind.MUSCLE]
 RATE = 16_000
 
 
+def length(sentence: str) -> int:
+    """Return the samples of a sentence."""
+    return sum(map(ord, sentence)) % 997 * 24
+
+
 def perform(text: str, feelings: Displays, chosen: Settings) -> Take:
-    """Perform a sentence at no cost: the sum of its letters is its value and its sound."""
+    """Perform sentences at no cost: the letters of each give its value, its sound and its length."""
     if "engine dies" in text:
         raise SpeechError("the engine died")
-    number = sum(map(ord, text)) % 997
+    buffer, words, values, place = SentenceBuffer(language_of("en-us")), [], [], 0
     with AudioWriter(RATE) as writer:
-        writer.append(np.arange(number * 3, dtype=np.int16))
+        for piece in [*buffer.add(text), *buffer.flush()]:
+            sentence = piece.strip()
+            start, number = writer.frames / RATE, length(sentence)
+            writer.append(np.arange(number).astype(np.int16))
+            word = place + piece.index(sentence)
+            words.append(Word(sentence, start, writer.frames / RATE, 0, 1, word, word + len(sentence)))
+            values.append(number / 24 / 997 + chosen.seed * 1e-3 + len(feelings))
+            place += len(piece)
         audio = writer.finish()
-    score = Score(max(audio.duration, 0.3))
-    count = frame_count(score.duration, chosen.fps)
-    values = np.full((count, len(NAMES)), number / 997 + chosen.seed * 1e-3 + len(feelings))
-    return Take(Performance(score, chosen.fps, values), chosen, sound=audio)
+    score = Score(audio.duration)
+    times = np.arange(frame_count(score.duration, chosen.fps)) / float(chosen.fps)
+    ends = np.array([word.end for word in words])
+    at = np.array(values)[np.minimum(np.searchsorted(ends, times, "right"), len(words) - 1)]
+    silence = (Phone("", 0.0, score.duration),)
+    utterance = Utterance(text, "en-us", audio, silence, tuple(words))
+    return Take(Performance(score, chosen.fps, np.repeat(at[:, None], len(NAMES), 1)), chosen, utterance)
 
 
 def live(fps: float = 30, chosen: Settings | None = None) -> Live:
@@ -109,11 +128,11 @@ def test_frames_hold_their_samples_and_count_on(fps: float) -> None:
     assert [len(f.sound) for f in frames] == [
         round((k + 1) * RATE / exact) - round(k * RATE / exact) for k in range(len(frames))
     ]
-    for text in ("First one.", "Second one.", "Third."):
-        heard = np.concatenate([f.sound for f in frames if f.text == text])
-        number = sum(map(ord, text)) % 997 * 3
-        np.testing.assert_array_equal(heard[:number], np.arange(number, dtype=np.int16))
-        assert not heard[number:].any()
+    heard = np.concatenate([f.sound for f in frames])
+    said = [np.arange(length(text)).astype(np.int16) for text in ("First one.", "Second one.", "Third.")]
+    number = sum(map(len, said))
+    np.testing.assert_array_equal(heard[:number], np.concatenate(said))
+    assert not heard[number:].any()
 
 
 def test_an_interruption_silences_at_once_and_rests_within_a_fifth_of_a_second() -> None:
@@ -122,7 +141,7 @@ def test_an_interruption_silences_at_once_and_rests_within_a_fifth_of_a_second()
     iterator = face.frames()
     spoken = list(islice(iterator, 8))
     assert spoken[-1].values[JAW] > 0.1
-    face.interrupt()
+    assert face.interrupt() == "Never said. Nor this"
     after = list(islice(iterator, 60))
     assert not any(f.text or f.sound.any() for f in after)
     assert 0 < after[0].values[JAW] < spoken[-1].values[JAW]
@@ -134,7 +153,10 @@ def test_an_interruption_silences_at_once_and_rests_within_a_fifth_of_a_second()
 
 def test_values_pass_over_a_seam_without_a_jump() -> None:
     face = live(60)
-    face.say("A. Zzzz zz. Be. ")
+    for number, text in enumerate(("A. ", "Zzzz zz. ", "Be. ")):
+        face.say(text)
+        face.flush()
+        face.feel("happiness", number * 0.1)
     face.close()
     values = np.array([f.values for f in face.frames()])
     span = values.max() - values.min()
@@ -206,6 +228,59 @@ def test_pauses_that_nothing_reads_are_refused() -> None:
     for chosen in (Settings(lead=1.0), Settings(tail=2.0)):
         with pytest.raises(UnreadError, match="pauses of its own"):
             live(30, chosen)
+
+
+def test_the_frames_are_those_of_speak() -> None:
+    text = "Hello there. Who are you?"
+    chosen = Settings(lead=SEAM, tail=TAIL)
+    take = speak(text, text=True, emotion={"happiness": 0.7}, settings=chosen)
+    face = Live()
+    face.feel("happiness", 0.7)
+    for piece in ("Hel", "lo there. Wh", "o are you?"):
+        face.say(piece)
+    face.close()
+    frames = list(face.frames())
+    np.testing.assert_allclose([f.values for f in frames], take.performance.values, atol=1e-6)
+    assert take.audio is not None
+    heard, sound = np.concatenate([f.sound for f in frames]), take.audio.read()
+    shorter = min(len(heard), len(sound))
+    np.testing.assert_array_equal(heard[:shorter], sound[:shorter])
+
+
+def test_a_sentence_that_joins_a_turn_changes_no_sound_and_hardly_a_muscle() -> None:
+    whole, joined = Live(), Live()
+    whole.say("Hello there, my friend. Who are you?")
+    whole.close()
+    joined.say("Hello there, my friend.")
+    joined.flush()
+    iterator = joined.frames()
+    frames = list(islice(iterator, 10))
+    joined.say(" Who are you?")
+    joined.close()
+    frames += iterator
+    expected = list(whole.frames())
+    for frame, other in zip(frames, expected, strict=True):
+        np.testing.assert_array_equal(frame.sound, other.sound)
+        assert frame.text == other.text
+        np.testing.assert_allclose(frame.values[MUSCLES], other.values[MUSCLES], atol=0.02)
+
+
+def test_a_smile_goes_on_from_one_idle_stretch_to_the_next() -> None:
+    face = live(10, Settings())
+    face.feel("happiness", 0.8)
+    smile = [f.parameters["zygomatic_major.left"] for f in islice(face.frames(), 130)]
+    assert min(smile[20:]) > 0.8 * max(smile) > 0.1
+
+
+def test_sentences_that_cannot_be_spoken_together_are_spoken_one_by_one() -> None:
+    face = live()
+    face.say("Good words to say now. Here the engine dies. Better. ")
+    face.close()
+    texts = []
+    with pytest.raises(SpeechError):
+        texts += [frame.text for frame in face.frames()]
+    texts += [frame.text for frame in face.frames()]
+    assert texts[-1] == "Better."
 
 
 def test_a_spoken_sentence_has_its_voice_and_ends_at_rest() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 from ..errors import InputError
 from ..languages import Language
@@ -13,13 +13,16 @@ LONGEST_WAITING = 100_000
 """Characters that may wait for the end of their sentence."""
 # Whether a sentence ends is decided by what follows it within so many characters.
 _LOOKAHEAD = 60
+# A blank line ends a sentence that does not end in one of these.
+_ENDS = ".!?\u2026"
 
 
 class SentenceBuffer:
     """Collects text until a sentence is whole.
 
     A sentence is whole when the next one has begun, since "3." or "Dr." may not end one: `flush` ends the
-    last. Text longer than can be spoken at once is divided as offline.
+    last. Sentences have the blanks after them, so that together they are the text that was added. Text longer
+    than can be spoken at once is divided as offline.
     """
 
     def __init__(self, language: Language) -> None:
@@ -42,8 +45,11 @@ class SentenceBuffer:
         return self._take(list(takewhile(self._is_decided, stretches)))
 
     def flush(self) -> list[str]:
-        """Return all that waits, as sentences."""
+        """Return all that waits, as sentences; the last ends where it does, whatever follows."""
         sentences = self._take(list(divide(self._text, self._language)))
+        if sentences:
+            rest = sentences[-1].rstrip()
+            sentences[-1] = rest + (" " if rest[-1] in _ENDS else "\n\n")
         self._text = ""
         return sentences
 
@@ -54,7 +60,12 @@ class SentenceBuffer:
         return len(following) == _LOOKAHEAD or any(character.isalnum() for character in following)
 
     def _take(self, stretches: list[TextStretch]) -> list[str]:
-        sentences = [self._text[s.start : s.end].strip() for s in stretches]
-        if stretches:
-            self._text = self._text[stretches[-1].end :]
+        edges = [0, *(self._after_blanks(stretch.end) for stretch in stretches)]
+        sentences = [self._text[start:end] for start, end in pairwise(edges)]
+        self._text = self._text[edges[-1] :]
         return sentences
+
+    def _after_blanks(self, index: int) -> int:
+        while self._text[index : index + 1].isspace():
+            index += 1
+        return index

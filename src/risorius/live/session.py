@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections import deque
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncIterator, Iterator
 from dataclasses import dataclass, replace
 from threading import Lock
 
@@ -13,9 +13,8 @@ import numpy as np
 
 from ..api import speak
 from ..core.arrays import Array
-from ..core.audio import Samples
 from ..core.frame_rate import parse_fps
-from ..errors import InputError, ParameterError, UnreadError, unknown
+from ..errors import InputError, ParameterError, RisoriusError, UnreadError, unknown
 from ..languages import language_of
 from ..pipeline import with_profile
 from ..rules.emotions import Display, Displays, emotion_names
@@ -27,6 +26,7 @@ from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
 from .pace import Pace
 from .sentences import SentenceBuffer
+from .turn import MOST_SENTENCES, LiveStretch, PerformSentence, prerolled, stretch_of
 
 # Seconds in which the face passes from one stretch to the next: an interrupted mouth shuts within .2 s.
 SEAM = 0.15
@@ -38,8 +38,6 @@ MOST_WAITING = 1_000
 """Sentences that may wait to be said."""
 _SAMPLE_RATE = 22_050
 
-PerformSentence = Callable[[str, Displays, Settings], Take]
-
 
 @dataclass(frozen=True, slots=True)
 class _Waiting:
@@ -49,18 +47,8 @@ class _Waiting:
     feelings: Displays
 
 
-@dataclass(frozen=True, slots=True)
-class _Stretch:
-    """What is being played: values (frames, parameters) and samples from the frame `first` on."""
-
-    first: int
-    values: Array
-    samples: Samples
-    text: str = ""
-
-
 def perform_sentence(text: str, feelings: Displays, settings: Settings) -> Take:
-    """Perform one sentence as `speak` does."""
+    """Perform sentences as `speak` does."""
     return speak(text, text=True, source="live", emotion=feelings, settings=settings)
 
 
@@ -69,7 +57,8 @@ class Live:
 
     No clock takes part: `frames` yields the next frame when asked, and a frame depends on the text and on the
     frames at which it arrived, not on how it was cut. Text may come from another thread than the one that
-    asks for frames. `perform` performs a sentence.
+    asks for frames. Sentences that are there when a turn begins, and those that come .9 s before it ends, are
+    performed together as `speak` performs their text. `perform` performs them.
     """
 
     def __init__(
@@ -93,11 +82,14 @@ class Live:
         self._feelings: dict[str, float] = {}
         self._lock = Lock()
         self._closed = self._interrupted = False
-        self._next = self._units = self._last_text = 0
+        self._next = self._turns = self._idles = self._last_text = 0
         self._sample_rate = _SAMPLE_RATE
-        self._stretch: _Stretch | None = None
+        self._stretch: LiveStretch | None = None
+        # Those of the turn that plays.
+        self._turn_settings = self._settings
         self._last: Array | None = None
         self._seam_from: Array | None = None
+        self._seam_at = 0
 
     def say(self, text: str) -> None:
         """Add text, cut anywhere: a sentence is said once the next has begun, or nothing came for a second.
@@ -130,12 +122,21 @@ class Live:
         with self._lock:
             self._feelings[names[emotion.lower()]] = intensity
 
-    def interrupt(self) -> None:
-        """Fall silent at once: what was not said is forgotten, and the mouth shuts within .2 s."""
+    def interrupt(self) -> str:
+        """Fall silent at once, with the mouth shut within .2 s; return the text that was not said.
+
+        It begins at the first word that was not heard yet, and is forgotten.
+        """
         with self._lock:
-            self._buffer.flush()
+            waiting = [sentence.text for sentence in self._waiting]
+            unsaid = [*waiting, *self._buffer.flush()]
+            playing = self._stretch
+            if playing is not None and not self._interrupted:
+                since = float((self._next - playing.first) / self._settings.fps)
+                unsaid = [playing.unsaid_after(since), *unsaid]
             self._waiting.clear()
             self._interrupted = True
+            return "".join(unsaid).strip()
 
     def close(self) -> None:
         """Say what has arrived; then `frames` ends."""
@@ -167,54 +168,111 @@ class Live:
         stretch = self._current()
         if stretch is None:
             return None
-        index, fps = self._next, self._settings.fps
-        values = self._blended(stretch.values[index - stretch.first], index - stretch.first)
-        edges = [round(k * self._sample_rate / fps) for k in (stretch.first, index, index + 1)]
+        index, fps, rate = self._next, self._settings.fps, stretch.sample_rate
+        values = self._blended(stretch.values[index - stretch.first])
+        edges = [round(k * rate / fps) for k in (stretch.first, index, index + 1)]
         sound = np.zeros(edges[2] - edges[1], np.int16)
         heard = stretch.samples[edges[1] - edges[0] : edges[2] - edges[0]]
         sound[: len(heard)] = heard
         self._next, self._last = index + 1, values
-        return LiveFrame(index, float(index / fps), values, sound, self._sample_rate, stretch.text)
+        text = stretch.sentence_at(float((index - stretch.first) / fps))
+        return LiveFrame(index, float(index / fps), values, sound, rate, text)
 
-    def _current(self) -> _Stretch | None:
+    def _current(self) -> LiveStretch | None:
         """Return the stretch that the next frame lies in; None at the end."""
         with self._lock:
             if self._buffer and self._next - self._last_text >= PATIENCE * self._settings.fps:
                 self._queue(self._buffer.flush())
             playing = self._stretch
-            if playing and (self._next - playing.first >= len(playing.values) or self._interrupted):
+            if playing and (self._next >= playing.end or self._interrupted):
                 playing = None
             self._interrupted = False
-            is_idle = playing is None or not playing.text
-            waiting = self._waiting.popleft() if is_idle and self._waiting else None
-            feelings = self._felt()
-            if waiting is None and is_idle and self._closed:
+            is_idle = playing is None or not playing.spoken
+            joined = None if is_idle else playing
+            if joined and self._next != joined.last_call(self._settings.fps):
+                return joined
+            sentences, feelings = self._take(joined)
+            if is_idle and not sentences and self._closed:
                 return None
-        if waiting is not None or playing is None:
-            self._stretch = None
-            self._stretch = playing = self._begin(waiting, feelings)
-            self._seam_from = self._last
-        return playing
+        if sentences or playing is None:
+            self._stretch = self._begun(joined, sentences, feelings)
+            rest = None if self._last is None else self._last[None]
+            self._seam_from = rest if joined is None else joined.values[self._next - joined.first :]
+            self._seam_at = self._next
+        return self._stretch
 
-    def _begin(self, waiting: _Waiting | None, feelings: Displays) -> _Stretch:
-        # Every stretch has random numbers of its own.
-        seed, self._units = self._settings.seed + self._units, self._units + 1
-        if waiting is None:
-            take = idle_take(IDLE_SECONDS, feelings, replace(self._idle_settings, seed=seed))
-            return _Stretch(self._next, take.performance.values, np.zeros(0, np.int16))
-        take = self._perform(waiting.text, waiting.feelings, replace(self._settings, seed=seed))
-        samples = np.zeros(0, np.int16)
-        if take.audio is not None:
-            samples, self._sample_rate = take.audio.read(), take.audio.sample_rate
-        return _Stretch(self._next, take.performance.values, samples, waiting.text)
+    def _take(self, joined: LiveStretch | None) -> tuple[tuple[str, ...], Displays]:
+        """Take the sentences that are said next, in a new turn or in one that plays, and what is felt."""
+        taken: list[str] = []
+        room = MOST_SENTENCES - (len(joined.sentences) if joined else 0)
+        first = self._waiting[0].feelings if self._waiting else self._felt()
+        feelings = joined.feelings if joined else first
+        while self._waiting and len(taken) < room and self._waiting[0].feelings == feelings:
+            taken.append(self._waiting.popleft().text)
+        return tuple(taken), feelings
 
-    def _blended(self, values: Array, since: int) -> Array:
-        """Return values so many frames after a stretch began: they leave those of the last one smoothly."""
+    def _begun(
+        self, joined: LiveStretch | None, sentences: tuple[str, ...], feelings: Displays
+    ) -> LiveStretch:
+        """Return what plays now. If sentences cannot be spoken together, the others wait for the first."""
+        before = self._stretch
+        if not sentences:
+            return self._begin_idle(before, feelings)
+        # If nothing can be spoken, the stretch before is over; a turn goes on without those that join.
+        self._stretch = joined
+        try:
+            return self._begin_turn(joined, before, sentences, feelings)
+        except RisoriusError:
+            if len(sentences) == 1:
+                raise
+        with self._lock:
+            self._waiting.extendleft(_Waiting(text, feelings) for text in reversed(sentences[1:]))
+        return self._begin_turn(joined, before, sentences[:1], feelings)
+
+    def _begin_turn(
+        self,
+        joined: LiveStretch | None,
+        before: LiveStretch | None,
+        sentences: tuple[str, ...],
+        feelings: Displays,
+    ) -> LiveStretch:
+        if joined is not None:
+            sentences, chosen, first = (*joined.sentences, *sentences), self._turn_settings, joined.first
+        else:
+            # The first turn has the random numbers of `speak`, every other one others.
+            chosen = replace(self._settings, seed=self._settings.seed + self._turns)
+            chosen, first = self._after(before, chosen, feelings)
+        take = self._perform("".join(sentences), feelings, chosen)
+        self._turn_settings, self._turns = chosen, self._turns + (joined is None)
+        stretch = stretch_of(take, sentences, first, feelings, self._sample_rate)
+        self._sample_rate = stretch.sample_rate
+        return stretch
+
+    def _begin_idle(self, before: LiveStretch | None, feelings: Displays) -> LiveStretch:
+        chosen = replace(self._idle_settings, seed=self._settings.seed + self._idles)
+        chosen, first = self._after(before, chosen, feelings)
+        self._idles += 1
+        take = idle_take(IDLE_SECONDS + float((self._next - first) / chosen.fps), feelings, chosen)
+        return stretch_of(take, (), first, feelings, self._sample_rate)
+
+    def _after(
+        self, before: LiveStretch | None, chosen: Settings, feelings: Displays
+    ) -> tuple[Settings, int]:
+        """Return settings and first frame of a stretch that goes on with what is felt in the one before."""
+        if not feelings or before is None or before.feelings != feelings:
+            return chosen, self._next
+        chosen, dropped = prerolled(chosen)
+        return chosen, self._next - dropped
+
+    def _blended(self, values: Array) -> Array:
+        """Return the next frame's values: at a seam they smoothly leave what would have been shown."""
+        since = self._next - self._seam_at
         share = float((since + 1) / self._settings.fps) / SEAM
         if self._seam_from is None or share >= 1.0:
             return values
         weight = share * share * (3.0 - 2.0 * share)
-        blended: Array = self._seam_from + weight * (values - self._seam_from)
+        before = self._seam_from[min(since, len(self._seam_from) - 1)]
+        blended: Array = before + weight * (values - before)
         return blended
 
     def _queue(self, sentences: list[str]) -> None:
