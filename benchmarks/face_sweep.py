@@ -20,11 +20,12 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path.insert(0, str(ROOT))
 
-from face.flips import SMALLEST, Flips, visible  # noqa: E402
-from face.poses import BASES, JAW, contracted, random_values  # noqa: E402
-from face.winding import LipTester  # noqa: E402
+from tests.face.flips import SMALLEST, Flips, visible  # noqa: E402
+from tests.face.poses import BASES, JAW, contracted, random_values  # noqa: E402
+from tests.face.winding import LipTester  # noqa: E402
+
 from risorius.face.head import Head, load_head  # noqa: E402
 from risorius.face.solve import FaceSolver  # noqa: E402
 

@@ -22,11 +22,12 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path.insert(0, str(ROOT))
 
-from face.conftest import EMOTIONS, MOUTH_MUSCLES  # noqa: E402
-from face.laws import BLINK, Laws  # noqa: E402
-from face.poses import BASES, contracted, random_values  # noqa: E402
+from tests.face.conftest import EMOTIONS, MOUTH_MUSCLES  # noqa: E402
+from tests.face.laws import BLINK, Laws  # noqa: E402
+from tests.face.poses import BASES, contracted, random_values  # noqa: E402
+
 from risorius.core.parameters import INDEX  # noqa: E402
 from risorius.face.head import load_head, shipped_heads  # noqa: E402
 from risorius.face.sliders import parse_slider, slider_names  # noqa: E402

@@ -14,9 +14,10 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path.insert(0, str(ROOT))
 
-from face.teeth import TeethTester  # noqa: E402
+from tests.face.teeth import TeethTester  # noqa: E402
+
 from risorius.api import speak  # noqa: E402
 from risorius.channels import Display  # noqa: E402
 from risorius.core.parameters import NAMES  # noqa: E402
