@@ -92,6 +92,12 @@ class Take:
         explanations = (explain(self._plan, time, name) for name in names)
         return tuple(e for e in explanations if parameter is not None or e.winner is not None or e.losers)
 
+    def reasons(self, time: float) -> tuple[str, ...]:
+        """Return what `explain` says of all that moves at a time in seconds, in lines of words."""
+        from .blend.narrate import narrate
+
+        return tuple(narrate(self.explain(time), time))
+
     def traces(self, parameter: str) -> tuple[Trace, ...]:
         """Return what each channel asks of a parameter, and what it gets, at every frame.
 

@@ -59,6 +59,9 @@ class SmallTake:
     ) -> Iterator[ByteArray]:
         return self.draw(size, indices)
 
+    def reasons(self, time: float) -> Sequence[str]:
+        return (f"reasons at {time:g} s",)
+
     def measures(self, frame: Any) -> Array:
         return np.full(self.measure_count, float(frame))
 

@@ -13,10 +13,10 @@ from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.solve import FaceSolver
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.garment import neckline
-from risorius.studio.mesh import head_glb
-from risorius.studio.shade import HEM_STEPS, light, shade
+from risorius.ports.face_packer import FRAMES, PARTS, POSE, STEP
+from risorius.ports.head_glb import head_glb
+from risorius.ports.head_shade import HEM_STEPS, light, shade
 from risorius.studio.solvers import stage_of
-from risorius.studio.stage import FRAMES, PARTS, POSE, STEP
 
 
 @pytest.fixture(scope="module")

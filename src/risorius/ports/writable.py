@@ -52,6 +52,9 @@ class WritableTake(Protocol):
         channels if their background is transparent. A picture is valid until the next one is asked for.
         """
 
+    def reasons(self, time: float) -> Sequence[str]:
+        """Return the lines that say why what moves at a time in seconds has its value."""
+
     def measures(self, frame: FaceFrame) -> Sequence[float] | Array:
         """Return the numbers of `landmarks_csv.COLUMNS` after `time_s`, in that order."""
 

@@ -24,15 +24,15 @@ from starlette.websockets import WebSocket
 from ..api import speak
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
+from ..ports.head_glb import head_glb
+from ..ports.head_shade import shade
 from . import limits, session_list
 from .catalogue import catalogue_json
 from .connection import Connection
 from .exports import ARCHIVE
 from .guard import Guard
-from .mesh import head_glb
 from .messages import encoded
 from .session_list import NAME
-from .shade import shade
 from .shared_session import SharedSession
 from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, to_file, to_memory
@@ -258,7 +258,7 @@ async def stage(request: Request) -> Response:
 
 
 async def shading(request: Request) -> Response:
-    """Return what each vertex of a head's skin sees of the light (`shade.py`)."""
+    """Return what each vertex of a head's skin sees of the light (`head_shade.py`)."""
     return await _of_head(request, _shaded, "application/octet-stream")
 
 

@@ -13,11 +13,11 @@ from ..core.arrays import Array
 from ..core.parameters import NAMES
 from ..errors import InputError, unknown
 from ..face.head import shipped_heads
+from ..ports.face_packer import DIALLED
 from ..settings import Settings
 from .dials import SETTLED, DialledFace, dialled
 from .session_files import SessionFiles
 from .solvers import Solvers, stage_of
-from .stage import DIALLED
 from .streaming import Send
 from .threads import on_thread
 from .wire import answers, requests

@@ -12,9 +12,9 @@ from ..core.parameters import NEUTRAL
 from ..face.head import head_of
 from ..face.solve import FaceSolver
 from ..looks.apply_look import apply_look
+from ..ports.face_packer import FacePacker
 from ..settings import Look, Settings
 from ..take import make_solver
-from .stage import FacePacker
 from .threads import on_thread
 
 _MOST_IDLE = 4

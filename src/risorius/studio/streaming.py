@@ -8,11 +8,11 @@ from concurrent.futures import Executor
 
 from ..face.frame import FaceFrame
 from ..face.solve import FaceSolver
+from ..ports.face_packer import FRAMES, MOMENT, FacePacker
 from ..settings import Settings
 from ..take import Take
 from .session import SessionTake
 from .solvers import Solvers, stage_of
-from .stage import FRAMES, MOMENT, FacePacker
 from .threads import on_thread
 from .wire import answers, requests
 

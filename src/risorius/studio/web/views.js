@@ -22,7 +22,7 @@ export function mountViews(element, note, names, studio) {
   };
   view.onmove(showCamera);
   showCamera();
-  document.getElementById("head").addEventListener("keydown", (event) => turn(event, view));
+  document.getElementById("head").addEventListener("keydown", (event) => turnByKeys(event, view));
   store.watch(["other", "dial"], () => {
     const other = store.get("other");
     const labels = other ? [store.get("dial") ? "dials" : "this take", other.label] : [];
@@ -51,7 +51,8 @@ function emptyNote(store) {
   return store.get("busy") || "Write a line and perform it, or play an example.";
 }
 
-function turn(event, view) {
+/** Turn and zoom by keys. @param {KeyboardEvent} event @param {import("./stage/cameras.js").View} view */
+export function turnByKeys(event, view) {
   const act = {
     ArrowLeft: () => view.orbit(-STEP, 0),
     ArrowRight: () => view.orbit(STEP, 0),

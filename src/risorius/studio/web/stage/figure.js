@@ -20,7 +20,7 @@ const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
  * @param {ArrayBuffer} file the head as binary glTF
  * @param {object} packing how faces of this head are packed, as the server describes it
  * @param {Uint8Array} shade what each vertex of the skin sees at rest of its surroundings and of each lamp, and how far
- *   it is from the neckline, (vertices, 1 + lamps + 1) as `shade.py` packs it
+ *   it is from the neckline, (vertices, 1 + lamps + 1) as `head_shade.py` packs it
  * @param {THREE.Texture} mirrored what the eyes mirror
  */
 export async function buildFigure(file, packing, shade, mirrored) {

@@ -10,7 +10,7 @@ const ABOVE = [-20, -6]; // mm into the cloth where the neck's colour is taken
 
 /**
  * What each vertex of the skin sees of its surroundings and of each lamp, and its way to the neckline in mm.
- * @param {Uint8Array} seen (count, 1 + lamps + 1) as `shade.py` packs it
+ * @param {Uint8Array} seen (count, 1 + lamps + 1) as `head_shade.py` packs it
  * @param {number} count of the vertices
  * @returns {{free: THREE.BufferAttribute, reach: THREE.BufferAttribute, hem: THREE.BufferAttribute}}
  */

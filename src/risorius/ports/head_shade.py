@@ -9,7 +9,7 @@ from ..looks.anatomy import find_anatomy
 from ..looks.garment import neckline
 from ..render.lights import STUDIO
 from ..render.resting import light_at_rest
-from .tables import StageLamp, StageLight
+from .stage_table import StageLamp, StageLight
 
 HEM_STEPS = 4.0
 

@@ -20,10 +20,10 @@ from ..face.head import Head
 from ..looks.head_model import head_model
 from ..looks.parts import Part
 from ..looks.srgb import linear
-from ..ports.glb_scene import riding
-from ..ports.gltf import quaternions
-from .shade import light
-from .tables import StagePart, StageTable
+from .glb_scene import riding
+from .gltf import quaternions
+from .head_shade import light
+from .stage_table import StagePart, StageTable
 
 FRAMES, DIALLED, MOMENT = 1, 2, 3
 HEADER = struct.Struct("<6I")
@@ -71,12 +71,13 @@ class FacePacker:
 
     def packed(self, kind: int, take: int, first: int, faces: list[FaceFrame]) -> bytes:
         """Return the message with these faces."""
-        poses = np.concatenate([_pose(face) for face in faces])
-        positions = np.stack([self._positions(face) for face in faces])
+        poses = np.concatenate([pose_of(face) for face in faces])
+        positions = np.stack([self.positions(face) for face in faces])
         header = HEADER.pack(kind, take, first, len(faces), self.vertices, POSE)
         return b"".join((header, poses.astype("<f4").tobytes(), positions.tobytes()))
 
-    def _positions(self, face: FaceFrame) -> Int16Array:
+    def positions(self, face: FaceFrame) -> Int16Array:
+        """Return the points of a face in steps from the origin, shape (vertices, 3)."""
         skin = face.skin.astype(np.float64)
         hairs = riding(self.head_parts, skin - self._rest)
         grown = [self.head_parts[name].points + move for name, move in hairs.items()]
@@ -84,7 +85,8 @@ class FacePacker:
         return np.asarray(np.round((points - self.origin) / STEP).clip(-32768, 32767), "<i2")
 
 
-def _pose(face: FaceFrame) -> Float32Array:
+def pose_of(face: FaceFrame) -> Float32Array:
+    """Return how a face's head, eyes and jaw are turned, shape (POSE,)."""
     turns = quaternions([face.head_rotation, *face.eye_rotation]).ravel()
     return np.concatenate([turns, np.array([face.jaw_angle], np.float32)])
 

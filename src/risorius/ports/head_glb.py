@@ -5,9 +5,9 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from ..ports.glb_scene import GlbScene
-from ..ports.gltf import Gltf
-from .stage import FacePacker
+from .face_packer import FacePacker
+from .glb_scene import GlbScene
+from .gltf import Gltf
 
 
 def head_glb(stage: FacePacker) -> bytes:

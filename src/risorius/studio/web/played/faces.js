@@ -1,0 +1,69 @@
+/** The faces of the performance: chunks about the playhead are inflated, the others rest. */
+
+import { inflated } from "./data.js";
+
+const KEPT = 4; // chunks, of a second or so each
+
+export class PlayedFaces {
+  #facts;
+  #poses;
+  #base = null;
+  #chunks = new Map(); // number -> faces, or null while they are inflated
+  #arrived;
+
+  /** @param {object} facts of the page @param {Float32Array} poses @param {() => void} arrived */
+  constructor(facts, poses, arrived) {
+    this.#facts = facts;
+    this.#poses = poses;
+    this.#arrived = arrived;
+  }
+
+  /** @param {number} frame @returns {import("../stage/faces.js").Face | null} null while it is not ready */
+  at(frame) {
+    const { chunk, frames } = this.#facts;
+    const number = Math.floor(frame / chunk);
+    this.#want(number);
+    if ((number + 1) * chunk < frames) this.#want(number + 1);
+    return this.#chunks.get(number)?.[frame - number * chunk] ?? null;
+  }
+
+  #want(number) {
+    if (this.#chunks.has(number)) return;
+    for (const old of this.#chunks.keys()) if (this.#chunks.size >= KEPT) this.#chunks.delete(old);
+    this.#chunks.set(number, null);
+    this.#unpack(number);
+  }
+
+  async #unpack(number) {
+    this.#base ??= this.#points(0, null).then(([first]) => first);
+    const points = await (number === 0 ? this.#points(0, null) : this.#base.then((base) => this.#points(number, base)));
+    if (!this.#chunks.has(number)) return;
+    this.#chunks.set(number, points.map((own, k) => this.#face(own, number * this.#facts.chunk + k)));
+    this.#arrived();
+  }
+
+  /** The points of a chunk's faces; each is the one before and a difference. */
+  async #points(number, base) {
+    const bytes = new Uint8Array(await inflated(`faces-${number}`));
+    const count = 3 * this.#facts.stage.vertices;
+    const [half, vertices] = [bytes.length / 2, count / 3];
+    let before = base ?? new Int16Array(count);
+    return Array.from({ length: half / count }, (_, face) => {
+      const points = new Int16Array(count);
+      for (let axis = 0, k = face * count; axis < 3; axis++) {
+        for (let to = axis, vertex = 0; vertex < vertices; vertex++, to += 3, k++) {
+          const folded = bytes[k] | (bytes[half + k] << 8);
+          points[to] = before[to] + ((folded >> 1) ^ -(folded & 1));
+        }
+      }
+      before = points;
+      return points;
+    });
+  }
+
+  #face(points, frame) {
+    const { pose } = this.#facts.stage;
+    const turns = this.#poses.subarray(frame * pose, (frame + 1) * pose);
+    return { points, head: turns.subarray(0, 4), eyes: [turns.subarray(4, 8), turns.subarray(8, 12)], jaw: turns[12] };
+  }
+}

@@ -1,0 +1,68 @@
+/** Plays the performance that the page itself holds: head, sound, captions, timeline. */
+
+import { Clock } from "../clock.js";
+import { buildFigure } from "../stage/figure.js";
+import { Stage } from "../stage/stage.js";
+import { rateOf } from "../take.js";
+import { followTheme } from "../theme.js";
+import { turnByKeys } from "../views.js";
+import { block, inflated, woven } from "./data.js";
+import { PlayedFaces } from "./faces.js";
+import { mountLanes } from "./lanes.js";
+
+const element = (id) => document.getElementById(id);
+
+followTheme();
+const facts = JSON.parse(new TextDecoder().decode(await inflated("facts")));
+const fps = rateOf(facts.fps);
+const clock = new Clock();
+const stage = new Stage(element("head"));
+const [head, shade, poses] = await Promise.all(["head", "shade", "poses"].map(inflated));
+const figure = await buildFigure(woven(head), facts.stage, new Uint8Array(shade), stage.lit(facts.stage.light));
+stage.figures = [figure];
+const faces = new PlayedFaces(facts, new Float32Array(poses), () => {
+  show();
+  clock.begin();
+});
+element("head").addEventListener("keydown", (event) => turnByKeys(event, stage.view));
+const play = element("play");
+play.onclick = () => (clock.playing ? clock.pause() : clock.play());
+document.addEventListener("keydown", (event) => {
+  if (event.key !== " " || event.target === play) return;
+  event.preventDefault();
+  play.click();
+});
+mountLanes(element("timeline"), element("explanation"), facts, clock);
+clock.seen = () => faces.at(frameNow()) !== null;
+clock.on("tick", show);
+clock.on("state", () => {
+  play.textContent = clock.playing ? "Pause" : "Play";
+  stage.playing = clock.playing;
+});
+const sound = block("sound");
+const address = sound && URL.createObjectURL(new Blob([sound], { type: "audio/wav" }));
+clock.load({ duration: facts.duration, fps, sound: address });
+play.disabled = false;
+
+function frameNow() {
+  return Math.min(Math.floor(clock.time * fps + 1e-6), facts.frames - 1);
+}
+
+function show() {
+  const frame = frameNow();
+  const a = faces.at(frame);
+  const b = faces.at(Math.min(frame + 1, facts.frames - 1)) ?? a;
+  if (a) {
+    element("note").textContent = "";
+    const share = Math.min(Math.max(clock.time * fps - frame, 0), 1);
+    stage.stir();
+    if (figure.show(a, b, share)) stage.invalidate();
+  }
+  const cue = facts.captions.find(([, start, end]) => start <= clock.time && clock.time < end);
+  const text = cue?.[0] ?? "";
+  if (element("caption").textContent !== text) element("caption").textContent = text;
+  element("time").value = `${clock.time.toFixed(2)} / ${facts.duration.toFixed(2)} s`;
+}
+
+// For the curious, and for tests.
+window.played = { clock, stage, figure, faces, facts };

@@ -1,0 +1,49 @@
+"""The page that plays a performance from a file, in a real browser."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from risorius.take import Take
+
+from .driving import Page
+
+CLICK = """
+  const block = [...document.querySelectorAll(".block")].find((one) => one.block.targets?.masseter);
+  const { left, top } = block.getBoundingClientRect();
+  block.dispatchEvent(new MouseEvent("click", { bubbles: true, clientX: left + 1, clientY: top + 1 }));
+"""
+
+
+@pytest.fixture(scope="module")
+def written(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("played") / "x.html"
+    clip.write(path)
+    return path
+
+
+@pytest.fixture
+def played(browser_page: Page, written: Path) -> Iterator[Page]:
+    driver = browser_page.driver
+    driver.get(written.as_uri())
+    browser_page.wait("window.played?.stage.drawn && document.getElementById('note').textContent === ''")
+    yield browser_page
+    driver.get("about:blank")
+    browser_page.session = ""
+
+
+def test_the_page_plays_from_a_file_and_a_click_explains(played: Page, written: Path) -> None:
+    assert written.stat().st_size < 8e6
+    played.run("window.played.clock.play()")
+    played.wait("window.played.clock.sounding > 0")
+    played.wait("!window.played.clock.playing")
+    assert played.get("window.played.clock.time === window.played.facts.duration")
+    played.run(CLICK)
+    assert "from lips: /" in played.get("document.getElementById('explanation').textContent")
+    assert played.get("document.title") == "Oh, my mother!"
+    fetched = played.get("performance.getEntriesByType('resource').map((entry) => entry.name)")
+    assert all(name.startswith(("data:", "blob:")) for name in fetched)
+    assert played.complaints() == []
