@@ -10,10 +10,12 @@ from dataclasses import dataclass, replace
 from threading import Lock
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..api import speak
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
+from ..core.parameters import INDEX
 from ..errors import InputError, ParameterError, RisoriusError, UnreadError, unknown
 from ..languages import language_of
 from ..pipeline import with_profile
@@ -24,6 +26,7 @@ from ..speech.engines.voices import find_voice
 from ..take import Take
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
+from .listening import PauseListener, nod_pitch
 from .pace import Pace
 from .sentences import SentenceBuffer
 from .turn import MOST_SENTENCES, LiveStretch, PerformSentence, prerolled, stretch_of
@@ -37,6 +40,7 @@ PATIENCE = 1.0
 MOST_WAITING = 1_000
 """Sentences that may wait to be said."""
 _SAMPLE_RATE = 22_050
+_HEAD_PITCH = INDEX["head_pitch"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +94,8 @@ class Live:
         self._last: Array | None = None
         self._seam_from: Array | None = None
         self._seam_at = 0
+        self._listener = PauseListener()
+        self._nod_from: int | None = None
 
     def say(self, text: str) -> None:
         """Add text, cut anywhere: a sentence is said once the next has begun, or nothing came for a second.
@@ -121,6 +127,15 @@ class Live:
             raise ParameterError(f"{emotion} = {intensity} is out of range; expected 0 to 1")
         with self._lock:
             self._feelings[names[emotion.lower()]] = intensity
+
+    def listen(self, samples: ArrayLike, rate: int) -> None:
+        """Hear a piece of what the other says; the face nods at its pauses if it says nothing itself.
+
+        `samples`: one channel, int16 or -1..1. Raises InputError for other sound, which is not heard.
+        """
+        with self._lock:
+            if self._listener.hear(samples, rate) and (self._stretch is None or not self._stretch.spoken):
+                self._nod_from = self._next
 
     def interrupt(self) -> str:
         """Fall silent at once, with the mouth shut within .2 s; return the text that was not said.
@@ -175,6 +190,9 @@ class Live:
         heard = stretch.samples[edges[1] - edges[0] : edges[2] - edges[0]]
         sound[: len(heard)] = heard
         self._next, self._last = index + 1, values
+        if self._nod_from is not None:
+            values = values.copy()
+            values[_HEAD_PITCH] += nod_pitch(float((index - self._nod_from) / fps))
         text = stretch.sentence_at(float((index - stretch.first) / fps))
         return LiveFrame(index, float(index / fps), values, sound, rate, text)
 

@@ -1,0 +1,88 @@
+"""When a listener nods: at the pauses of who speaks to it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..core.arrays import Array
+from ..errors import InputError
+
+# Seconds: of sound that is judged at once, of speech before a pause that is answered, of the pause until the
+# answer, of a pause after which speech begins anew, and between two nods (ours: facts name no rate).
+_BLOCK, SPEECH, PAUSE, LONG_PAUSE, BETWEEN = 0.02, 1.0, 0.2, 1.0, 2.0
+# Decibels: the quietest sound that may be speech, and how far below the mean of speech a pause lies.
+_QUIETEST, _DROP = -50.0, 20.0
+# Share of a new block in the mean of speech: it follows in about a second.
+_SHARE = 0.02
+_RATES = (8_000, 192_000)
+# Nods last 150 to 400 ms (Graf et al. 2002); degrees are ours. A nod goes down first.
+NOD_SECONDS, NOD_DEGREES = 0.4, -5.0
+
+
+class PauseListener:
+    """Tells when to nod at what the other says, from sound in pieces, cut anywhere."""
+
+    def __init__(self) -> None:
+        self._rest = np.zeros(0)
+        self._rate = 0
+        self._level: float | None = None
+        self._speech = self._silence = 0.0
+        self._since = BETWEEN
+
+    def hear(self, samples: ArrayLike, rate: int) -> bool:
+        """Hear samples, int16 or -1..1; return whether a pause began in them at which to nod.
+
+        Raises InputError, and hears nothing, if they are not one channel of sound at 8 to 192 kHz.
+        """
+        sound = _checked(samples, rate)
+        if rate != self._rate:
+            self._rest, self._rate = np.zeros(0), rate
+        sound = np.concatenate([self._rest, sound])
+        size = round(rate * _BLOCK)
+        blocks = sound[: len(sound) // size * size].reshape(-1, size)
+        self._rest = sound[blocks.size :]
+        levels = 10.0 * np.log10(np.mean(blocks**2, axis=1) + 1e-12)
+        # Every block counts, those after a pause as well.
+        nods = [self._advance(level) for level in levels.tolist()]
+        return any(nods)
+
+    def _advance(self, level: float) -> bool:
+        self._since += _BLOCK
+        threshold = _QUIETEST if self._level is None else max(_QUIETEST, self._level - _DROP)
+        if level > threshold:
+            self._level = level if self._level is None else self._level + _SHARE * (level - self._level)
+            self._speech, self._silence = self._speech + _BLOCK, 0.0
+            return False
+        self._silence += _BLOCK
+        if self._silence >= LONG_PAUSE:
+            # Who speaks next may be further away.
+            self._level, self._speech = None, 0.0
+        if self._silence < PAUSE or self._speech < SPEECH or self._since < BETWEEN:
+            return False
+        self._speech, self._since = 0.0, 0.0
+        return True
+
+
+def nod_pitch(seconds: float) -> float:
+    """Return the degrees that a nod adds to the head's pitch so long after it began."""
+    if not 0.0 <= seconds < NOD_SECONDS:
+        return 0.0
+    return float(NOD_DEGREES * np.sin(np.pi * seconds / NOD_SECONDS) ** 2)
+
+
+def _checked(samples: ArrayLike, rate: int) -> Array:
+    if isinstance(rate, bool) or not isinstance(rate, int) or not _RATES[0] <= rate <= _RATES[1]:
+        raise InputError(f"sample rate {rate!r}; expected {_RATES[0]:,} to {_RATES[1]:,} Hz, a whole number")
+    try:
+        given = np.asarray(samples)
+    except ValueError:
+        given = np.zeros((1, 1))
+    if given.ndim != 1 or (given.dtype != np.int16 and given.dtype.kind != "f"):
+        raise InputError(
+            f"sound is {given.dtype} in {given.ndim} dimensions; expected one channel of int16, or -1..1"
+        )
+    sound = given / 32_768.0 if given.dtype == np.int16 else given.astype(float)
+    if not np.all(np.abs(sound) <= 1.0):
+        raise InputError("sound beyond -1..1; expected int16, or floats from -1 to 1")
+    return sound
