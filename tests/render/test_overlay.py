@@ -1,5 +1,6 @@
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from risorius.render.overlay import Overlays, Subject
 from risorius.render.overlay.bars import unit_values
 from risorius.render.overlay.caption import Caption, lines_of
 from risorius.render.overlay.lanes import Lanes, lane_blocks
+from risorius.render.overlay.phones import Phones
 
 SIZE = (240, 200)
 SMILE = Movement("emotion", 0.2, 1.0, 0.1, 0.1, {"zygomatic_major.left": 1.0}, cause=Cause("rule", "a joke"))
@@ -75,6 +77,20 @@ def test_the_line_for_now_moves_with_time(subject):
 def test_the_current_phone_is_bright(subject):
     first, later = (drawn(subject, ("phones",), frame) for frame in (0, 12))
     assert not np.array_equal(first, later)
+
+
+def test_names_of_phones_do_not_run_into_each_other(clip, monkeypatch):
+    strip = Phones(Subject(clip.performance, clip.utterance), (480, 480))
+    width = strip._text.getlength
+    texts = []
+    text_of = "PIL.ImageDraw.ImageDraw.text"
+    monkeypatch.setattr(text_of, lambda pen, at, text, **_: texts.append((at[0], text)))
+    for frame in range(len(clip.times)):
+        texts.clear()
+        strip.draw(Image.new("RGB", (480, 480)), 480, frame)
+        edges = [(x - 0.5 * width(text), x + 0.5 * width(text)) for x, text in texts]
+        # The current one is named though it be short: only it may reach out of its room.
+        assert sum(b[0] < a[1] for a, b in pairwise(edges)) <= 1
 
 
 def test_units_are_the_mean_of_their_muscles(subject):

@@ -33,6 +33,7 @@ class Phones:
         middle, scale, top = 0.5 * image.width, 0.5 * image.width / _SPAN, 0.7 * high
         left, right = middle - 0.5 * _SPAN * scale, middle + 0.5 * _SPAN * scale
         pen.rounded_rectangle((left, top, right, top + 1.8 * high), radius=0.4 * high, fill=PANEL)
+        free = -1.0  # where the last label ends
         for phone in self._phones:
             x = max(left, middle + (phone.start - time) * scale)
             end = min(right, middle + (phone.end - time) * scale)
@@ -40,8 +41,11 @@ class Phones:
                 continue
             now = phone.start <= time < phone.end
             pen.line((x, top + 0.35 * high, x, top + 1.45 * high), fill=SOFT)
-            if end - x > 0.8 * high or now:
-                place = (0.5 * (x + end), top + 0.9 * high)
+            wide, centre = self._text.getlength(phone.symbol), 0.5 * (x + end)
+            # The current phone is always named, those beside it if they stand within their own room.
+            if now or (wide < end - x and centre - 0.5 * wide > free):
                 ink = BRIGHT if now else INK
+                place = (centre, top + 0.9 * high)
                 pen.text(place, phone.symbol, font=self._text, fill=ink, anchor="mm")
+                free = centre + 0.5 * wide
         pen.line((middle, top, middle, top + 1.8 * high), fill=BRIGHT, width=2)
