@@ -26,6 +26,7 @@ def test_two_heads_stand_side_by_side_in_step(performed: Page) -> None:
     assert performed.get("studio.store.get('take').made.choices.lips") == "effort"
     performed.driver.find_element(By.ID, "compare-end").click()
     performed.wait("studio.headPlayers.figures[1] === null")
+    choose(performed, "compare", "lips", "effort")
 
 
 def test_the_same_settings_do_not_differ(performed: Page) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from selenium.webdriver.common.by import By
 
 from .acts import SETTLED, perform, type_line
@@ -12,21 +13,20 @@ DRAFT = "A sentence that nobody has performed."
 SAVED = f"{SETTLED} && studio.store.get('draft') === 'saved'"
 
 
-def test_a_draft_outlasts_a_lost_connection_another_tab_undo_and_a_reload(page: Page) -> None:
-    """One page for all of them: to perform takes the time."""
-    perform(page, "One.")
-    type_line(page, DRAFT)
-    page.run("""
-      const { connection, store } = studio;
+def test_a_draft_outlasts_a_lost_connection_another_tab_and_undo(performed: Page) -> None:
+    line = performed.get(WRITTEN)
+    type_line(performed, DRAFT)
+    performed.run("""
+      const { connection } = studio;
       const down = new Promise((go) => connection.on("down", go));
       connection.drop();
       await down;
     """)
-    page.wait("studio.store.get('link') === 'up'")
-    page.wait(f"{SAVED}")
-    assert page.get(WRITTEN) == DRAFT
+    performed.wait("studio.store.get('link') === 'up'")
+    performed.wait(f"{SAVED}")
+    assert performed.get(WRITTEN) == DRAFT
     # Another tab performs something else.
-    page.run("""
+    performed.run("""
       const socket = new WebSocket(`ws://${location.host}/ws/${studio.store.get("session")}`);
       await new Promise((go) => { socket.onopen = go; });
       const done = new Promise((go) => {
@@ -36,15 +36,23 @@ def test_a_draft_outlasts_a_lost_connection_another_tab_undo_and_a_reload(page: 
       await done;
       socket.close();
     """)
-    page.wait("studio.store.get('take').made.source.script === 'Two.'")
-    assert page.get(WRITTEN) == DRAFT
-    assert "kept" in page.get("document.querySelector('#notice span').textContent")
-    page.driver.find_element(By.ID, "undo").click()
-    page.wait("studio.store.get('take').made.source.script === 'One.'")
-    assert page.get(WRITTEN) == DRAFT
+    performed.wait("studio.store.get('take').made.source.script === 'Two.'")
+    assert performed.get(WRITTEN) == DRAFT
+    assert "kept" in performed.get("document.querySelector('#notice span').textContent")
+    performed.driver.find_element(By.ID, "undo").click()
+    performed.wait(f"studio.store.get('take').made.source.script === {line!r}")
+    assert performed.get(WRITTEN) == DRAFT
+    performed.driver.find_element(By.ID, "draft-aside").click()
+
+
+@pytest.mark.full
+def test_a_draft_outlasts_a_reload(page: Page) -> None:
+    perform(page, "One.")
+    type_line(page, DRAFT)
     page.open(page.get("location.hash.slice(1)"))
     assert page.get("studio.store.get('take').made.source.script") == "One."
     assert page.get(WRITTEN) == DRAFT
+    page.wait(f"{SAVED}")
     # Without what this tab remembers, as after a crash: the server has it.
     page.run("sessionStorage.clear()")
     page.open(page.get("location.hash.slice(1)"))

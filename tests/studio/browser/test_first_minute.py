@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from selenium.webdriver.common.by import By
 
 from .acts import type_line
@@ -10,6 +11,7 @@ from .driving import Page
 HINT = "document.querySelector('#hints p')?.textContent ?? ''"
 
 
+@pytest.mark.full
 def test_an_example_plays_on_a_click_and_three_hints_follow(page: Page) -> None:
     page.picture("empty")
     page.driver.find_element(By.ID, "example").click()

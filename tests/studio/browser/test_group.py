@@ -11,6 +11,9 @@ from selenium.webdriver.common.keys import Keys
 from .driving import Page
 from .timeline import FRAME, JUMP, Timeline
 
+# What is changed is tested at the server every day.
+pytestmark = pytest.mark.full
+
 
 @pytest.fixture(scope="module")
 def performed(browser_page: Page) -> Timeline:

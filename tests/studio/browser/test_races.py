@@ -39,6 +39,7 @@ def late(page: Page) -> None:
     page.run("await Promise.all([...Array(50)].map(() => new Promise((go) => setTimeout(go, 10))))")
 
 
+@pytest.mark.full
 def test_a_head_that_comes_late_does_not_take_the_place_of_the_one_chosen_since(held: Page) -> None:
     held.run("window.first = studio.headPlayers.figures[0]")
     choose(held, "perform", "head", "olaf")
@@ -49,6 +50,7 @@ def test_a_head_that_comes_late_does_not_take_the_place_of_the_one_chosen_since(
     assert held.get(f"{FIGURES}[0] === first")
 
 
+@pytest.mark.full
 def test_a_second_head_that_comes_late_does_not_stay_after_the_comparison(held: Page) -> None:
     open_panel(held, "Compare")
     choose(held, "compare", "head", "olaf")
@@ -57,6 +59,7 @@ def test_a_second_head_that_comes_late_does_not_stay_after_the_comparison(held: 
     held.run("document.getElementById('compare-end').click()")
     late(held)
     assert held.get(f"[studio.store.get('other'), {FIGURES}[1]]") == [None, None]
+    choose(held, "compare", "head", "standard")
 
 
 def test_a_comparison_ended_while_it_is_performed_does_not_come_back(performed: Page) -> None:

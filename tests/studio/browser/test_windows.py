@@ -29,7 +29,13 @@ def sized(performed: Page) -> Iterator[Page]:
 
 
 # A telephone, a tablet, a small notebook, and the usual one at 200 %.
-@pytest.mark.parametrize("size", [(390, 844), (768, 1024), (1024, 600), (640, 360)])
+@pytest.mark.parametrize(
+    "size",
+    [
+        (390, 844),
+        *(pytest.param(size, marks=pytest.mark.full) for size in ((768, 1024), (1024, 600), (640, 360))),
+    ],
+)
 def test_all_parts_can_be_reached_in_a_small_window(sized: Page, size: tuple[int, int]) -> None:
     resize(sized, *size)
     sized.wait(f"innerWidth === {size[0]} && {DRAWN}")
