@@ -107,7 +107,8 @@ def _long_enough(sound: Array, frames: range, hop: int, width: int) -> Array:
 def _normalised_difference(rows: Array, size: int, longest: int) -> Array:
     """Return d'(τ) for τ = 0 … longest - 1, shape (frames, longest)."""
     rows = rows - rows.mean(axis=1, keepdims=True)
-    length = 1 << int(np.ceil(np.log2(rows.shape[1] + size)))
+    # Lags below `longest` stay within a row, so that none wraps around.
+    length = 1 << int(np.ceil(np.log2(rows.shape[1])))
     spectra = np.conj(np.fft.rfft(rows[:, :size], length)) * np.fft.rfft(rows, length)
     products = np.fft.irfft(spectra, length)[:, :longest]
     sums = np.concatenate((np.zeros((len(rows), 1)), np.cumsum(rows**2, axis=1)), axis=1)
