@@ -18,7 +18,7 @@ from .wire.requests import EDITS, VERBS, Preview
 
 T = TypeVar("T")
 MOST_ID = 2**53
-_BEGINNING = re.compile(r'\s*\{\s*"id"\s*:\s*(\d{1,16})\s*,')
+_BEGINNING = re.compile(r'\A\s{0,9}\{\s{0,9}"id"\s{0,9}:\s{0,9}(\d{1,16})\s{0,9},')
 _EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}
 
 
