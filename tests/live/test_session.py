@@ -265,6 +265,27 @@ def test_a_sentence_that_joins_a_turn_changes_no_sound_and_hardly_a_muscle() -> 
         np.testing.assert_allclose(frame.values[MUSCLES], other.values[MUSCLES], atol=0.02)
 
 
+@pytest.mark.full
+@settings(max_examples=40, deadline=None)
+@given(st.integers(1, 20), st.integers(25, 70), st.integers(25, 70))
+def test_late_pieces_in_time_change_no_sound(frames: int, first: int, second: int) -> None:
+    text = "Hello there, my dear friend. Who are you? I like it very much, you know. It is 3.50 now."
+    whole, pieces = Live(), Live()
+    whole.say(text)
+    whole.close()
+    cuts = [0, *sorted((first, second)), len(text)]
+    pieces.say("Hello there, my dear friend. W")
+    iterator = pieces.frames()
+    said = list(islice(iterator, frames))
+    for start, end in pairwise(cuts):
+        pieces.say(text[max(start, 30) : max(end, 30)])
+    pieces.close()
+    said += iterator
+    for frame, other in zip(said, whole.frames(), strict=True):
+        np.testing.assert_array_equal(frame.sound, other.sound)
+        assert frame.text == other.text
+
+
 def test_a_smile_goes_on_from_one_idle_stretch_to_the_next() -> None:
     face = live(10, Settings())
     face.feel("happiness", 0.8)
