@@ -15,6 +15,7 @@ FIGURES = "studio.headPlayers.figures"
 @pytest.fixture
 def held(performed: Page) -> Iterator[Page]:
     """The page; the files of heads that it does not have yet come when `release()` says so."""
+    performed.open(performed.session)  # heads that other tests have shown would not be fetched
     performed.wait(f"{FIGURES}[0] !== null")
     performed.run("""
       const fetched = window.fetch;
