@@ -62,6 +62,7 @@ def _page(title: str, data: dict[str, bytes]) -> str:
         for name, content in data.items()
     )
     parts = {
+        "icon": base64.b64encode((WEB / "icon.svg").read_bytes()).decode(),
         "title": named or "A performance",
         "style": styles,
         "imports": import_map(ENTRY),

@@ -28,6 +28,8 @@ def written(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def played(browser_page: Page, written: Path) -> Iterator[Page]:
     driver = browser_page.driver
+    # The browser may still be fetching the icon of the page before.
+    driver.get("about:blank")
     driver.get(written.as_uri())
     browser_page.wait("window.played?.stage.drawn && document.getElementById('note').textContent === ''")
     yield browser_page
