@@ -102,4 +102,6 @@ def test_lids_and_eyes_are_rounded_less() -> None:
     widths = {name: Plan(SCORE).rounding.width(name) for name in NAMES}
     quick = {name for name, width in widths.items() if width == 0.005}
     assert {"levator_palpebrae.left", "orbicularis_oculi_palpebralis.left", "gaze_yaw"} <= quick
-    assert all(widths[name] == 0.02 for name in NAMES if name not in quick)
+    unrounded = {name for name, width in widths.items() if width == 0.0}
+    assert {name.partition("_")[0] for name in unrounded} == {"tongue"}
+    assert all(widths[name] == 0.02 for name in NAMES if name not in quick | unrounded)

@@ -33,6 +33,8 @@ class Rounding:
     def width(self, name: str) -> float:
         """Return the seconds over which a parameter is averaged; 0: it is not."""
         parameter = PARAMETERS[INDEX[name]]
+        if parameter.kind is Kind.TONGUE:
+            return 0.0  # speech alone moves it: nothing switches
         quick = parameter.group == "lids" or parameter.kind in (Kind.GAZE, Kind.DISTANCE)
         return self._width * QUICK if quick else self._width
 
