@@ -152,6 +152,8 @@ class MovementCurve:
         self.start, self.stop, self.begin, self.rise, self.cap, self.level = columns[:6]
         self.onset, self.apex_end, self.offset, self.end, self.excess, self.fade, self.last = columns[6:13]
         self.speed, self.slowing = columns[13:]
+        # Most curves let nothing go, and keep no speed.
+        self._lets_go, self._keeps_speed = bool(self.excess.any()), bool(self.speed.any())
         self._movements = tuple(pieces.movements)
         self.functions = tuple(pieces.functions)
         self.function, self.fade_function = np.array(pieces.function), np.array(pieces.fade_function)
@@ -188,10 +190,12 @@ class MovementCurve:
         left = np.maximum(self.end[k] - times[i], 0.0)
         part = np.divide(left, self.offset[k], out=np.zeros(len(i)), where=self.offset[k] > 0.0)
         values[i] *= self._shapes(self.function[k], part)
-        self._add_residue(values, pieces, x)
-        i = np.flatnonzero((self.speed[pieces] != 0.0) & (x < self.slowing[pieces]))
-        k = pieces[i]
-        values[i] += self.speed[k] * x[i] * (1.0 - x[i] / self.slowing[k]) ** 3
+        if self._lets_go:
+            self._add_residue(values, pieces, x)
+        if self._keeps_speed:
+            i = np.flatnonzero((self.speed[pieces] != 0.0) & (x < self.slowing[pieces]))
+            k = pieces[i]
+            values[i] += self.speed[k] * x[i] * (1.0 - x[i] / self.slowing[k]) ** 3
         return values
 
     def _add_residue(self, values: Array, pieces: IndexArray, x: Array) -> None:
@@ -208,7 +212,7 @@ class MovementCurve:
     def _shapes(self, numbers: UInt16Array, x: Array) -> Array:
         """Return f(x), each element by its own function, with x clipped to [0, 1]; shape (n,)."""
         x = np.minimum(x, 1.0)
-        if len(self.functions) == 1:
+        if len(self.functions) == 1 or not len(x):
             return np.asarray(ONSET_FUNCTIONS.get(self.functions[0])(x))
         values = np.empty(len(x))
         for number, name in enumerate(self.functions):
