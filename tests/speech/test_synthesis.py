@@ -14,10 +14,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.utterance import PauseKind, Utterance
+from risorius.core.worker_process import Answer, WorkerProcess
 from risorius.errors import InputError, ParameterError
 from risorius.languages import phonesets
 from risorius.speech.engines.espeak import EspeakEngine
-from risorius.speech.engines.process import Answer, WorkerProcess
 from risorius.speech.synthesis import synthesize
 
 PIECES = """Oh, the of map really? I've $5.50 café “quoted” 12,345 in a.m. — Dr. Bob twelve e.g. wait...

@@ -10,10 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.errors import OutputError
+from risorius.core.arrays import ByteArray
+from risorius.errors import OutputError, RisoriusWarning
 from risorius.ports.atomic import replacing
 from risorius.ports.targets import check_targets, write_targets
 from risorius.ports.video.encoder import VideoEncoder
+from risorius.ports.video.film import write_film
 from risorius.ports.writable import WritableTake, WriteOptions
 
 SIZE = (320, 320)
@@ -145,6 +147,7 @@ from fractions import Fraction
 from pathlib import Path
 import numpy as np
 from risorius.ports.video.encoder import VideoEncoder
+from risorius.ports.video.film import write_film
 with VideoEncoder(Path(sys.argv[1]), (64, 64), Fraction(30)) as encoder:
     for k in range(2000):
         encoder.picture(np.zeros((64, 64, 3), np.uint8))
@@ -176,6 +179,7 @@ import numpy as np
 import risorius.ports.targets
 heavy = {"av", "PIL", "praatio"} & set(sys.modules)
 from risorius.ports.video.encoder import VideoEncoder
+from risorius.ports.video.film import write_film
 with VideoEncoder(Path(sys.argv[1]), (64, 64), Fraction(30)) as encoder:
     encoder.picture(np.zeros((64, 64, 3), np.uint8))
 print(sorted(heavy | ({"av"} & set(sys.modules))))
@@ -197,9 +201,34 @@ def test_errors_of_the_worker_carry_the_output_s_name(
     broken.mkdir()
     (broken / "av.py").write_text("raise ImportError('gone')")
     monkeypatch.setattr(sys, "path", [str(broken), *sys.path])
-    with pytest.raises(OutputError, match=r"x\.mp4: the video encoder died"):
+    with (
+        pytest.warns(RisoriusWarning, match="the video encoder died .*; the film is begun again"),
+        pytest.raises(OutputError, match=r"x\.mp4: the video encoder died"),
+    ):
         write_targets(take_of(), check_targets([tmp_path / "x.mp4"]), WriteOptions(size=(32, 32)))
     assert sorted(path.name for path in tmp_path.iterdir()) == ["broken"]
+
+
+@posix
+def test_a_film_whose_encoder_is_lost_is_begun_again(
+    tmp_path: Path, take_of: Callable[..., WritableTake], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, take, options = tmp_path / "x.mp4", take_of(), WriteOptions(size=(32, 32))
+    write_film(take, path, options, "mp4")
+    whole = path.read_bytes()
+    picture: Callable[..., None] = VideoEncoder.picture
+    lost: list[int] = []
+
+    def losing(self: VideoEncoder, rgb: ByteArray) -> None:
+        if not lost:
+            lost.append(self.pid)
+            os.kill(self.pid, signal.SIGKILL)
+        picture(self, rgb)
+
+    monkeypatch.setattr(VideoEncoder, "picture", losing)
+    with pytest.warns(RisoriusWarning, match=r"died \(exit status -9\); the film is begun again"):
+        write_film(take, path, options, "mp4")
+    assert path.read_bytes() == whole
 
 
 def test_the_worker_loads_nothing_else_of_the_package() -> None:

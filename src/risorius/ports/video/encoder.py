@@ -31,12 +31,16 @@ PATIENCE = 60.0
 _PIPE_BYTES = 1 << 20
 
 
+class LostEncoderError(OutputError):
+    """The worker died or did not answer: another one may do better."""
+
+
 class VideoEncoder:
     """Writes one film through a worker process. Use as a context manager: leaving it completes the file.
 
     Pictures are handed over at once and encoded while the next one is made; at most a few wait. Raises
-    OutputError if the worker dies, fails or does not answer for `patience` seconds, and OSError for a
-    fault of the disk.
+    LostEncoderError if the worker dies or does not answer for `patience` seconds, OutputError if it fails,
+    and OSError for a fault of the disk.
     """
 
     def __init__(
@@ -117,10 +121,10 @@ class VideoEncoder:
 
     def _failure(self, answer: dict[str, object] | None) -> Exception:
         if self._silence:
-            return OutputError(f"the video encoder {self._silence}; it was ended")
+            return LostEncoderError(f"the video encoder {self._silence}; it was ended")
         if answer is None:
             status = self._process.returncode
-            return OutputError(f"the video encoder died (exit status {status}){self._last_complaint()}")
+            return LostEncoderError(f"the video encoder died (exit status {status}){self._last_complaint()}")
         number = answer.get("errno")
         if isinstance(number, int) and number in errno.errorcode:
             return OSError(number, os.strerror(number))

@@ -11,16 +11,28 @@ from pathlib import Path
 
 from ...core.arrays import Int16Array
 from ...core.audio import Audio
+from ...errors import warn
 from ..writable import WritableTake, WriteOptions
-from .encoder import VideoEncoder
+from .encoder import LostEncoderError, VideoEncoder
 
 
 def write_film(take: WritableTake, path: Path, options: WriteOptions, codec: str) -> None:
     """Write all frames at `options.size`, with the take's sound if it has one.
 
-    `codec` is a name of `codecs.CODECS`. Raises OutputError if the encoder fails, OSError for a fault of
-    the disk.
+    `codec` is a name of `codecs.CODECS`. An encoder that dies or stands still is replaced once, and the film
+    begun again. Raises OutputError if the encoder fails, OSError for a fault of the disk.
     """
+    lost = ""
+    try:
+        _encode(take, path, options, codec)
+    except LostEncoderError as error:
+        lost = str(error)
+    if lost:  # not in the handler, which would keep the first run's pictures and threads
+        warn(f"{lost}; the film is begun again")
+        _encode(take, path, options, codec)
+
+
+def _encode(take: WritableTake, path: Path, options: WriteOptions, codec: str) -> None:
     performance, audio = take.performance, take.audio
     frames = range(len(performance.values))
     rate = None if audio is None else audio.sample_rate

@@ -16,7 +16,7 @@ from ..recordings.resampled import Resampled
 from ..structure.accents import intone
 from ..structure.pauses import find_pauses
 from ..structure.syllables import syllabify
-from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings
+from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings, with_decoders
 from .doubt import check_words, mean_score
 from .edges import place_edges
 from .lexicon import ScriptWord, read_transcript, stresses_of
@@ -35,16 +35,13 @@ def align(audio: Audio, transcript: str, language: str | None = None) -> Utteran
 
     The model is English: the phones of another language are found by the nearest of its phones. Raises
     InputError for a transcript without words, and for one that does not fit the recording, SpeechError for an
-    unknown language; warns (SpeechWarning) of single words that may not fit.
+    unknown language, and if the aligner fails; warns (SpeechWarning) of single words that may not fit.
     """
     resampled = Resampled(audio)
     spoken, words = read_transcript(transcript, language)
-    as_decoded: list[AlignedPhone] = []
-    aligned: list[AlignedPhone] = []
-    for stretch in decoded(resampled, [word.readings for word in words]):
-        as_decoded += stretch
-        aligned += refined(resampled, stretch)
-    check_words(words, as_decoded)
+    stretches = decoded(resampled, [word.readings for word in words])
+    aligned = [phone for stretch in stretches for phone in refined(resampled, stretch)]
+    check_words(words, [phone for stretch in stretches for phone in stretch])
     return assembled(audio, transcript, owned(aligned, words), words, spoken.language)
 
 
@@ -82,12 +79,17 @@ def assembled(
     return intone(Utterance(text, code, audio, phones, timed, syllables, pauses))
 
 
-def decoded(resampled: Resampled, words: Sequence[Readings]) -> Iterator[list[AlignedPhone]]:
-    """Yield the decoder's phones and silences, stretch by stretch, contiguous over the recording.
+def decoded(resampled: Resampled, words: Sequence[Readings]) -> list[list[AlignedPhone]]:
+    """Return the decoders' phones and silences, stretch by stretch, contiguous over the recording.
 
-    Raises InputError if the recording has no room for the words.
+    Raises InputError if the recording has no room for the words, SpeechError if the aligner fails.
     """
-    decoders = Decoders()
+    return with_decoders(lambda decoders: list(_stretches(resampled, words, decoders)))
+
+
+def _stretches(
+    resampled: Resampled, words: Sequence[Readings], decoders: Decoders
+) -> Iterator[list[AlignedPhone]]:
     for window in windows(resampled, words, decoders):
         inside = words[window.first : window.last]
         if not inside:

@@ -1,41 +1,41 @@
-"""pocketsphinx as an aligner: words with given readings, in order, found in a stretch of sound.
+"""Words with given readings, in order, found in a stretch of sound; or words and phones by the sound alone.
 
-Two passes: the first finds which reading of each word is said when, the second divides the words into phones.
-Beams are so wide that the search does not lose its way; a little noise everywhere keeps exact silence, which
-no model has heard, from ending it early.
+pocketsphinx does it, in a process of its own (`aligner_worker`). Two passes align: the first finds which
+reading of each word is said when, the second divides the words into phones. A little noise everywhere keeps
+exact silence, which no model has heard, from ending the search early.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+import importlib.util
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import Any, NamedTuple, Self, TypeVar
 
 import numpy as np
 
 from ...core.arrays import Array
 from ...core.utterance import SILENCE
+from ...core.worker_process import WorkerError, WorkerProcess
+from ...errors import SpeechError
 from ..recordings.resampled import RATE
-
-if TYPE_CHECKING:
-    from pocketsphinx import Decoder
 
 # The language of the model, and of its dictionary.
 MODEL_LANGUAGE = "en-us"
 # Seconds of the model's frames. A frame's features are those of the sound around its middle.
 FRAME = 0.01
 MIDDLE = FRAME / 2
-# The first loses no transcript, however wrong; the second is enough to follow one.
-_WIDE_BEAM, _BEAM = 1e-200, 1e-80
 PAD_SECONDS = 0.2
 _NOISE = 10.0
-_GRAMMAR = "words"
-UNSPOKEN = ("<", "[", "+", "(")
-# How likely it is, word by word, that the sound ends there: only where it must, as far as that matters.
-_STOP_PROBABILITY = 1e-3
+# Seconds after which an answer is given up: to start with, and for each second of the sound. The slowest
+# request, a transcript that does not fit, takes a tenth of the latter.
+PATIENCE, PATIENCE_PER_SECOND = 60.0, 10.0
 
 Reading = tuple[str, ...]
 Readings = tuple[Reading, ...]
+T = TypeVar("T")
 
 
 class AlignmentError(Exception):
@@ -52,110 +52,126 @@ class AlignedPhone(NamedTuple):
     score: float
 
 
-class Decoders:
-    """The decoders of one recording, each made when first needed.
+class HeardSegment(NamedTuple):
+    """What is heard in [start, end) seconds: a word or a phone by `name`, or noise that is not `spoken`."""
 
-    What a decoder has heard before changes what it finds, and it serves one thread: no two recordings share
-    one.
+    name: str
+    start: float
+    end: float
+    spoken: bool
+
+
+class Decoders:
+    """The decoders of one recording, in a process of their own. Use as a context manager, which ends it.
+
+    What a decoder has heard before changes what it finds: no two recordings share one. Every method raises
+    WorkerError if the process fails or does not answer in time.
     """
+
+    def __init__(self) -> None:
+        self._process: WorkerProcess | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._process is not None:
+            self._process.kill()
 
     def align_words(self, sound: Array, words: Sequence[Readings]) -> list[AlignedPhone]:
         """Return the phones and silences of `sound` (16 kHz), in which all `words` are said in order.
 
         They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
         """
-        decoder, data = self._wide, prepared(sound)
-        _set_grammar(decoder, words, stops=False)
-        decode(decoder, data)
-        said = [segment.word for segment in _segments(decoder)]
-        if sum(not word.startswith(UNSPOKEN) for word in said) != len(words):
+        answer = self._ask("align", sound, words)
+        if sum(segment.spoken for segment in _segments(answer)) != len(words):
             raise AlignmentError
-        decoder.set_alignment()
-        decode(decoder, data)
-        return list(_phones(decoder.get_alignment(), len(sound) / RATE))
+        return list(_phones(answer["words"], len(sound) / RATE))
 
     def follow_words(self, sound: Array, words: Sequence[Readings]) -> list[tuple[float, float]]:
         """Return the spans in seconds of as many of `words`, from the first on, as are said in `sound`."""
-        decoder, data = self._narrow, prepared(sound)
-        _set_grammar(decoder, words, stops=True)
-        decode(decoder, data)
-        return [
-            (segment.start_frame * FRAME - PAD_SECONDS, (segment.end_frame + 1) * FRAME - PAD_SECONDS)
-            for segment in _segments(decoder)
-            if not segment.word.startswith(UNSPOKEN)
-        ]
+        found = _segments(self._ask("follow", sound, words))
+        return [(segment.start, segment.end) for segment in found if segment.spoken]
 
-    @cached_property
-    def _wide(self) -> Decoder:
-        return _decoder(_WIDE_BEAM)
+    def name_words(self, sound: Array) -> list[str]:
+        """Return the words that a language model hears in `sound`."""
+        return [segment.name for segment in _segments(self._ask("name_words", sound)) if segment.spoken]
 
-    @cached_property
-    def _narrow(self) -> Decoder:
-        return _decoder(_BEAM)
+    def name_phones(self, sound: Array) -> list[HeardSegment]:
+        """Return the phones, and what is none, that a loop over all phones hears in `sound`."""
+        return _segments(self._ask("name_phones", sound))
+
+    def _ask(self, op: str, sound: Array, words: Sequence[Readings] = ()) -> dict[str, Any]:
+        if self._process is None:
+            self._process = WorkerProcess(_command())
+        patience = PATIENCE + PATIENCE_PER_SECOND * len(sound) / RATE
+        return self._process.request({"op": op, "readings": words}, patience, _prepared(sound))[0]
 
 
-def dictionary_path() -> str:
+def with_decoders(work: Callable[[Decoders], T]) -> T:
+    """Return what `work` makes of the decoders of one recording; if they die or fall silent, with new ones.
+
+    Raises SpeechError if these do, too.
+    """
+    try:
+        with Decoders() as decoders:
+            return work(decoders)
+    except WorkerError:
+        try:
+            with Decoders() as decoders:
+                return work(decoders)
+        except WorkerError as error:
+            raise SpeechError(f"the aligner failed twice in a row; the second time {error}") from error
+
+
+def dictionary_path() -> Path:
     """Return the path of the pronunciation dictionary that comes with the model (CMUdict)."""
-    import pocketsphinx
-
-    return str(pocketsphinx.get_model_path("en-us/cmudict-en-us.dict"))
+    return _package() / "pocketsphinx" / "model" / "en-us" / "cmudict-en-us.dict"
 
 
-def _decoder(beam: float) -> Decoder:
-    import pocketsphinx
-
-    return pocketsphinx.Decoder(
-        loglevel="FATAL", lm=None, dict=None, samprate=RATE, bestpath=False, beam=beam, pbeam=beam, wbeam=beam
-    )
+def _command() -> list[str]:
+    worker = Path(__file__).with_name("aligner_worker.py")
+    return [sys.executable, "-I", "-S", str(worker), str(_package())]
 
 
-def prepared(sound: Array) -> bytes:
+def _package() -> Path:
+    """Return the folder that holds pocketsphinx. It is only located: the worker imports it."""
+    spec = importlib.util.find_spec("pocketsphinx")
+    if spec is None or spec.origin is None:
+        raise SpeechError("the package 'pocketsphinx' is not installed; it aligns recordings")
+    return Path(spec.origin).parent.parent
+
+
+def _prepared(sound: Array) -> bytes:
     """Return the sound as the decoder takes it: with noise everywhere and PAD_SECONDS of it at both ends."""
     padded = np.pad(sound, round(PAD_SECONDS * RATE))
     padded += np.random.default_rng(0).normal(0.0, _NOISE, len(padded))
     return np.clip(np.round(padded), -32_768, 32_767).astype("<i2").tobytes()
 
 
-def _set_grammar(decoder: Decoder, words: Sequence[Readings], stops: bool) -> None:
-    """Let `words` be said in order; with `stops` the sound may end after any of them."""
-    arcs: list[tuple[Any, ...]] = []
-    for index, readings in enumerate(words):
-        arcs += [(index, index + 1, 1.0 / len(readings), _named(decoder, phones)) for phones in readings]
-        if stops:
-            arcs.append((index, len(words), _STOP_PROBABILITY))
-    decoder.add_fsg(_GRAMMAR, decoder.create_fsg(_GRAMMAR, 0, len(words), arcs))
-    decoder.activate_search(_GRAMMAR)
+def _segments(answer: dict[str, Any]) -> list[HeardSegment]:
+    return [
+        HeardSegment(name, start * FRAME - PAD_SECONDS, (last + 1) * FRAME - PAD_SECONDS, _is_spoken(name))
+        for name, start, last in answer["segments"]
+    ]
 
 
-def _named(decoder: Decoder, phones: Reading) -> str:
-    """Return the decoder's word for a reading: named by its phones, so that no two are confused."""
-    name = "-".join(phones)
-    if decoder.lookup_word(name) is None:
-        decoder.add_word(name, " ".join(phones), False)
-    return name
+def _is_spoken(name: str) -> bool:
+    return not name.startswith(("<", "[", "+", "("))
 
 
-def decode(decoder: Decoder, data: bytes) -> None:
-    """Let the decoder hear all of `data`."""
-    decoder.start_utt()
-    decoder.process_raw(data, full_utt=True)
-    decoder.end_utt()
-
-
-def _segments(decoder: Decoder) -> list[Any]:
-    return [] if decoder.hyp() is None else list(decoder.seg())
-
-
-def _phones(alignment: Any, duration: float) -> Iterator[AlignedPhone]:
+def _phones(words: Sequence[Any], duration: float) -> Iterator[AlignedPhone]:
     """Yield the aligned phones, cut to [0, duration]: a phone in the padding has no length left."""
     index = -1
-    for word in alignment:
-        spoken = not word.name.startswith(UNSPOKEN)
+    for word, phones in words:
+        spoken = _is_spoken(word)
         index += spoken
-        for phone in word:
-            start = phone.start * FRAME + MIDDLE - PAD_SECONDS
-            end = (phone.start + phone.duration) * FRAME + MIDDLE - PAD_SECONDS
+        for name, first, frames, score in phones:
+            start = first * FRAME + MIDDLE - PAD_SECONDS
+            end = (first + frames) * FRAME + MIDDLE - PAD_SECONDS
             start, end = min(max(start, 0.0), duration), min(max(end, 0.0), duration)
             if spoken or start < end:
-                symbol = phone.name if spoken else SILENCE
-                yield AlignedPhone(symbol, start, end, index if spoken else -1, phone.score / phone.duration)
+                symbol = name if spoken else SILENCE
+                yield AlignedPhone(symbol, start, end, index if spoken else -1, score / frames)

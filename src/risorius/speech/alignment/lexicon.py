@@ -11,7 +11,6 @@ import functools
 import re
 from collections.abc import Iterator, Sequence
 from itertools import islice, product
-from pathlib import Path
 from typing import NamedTuple
 
 from ...core.utterance import Utterance, Word
@@ -116,7 +115,7 @@ def _read_all(words: Sequence[str]) -> list[Reading]:
 @functools.cache
 def _dictionary() -> dict[str, Readings]:
     entries: dict[str, Readings] = {}
-    with Path(dictionary_path()).open(encoding="utf-8") as lines:
+    with dictionary_path().open(encoding="utf-8") as lines:
         for line in lines:
             word, *phones = line.split()
             name = _ALTERNATIVE.sub("", word)

@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 
 from ...core.directions import DirectedSpan
+from ...core.worker_process import Answer, WorkerError, WorkerProcess
 from ...errors import SpeechError
 from ...languages import language_of
 from .espeak_events import needs_ipa, read_word, render
 from .espeak_text import Encoded, encode, parameters, voice_attribute
 from .espeak_voices import listed_voices, mean_pitch
-from .process import Answer, WorkerError, WorkerProcess
 from .protocol import Rendition, SpeechRequest, Voice
 from .registry import ENGINES
 from .voices import find_voice

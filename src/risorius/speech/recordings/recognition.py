@@ -10,8 +10,6 @@ from __future__ import annotations
 import contextlib
 import re
 from collections.abc import Iterator
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,24 +19,11 @@ from ...core.utterance import SILENCE, Utterance, Word
 from ...errors import InputError
 from ...languages import phonesets
 from ..alignment.aligner import assembled, moved, refined
-from ..alignment.decoder import (
-    FRAME,
-    MIDDLE,
-    PAD_SECONDS,
-    UNSPOKEN,
-    AlignedPhone,
-    AlignmentError,
-    Decoders,
-    decode,
-    prepared,
-)
+from ..alignment.decoder import MIDDLE, AlignedPhone, AlignmentError, Decoders, with_decoders
 from ..alignment.doubt import OWN, mean_score
 from ..alignment.lexicon import ScriptWord, read_transcript, written_readings
 from ..alignment.silences import without_gaps
 from .resampled import LEVEL_STEP, RATE, Resampled
-
-if TYPE_CHECKING:
-    from pocketsphinx import Decoder
 
 # A stretch ends in a pause (dB below loud speech, seconds), and is cut where it is quietest if none comes.
 PAUSE_BELOW, SHORTEST_PAUSE = 30.0, 0.3
@@ -48,37 +33,16 @@ NO_WORD = -1
 _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
 
-class RecognizingDecoders(Decoders):
-    """The decoders of one recording without a transcript: those that name its words, and its phones, too."""
-
-    @cached_property
-    def words(self) -> Decoder:
-        """Names words by the language model."""
-        import pocketsphinx
-
-        return pocketsphinx.Decoder(loglevel="FATAL", samprate=RATE)
-
-    @cached_property
-    def phones(self) -> Decoder:
-        """Names phones, whatever they make."""
-        import pocketsphinx
-
-        model = pocketsphinx.get_model_path("en-us/en-us-phone.lm.bin")
-        return pocketsphinx.Decoder(
-            loglevel="FATAL",
-            samprate=RATE,
-            lm=None,
-            dict=None,
-            allphone=model,
-            lw=2.0,
-            beam=1e-20,
-            pbeam=1e-20,
-        )
-
-
 def recognize(audio: Audio) -> Utterance:
-    """Return what seems to be said when in a recording. Raises InputError if nothing is."""
-    resampled, decoders = Resampled(audio), RecognizingDecoders()
+    """Return what seems to be said when in a recording.
+
+    Raises InputError if nothing is, SpeechError if the recognizer fails.
+    """
+    return with_decoders(lambda decoders: _utterance(audio, decoders))
+
+
+def _utterance(audio: Audio, decoders: Decoders) -> Utterance:
+    resampled = Resampled(audio)
     aligned: list[AlignedPhone] = []
     names: list[str] = []
     for start, end in stretches(resampled):
@@ -113,34 +77,33 @@ def _longest_run(true: BoolArray, shortest: int) -> int | None:
     return int(edges[lengths.argmax()].mean())
 
 
-def _recognized(sound: Array, decoders: RecognizingDecoders) -> tuple[list[AlignedPhone], list[str]]:
+def _recognized(sound: Array, decoders: Decoders) -> tuple[list[AlignedPhone], list[str]]:
     """Return the phones of a stretch, and the names of its words."""
-    names = [_ALTERNATIVE.sub("", segment.word) for segment in _spoken(decoders.words, sound)]
+    names = [_ALTERNATIVE.sub("", name) for name in decoders.name_words(sound)]
     if names:
         with contextlib.suppress(AlignmentError):
             aligned = decoders.align_words(sound, [written_readings(name) for name in names])
             if mean_score([f for f in aligned if f.word >= 0]) >= OWN.poor:
                 return aligned, names
-    return _phone_runs(sound, decoders.phones)
+    return _phone_runs(sound, decoders)
 
 
-def _phone_runs(sound: Array, decoder: Decoder) -> tuple[list[AlignedPhone], list[str]]:
+def _phone_runs(sound: Array, decoders: Decoders) -> tuple[list[AlignedPhone], list[str]]:
     """Return the phones that a loop over all phones hears; each run without a pause is called a word."""
     duration = len(sound) / RATE
     aligned: list[AlignedPhone] = []
     names: list[str] = []
-    for segment in _segments(decoder, sound):
-        start = max(segment.start_frame * FRAME + MIDDLE - PAD_SECONDS, 0.0)
-        end = min((segment.end_frame + 1) * FRAME + MIDDLE - PAD_SECONDS, duration)
+    for segment in decoders.name_phones(sound):
+        start, end = max(segment.start + MIDDLE, 0.0), min(segment.end + MIDDLE, duration)
         if start >= end:
             continue
-        if segment.word not in phonesets.ARPABET:
+        if segment.name not in phonesets.ARPABET:
             aligned.append(AlignedPhone(SILENCE, start, end, NO_WORD, 0.0))
             continue
         if not aligned or aligned[-1].word == NO_WORD:
             names.append("")
-        names[-1] += segment.word
-        aligned.append(AlignedPhone(segment.word, start, end, len(names) - 1, 0.0))
+        names[-1] += segment.name
+        aligned.append(AlignedPhone(segment.name, start, end, len(names) - 1, 0.0))
     return aligned or [AlignedPhone(SILENCE, 0.0, duration, NO_WORD, 0.0)], names
 
 
@@ -152,12 +115,3 @@ def _script_words(names: list[str]) -> Iterator[ScriptWord]:
     for name in names:
         yield ScriptWord(Word(name, 0.0, 0.0, 0, 0, at, at + len(name)), (), stresses.get(at, ()))
         at += len(name) + 1
-
-
-def _spoken(decoder: Decoder, sound: Array) -> list[Any]:
-    return [segment for segment in _segments(decoder, sound) if not segment.word.startswith(UNSPOKEN)]
-
-
-def _segments(decoder: Decoder, sound: Array) -> list[Any]:
-    decode(decoder, prepared(sound))
-    return [] if decoder.hyp() is None else list(decoder.seg())

@@ -1,4 +1,4 @@
-"""A worker process driven over pipes: one JSON line per request, one JSON line and raw bytes per answer.
+"""A worker process driven over pipes: one JSON line and raw bytes per request, and the same per answer.
 
 A request never waits longer than its timeout: the exchange happens on a thread, and a worker that is silent
 for too long is killed.
@@ -15,7 +15,7 @@ import threading
 from collections.abc import Sequence
 from typing import IO, Any
 
-from ...core import processes
+from . import processes
 
 Answer = tuple[dict[str, Any], bytes]
 
@@ -46,9 +46,14 @@ class WorkerProcess:
         """The process' number."""
         return self._process.pid
 
-    def request(self, message: dict[str, Any], timeout: float) -> Answer:
-        """Send `message` and return the answer and its bytes; raise WorkerError after `timeout` seconds."""
-        self._requests.put(json.dumps(message).encode() + b"\n")
+    def request(self, message: dict[str, Any], timeout: float, data: bytes = b"") -> Answer:
+        """Send `message` and its bytes, and return the answer and its own.
+
+        The worker reads from `bytes` in the message how many there are. Raises WorkerError if it fails, and
+        after `timeout` seconds.
+        """
+        header = message | {"bytes": len(data)} if data else message
+        self._requests.put(json.dumps(header).encode() + b"\n" + data)
         try:
             answer = self._answer(timeout)
         except processes.SilentError as error:

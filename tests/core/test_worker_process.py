@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from risorius.speech.engines.process import WorkerError, WorkerProcess
+from risorius.core.worker_process import WorkerError, WorkerProcess
 
 ECHO = """
 import json, sys

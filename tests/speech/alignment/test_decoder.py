@@ -1,0 +1,58 @@
+"""The aligner's process: it is replaced once, given up after that, and never waited for for ever."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from risorius.core.utterance import Utterance
+from risorius.core.worker_process import Answer, WorkerProcess
+from risorius.errors import SpeechError
+from risorius.speech.alignment import align, decoder
+
+
+def failing(monkeypatch: pytest.MonkeyPatch, number: int, times: int) -> list[int]:
+    """Send a signal to the aligner as it is asked for the first `times` times; return their process ids."""
+    hit: list[int] = []
+
+    class Failing(WorkerProcess):
+        def request(self, message: dict[str, Any], timeout: float, data: bytes = b"") -> Answer:
+            if len(hit) < times:
+                hit.append(self.pid)
+                os.kill(self.pid, number)
+            return super().request(message, timeout, data)
+
+    monkeypatch.setattr(decoder, "WorkerProcess", Failing)
+    return hit
+
+
+def test_an_aligner_that_fails_twice_is_given_up(spoken: Utterance, monkeypatch: pytest.MonkeyPatch) -> None:
+    hit = failing(monkeypatch, signal.SIGKILL, 2)
+    with pytest.raises(SpeechError, match=r"^the aligner failed twice in a row; the second time it ended"):
+        align(spoken.audio, spoken.text)
+    assert len(set(hit)) == 2
+
+
+def test_a_package_that_is_missing_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(decoder.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(SpeechError, match="'pocketsphinx' is not installed"):
+        decoder.dictionary_path()
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])
+def test_one_that_dies_or_stands_still_is_replaced(
+    spoken: Utterance, number: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expected = align(spoken.audio, spoken.text)
+    hit = failing(monkeypatch, number, 1)
+    began = time.monotonic()
+    assert align(spoken.audio, spoken.text) == expected
+    assert hit
+    assert time.monotonic() - began < decoder.PATIENCE / 2
+    if Path("/proc").is_dir():
+        assert not Path(f"/proc/{hit[0]}").exists()
