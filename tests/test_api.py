@@ -6,6 +6,7 @@ import pydoc
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -88,6 +89,26 @@ def test_faults_of_a_caller_are_told_by_one_kind_of_error(clip: risorius.Take) -
 def test_unknown_names_are_refused_before_anything_is_spoken(chosen: dict[str, str], message: str) -> None:
     said: list[str] = []
     with pytest.raises(risorius.RisoriusError, match=message):
+        risorius.speak(
+            "Hi.", settings=risorius.Settings(**chosen), progress=lambda what, *_: said.append(what)
+        )
+    assert said == []
+
+
+@pytest.mark.parametrize(
+    ("chosen", "content", "message"),
+    [
+        ({"rules": "given"}, "x = " + "[" * 500, "given: is nested too deeply"),
+        ({"look": risorius.Look(background="given")}, "%!PS", "given: not a picture"),
+    ],
+)
+def test_a_spoilt_file_is_refused_before_anything_is_spoken(
+    chosen: dict[str, Any], content: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("given").write_text(content)
+    said: list[str] = []
+    with pytest.raises(risorius.RisoriusError, match=f"^{message}"):
         risorius.speak(
             "Hi.", settings=risorius.Settings(**chosen), progress=lambda what, *_: said.append(what)
         )

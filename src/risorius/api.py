@@ -200,9 +200,16 @@ def displays_of(emotion: Emotions) -> Displays:
 
 
 def _checked(settings: Settings | None) -> Settings:
-    """Return the settings, by default the usual ones; raise InputError for what is none."""
+    """Return the settings, by default the usual ones.
+
+    Raises InputError for what is none, and for a background that would fail only after all else is done.
+    """
     if settings is None:
         return Settings()
     if not isinstance(settings, Settings):
         raise InputError(f"settings are {type(settings).__name__}; expected risorius.Settings(…)")
+    if settings.look.background is not None and not settings.look.transparent:
+        from .render.backdrop import check_background
+
+        check_background(settings.look.background)
     return settings

@@ -28,6 +28,7 @@ def perform(given: Input, emotions: Displays, settings: Settings, progress: Prog
     source = read(given)
     refuse_unread(source, settings)
     settings = with_profile(settings)
+    rule_set_of(settings.rules)  # a fault in it is told before anything is spoken
     if isinstance(source, Script):
         script, utterance = source, speak(source, emotions, settings, progress)
     else:

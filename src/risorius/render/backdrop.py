@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,6 +14,9 @@ from ..core.look import ByteColour, parse_colour
 from ..core.paths import is_file
 from ..errors import InputError, Place
 from ..looks.srgb import srgb_decode
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
 
 _SEED = 3
 _FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TIFF")
@@ -48,9 +54,29 @@ def gradient(width: int, height: int, centre: ByteColour, edge: ByteColour) -> F
     return srgb_decode(np.clip(encoded + noise, 0.0, 1.0)).astype(np.float32)
 
 
+def check_background(background: str) -> None:
+    """Raise InputError for what is neither a colour nor a picture that can be decoded."""
+    if is_file(Path(background)):
+        with _opened(Path(background)) as image:
+            image.load()
+    else:
+        parse_colour(background)
+
+
 def _picture(path: Path, width: int, height: int) -> Float32Array:
     """Return a picture cut about its middle to the proportions of width and height, then scaled to them."""
     from PIL import Image, ImageOps
+
+    with _opened(path) as image:
+        fitted = ImageOps.fit(image.convert("RGB"), (width, height), Image.Resampling.LANCZOS)
+    encoded: ByteArray = np.asarray(fitted)
+    return srgb_decode(encoded / 255.0).astype(np.float32)
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[Image]:
+    """Open a picture; raise InputError if it is too large, and for what the block finds wrong with it."""
+    from PIL import Image
 
     place = Place(str(path))
     try:
@@ -58,12 +84,10 @@ def _picture(path: Path, width: int, height: int) -> Float32Array:
             if image.width * image.height > _MOST_PIXELS:
                 size = f"{image.width} x {image.height} pixels"
                 raise InputError(f"has {size}; expected at most {_MOST_PIXELS:,}", place)
-            fitted = ImageOps.fit(image.convert("RGB"), (width, height), Image.Resampling.LANCZOS)
+            yield image
     except InputError:
         raise
     except Exception as error:
         # PIL's decoders raise a dozen kinds, SyntaxError among them, for what is damaged.
         message = f"not a picture: {error}; expected one of {', '.join(_FORMATS)}"
         raise InputError(message, place) from error
-    encoded: ByteArray = np.asarray(fitted)
-    return srgb_decode(encoded / 255.0).astype(np.float32)

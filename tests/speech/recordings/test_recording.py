@@ -41,6 +41,8 @@ def test_a_missing_file_a_folder_and_what_is_no_sound_are_refused(tmp_path: Path
     assert "is a folder" in refusal(tmp_path)
     (tmp_path / "text.wav").write_text("These are no samples. " * 20)
     assert "expected WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM" in refusal(tmp_path / "text.wav")
+    (tmp_path / "text.mp3").write_text("These are no samples. " * 20)
+    assert "cannot be read (Format not recognised)" in refusal(tmp_path / "text.mp3")
     (tmp_path / "empty.wav").touch()
     assert "expected WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM" in refusal(tmp_path / "empty.wav")
 

@@ -141,6 +141,8 @@ def _bounded(source: SoundFileSource | FilmSound, place: Place) -> Iterator[Floa
 
 def _reason(error: Exception) -> str:
     text = str(getattr(error, "error_string", None) or getattr(error, "strerror", None) or error)
+    if "possibly a pipe" in text:  # what libsndfile says of a file that is no MP3, but called so
+        text = "Format not recognised"
     return f"cannot be read ({text.rstrip('.')})"
 
 
