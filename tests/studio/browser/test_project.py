@@ -112,6 +112,9 @@ def test_a_file_that_is_no_project_is_refused_in_one_line(page: Page, tmp_path: 
     page.driver.find_element(By.CSS_SELECTOR, "#panel-project input[type=file]").send_keys(str(file))
     page.wait("!document.querySelector('#notice').hidden")
     assert "\n" not in page.get("document.querySelector('#notice span').textContent").strip()
+    # Read here, or the tests after this one would find it.
+    (refused,) = page.complaints()
+    assert "400 (Bad Request)" in refused
 
 
 def test_sessions_are_listed_named_copied_and_deleted(performed: Page) -> None:
