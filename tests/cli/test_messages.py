@@ -76,8 +76,8 @@ def test_long_work_says_how_far_it_is_where_nobody_watches(
             now[0] += 0.3 * INTERVAL
             console.progress("Drawing", done, 100)
     lines = capsys.readouterr().err.splitlines()
-    assert lines[:2] == ["Drawing: 5 of 100 frames", "Drawing: 9 of 100 frames"]
-    assert lines[-1] == "Drawing: 100 frames"
+    assert lines[:2] == ["Drawing: 5 of 100", "Drawing: 9 of 100"]
+    assert lines[-1] == "Drawing: 100"
     assert len(lines) == 25
 
 

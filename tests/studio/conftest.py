@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import struct
+import threading
 import urllib.error
 import urllib.request
 from contextlib import contextmanager
@@ -14,6 +15,8 @@ import hypothesis  # noqa: F401
 import pytest
 from websockets.sync.client import connect
 
+from risorius.pipeline import speak
+from risorius.studio import limits, performer
 from risorius.studio.session import Session
 
 from .running import running
@@ -43,9 +46,14 @@ class Client:
         return answer["error"]
 
     def tried(self, do, **fields):
-        self.number = number = next(self.numbers)
+        self.number = self.begin(do, **fields)
+        return self.answer(self.number)
+
+    def begin(self, do, **fields):
+        """Return the number of a request that is not waited for."""
+        number = next(self.numbers)
         self.socket.send(json.dumps({"id": number, "do": do, **fields}))
-        return self.answer(number)
+        return number
 
     def answer(self, number):
         while True:
@@ -117,6 +125,29 @@ def fetched(server, path, data=None):
             return answer.status, answer.read()
     except urllib.error.HTTPError as error:
         return error.code, error.read()
+
+
+class Halted:
+    """Speaking that has begun and goes on when it is let."""
+
+    def __init__(self):
+        self.begun, self.go = threading.Event(), threading.Event()
+
+    def speak(self, script, displays, settings, progress):
+        progress("Speaking …", 2, 5)
+        self.begun.set()
+        assert self.go.wait(60)
+        return speak(script, displays, settings, progress)
+
+
+@pytest.fixture
+def halted(monkeypatch):
+    """All voices wait, once two fifths are spoken, until the test lets them go on; none speaks in advance."""
+    halt = Halted()
+    monkeypatch.setattr(limits, "LONGEST_PREFETCH", 0)
+    monkeypatch.setattr(performer, "speak", halt.speak)
+    yield halt
+    halt.go.set()
 
 
 @pytest.fixture

@@ -72,6 +72,22 @@ def test_a_line_is_performed_seen_and_heard(server):
         assert page.ask("faces", take=take["take"], first=10**6, last=10**7)["sent"] == 0
 
 
+def test_performing_tells_how_far_it_is_and_can_be_stopped(server, halted):
+    with server.page("stop") as page:
+        number = page.begin("perform", source={"script": LINE})
+        assert halted.begun.wait(60)
+        page.ask("stop", request=10**9)
+        page.ask("stop", request=number)
+        halted.go.set()
+        assert page.answer(number)["error"] == "stopped"
+        shares = [(e["stage"], e["done"], e["total"]) for e in page.events if e["event"] == "progress"]
+        assert ("Speaking …", 2, 5) in shares
+        assert page.ask("open")["take"] is None
+        take = page.perform()
+        assert page.ask("stop", request=number) == {}
+        assert page.ask("open")["take"]["take"] == take["take"]
+
+
 def test_a_window_shows_what_the_whole_would(server):
     with server.page("window") as page:
         take = page.perform("Hello there.")

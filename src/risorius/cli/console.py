@@ -82,9 +82,9 @@ class Console:
         elif is_watched():
             self._show(stage, done, total, note)
         elif done == total:
-            self._send(f"{stage}: {total} frames", stage=stage, done=done, total=total)
+            self._send(f"{stage}: {total}", stage=stage, done=done, total=total)
         elif self._is_due(stage):
-            self._send(f"{stage}: {done} of {total} frames", stage=stage, done=done, total=total)
+            self._send(f"{stage}: {done} of {total}", stage=stage, done=done, total=total)
 
     def _is_due(self, stage: str) -> bool:
         now = time.monotonic()

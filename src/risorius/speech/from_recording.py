@@ -96,9 +96,9 @@ def hear_words(
         if transcript is None:
             progress("Recognizing …")
             warn(f"{audio}: {WEAKER}", SpeechWarning)
-            return measured(recognize(sound))
+            return measured(recognize(sound, progress))
         progress("Aligning …")
-        return measured(align(sound, transcript, language))
+        return measured(align(sound, transcript, language, progress))
     except InputError as error:
         raise error.at(Place(str(audio))) from None
 

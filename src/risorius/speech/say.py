@@ -33,6 +33,8 @@ from .synthesis import synthesize, voice_pitch
 _SEMITONES = 12.0
 # Seconds between lines where the second has no time of its own.
 LINE_PAUSE = 0.3
+# Characters of a line that takes so long to speak that the share that is done is told.
+_LONG = 1000
 
 Speaker = Callable[..., Utterance]
 Timed = TypeVar("Timed", Phone, Word, Syllable, Pause, Phrase)
@@ -61,14 +63,16 @@ def say(
     """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
 
     Without `voice`, `language`, or else the script's, is spoken by its first voice, English where neither is
-    named. `felt`: emotions that change the voice. `progress` is told when the voice is found and speaks.
+    named. `felt`: emotions that change the voice. `progress` is told when the voice is found and speaks,
+    and how much of a long line is spoken, in per cent.
     Raises InputError, with the line's place, where a line starts before the one before it has ended;
     SpeechError if the engine fails.
     """
     spoken = language
     if spoken is None and (voice is None or is_voice_file(voice)):
         spoken = script.language
-    speak = partial(synthesize, voice=voice, language=spoken, rate=rate)
+    told = partial(_tell, progress) if len(script.text) > _LONG else None
+    speak = partial(synthesize, voice=voice, language=spoken, rate=rate, progress=told)
     if not script.timed:
         speak = partial(speak, lead=lead, tail=tail)
     manner = common_manner(felt)
@@ -87,6 +91,10 @@ def say(
         # The script is at fault only where it names the language itself.
         named = spoken is not None and language is None
         raise error.at(script.lines[0].place) if named else error from None
+
+
+def _tell(progress: Progress, share: float) -> None:
+    progress("Speaking …", round(100 * share), 100)
 
 
 def _speak(script: Script, speak: Speaker) -> Utterance:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -16,6 +17,7 @@ from .messages import BadRequestError, answer, decode, event, refusal
 from .pose_preview import PosePreview
 from .shared_session import SharedSession
 from .solvers import Solvers
+from .stopping import stoppable
 from .streaming import Streams
 from .wire import answers, events, requests
 
@@ -32,6 +34,7 @@ class Connection:
         self._socket, self._shared, self._warm = socket, shared, warm
         self._sending = asyncio.Lock()
         self._tasks: set[asyncio.Task[None]] = set()
+        self._working: dict[int, threading.Event] = {}
         self._events: asyncio.Queue[Any] = asyncio.Queue(limits.EVENTS)
         self._threads = ThreadPoolExecutor(2, thread_name_prefix="faces")
         self._streams = Streams(self._threads, solvers, self._send)
@@ -104,21 +107,36 @@ class Connection:
             if body.face is not None:
                 await self._streams.held(take, previewed.take, body.face)
             return previewed
-        if isinstance(body, requests.Cancel):
-            self._streams.cancel(body.take)
+        if isinstance(body, requests.Cancel | requests.Stop | requests.CancelExport):
+            self._stop(body)
             return answers.Done()
         if isinstance(body, requests.Dial):
             return await self._pose_preview.turn(number, body, shared.session.files)
         if isinstance(body, requests.Export):
             return shared.export(body)
-        if isinstance(body, requests.CancelExport):
-            shared.exports.stop(body.job)
-            return answers.Done()
         if isinstance(body, requests.Project):
             return answers.Download(
                 f"/api/session/{shared.session.name}/project", "performance.risorius.json"
             )
-        return await shared.handle(body, self._progress(number), self)
+        return await self._worked(number, body)
+
+    async def _worked(self, number: int, body: Any) -> Any:
+        """Return the session's answer, unless the page stops the request."""
+        stopped = self._working[number] = threading.Event()
+        try:
+            return await self._shared.handle(
+                body, stoppable(self._progress(number), stopped, "stopped"), self
+            )
+        finally:
+            self._working.pop(number, None)
+
+    def _stop(self, body: requests.Cancel | requests.Stop | requests.CancelExport) -> None:
+        if isinstance(body, requests.Cancel):
+            self._streams.cancel(body.take)
+        elif isinstance(body, requests.CancelExport):
+            self._shared.exports.stop(body.job)
+        elif body.request in self._working:
+            self._working[body.request].set()
 
     def _progress(self, number: int) -> Any:
         def told(stage: str, done: int = 0, total: int = 0) -> None:

@@ -11,13 +11,14 @@ from pathlib import Path
 
 from ..core.look import TRANSPARENT, parse_colour
 from ..core.progress import Progress
-from ..errors import InputError, RisoriusError
+from ..errors import InputError
 from ..ports.atomic import replacing
 from ..ports.formats import FORMATS
 from ..ports.targets import check_targets
 from ..settings import Settings, settings_of
 from ..take import Take
 from . import limits
+from .stopping import stoppable
 from .wire import requests
 from .wire.choices import exported_rows
 
@@ -25,10 +26,6 @@ _NAME = re.compile(r"[^\w -]+")
 _MOST_JOBS = 20
 ARCHIVE = "all.zip"
 """Under this name all files of an export are one."""
-
-
-class StoppedError(RisoriusError):
-    """An export was stopped."""
 
 
 class Exports:
@@ -59,14 +56,7 @@ class Exports:
 
     def write(self, job: int, take: Take, request: requests.Export, progress: Progress) -> tuple[str, ...]:
         """Write the files and return their names. Raises RisoriusError; then nothing is kept."""
-        stopped, writing = self._jobs[job], threading.get_ident()
-
-        def told(stage: str, done: int = 0, total: int = 0) -> None:
-            # Another thread may report that the start takes long: an error there would not stop this one.
-            if stopped.is_set() and threading.get_ident() == writing:
-                raise StoppedError("the export was stopped")
-            progress(stage, done, total)
-
+        told = stoppable(progress, self._jobs[job], "the export was stopped")
         folder = self._folder / str(job)
         folder.mkdir(parents=True, exist_ok=True)
         names = _names(request)

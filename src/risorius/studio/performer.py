@@ -52,6 +52,7 @@ class Performer:
         with warnings_to(odd.append):
             script, utterance, displays = self._said(inputs.source, spans, settings, progress)
             said = time.perf_counter()
+            progress("Planning …")
             score = identified(compose(script, utterance, displays, settings))
         spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (time.perf_counter() - said)}
         return Version(inputs, score, score, settings, utterance, warnings=tuple(odd), milliseconds=spent)

@@ -108,7 +108,7 @@ class Session:
     def compare(self, request: requests.Compare, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices and the same edits, as a second take."""
         version = self._performer.perform(self._inputs(request.choices, request.emotions), progress)
-        return self.described(self._live(carried(self.version(), version)))
+        return self.described(self._live(carried(self.version(), version), progress))
 
     def edit(self, edit: Edit, progress: Progress) -> takes.TakeChange:
         """Make an edit."""
@@ -232,7 +232,7 @@ class Session:
         version = ready.version if ready else self._performer.perform(inputs, progress)
         if before is not None:
             version = carried(before, version)
-        live = self._live(version)
+        live = self._live(version, progress)
         self.history.push(version, what)
         self.current = live
         if self.draft == inputs:
@@ -245,14 +245,14 @@ class Session:
         assert before is not None
         return self._difference(before, after)
 
-    def _live(self, version: Version) -> SessionTake:
+    def _live(self, version: Version, progress: Progress = quiet) -> SessionTake:
         """Return the take of a version, the existing one if there is one."""
         for live in self.takes.values():
             if live.version is version:
                 self.takes.move_to_end(live.number)
                 return live
         ready = self._prefetched(version.inputs)
-        take = ready.take if ready and ready.version is version else self._performed(version)
+        take = ready.take if ready and ready.version is version else self._performed(version, progress)
         self._prefetch = None
         self._number += 1
         like = None if self.current is None else (self.current.version.score, self.current.blocks)
@@ -269,10 +269,11 @@ class Session:
             del self.takes[oldest]
         return live
 
-    def _performed(self, version: Version) -> Take:
+    def _performed(self, version: Version, progress: Progress = quiet) -> Take:
         frames = frame_count(version.score.duration, version.settings.fps)
         if frames > limits.FRAMES:
             raise InputError(f"the take would have {frames} frames; expected up to {limits.FRAMES}")
+        progress("Combining …")
         begun = perf_counter()
         like = None if self.current is None else self.current.take
         take = combine(version.score, version.settings, version.utterance, like)

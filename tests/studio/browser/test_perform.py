@@ -13,6 +13,7 @@ from selenium.webdriver.common.keys import Keys
 
 import risorius
 
+from ..conftest import Halted
 from .acts import LINE, MOVED, SETTLED, SHOWN, choose, perform, press, remember_face, type_line, values
 from .driving import Page
 
@@ -184,3 +185,18 @@ def test_what_is_typed_while_a_line_is_performed_stays(page: Page) -> None:
     page.driver.find_element(By.ID, "script").send_keys(" And more.")
     page.wait(SETTLED)
     assert values(page, "source")[0]["script"].endswith(" And more.")
+
+
+def test_performing_shows_how_far_it_is_and_can_be_stopped(performed: Page, halted: Halted) -> None:
+    before = performed.get("studio.store.get('take')")
+    type_line(performed, "Another line.")
+    performed.driver.find_element(By.ID, "perform").click()
+    performed.wait("document.getElementById('state').textContent === 'Speaking … 40 %'")
+    performed.wait("document.getElementById('stop').checkVisibility({ visibilityProperty: true })")
+    performed.picture("stop")
+    performed.driver.find_element(By.ID, "stop").click()
+    halted.go.set()
+    performed.wait("studio.store.get('busy') === '' && document.getElementById('stop').hidden")
+    assert performed.get("studio.store.get('take')") == before
+    assert performed.get("studio.store.get('source').script") == "Another line."
+    type_line(performed, LINE)

@@ -9,6 +9,7 @@ from itertools import islice, pairwise
 import numpy as np
 
 from ...core.audio import Audio
+from ...core.progress import Progress, quiet
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
 from ...languages import language_of, phonesets
@@ -22,7 +23,7 @@ from .edges import place_edges
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
 from .spectra import band_levels
-from .windows import windows
+from .windows import WHOLE, windows
 
 # A stop after silence is heard, and labelled by hand, from its burst on; the articulators close before.
 UNHEARD_CLOSURE = 0.015
@@ -30,16 +31,19 @@ UNHEARD_CLOSURE = 0.015
 _LEAST = 0.005
 
 
-def align(audio: Audio, transcript: str, language: str | None = None) -> Utterance:
+def align(
+    audio: Audio, transcript: str, language: str | None = None, progress: Progress = quiet
+) -> Utterance:
     """Return what is said when in a recording of a `transcript`, in `language`, by default English.
 
     The model is English: the phones of another language are found by the nearest of its phones. Raises
     InputError for a transcript without words, and for one that does not fit the recording, SpeechError for an
     unknown language, and if the aligner fails; warns (SpeechWarning) of single words that may not fit.
+    `progress` is told how many seconds of a long recording are aligned.
     """
     resampled = Resampled(audio)
     spoken, words = read_transcript(transcript, language)
-    stretches = decoded(resampled, [word.readings for word in words])
+    stretches = decoded(resampled, [word.readings for word in words], progress)
     aligned = [phone for stretch in stretches for phone in refined(resampled, stretch)]
     check_words(words, [phone for stretch in stretches for phone in stretch])
     return assembled(audio, transcript, owned(aligned, words), words, spoken.language)
@@ -79,18 +83,23 @@ def assembled(
     return intone(Utterance(text, code, audio, phones, timed, syllables, pauses))
 
 
-def decoded(resampled: Resampled, words: Sequence[Readings]) -> list[list[AlignedPhone]]:
+def decoded(
+    resampled: Resampled, words: Sequence[Readings], progress: Progress = quiet
+) -> list[list[AlignedPhone]]:
     """Return the decoders' phones and silences, stretch by stretch, contiguous over the recording.
 
     Raises InputError if the recording has no room for the words, SpeechError if the aligner fails.
     """
-    return with_decoders(lambda decoders: list(_stretches(resampled, words, decoders)))
+    return with_decoders(lambda decoders: list(_stretches(resampled, words, decoders, progress)))
 
 
 def _stretches(
-    resampled: Resampled, words: Sequence[Readings], decoders: Decoders
+    resampled: Resampled, words: Sequence[Readings], decoders: Decoders, progress: Progress
 ) -> Iterator[list[AlignedPhone]]:
+    whole = resampled.audio.duration
     for window in windows(resampled, words, decoders):
+        if whole > WHOLE:
+            progress("Aligning …", round(window.start), round(whole))
         inside = words[window.first : window.last]
         if not inside:
             yield [AlignedPhone(SILENCE, window.start, window.end, -1, 0.0)]

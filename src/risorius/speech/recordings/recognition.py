@@ -15,6 +15,7 @@ import numpy as np
 
 from ...core.arrays import Array, BoolArray
 from ...core.audio import Audio
+from ...core.progress import Progress, quiet
 from ...core.utterance import SILENCE, Utterance, Word
 from ...errors import InputError
 from ...languages import phonesets
@@ -33,19 +34,22 @@ NO_WORD = -1
 _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
 
-def recognize(audio: Audio) -> Utterance:
+def recognize(audio: Audio, progress: Progress = quiet) -> Utterance:
     """Return what seems to be said when in a recording.
 
-    Raises InputError if nothing is, SpeechError if the recognizer fails.
+    Raises InputError if nothing is, SpeechError if the recognizer fails. `progress` is told how many seconds
+    of a long recording are recognized.
     """
-    return with_decoders(lambda decoders: _utterance(audio, decoders))
+    return with_decoders(lambda decoders: _utterance(audio, decoders, progress))
 
 
-def _utterance(audio: Audio, decoders: Decoders) -> Utterance:
+def _utterance(audio: Audio, decoders: Decoders, progress: Progress) -> Utterance:
     resampled = Resampled(audio)
     aligned: list[AlignedPhone] = []
     names: list[str] = []
     for start, end in stretches(resampled):
+        if audio.duration > LATEST:
+            progress("Recognizing …", round(start), round(audio.duration))
         phones, words = _recognized(resampled.read(start, end), decoders)
         aligned += refined(resampled, without_gaps(moved(phones, start, end, len(names))))
         names += words

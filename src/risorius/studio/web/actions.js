@@ -1,5 +1,6 @@
 import { adopted, written } from "./drafts.js";
 import { changedTake, takeOf } from "./take.js";
+import { Work } from "./work.js";
 
 /**
  * What the user can have done, by name: each asks the server, and puts its answer into the store.
@@ -11,6 +12,7 @@ export class Actions {
   #store;
   #connection;
   #notify;
+  #work;
 
   /**
    * @param {import("./store.js").Store} store
@@ -21,6 +23,7 @@ export class Actions {
     this.#store = store;
     this.#connection = connection;
     this.#notify = notify;
+    this.#work = new Work(store, connection);
   }
 
   /**
@@ -128,10 +131,36 @@ export class Actions {
     }
   }
 
+  /**
+   * The same for what may take long: how far it is is shown meanwhile, and it can be stopped.
+   * @param {string} verb @param {Record<string, any>} fields @param {string} busy what is being done
+   * @returns {Promise<any>} null also where it was stopped
+   */
+  async work(verb, fields, busy) {
+    try {
+      return await this.#work.request(verb, fields, busy);
+    } catch (error) {
+      if (error.message !== "stopped") this.#notify(error.message);
+      return null;
+    }
+  }
+
+  /**
+   * Do what takes long beside the socket; it can be stopped, too.
+   * @template T @param {string} busy @param {(signal: AbortSignal) => Promise<T>} work
+   */
+  during(busy, work) {
+    return this.#work.during(busy, work);
+  }
+
+  /** Stop what takes long. */
+  stop() {
+    this.#work.stop();
+  }
+
   async #changing(verb, fields, busy, arrives = () => {}) {
-    this.#store.set({ busy, saved: "saving" });
-    const answer = await this.ask(verb, fields);
-    this.#store.set({ busy: "" });
+    this.#store.set({ saved: "saving" });
+    const answer = await (busy ? this.work(verb, fields, busy) : this.ask(verb, fields));
     if (answer === null) this.#store.set({ saved: "saved" });
     else {
       arrives();

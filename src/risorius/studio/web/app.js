@@ -36,6 +36,7 @@ const store = new Store({
   take: null,
   faces: null,
   busy: "",
+  stoppable: false,
   selection: { time: null, parameter: null, movement: null },
   other: null,
   dial: null,

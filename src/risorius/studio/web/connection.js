@@ -48,11 +48,14 @@ export class Connection {
 
   /**
    * Ask the server to do something.
-   * @param {string} verb @param {Record<string, any>} [fields] @returns {Promise<any>} the reply's `ok`
+   * @param {string} verb @param {Record<string, any>} [fields]
+   * @param {(id: number) => void} [begun] told the request's number, by which it can be stopped
+   * @returns {Promise<any>} the reply's `ok`
    */
-  request(verb, fields = {}) {
+  request(verb, fields = {}, begun = () => {}) {
     if (!this.up) return Promise.reject(new Disconnected("the studio's server cannot be reached"));
     const id = this.#next++;
+    begun(id);
     this.#socket.send(JSON.stringify({ id, do: verb, ...fields }, withoutNulls));
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
   }

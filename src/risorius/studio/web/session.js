@@ -28,9 +28,6 @@ export function openSession(studio) {
   connection.on("changed", again);
   connection.on("down", () => store.set({ link: "down" }));
   connection.on("saved", ({ error }) => store.set({ saved: error ? `Not saved: ${error}` : "saved" }));
-  connection.on("progress", ({ stage, re }) => {
-    if (re !== null && store.get("busy")) store.set({ busy: stage });
-  });
   store.watch(["take"], () => {
     const take = store.get("take");
     clock.load({ duration: take?.duration ?? 0, fps: take?.rate ?? 30, sound: take?.speech?.sound ?? null });

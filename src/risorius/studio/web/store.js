@@ -17,6 +17,7 @@
  *   take        the current take (`take.js`); null before the first
  *   faces       {take, first, last}: frames whose faces are other than before, set with each new take
  *   busy        a sentence on what is being waited for; "" when nothing is
+ *   stoppable   whether what is being waited for can be stopped
  *   selection   {time, parameter, movement}: what was last pointed at in timeline or rules; each may be null
  *   other       the second take of a comparison; null without one
  *   preview     whether the timeline shows a change that is not made yet

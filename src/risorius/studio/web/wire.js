@@ -185,6 +185,13 @@
  * @property {Array<EmotionSpan>} [emotions]
  */
 /**
+ * Stop a request of this page by its number: it is refused with `stopped`, and nothing changes.
+ * Performing can be stopped, as long as it is not done. Answered by Done, also if there is nothing to stop.
+ * @typedef {Object} Stop
+ * @property {"stop"} do
+ * @property {number} request
+ */
+/**
  * Perform the same script with other choices or emotions; null keeps them. Answered by TakeView.
  * @typedef {Object} Choose
  * @property {"choose"} do
@@ -823,7 +830,7 @@
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "prepare" | "draft" | "choose" | "edit_all" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "edit_all" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

@@ -52,6 +52,16 @@ class Draft:
 
 
 @dataclass(frozen=True, slots=True)
+class Stop:
+    """Stop a request of this page by its number: it is refused with `stopped`, and nothing changes.
+
+    Performing can be stopped, as long as it is not done. Answered by Done, also if there is nothing to stop.
+    """
+
+    request: Annotated[int, Range(0, 2**53)]
+
+
+@dataclass(frozen=True, slots=True)
 class Choose:
     """Perform the same script with other choices or emotions; null keeps them. Answered by TakeView."""
 
@@ -261,6 +271,7 @@ VERBS: Mapping[str, type] = {
     "perform": Perform,
     "prepare": Prepare,
     "draft": Draft,
+    "stop": Stop,
     "choose": Choose,
     "edit_all": EditAll,
     "bring_back": BringBack,

@@ -23,7 +23,6 @@ const OFFERED = [
 ];
 const MOST_LISTED = 8;
 const WAIT = 250;
-const BUSY = "Performing the other take …";
 
 /** @param {HTMLElement} element @param {object} studio */
 export function mountCompare(element, studio) {
@@ -74,11 +73,10 @@ export function mountCompare(element, studio) {
   async function compare() {
     const [number, label] = [++asked, labelOf(other)];
     [comparing, end.hidden] = [true, false];
-    store.set({ busy: BUSY });
-    const answer = await actions.ask("compare", { choices: { ...store.get("choices"), ...other } });
+    const choices = { ...store.get("choices"), ...other };
+    const answer = await actions.work("compare", { choices }, "Performing the other take …");
     if (number !== asked) return;
     comparing = false;
-    if (store.get("busy") === BUSY) store.set({ busy: "" });
     if (answer) store.set({ other: { ...takeOf(answer), label }, dial: null });
     else end.hidden = store.get("other") === null;
   }
@@ -86,8 +84,8 @@ export function mountCompare(element, studio) {
   /** Show one head, also if the second is still on its way. */
   function finish() {
     asked += 1;
+    if (comparing) actions.stop();
     [comparing, end.hidden] = [false, true];
-    if (store.get("busy") === BUSY) store.set({ busy: "" });
     store.set({ other: null });
   }
 }

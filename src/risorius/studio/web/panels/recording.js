@@ -42,18 +42,17 @@ export async function upload({ store, notify, actions }, file) {
     notify(`${file.name} is larger than ${Math.round(limit / 1e6)} MB`);
     return;
   }
-  store.set({ busy: `Sending ${file.name} …` });
   const address = `/api/session/${store.get("session")}/recording?name=${encodeURIComponent(file.name)}`;
   try {
-    const response = await fetch(address, { method: "POST", body: file });
-    if (!response.ok) throw new Error((await response.text()).trim());
-    const { recording } = await response.json();
+    const { recording } = await actions.during(`Sending ${file.name} …`, async (signal) => {
+      const response = await fetch(address, { method: "POST", body: file, signal });
+      if (!response.ok) throw new Error((await response.text()).trim());
+      return response.json();
+    });
     store.set({ source: { ...store.get("source"), recording, format: "text" } });
     await actions.perform();
   } catch (error) {
-    notify(error.message);
-  } finally {
-    store.set({ busy: "" });
+    if (error.name !== "AbortError") notify(error.message);
   }
 }
 

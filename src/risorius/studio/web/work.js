@@ -1,0 +1,76 @@
+/**
+ * What may take long: what is being done is shown, how far it is, and it can be stopped.
+ *
+ * Several may be under way; the one that began last is shown (`busy` of the store), and is stopped first.
+ */
+
+export class Work {
+  #store;
+  #connection;
+  #doing = new Map(); // by the request's number, or a symbol: what is said, and what stops it
+
+  /** @param {import("./store.js").Store} store @param {import("./connection.js").Connection} connection */
+  constructor(store, connection) {
+    this.#store = store;
+    this.#connection = connection;
+    connection.on("progress", ({ re, stage, done, total }) => {
+      const doing = this.#doing.get(re);
+      if (!doing) return;
+      doing.said = total ? `${stage} ${Math.round((100 * done) / total)} %` : stage;
+      this.#show();
+    });
+  }
+
+  /**
+   * @param {string} verb @param {Record<string, any>} fields @param {string} said before its progress is told
+   * @returns {Promise<any>} the server's answer
+   */
+  async request(verb, fields, said) {
+    let number = 0;
+    const stop = () => this.#connection.request("stop", { request: number }).catch(() => {});
+    const begun = (id) => {
+      number = id;
+      this.#begin(id, said, stop);
+    };
+    try {
+      return await this.#connection.request(verb, fields, begun);
+    } finally {
+      this.#end(number);
+    }
+  }
+
+  /**
+   * Do what the server does not report on. @template T
+   * @param {string} said @param {(signal: AbortSignal) => Promise<T>} work ends when the signal says so
+   * @returns {Promise<T>}
+   */
+  async during(said, work) {
+    const [key, control] = [Symbol(said), new AbortController()];
+    this.#begin(key, said, () => control.abort());
+    try {
+      return await work(control.signal);
+    } finally {
+      this.#end(key);
+    }
+  }
+
+  /** Stop what began last. */
+  stop() {
+    [...this.#doing.values()].at(-1)?.stop();
+  }
+
+  #begin(key, said, stop) {
+    this.#doing.set(key, { said, stop });
+    this.#show();
+  }
+
+  #end(key) {
+    this.#doing.delete(key);
+    this.#show();
+  }
+
+  #show() {
+    const last = [...this.#doing.values()].at(-1);
+    this.#store.set({ busy: last?.said ?? "", stoppable: last !== undefined });
+  }
+}
