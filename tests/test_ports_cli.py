@@ -1,9 +1,11 @@
 """The commands that let performances in and out: one line for each fault."""
 
+import io
 import socket
 import sys
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -55,7 +57,8 @@ def test_what_cannot_be_reached_is_told_before_the_face_is_made(
     assert "risorius: sound needs sounddevice" in capsys.readouterr().err
 
 
-def test_a_sentence_is_streamed(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_sentence_is_streamed(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=io.BytesIO(b"Ja.")))
     receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     receiver.bind(("127.0.0.1", 0))
     receiver.settimeout(60.0)
@@ -68,7 +71,9 @@ def test_a_sentence_is_streamed(capsys: pytest.CaptureFixture[str]) -> None:
     to = f"127.0.0.1:{receiver.getsockname()[1]}"
     thread = threading.Thread(target=collect)
     thread.start()
-    assert run(["stream", "Oh.", "--to", to, "--without-sound", "--subject", "me", *FAST]) == 0
+    assert (
+        run(["stream", "-", "--language", "de", "--to", to, "--without-sound", "--subject", "me", *FAST]) == 0
+    )
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as last:
         last.sendto(b"", receiver.getsockname())  # the end
     thread.join(10.0)

@@ -168,6 +168,8 @@ def test_a_capture_a_pose_and_a_character_refuse_what_they_do_not_read() -> None
             "--names has no effect: livelink does not send it; expected the protocol vmc",
         ),
         (["stream", "Oh.", "--protocol", "vmc", "--subject", "me"], "--subject has no effect: vmc does not"),
+        (["stream", "Oh.", "--preset", "close-up"], "has no effect: no output is a picture or a video"),
+        (["stream", "--text"], "nothing to perform; expected a text, a file or --audio"),
         (["stream", "Oh.", "--patience", "2"], "--patience has no effect: nothing waits for a greeting"),
     ],
 )

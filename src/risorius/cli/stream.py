@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import click
 
+from ..core.setting import Stage
 from ..errors import InputError, UnreadError
 from .console import Console
-from .options import Command, displays, emotion_option, option, setting_options, settings_from
+from .inputs import Spoken, input_options
+from .options import Command, check_outputs, option, setting_options, settings_from
+
+# What is sent are weights, as a file of them has them: it depends on what the curves and the skin depend on.
+_LIKE = Path("x.arkit.csv")
+_READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage.SHAPE, Stage.SKIN)
 
 
 @click.command(cls=Command)
-@click.argument("source", metavar="INPUT")
+@click.argument("source", metavar="[INPUT]", required=False)
 @option(
     "--protocol",
     group="Receiver",
@@ -55,10 +62,10 @@ from .options import Command, displays, emotion_option, option, setting_options,
     is_flag=True,
     help="Do not play the voice; send by the machine's clock.",
 )
-@emotion_option
-@setting_options(names=("fps", "head"))
+@input_options
+@setting_options(_READ)
 def stream(
-    source: str,
+    source: str | None,
     protocol: str,
     to: str | None,
     listen: str | None,
@@ -66,13 +73,19 @@ def stream(
     subject: str | None,
     names: str | None,
     without_sound: bool,
+    is_text: bool,
     emotions: tuple[str, ...],
+    audio: str | None,
+    transcript: str | None,
     **chosen: Any,
 ) -> None:
-    """Perform INPUT for another program, live: the sound is the clock, late frames are dropped."""
-    from ..api import speak as perform
+    """Perform INPUT (a text, a file, or - for standard input) for another program, live.
+
+    The sound is the clock; late frames are dropped. With --audio a recorded voice is performed, as by speak.
+    """
     from ..stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_take
 
+    spoken = Spoken(source, is_text, emotions, audio, transcript)
     stream_options = {"subject": subject, "names": names}
     options = Options(**{name: value for name, value in stream_options.items() if value is not None})
     check_options(protocol, options)
@@ -84,7 +97,8 @@ def stream(
     parse_address(listen or to, PROTOCOLS.get(protocol).port)
     with Console() as console:
         settings = settings_from(chosen)
-        take = perform(source, emotion=displays(emotions), settings=settings, progress=console.progress)
+        check_outputs([_LIKE], settings)
+        take = spoken.perform(settings, console.progress)
         sent = send_take(
             take,
             protocol,
