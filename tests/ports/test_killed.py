@@ -1,0 +1,55 @@
+"""Processes killed while they write: what was there before stays whole, and the next run goes well."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from risorius.ports.formats import FORMATS
+from risorius.take import Take
+
+from ..profiles import everyday
+
+OLD = b"what was there before"
+# Of the signals that end a process at once, the one for a file that may not grow comes at a chosen byte.
+PROGRAM = """
+import resource, signal, sys
+import risorius
+performance, size, output = sys.argv[1:]
+take = risorius.load(performance, settings=risorius.Settings(size=(64, 64)))
+signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
+resource.setrlimit(resource.RLIMIT_FSIZE, (int(size), int(size)))
+take.write(output)
+"""
+
+
+@pytest.fixture(scope="module")
+def performance(clip: Take, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A performance to write in every format."""
+    path = tmp_path_factory.mktemp("given") / "x.performance.json"
+    clip.write(path)
+    return path
+
+
+@pytest.mark.parametrize("suffix", everyday(FORMATS, (".muscles.csv",)))
+@pytest.mark.parametrize("size", everyday((0, 20), (20,)))
+def test_a_writer_that_is_killed_leaves_the_old_file(
+    suffix: str, size: int, performance: Path, tmp_path: Path
+) -> None:
+    path = tmp_path / "out" / f"x{suffix}"
+    path.parent.mkdir()
+    path.write_bytes(OLD)
+    command = [sys.executable, "-B", "-c", PROGRAM, str(performance), str(size), str(path)]
+    killed = subprocess.run(command, capture_output=True, text=True)
+    # Films are written by a process of their own, which tells what the signal would say.
+    assert killed.returncode == -signal.SIGXFSZ or "File too large" in killed.stderr, killed.stderr
+    assert path.read_bytes() == OLD
+    left = [file.name for file in path.parent.iterdir() if file != path]
+    assert all(name.startswith(".risorius-") and name.endswith(".part") for name in left)
+    command[-2] = str(1 << 40)
+    subprocess.run(command, check=True)
+    assert path.stat().st_size > len(OLD)
