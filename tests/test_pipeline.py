@@ -170,7 +170,7 @@ def test_a_minute_more_keeps_less_than_two_megabytes_more() -> None:
     tracemalloc.start()
     try:
         # All blocks of time that are kept are full from the first length on.
-        kept = [_kept(sentence * 22), _kept(sentence * 44)]
+        kept = [_kept(sentence * 48), _kept(sentence * 72)]
     finally:
         tracemalloc.stop()
     (before, short), (after, long) = kept

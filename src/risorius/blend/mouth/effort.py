@@ -50,7 +50,7 @@ REACH = 1.0
 PART = 32.0
 """Seconds: the curve is found in parts of so long, each with the segments within `REACH`: the value at a
 time must not depend on which other times are requested."""
-CACHED, GROUPS = 12, 16
+CACHED, GROUPS = 4, 16
 """Parts that stay cached, and how many groups' solutions of each: enough for a block of knots."""
 GRAIN = 2.0**-32
 """Values are whole multiples of this: a segment that is far away changes no bit, and rest is exactly 0."""
