@@ -21,6 +21,8 @@ from .products import SparseRows, carry, carry_upwards
 
 NEAR = 0.12  # mm; wider gaps are left out of the solution after closing
 SHUT = 0.005  # mm that a full seal may leave open
+BEYOND = 2.0  # mm beyond the gap from which on a seal that is not full closes the lips as a full one does
+LEFT = 1.0  # mm that may stay open where a seal just reaches: facets keep the lips apart by less
 PRESS = 0.05  # mm by which a seal presses the lips together, because facets would keep them apart
 SLACK = 0.005  # mm outside its bounds that a gap may have
 PASSES = 3
@@ -86,9 +88,11 @@ class Lips:
         """
         if tuck > 0.0 and seal < 1.0:
             self._tuck(skin, tuck * (1.0 - seal))
+        opening = WIDEST_MM
         if seal > 0.0:
-            self._close(skin, seal)
-        opening = (1.0 - seal) * WIDEST_MM + seal * SHUT
+            beyond = self._close(skin, seal)
+            left = LEFT * min(max(1.0 - beyond / BEYOND, 0.0), 1.0) - min(beyond, 0.0)
+            opening = min((1.0 - seal) * WIDEST_MM + seal * SHUT, max(left, SHUT))
         for _ in range(PASSES):
             if not self._push_apart(skin, opening):
                 break
@@ -104,14 +108,20 @@ class Lips:
         goal_lower[:, 1], goal_lower[:, 2] = edge_y + TUCK_ABOVE, edge_z + TUCK_BEFORE
         self._tucked.move(skin, tuck * (goal - here))
 
-    def _close(self, skin: Array, seal: float) -> None:
-        """Move the points of the line together, so far as a seal reaches: narrow places meet first."""
+    def _close(self, skin: Array, seal: float) -> float:
+        """Move the points of the line together, so far as a seal reaches: narrow places meet first.
+
+        Return how many mm it reaches beyond the widest; below 0: it does not close that.
+        """
         apart = self._line.places(self._matrix.times(skin, self._points))
         apart[:, 1] += PRESS
+        beyond = np.inf
         if seal < 1.0:
             length = np.sqrt((apart * apart).sum(axis=1, keepdims=True))
+            beyond = SEAL_MM * seal - float(length.max())
             apart *= np.minimum(SEAL_MM * seal / np.maximum(length, PRESS), 1.0)
         self._line.move(skin, -apart)
+        return beyond
 
     def _push_apart(self, skin: Array, opening: float) -> bool:
         """Push along y until no gap overlaps or is wider than `opening` mm; return False if none did."""
