@@ -11,7 +11,7 @@ from .driving import Page
 
 LINE = "Oh really? I like it very much."
 SETTLED = "studio.store.get('busy') === '' && studio.store.get('saved') === 'saved'"
-SHOWN = "studio.headPlayers.players[0].behind === false"
+SHOWN = "studio.headPlayers.figures[0] !== null && studio.headPlayers.players[0].behind === false"
 
 
 def type_line(page: Page, text: str = LINE) -> None:

@@ -44,8 +44,9 @@ def performed(browser_page: Page) -> Iterator[Page]:
         browser_page.open(PERFORMED)
         browser_page.run("await studio.connection.request('open')")
         if browser_page.get("studio.store.get('take')?.made.source.script") == LINE:
+            # The page opens with the panel and at the time that it was left with.
+            browser_page.run("studio.clock.seek(0)")
             browser_page.wait(SHOWN)
-            # The page opens with the panel that it was left with.
             open_panel(browser_page, "Perform")
         else:
             perform(browser_page)

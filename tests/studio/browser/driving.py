@@ -56,6 +56,8 @@ class Page:
         self.driver.get("about:blank")
         self.driver.get(f"{self.url}#{session}")
         self.wait("window.studio?.store.get('catalogue') && window.studio.store.get('link') === 'up'")
+        # Pictures made while the page is idle would take the time of the tests after it.
+        self.run("const { baked } = studio.headPlayers.stage; if (baked) baked.on = false")
 
     def run(self, body: str, *given: Any) -> Any:
         """Return what an asynchronous function with this body returns; `given` are its `arguments`."""

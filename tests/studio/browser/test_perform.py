@@ -34,7 +34,7 @@ def test_a_line_is_heard_and_seen(performed: Page) -> None:
     performed.picture("performed")
     remember_face(performed)
     performed.driver.find_element(By.ID, "play").click()
-    performed.wait(f"studio.clock.time > 1.4 && {MOVED} > 2")
+    performed.wait(f"studio.clock.time > 0.6 && {MOVED} > 2")
     assert performed.get("studio.clock.playing")
     performed.wait("!studio.clock.playing")
     duration, time = performed.get("[studio.clock.duration, studio.clock.time]")

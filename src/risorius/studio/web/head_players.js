@@ -25,6 +25,7 @@ export class HeadPlayers {
     this.#notify = notify;
     this.stage = new Stage(canvas);
     this.#heads = new Heads(this.stage);
+    this.stage.line = () => this.#line();
     this.#players = [0, 1].map(
       (place) => new Player(connection, clock, (a, b, s) => this.#show(place, a, b, s)),
     );
@@ -81,7 +82,15 @@ export class HeadPlayers {
     const player = this.#players[place];
     if (player.take === take) return;
     const { first = 0, last = Infinity } = place === 0 ? (this.#store.get("faces") ?? {}) : {};
+    if (place === 0) this.stage.baked?.forget(first, last);
     player.load(take, first, last);
+  }
+
+  /** What the take's head says, for fine pictures of it. @returns {import("./stage/baked.js").Line | null} */
+  #line() {
+    const [{ take, frame }, store] = [this.#players[0], this.#store];
+    if (!take || this.#figures[1] || store.get("dial") || store.get("preview") || store.get("busy")) return null;
+    return { frames: take.frames, now: frame, face: (at) => this.#players[0].face(at) };
   }
 
   #leave(place) {

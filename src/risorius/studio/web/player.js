@@ -48,6 +48,21 @@ export class Player {
     return this.#take;
   }
 
+  /** The last frame that is not after the clock's time. */
+  get frame() {
+    return this.#take ? this.#now() : 0;
+  }
+
+  /** A face of any frame; null if it cannot be had now. @param {number} frame @returns {Promise<object | null>} */
+  async face(frame) {
+    const { take, frames, rate } = this.#take;
+    const held = () => (this.#take?.take === take ? (this.#faces.get(frame) ?? null) : null);
+    if (held() || this.#asking || !this.#connection.up) return held();
+    const last = Math.min(frame + Math.ceil(rate), frames);
+    await this.#connection.request("faces", { take, first: frame, last }).catch(() => {});
+    return held();
+  }
+
   /** Whether the face of the clock's time has not come yet. */
   get behind() {
     return this.#take !== null && !this.#faces.has(this.#now());

@@ -29,6 +29,23 @@ export function mountViews(element, note, names, studio) {
     fill(names, ...labels.map((label) => make("span", {}, make("b", {}, label))));
   });
   mountNote(note, studio);
+  mountFine(element, studio.headPlayers.stage);
+}
+
+/** Whether the line is played as finely as the head at rest is drawn, and how much of it can be by now. */
+function mountFine(element, { baked }) {
+  if (!baked) return;
+  const label = make("span");
+  const title = "No graphics card draws: pictures of the line are made while nothing else is done, and are then played";
+  const fine = make("button", { id: "fine", title, onclick: () => (baked.on = !baked.on) }, label);
+  element.after(fine);
+  const show = () => {
+    const { share } = baked;
+    label.textContent = share === null ? "Fine preview" : `Fine preview ${Math.floor(100 * share)} %`;
+    fine.setAttribute("aria-pressed", String(baked.on));
+  };
+  baked.watch(show);
+  show();
 }
 
 function mountNote(note, { store, clock, headPlayers }) {

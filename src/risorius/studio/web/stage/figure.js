@@ -39,6 +39,7 @@ export class Figure {
   #fine = true;
   #lighter = {};
   #shown = null;
+  #lent = null;
   #waits = false; // whether the face that is shown is not taken up yet: another may come before it is drawn
   #stale = new Set();
   #hairs = new Map();
@@ -55,13 +56,14 @@ export class Figure {
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
     this.#light(shade);
-    this.#slits = slitsOf(packing.lips, this.skin);
+    this.#slits = slitsOf(packing.lips, this.#meshes.skin.geometry.attributes.position.array);
     this.#lightMouth();
     this.#prepareLighter();
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
   get skin() {
+    this.lend(null);
     this.#takeFace();
     return this.#meshes.skin.geometry.attributes.position.array;
   }
@@ -105,6 +107,23 @@ export class Figure {
     return true;
   }
 
+  /** The face that is shown, or of two the nearer. */
+  get nearest() {
+    return this.#shown && (this.#shown.share < 0.5 ? this.#shown.a : this.#shown.b);
+  }
+
+  /** The face that it has for a picture beside the stage; null for its own. */
+  get lent() {
+    return this.#lent;
+  }
+
+  /** Have another face for a picture beside the stage. @param {import("./faces.js").Face | null} face */
+  lend(face) {
+    if (face === this.#lent) return;
+    this.#lent = face;
+    this.#waits = true;
+  }
+
   /** Free what the graphics card holds. */
   dispose() {
     for (const { geometry, material } of this.#drawn()) {
@@ -131,9 +150,9 @@ export class Figure {
   }
 
   #takeFace() {
-    if (!this.#waits) return;
+    if (!this.#waits || !(this.#lent ?? this.#shown)) return;
     this.#waits = false;
-    const { a, b, share } = this.#shown;
+    const { a, b, share } = this.#lent ? { a: this.#lent, b: this.#lent, share: 0 } : this.#shown;
     turn(this.#head.quaternion, a.head, b.head, share);
     for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
     this.#lightMouth();
@@ -208,7 +227,7 @@ export class Figure {
 
   /** Between lips that hardly part no light comes to the teeth. */
   #lightMouth() {
-    const lit = lightBetween(this.#slits, this.skin);
+    const lit = lightBetween(this.#slits, this.#meshes.skin.geometry.attributes.position.array);
     for (const name of MOUTH) this.#meshes[name].material.userData.lit.value = lit;
   }
 

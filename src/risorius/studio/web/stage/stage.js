@@ -7,9 +7,12 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { Backdrop } from "./backdrop.js";
+import { Baked } from "./baked.js";
 import { View } from "./cameras.js";
 import { drawn } from "./fence.js";
+import { Fine } from "./fine.js";
 import { lightsOf, mirrored } from "./lights.js";
+import { Overlay } from "./overlay.js";
 import { Sharpness } from "./sharpness.js";
 import { drawnBySoftware } from "./software.js";
 import { Still } from "./still.js";
@@ -26,11 +29,20 @@ export class Stage {
   #asked = false;
   #drawing = false;
   #drawn = 0;
+  #overlay = null;
   #still = null;
+  #coarse = false; // whether the line plays as coarsely as it must: it would be unquiet to change to and fro
   #playing = false;
   #size = "";
+  /** Fine pictures of the line, where no graphics card draws; else null. */
+  baked = null;
+  /** What the heads say, for these pictures. @type {() => import("./baked.js").Line | null} */
+  line = () => null;
   /** From where the heads are looked at. */
-  view = new View(() => this.invalidate());
+  view = new View(() => {
+    this.baked?.forget();
+    this.invalidate();
+  });
 
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
@@ -39,13 +51,21 @@ export class Stage {
     this.#renderer = new THREE.WebGLRenderer({ canvas, alpha: false, antialias: !rough });
     this.#renderer.autoClear = false;
     developAsFilm(this.#renderer);
-    if (rough) this.#still = new Still(this.#renderer, this.#scene, canvas);
+    if (rough) this.#fineBeside(canvas);
     this.#sharpness = new Sharpness(rough, () => (rough ? this.#makeStill() : this.#ask()));
     this.dress();
     document.addEventListener("theme", () => this.dress());
     this.view.listen(canvas);
     new ResizeObserver(() => this.#resize()).observe(canvas);
     this.#resize();
+  }
+
+  #fineBeside(canvas) {
+    const fine = new Fine(this.#renderer, this.#scene);
+    this.#overlay = new Overlay(canvas);
+    this.#still = new Still(fine, this.#overlay);
+    const [line, seen] = [() => this.line(), () => (this.#still.shown && !this.#playing ? this.#seen() : null)];
+    this.baked = new Baked(fine, this.#overlay, { line, seen });
   }
 
   /**
@@ -63,6 +83,7 @@ export class Stage {
   /** Take up the page's colours. */
   dress() {
     this.#backdrop = new Backdrop(this.#canvas);
+    this.baked?.forget();
     this.invalidate();
   }
 
@@ -75,6 +96,7 @@ export class Stage {
   set figures(figures) {
     for (const { group } of this.#figures) group.removeFromParent();
     this.#figures = figures;
+    this.baked?.forget();
     for (const { group } of figures) this.#scene.add(group);
     this.#resize();
   }
@@ -82,6 +104,7 @@ export class Stage {
   /** Whether the clock runs, or is about to. @param {boolean} playing */
   set playing(playing) {
     if (playing) this.stir();
+    if (playing && !this.#playing) this.#coarse = !this.baked?.lasts(this.#frame);
     this.#playing = playing;
     this.#sharpness.playing = playing;
   }
@@ -89,6 +112,7 @@ export class Stage {
   /** Somebody is about to move something: the fine picture of a head at rest would keep them waiting. */
   stir() {
     if (!this.#still?.shown) this.#still?.stop();
+    this.baked?.stop();
     this.#sharpness.moves();
   }
 
@@ -129,6 +153,7 @@ export class Stage {
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
+    this.baked?.forget();
     this.view.fit(width / Math.max(this.#figures.length, 1), height);
     this.invalidate();
   }
@@ -142,9 +167,23 @@ export class Stage {
     this.#renderer.setDrawingBufferSize(width, height, ratio);
   }
 
-  #makeStill() {
+  async #makeStill() {
+    const seen = this.#seen();
+    if (!seen) return;
+    if (!this.#still.shown && !(await this.#still.make(seen))) return;
+    this.baked.leave();
+    this.baked.later();
+  }
+
+  /** The frame whose face is shown, alone; -1 where it is none of a line. */
+  get #frame() {
+    return this.#figures.length === 1 ? (this.#figures[0].nearest?.frame ?? -1) : -1;
+  }
+
+  /** What a fine picture shows; null where there is nobody. @returns {import("./fine.js").Seen | null} */
+  #seen() {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
-    if (width === 0 || height === 0 || this.#figures.length === 0 || this.#still.shown) return;
+    if (width === 0 || height === 0 || this.#figures.length === 0) return null;
     const ratio = this.#sharpness.stillRatio(width * height);
     const [across, high] = [Math.floor(width * ratio), Math.floor(height * ratio)];
     const each = Math.floor(across / this.#figures.length);
@@ -154,14 +193,26 @@ export class Stage {
       width: each,
       paint: (cut) => this.#backdrop.paint(this.#renderer, k * each, each, high, cut),
     }));
-    this.#still.make({ width: across, height: high, camera: this.view.camera, places });
+    return { width: across, height: high, camera: this.view.camera, places };
+  }
+
+  /** Show the picture of the face's frame, if there is one. */
+  #showBaked() {
+    const shown = this.baked !== null && !(this.#playing && this.#coarse) && this.baked.show(this.#frame);
+    if (this.#playing && !shown) this.#coarse = true;
+    if (shown) this.#drawn += 1;
+    return shown;
   }
 
   #draw() {
     const renderer = this.#renderer;
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
-    this.#still?.hide();
+    this.baked?.stop();
+    this.#still?.leave();
+    if (this.#showBaked()) return;
+    this.baked?.leave();
+    this.#overlay?.hide();
     this.#fit(width, height);
     const each = width / Math.max(this.#figures.length, 1);
     renderer.setScissorTest(true);

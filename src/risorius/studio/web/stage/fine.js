@@ -1,0 +1,105 @@
+/**
+ * Fine pictures of heads where no graphics card draws. One takes long, so that it is made beside the stage's own, a part
+ * at a time: who moves something meanwhile waits for no more than that part.
+ */
+
+import * as THREE from "../vendor/three/three.module.min.js";
+import { drawn } from "./fence.js";
+
+const MOST = 20_000; // triangles to a part
+
+/**
+ * @typedef {{figure: import("./figure.js").Figure, x: number, width: number, paint: (cut: Function) => void}} Place
+ * @typedef {{width: number, height: number, camera: THREE.Camera, places: Place[]}} Seen pixels; who stands where
+ */
+
+export class Fine {
+  #renderer;
+  #scene;
+  #target = null;
+
+  /** @param {THREE.WebGLRenderer} renderer @param {THREE.Scene} scene with the heads */
+  constructor(renderer, scene) {
+    this.#renderer = renderer;
+    this.#scene = scene;
+  }
+
+  /**
+   * Make a picture of the faces that the figures have now.
+   * @param {Seen} seen @param {() => boolean} wanted asked after each part: whether to go on
+   * @returns {Promise<ImageData | null>} null where it is not wanted any more
+   */
+  async picture({ width, height, camera, places }, wanted) {
+    await this.#renderer.compileAsync(this.#scene, camera);
+    for (const place of places) {
+      if (!wanted()) return null;
+      for (const part of this.#parts(place, camera, width, height)) {
+        part();
+        await drawn(this.#renderer.getContext());
+        if (!wanted()) return null;
+      }
+    }
+    const pixels = new Uint8ClampedArray(4 * width * height);
+    await this.#renderer.readRenderTargetPixelsAsync(this.#target, 0, 0, width, height, pixels);
+    return wanted() ? upright(pixels, width, height) : null;
+  }
+
+  /** What is drawn at a place, one after another: what is behind, then meshes, those that let others through last. */
+  *#parts({ figure, x, width, paint }, camera, whole, height) {
+    const target = this.#sized(whole, height);
+    const cut = (from, up, across, high) => {
+      target.scissor.set(from, up, across, high);
+      this.#renderer.setRenderTarget(target);
+    };
+    const within = (draw) => () => {
+      target.viewport.set(x, 0, width, height);
+      cut(x, 0, width, height);
+      draw();
+      this.#renderer.setRenderTarget(null);
+    };
+    yield within(() => {
+      figure.ready(true, camera, height);
+      paint(cut);
+      cut(x, 0, width, height);
+      this.#renderer.clear(false, true, true);
+    });
+    for (const mesh of figure.whole) {
+      const { count } = mesh.geometry.index;
+      for (let start = 0; start < count; start += 3 * MOST) {
+        yield within(() => this.#draw(figure, mesh, start, camera));
+      }
+    }
+  }
+
+  #draw(figure, mesh, start, camera) {
+    const others = this.#scene.children.filter((child) => child.isGroup && child !== figure.group);
+    const hidden = [...others, ...figure.whole.filter((one) => one !== mesh)];
+    for (const one of hidden) one.visible = false;
+    figure.group.visible = true;
+    mesh.geometry.setDrawRange(start, 3 * MOST);
+    this.#renderer.render(this.#scene, camera);
+    mesh.geometry.setDrawRange(0, Infinity);
+    for (const one of hidden) one.visible = true;
+  }
+
+  /** Colours are the same as on the stage: developed as film, and of the screen. */
+  #sized(width, height) {
+    if (this.#target === null) {
+      this.#target = new THREE.WebGLRenderTarget(width, height, { colorSpace: THREE.SRGBColorSpace });
+      this.#target.texture.internalFormat = "RGBA8";
+      this.#target.isXRRenderTarget = true;
+      this.#target.scissorTest = true;
+    }
+    this.#target.setSize(width, height);
+    return this.#target;
+  }
+}
+
+/** @param {Uint8ClampedArray} pixels from the lowest row on */
+function upright(pixels, width, height) {
+  const picture = new ImageData(width, height);
+  for (let y = 0; y < height; y++) {
+    picture.data.set(pixels.subarray(4 * width * y, 4 * width * (y + 1)), 4 * width * (height - 1 - y));
+  }
+  return picture;
+}
