@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from itertools import islice, pairwise
 
@@ -23,7 +24,7 @@ from .edges import place_edges
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
 from .spectra import band_levels
-from .windows import WHOLE, windows
+from .windows import WHOLE, Window, windows
 
 # A stop after silence is heard, and labelled by hand, from its burst on; the articulators close before.
 UNHEARD_CLOSURE = 0.015
@@ -97,7 +98,7 @@ def _stretches(
     resampled: Resampled, words: Sequence[Readings], decoders: Decoders, progress: Progress
 ) -> Iterator[list[AlignedPhone]]:
     whole = resampled.audio.duration
-    for window in windows(resampled, words, decoders):
+    for window in _ahead(windows(resampled, words, decoders)):
         if whole > WHOLE:
             progress("Aligning …", round(window.start), round(whole))
         inside = words[window.first : window.last]
@@ -111,6 +112,15 @@ def _stretches(
             message = f"the transcript does not fit the recording; {len(inside)} words do not fit into {span}"
             raise InputError(message) from None
         yield without_gaps(moved(aligned, window.start, window.end, window.first))
+
+
+def _ahead(found: Iterator[Window]) -> Iterator[Window]:
+    """Yield windows; while one is worked on, the next is found in another thread."""
+    with ThreadPoolExecutor(1, "follow") as thread:
+        coming = thread.submit(next, found, None)
+        while (window := coming.result()) is not None:
+            coming = thread.submit(next, found, None)
+            yield window
 
 
 def moved(aligned: Sequence[AlignedPhone], start: float, end: float, first: int) -> list[AlignedPhone]:

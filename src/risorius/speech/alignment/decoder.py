@@ -62,14 +62,15 @@ class HeardSegment(NamedTuple):
 
 
 class Decoders:
-    """The decoders of one recording, in a process of their own. Use as a context manager, which ends it.
+    """The decoders of one recording, in processes of their own. Use as a context manager, which ends them.
 
-    What a decoder has heard before changes what it finds: no two recordings share one. Every method raises
-    WorkerError if the process fails or does not answer in time.
+    What a decoder has heard before changes what it finds: no two recordings share one. `follow_words` may be
+    called in another thread than the others. Every method raises WorkerError if its process fails or does not
+    answer in time.
     """
 
     def __init__(self) -> None:
-        self._process: WorkerProcess | None = None
+        self._aligner, self._follower = _Process(), _Process()
 
     def __enter__(self) -> Self:
         return self
@@ -77,37 +78,52 @@ class Decoders:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        if self._process is not None:
-            self._process.kill()
+        self._aligner.end()
+        self._follower.end()
 
     def align_words(self, sound: Array, words: Sequence[Readings]) -> list[AlignedPhone]:
         """Return the phones and silences of `sound` (16 kHz), in which all `words` are said in order.
 
         They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
         """
-        answer = self._ask("align", sound, words)
+        answer = self._aligner.ask("align", sound, words)
         if sum(segment.spoken for segment in _segments(answer)) != len(words):
             raise AlignmentError
         return list(_phones(answer["words"], len(sound) / RATE))
 
     def follow_words(self, sound: Array, words: Sequence[Readings]) -> list[tuple[float, float]]:
         """Return the spans in seconds of as many of `words`, from the first on, as are said in `sound`."""
-        found = _segments(self._ask("follow", sound, words))
+        found = _segments(self._follower.ask("follow", sound, words))
         return [(segment.start, segment.end) for segment in found if segment.spoken]
 
     def name_words(self, sound: Array) -> list[str]:
         """Return the words that a language model hears in `sound`."""
-        return [segment.name for segment in _segments(self._ask("name_words", sound)) if segment.spoken]
+        return [
+            segment.name for segment in _segments(self._aligner.ask("name_words", sound)) if segment.spoken
+        ]
 
     def name_phones(self, sound: Array) -> list[HeardSegment]:
         """Return the phones, and what is none, that a loop over all phones hears in `sound`."""
-        return _segments(self._ask("name_phones", sound))
+        return _segments(self._aligner.ask("name_phones", sound))
 
-    def _ask(self, op: str, sound: Array, words: Sequence[Readings] = ()) -> dict[str, Any]:
-        if self._process is None:
-            self._process = WorkerProcess(_command())
+
+class _Process:
+    """An aligner's process, started when it is first needed."""
+
+    def __init__(self) -> None:
+        self._worker: WorkerProcess | None = None
+
+    def ask(self, op: str, sound: Array, words: Sequence[Readings] = ()) -> dict[str, Any]:
+        """Return the answer to a request; raise WorkerError if there is none."""
+        if self._worker is None:
+            self._worker = WorkerProcess(_command())
         patience = PATIENCE + PATIENCE_PER_SECOND * len(sound) / RATE
-        return self._process.request({"op": op, "readings": words}, patience, _prepared(sound))[0]
+        return self._worker.request({"op": op, "readings": words}, patience, _prepared(sound))[0]
+
+    def end(self) -> None:
+        """End it."""
+        if self._worker is not None:
+            self._worker.kill()
 
 
 def with_decoders(work: Callable[[Decoders], T]) -> T:
