@@ -49,7 +49,7 @@ export function mountSessions(studio) {
     });
     const open = button(here ? "Open now" : "Open", {
       disabled: here,
-      "aria-label": `Open the session “${called}”`,
+      "aria-label": here ? `Open now: the session “${called}”` : `Open the session “${called}”`,
       onclick: () => {
         location.hash = session;
       },

@@ -79,7 +79,7 @@ export class Names {
     if (this.#controller.scene.model.bases.get(base).names.length < 2) return null;
     const side = this.#graphs.side(base);
     const next = SIDES[(SIDES.indexOf(side) + 1) % SIDES.length];
-    const label = `${spoken(base)}: ${side === "both" ? "both sides" : `${side} side`}; show and draw ${next}`;
+    const label = `${SIGNS[side]}, ${spoken(base)}: ${side === "both" ? "both sides" : `${side} side`}; show and draw ${next}`;
     const turn = () => this.#graphs.setSide(base, next);
     return h("button", { class: "tl-side", "aria-label": label, title: label, "data-name": `${base} side`, onclick: turn },
       SIGNS[side]); // prettier-ignore

@@ -11,6 +11,7 @@ const SPEECH = [
 ];
 export const BLOCK = 17; // height of one row of blocks
 const LANE_PAD = 2;
+const LEAST = 25; // a lane's own height at least: its name is a button, which fingers must hit
 export const GRAPH = 52;
 
 /** @param {import("./model.js").Model} model @returns {{kind: string, y: number, height: number}[]} */
@@ -34,7 +35,7 @@ export function bodyRows(model, graphs, folded) {
   let y = 0;
   for (const lane of model.lanes) {
     const fold = folded.has(lane.channel);
-    const height = (fold ? 1 : lane.count) * BLOCK + 2 * LANE_PAD;
+    const height = Math.max((fold ? 1 : lane.count) * BLOCK + 2 * LANE_PAD, LEAST);
     rows.push({ kind: "lane", y, height, lane, fold });
     y += height;
   }

@@ -17,6 +17,7 @@ export class Why {
   #times = [];
   #keys;
   #targets;
+  #instead = []; // what moves the parameters that the selected movement aims at, where it does not
 
   /** @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller */
   constructor(parent, controller) {
@@ -38,7 +39,9 @@ export class Why {
     const at = Math.min(time, model.duration);
     const answer = await this.#controller.actions.ask("explain", { take: model.take.take, time: at, parameter });
     if (asked !== this.#asked || answer === null) return;
-    const reasons = together(answer.reasons.filter((reason) => parameter || concerns(reason, block)));
+    const its = answer.reasons.filter((reason) => parameter || concerns(reason, block));
+    const reasons = together(its);
+    this.#instead = together(answer.reasons.filter((reason) => !parameter && !its.includes(reason) && aims(block, reason)));
     const focus = this.#box.contains(document.activeElement) ? document.activeElement.id : "";
     this.#box.replaceChildren(...this.#parts(block, parameter, at, reasons));
     if (focus) this.#box.querySelector(`#${CSS.escape(focus)}`)?.focus();
@@ -59,12 +62,34 @@ export class Why {
     const when = h("p", { class: "hint" }, `At ${clockTime(time)} s`);
     if (parameter) {
       const told = reasons.map((one) => this.#reason(one));
-      const title = reasons.length ? [] : [h("h3", {}, spoken(parameter)), h("p", {}, "At rest: nothing moves it.")];
-      return [when, ...title, ...told, this.#keys.element(parameter, time)];
+      const rest = reasons.length ? [] : [h("p", {}, "At rest: nothing moves it.")];
+      return [h("h2", {}, spoken(parameter)), when, ...rest, ...told, this.#keys.element(parameter, time)];
     }
-    const idle = h("p", {}, "At this time it has no visible effect.");
-    const told = reasons.length ? reasons.map((one) => this.#reason(one)) : [idle];
+    const told = reasons.length ? reasons.map((one) => this.#reason(one)) : this.#idle(block);
     return [...this.#head(block), when, ...told, ...(block.editable ? this.#shape(block) : [])];
+  }
+
+  /** Why a movement is not to be seen: what it aims at, and what moves that instead. */
+  #idle(block) {
+    const { parameters } = this.#controller.scene.model;
+    const targets = Object.entries(block.targets).map(([name, value]) => [parameters.get(name), value]);
+    const home = targets.length > 0 && targets.every(([known, value]) => known && value === known.neutral);
+    const before = home ? this.#before(block) : null;
+    const link = before && h("button", { class: "tl-what", onclick: () => this.#go(before.id) }, before.label || before.layer);
+    const why = home
+      ? h("p", {}, `It ${link ? "brings" : "keeps"} ${block.channel} ${link ? "back to" : "at"} rest`, ...(link ? [", after ", link] : []), ".")
+      : h("p", {}, "At this time it has no visible effect.");
+    const others = this.#instead.map((one) => this.#reason(one));
+    return others.length ? [why, h("p", { class: "hint" }, "What moves this at that time:"), ...others] : [why];
+  }
+
+  /** The movement before one in its lane that moved something, or null. */
+  #before({ channel, start }) {
+    const { model } = this.#controller.scene;
+    const moves = ({ targets }) =>
+      Object.entries(targets).some(([name, value]) => value !== model.parameters.get(name)?.neutral);
+    const lane = model.take.blocks.filter((block) => block.channel === channel && block.start < start && moves(block));
+    return lane.at(-1) ?? null;
   }
 
   /** What a movement is, and why it is there. */
@@ -133,6 +158,11 @@ function readable(sentence, parameters) {
 /** Whether a block has a part in what a parameter does. */
 function concerns({ winner, losers }, block) {
   return [winner, ...losers].some((part) => part?.movement === block.id);
+}
+
+/** Whether a block aims at a parameter, or at both sides of it. */
+function aims({ targets }, { parameter }) {
+  return parameter in targets || parameter.split(".")[0] in targets;
 }
 
 /** Reasons with those of the two sides made one where they are the same. */
