@@ -75,6 +75,8 @@ def test_the_words_of_every_language_are_as_words_are_looked_up(code: str) -> No
         *tables.openers, *tables.wh, *tables.yes_no, *tables.subjects, *tables.hyphenated, *tables.last,
         *tables.alternative,
     )  # fmt: skip
+    assert [text for text in (*tables.anywhere, *tables.last_yes_no) if text != plain_word(text)] == []
+    assert [word for word in found.words if len(word) < 2 or found.spaces] == []
     assert [word for word in listed if word != plain_word(word) or " " in word] == []
     assert not set(tables.wh) & set(tables.yes_no)
 

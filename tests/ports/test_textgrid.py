@@ -11,6 +11,9 @@ from risorius.core.utterance import Accent, Boundary, Phone, Utterance
 from risorius.errors import OutputError
 from risorius.ports.textgrid import phone_label, write_textgrid
 from risorius.ports.writable import WritableTake, WriteOptions
+from risorius.script.textgrid import read_textgrid
+from risorius.speech.recordings.labelled import utterance_of_labels
+from risorius.speech.synthesis import synthesize
 
 UtteranceMaker = Callable[..., Utterance]
 
@@ -49,6 +52,18 @@ def test_praatio_reads_all_tiers_without_gaps(
     assert [entry.label for entry in grid.getTier("words").entries] == ["", "m", "aa", "", "b", "iy", ""]
     assert [tuple(entry) for entry in grid.getTier("accents").entries] == [(0.65, "H*"), (1.0, "*")]
     assert [tuple(entry) for entry in grid.getTier("boundaries").entries] == [(0.8, "L-H%")]
+
+
+def test_tones_stand_behind_their_vowels_and_are_read_back(
+    tmp_path: Path, take_of: Callable[..., WritableTake]
+) -> None:
+    said = synthesize("妈骂。", language="cmn")
+    write_textgrid(take_of(utterance=said), tmp_path / "x.TextGrid", WriteOptions())
+    grid = _read(tmp_path / "x.TextGrid")
+    labels = [entry.label for entry in grid.getTier("phones").entries]
+    assert [label for label in labels if label] == ["m", "ɑ˥", "m", "ɑ˥˩"]
+    back = utterance_of_labels(read_textgrid(str(tmp_path / "x.TextGrid")))
+    assert [(p.symbol, p.tone) for p in back.phones] == [(p.symbol, p.tone) for p in said.phones]
 
 
 def test_quotes_lines_and_other_alphabets_survive(

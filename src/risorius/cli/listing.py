@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from ..errors import ParameterError, unknown
 from .messages import print_table
 from .options import Command, KnownName
+
+if TYPE_CHECKING:
+    from ..languages import Language
 
 Listing = tuple[Sequence[str], list[Sequence[str]]]
 
@@ -63,24 +67,27 @@ def voices() -> Listing:
 
 
 def languages() -> Listing:
-    """The languages that are known by more than their sounds, and how many voices each has."""
+    """The languages that voices speak, how many do, and what is known of each beside its sounds."""
     from ..languages import language_of
     from ..languages import languages as all_languages
     from ..speech.engines.voices import speaking
 
-    spoken = [voice.language.split("-")[0] for voice in speaking().values()]
-    known = [language_of(code) for code in all_languages() if code != "und"]
-    rows: list[Sequence[str]] = [
-        (
-            language.code,
-            language.name,
-            str(spoken.count(language.code)),
-            "yes" if language.function_words else "",
-            "yes" if language.abbreviations.titles else "",
-        )
-        for language in known
-    ]
-    return ("language", "name", "voices", "function words", "abbreviations"), rows
+    names: dict[str, list[str]] = {code: [] for code in all_languages() if code != "und"}
+    for voice in speaking().values():
+        names.setdefault(voice.language.split("-")[0], []).append(voice.description)
+    rows: list[Sequence[str]] = []
+    for code, voices in sorted(names.items()):
+        known = language_of(code)
+        own = known.code == code
+        told = (known.function_words, known.abbreviations.titles, _tells_questions(known))
+        name = known.name if own else voices[0]
+        rows.append((code, name, str(len(voices)), *("yes" if own and it else "" for it in told)))
+    return ("language", "name", "voices", "function words", "abbreviations", "questions"), rows
+
+
+def _tells_questions(language: Language) -> bool:
+    table = language.questions
+    return bool(table.wh or table.anywhere or table.last)
 
 
 def outputs() -> Listing:

@@ -69,7 +69,8 @@ class Phone:
     """A speech sound; `symbol` is ARPAbet without stress digit (IPA for other languages), "" for silence.
 
     `stress`: 2 primary, 1 secondary, 0 none for vowels; -1 for consonants and silence. `word`: index of its
-    word, -1 for silence. Stops start where the articulators close. Seconds.
+    word, -1 for silence. `tone`: the pitch that tells the word apart, in letters of the IPA ("˥˩"), on
+    a vowel; "" where there is none or it is not known. Stops start where the articulators close. Seconds.
     """
 
     symbol: str
@@ -77,6 +78,7 @@ class Phone:
     end: Seconds
     stress: Stress = -1
     word: int = -1
+    tone: str = ""
 
     def __post_init__(self) -> None:
         put_on_ticks(self, "start", "end")

@@ -35,17 +35,21 @@ class Questions:
     comes before it and one of `pronouns` after it: else it is a statement's verb.
     If `verb_first`, any word before one of `subjects` that is not a function word is a verb and asks for yes
     or no; so does a word that a hyphen joins to one of `hyphenated`. One of `last` asks for information as
-    the last word, one of `alternative` offers a choice. Else a question asks `otherwise`.
+    the last word, one of `anywhere` (words, or several) wherever it stands; one of `last_yes_no` asks for yes
+    or no at the end, whatever stands before. One of `alternative` offers a choice. Else a question asks
+    `otherwise`.
     """
 
     openers: tuple[str, ...] = ()
     wh: tuple[str, ...] = ()
+    anywhere: tuple[str, ...] = ()
     yes_no: tuple[str, ...] = ()
     subjects: tuple[str, ...] = ()
     pronouns: tuple[str, ...] = ()
     verb_first: bool = False
     hyphenated: tuple[str, ...] = ()
     last: tuple[str, ...] = ()
+    last_yes_no: tuple[str, ...] = ()
     alternative: tuple[str, ...] = ()
     otherwise: Question = Question.YES_NO
 
@@ -91,11 +95,12 @@ class LanguageTable:
     """The file `language.toml`.
 
     `tones`: pitch tells words apart. `function_words`: words that normally carry no accent, by kind.
-    `fillers`: sounds of hesitation.
+    `fillers`: sounds of hesitation. `spaces`: blanks stand between words.
     """
 
     name: str
     tones: bool = False
+    spaces: bool = True
     function_words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     fillers: tuple[str, ...] = ()
     questions: Questions = Questions()
@@ -108,12 +113,20 @@ class PhoneTable:
     """The file `phones.toml`.
 
     `arpabet`: phones are ARPAbet, else IPA. `onsets`: clusters of ARPAbet that begin words. `spellings`: the
-    IPA of what espeak-ng spells otherwise.
+    IPA of what espeak-ng spells otherwise. `tones`: letters of the IPA for espeak-ng's digits of tones.
     """
 
     arpabet: bool = False
     onsets: tuple[str, ...] = ()
     spellings: Mapping[str, str] = field(default_factory=dict)
+    tones: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class WordList:
+    """The file `words.toml`: words, by kind, of a script that puts no blanks between them."""
+
+    words: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +136,7 @@ class Language:
     code: str
     name: str
     tones: bool
+    spaces: bool
     arpabet: bool
     function_words: frozenset[str]
     fillers: frozenset[str]
@@ -131,6 +145,8 @@ class Language:
     accents: AccentPlaces
     onsets: frozenset[tuple[str, ...]]
     spellings: Mapping[str, str]
+    tone_letters: Mapping[str, str]
+    words: frozenset[str]
     abbreviations: Abbreviations
     mnemonics: Mnemonics
     intonation: IntonationTable

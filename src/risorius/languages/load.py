@@ -14,7 +14,7 @@ from ..core.source_text import SourceText
 from ..core.toml import read_tables, read_text
 from .abbreviations import Abbreviations
 from .intonation import IntonationTable
-from .language import Language, LanguageTable, NumberReadings, PhoneTable
+from .language import Language, LanguageTable, NumberReadings, PhoneTable, WordList
 from .mnemonics import Mnemonics
 
 T = TypeVar("T")
@@ -42,10 +42,12 @@ def language_of(code: str) -> Language:
 def _language(code: str) -> Language:
     table = _read(LanguageTable, code, "language.toml")
     phones = _read(PhoneTable, code, "phones.toml")
+    listed = _read(WordList, code, "words.toml")
     return Language(
         code=code,
         name=table.name,
         tones=table.tones,
+        spaces=table.spaces,
         arpabet=phones.arpabet,
         function_words=frozenset(word for words in table.function_words.values() for word in words),
         fillers=frozenset(table.fillers),
@@ -54,6 +56,8 @@ def _language(code: str) -> Language:
         accents=table.accents,
         onsets=frozenset(tuple(cluster.split()) for cluster in phones.onsets),
         spellings=phones.spellings,
+        tone_letters=phones.tones,
+        words=frozenset(word for words in listed.words.values() for word in words.split()),
         abbreviations=_read(Abbreviations, code, "abbreviations.toml"),
         mnemonics=_read(Mnemonics, code, "mnemonics.toml"),
         intonation=_read(IntonationTable, code, "intonation.toml"),

@@ -42,9 +42,9 @@ def speech_tiers(utterance: Utterance) -> tuple[Tier, Tier]:
 
 
 def phone_label(phone: Phone, language: str) -> str:
-    """Return a phone as aligners write it: ARPAbet with a stress digit on English vowels, else IPA."""
+    """Return a phone as aligners write it: ARPAbet with stress digits on English vowels; IPA with tones."""
     digits = language_of(language).arpabet and phone.stress >= 0
-    return phone.symbol + (_STRESS_DIGIT[phone.stress] if digits else "")
+    return phone.symbol + (_STRESS_DIGIT[phone.stress] if digits else phone.tone)
 
 
 register(".TextGrid", "words, phones and accents for Praat", {"speech"}, write_textgrid, order=8)

@@ -23,7 +23,7 @@ from .structure.pauses import find_pauses
 from .structure.syllables import syllabify
 from .text.normalise import normalise, placed
 from .text.sentences import divide
-from .text.tokens import is_speakable, tokenize
+from .text.tokens import is_speakable, tokenize, with_words
 
 LONGEST_TEXT = 100_000
 SLOWEST, FASTEST = 80, 440
@@ -58,7 +58,7 @@ def synthesize(
     _check_text(text)
     _check_numbers(rate, pitch, lead, tail)
     engine, chosen = _voice(voice, language, engine)
-    tokens = tokenize(text)
+    tokens = with_words(tokenize(text), language_of(chosen.language).words)
     request = SpeechRequest("", chosen, rate, pitch, manner=manner)
     parts = _speak(text, request, directions, engine, progress)
     first = next(parts)

@@ -97,7 +97,7 @@ def test_questions_of_other_languages_rise() -> None:
 
 
 def test_a_language_of_tones_has_one_accent_per_phrase_of_unknown_kind() -> None:
-    assert tune("你好，我是中国人。", language="cmn") == "(你 好/* L-H%) (我 是 中 国 人/* L-L%)"
+    assert tune("你好，我是中国人。", language="cmn") == "(你好/* L-H%) (我 是 中国人/* L-L%)"
 
 
 def test_what_follows_the_focus_is_not_accented() -> None:

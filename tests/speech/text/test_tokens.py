@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.speech.text.tokens import is_speakable, tokenize
+from risorius.speech.text.tokens import is_speakable, tokenize, with_words
 
 
 @pytest.mark.parametrize(
@@ -31,6 +31,24 @@ from risorius.speech.text.tokens import is_speakable, tokenize
 )
 def test_cases(text, expected) -> None:
     assert [token.text for token in tokenize(text)] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", []),
+        ("今天天气很好", ["今天", "天气", "很", "好"]),
+        ("在大学生活", ["在", "大学生", "活"]),  # the longest word first
+        ("今 天，今\n天", ["今", "天", "今", "天"]),  # what is apart is not joined
+        ("OK今天ok 3天", ["OK", "今天", "ok", "3", "天"]),
+    ],
+)
+def test_characters_become_words(text: str, expected: list[str]) -> None:
+    words = frozenset(("今天", "天气", "大学", "大学生", "学生", "生活", "ok"))
+    tokens = with_words(tokenize(text), words)
+    assert [token.text for token in tokens] == expected
+    assert [text[token.start : token.end] for token in tokens] == expected
+    assert with_words(tokenize(text), frozenset()) == tokenize(text)
 
 
 @given(st.text(max_size=60))

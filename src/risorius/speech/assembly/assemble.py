@@ -41,7 +41,7 @@ def place(part: SpokenPart, tokens: Sequence[Token], offset: int, transcribe: Tr
     for phone, end in zip(rendition.phones, starts[1:], strict=True):
         token = NO_TOKEN if phone.symbol == SILENCE else next(owners)
         times = (offset + phone.start, offset + end)
-        segments.append(Segment(phone.symbol, *times, phone.stress, phone.closure, token))
+        segments.append(Segment(phone.symbol, *times, phone.stress, phone.closure, token, tone=phone.tone))
     return segments
 
 
@@ -71,11 +71,13 @@ def assemble(
         if segment.token != NO_TOKEN:
             spans.setdefault(segment.token, []).append(index)
     numbers = {token: number for number, token in enumerate(spans)}
-    phones = tuple(
-        Phone(s.symbol, s.start / sample_rate, s.end / sample_rate, s.stress, numbers.get(s.token, NO_TOKEN))
-        for s in settled
-    )
+    phones = tuple(_phone(s, sample_rate, numbers.get(s.token, NO_TOKEN)) for s in settled)
     return phones, tuple(_word(tokens[token], inside, phones) for token, inside in spans.items())
+
+
+def _phone(segment: Segment, sample_rate: int, word: int) -> Phone:
+    start, end = segment.start / sample_rate, segment.end / sample_rate
+    return Phone(segment.symbol, start, end, segment.stress, word, segment.tone)
 
 
 def _word(token: Token, inside: list[int], phones: Sequence[Phone]) -> Word:

@@ -39,6 +39,7 @@ class Segment:
     closure: int = 0
     token: int = NO_TOKEN
     intended: bool = False
+    tone: str = ""
 
     @property
     def length(self) -> int:

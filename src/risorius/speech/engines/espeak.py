@@ -20,6 +20,7 @@ from ...errors import SpeechError
 from ...languages import language_of
 from .espeak_events import needs_ipa, read_word, render
 from .espeak_text import Encoded, encode, parameters, voice_attribute
+from .espeak_tones import tones_of
 from .espeak_voices import listed_voices, mean_pitch
 from .protocol import Rendition, SpeechRequest, Voice
 from .registry import ENGINES
@@ -59,6 +60,9 @@ class EspeakEngine:
         answer, sound = self._speak(request, encoded, ipa)
         if not ipa and needs_ipa(answer["phones"], language):
             answer, sound = self._speak(request, encoded, ipa=True)
+        if language.tone_letters:
+            names = [name for _, name, _ in answer["phones"]]
+            answer["tones"] = tones_of(names, self._with_tones(request), language.tone_letters)
         answer["phones"] = [(start, name, encoded.source(at)) for start, name, at in answer["phones"]]
         samples = np.frombuffer(sound, dtype="<i2").astype(np.int16, copy=False)
         return render(answer, samples, language, parameters(request)["rate"])
@@ -78,14 +82,14 @@ class EspeakEngine:
         with self._lock:
             if not self._voices:
                 answer, _ = self._request({"op": "voices"}, 0)
-                self._voices = listed_voices(answer)
+                self._voices = listed_voices(answer, _data())
             return self._voices
 
     def mean_pitch(self, voice: Voice) -> float | None:
         """Return the mean pitch of a voice in Hz, None for a language whose tones move it."""
         if language_of(voice.language).tones:
             return None
-        return mean_pitch(_package() / "espeakng_loader" / "espeak-ng-data", voice.key)
+        return mean_pitch(_data(), voice.key)
 
     def close(self) -> None:
         """End the worker; a later call starts another."""
@@ -115,6 +119,13 @@ class EspeakEngine:
         except SpeechError as error:
             raise error.at(span.place) from None
         return voice_attribute(voice.key)
+
+    def _with_tones(self, request: SpeechRequest) -> Sequence[str]:
+        """Return the mnemonics of a text, those of vowels with the digits of their tones."""
+        message = {"op": "transcribe", "texts": [request.text], "voice": request.voice.key, "ipa": False}
+        answer, _ = self._request(message, len(request.text))
+        names: Sequence[str] = answer["names"][0]
+        return names
 
     def _transcribe(self, words: Sequence[str], voice: Voice) -> None:
         ipa = not _speaks_mnemonics(voice)
@@ -168,6 +179,11 @@ def _package() -> Path:
     if spec is None or spec.origin is None:
         raise SpeechError("the package 'espeakng-loader' is not installed; it brings the speech synthesizer")
     return Path(spec.origin).parent.parent
+
+
+def _data() -> Path:
+    """Return the folder of espeak-ng's data."""
+    return _package() / "espeakng_loader" / "espeak-ng-data"
 
 
 @ENGINES.register("espeak")

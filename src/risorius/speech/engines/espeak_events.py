@@ -30,6 +30,7 @@ class _Event(NamedTuple):
     ipa: str | None
     stress: int
     position: int
+    tone: str
 
 
 def needs_ipa(phones: Sequence[tuple[int, str, int]], language: Language) -> bool:
@@ -56,7 +57,7 @@ def render(
     """Return the phones of a worker's answer.
 
     It holds `sample_rate`, `phones` (sample, mnemonic, position of the word) and, where asked for, `ipa`: the
-    phones' names in IPA. `rate` is in words per minute.
+    phones' names in IPA, and `tones`, in letters of the IPA. `rate` is in words per minute.
     """
     sample_rate = int(answer["sample_rate"])
     unit = sample_rate * acoustics.tempo(rate)
@@ -87,11 +88,12 @@ def _is_switch(name: str) -> bool:
 
 def _events(answer: dict[str, Any]) -> list[_Event]:
     ipa = answer.get("ipa") or [None] * len(answer["phones"])
+    tones = answer.get("tones") or [""] * len(answer["phones"])
     events = []
-    for (start, name, position), sound in zip(answer["phones"], ipa, strict=True):
+    for (start, name, position), sound, tone in zip(answer["phones"], ipa, tones, strict=True):
         if not _is_switch(name):
             bare, stress = phonesets.strip_stress(name)
-            events.append(_Event(start, bare, sound, stress, position))
+            events.append(_Event(start, bare, sound, stress, position, tone))
     return events
 
 
@@ -113,15 +115,16 @@ def _sounds(bare: str) -> bool:
 def _divide(event: _Event, parts: tuple[PhonePart, ...], end: int, closure: int) -> list[SpokenPhone]:
     phones = []
     at = float(event.start)
-    stress = event.stress
+    stress, tone = event.stress, event.tone
     for phone, share in parts:
         level = stress if phonesets.is_vowel(phone) else -1
-        phones.append(SpokenPhone(phone, round(at), level, closure, event.position))
+        own_tone = tone if level >= 0 else ""
+        phones.append(SpokenPhone(phone, round(at), level, closure, event.position, own_tone))
         at += share * (end - event.start)
         closure = 0
         if level >= 0:
-            # The mark stands on the first vowel.
-            stress = 0
+            # The marks stand on the first vowel.
+            stress, tone = 0, ""
     return phones
 
 

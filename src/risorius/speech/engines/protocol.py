@@ -54,7 +54,7 @@ class SpokenPhone(NamedTuple):
 
     `symbol` is ARPAbet for English, IPA for other languages, "" for silence. `stress` as in core's Phone.
     `closure`: by how many samples the articulators close before `start`, as far as the engine knows.
-    `position`: index in the text of the word it belongs to.
+    `position`: index in the text of the word it belongs to. `tone` as in core's Phone.
     """
 
     symbol: str
@@ -62,6 +62,7 @@ class SpokenPhone(NamedTuple):
     stress: int
     closure: int
     position: int
+    tone: str = ""
 
 
 @dataclass(frozen=True, slots=True)

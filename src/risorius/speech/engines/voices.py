@@ -93,6 +93,7 @@ def _speaking(code: str, known: tuple[Voice, ...]) -> Voice | None:
     if code == DEFAULT_VOICE.split("-")[0]:
         code = DEFAULT_VOICE
     speaking = [voice for voice in known if code in voice.languages]
+    speaking = speaking or [voice for voice in known if voice.language.startswith(f"{code}-")]
     return min(
         speaking,
         key=lambda voice: (voice.language != code, not voice.key.endswith(f"/{code}"), voice.name),

@@ -137,7 +137,7 @@ def _joined(
     _report_unsaid([word for number, word in enumerate(words) if number not in spans], source)
     numbers = {owner: number for number, owner in enumerate(spans)}
     phones = tuple(
-        Phone(sound.symbol, label.start, label.end, _known(sound), numbers.get(owner, NO_WORD))
+        Phone(sound.symbol, label.start, label.end, _known(sound), numbers.get(owner, NO_WORD), sound.tone)
         for label, sound, owner in zip(labels, sounds, owners, strict=True)
     )
     timed: list[Word] = []

@@ -34,6 +34,7 @@ _ARPABET = re.compile(r"([A-Za-z]{1,3})([0-2]?)")
 # ARPAbet's digits to core's levels.
 _LEVEL = {"0": 0, "1": 2, "2": 1}
 UNSTRESSED = 0
+TONE_LETTERS = "˥˦˧˨˩ˀ"
 
 
 class PhoneLabel(NamedTuple):
@@ -41,6 +42,7 @@ class PhoneLabel(NamedTuple):
 
     symbol: str
     stress: int | None
+    tone: str = ""
 
 
 def read_phones(labels: Sequence[Label], source: str) -> tuple[bool, list[PhoneLabel]]:
@@ -85,13 +87,14 @@ def _arpabet(text: str) -> PhoneLabel | None:
 
 
 def _ipa(text: str) -> PhoneLabel | None:
-    bare, stress = phonesets.strip_stress(text.strip())
+    toned, stress = phonesets.strip_stress(text.strip())
+    bare = toned.rstrip(TONE_LETTERS)
     if not bare or not is_known(bare):
         return None
-    marked = bare != text.strip()
+    marked, tone = toned != text.strip(), toned[len(bare) :]
     if not phonesets.is_vowel(bare):
         return PhoneLabel(bare, -1)
-    return PhoneLabel(bare, stress if marked else None)
+    return PhoneLabel(bare, stress if marked else None, tone)
 
 
 def _looks_arpabet(labels: Sequence[Label]) -> bool:

@@ -12,16 +12,42 @@ from ...languages import Language, Questions, plain_word
 _FIRST_WORDS = 2
 
 
+class _Line:
+    """Words in a row; without blanks between them, what is looked for may be a part of one."""
+
+    def __init__(self, words: Sequence[str], spaces: bool) -> None:
+        self._blank = " " if spaces else ""
+        self._text = self._blank + self._blank.join(words) + self._blank
+
+    def holds(self, text: str) -> bool:
+        return self._bounded(text) in self._text
+
+    def ends(self, text: str) -> bool:
+        return self._text.endswith(self._bounded(text))
+
+    def divided_by(self, text: str) -> bool:
+        """Tell whether a text stands between others."""
+        at = self._text.find(self._bounded(text), 1)
+        return at > 0 and not self.ends(text)
+
+    def _bounded(self, text: str) -> str:
+        return self._blank + text + self._blank
+
+
 def question_of(words: Sequence[str], language: Language) -> Question:
     """Return the kind of the question that the words of a sentence ask."""
     table = language.questions
     texts = list(dropwhile(table.openers.__contains__, map(plain_word, words)))
+    line = _Line(texts, language.spaces)
+    if any(map(line.ends, table.last_yes_no)):
+        return Question.YES_NO
     kind = _by_first_words(texts, table)
     if kind is None and _is_inverted(texts, language):
         kind = Question.YES_NO
-    if kind is Question.WH or (kind is None and texts and texts[-1] in table.last):
+    asks = any(map(line.ends, table.last)) or any(map(line.holds, table.anywhere))
+    if kind is Question.WH or (kind is None and asks):
         return Question.WH
-    if any(text in table.alternative for text in texts[1:-1]):
+    if any(map(line.divided_by, table.alternative)):
         return Question.ALTERNATIVE
     return kind or table.otherwise
 

@@ -2,13 +2,16 @@
 
 A token is a run of letters and digits with what is spoken or written as one with it: "it's", "must-have",
 "$5.50", "3:45", "20°C", "example.com". Quotes, brackets and the punctuation around it are not part of it.
-Chinese characters and Japanese kana, which stand without spaces, are tokens one by one.
+Chinese characters and Japanese kana, which stand without spaces, are tokens one by one; `with_words` joins
+those of known words.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Sequence, Set
+from itertools import takewhile
 from typing import NamedTuple
 
 from ...languages.language import APOSTROPHES
@@ -40,6 +43,31 @@ def tokenize(text: str) -> tuple[Token, ...]:
     """Return the tokens of `text` in order; `text[token.start:token.end] == token.text`."""
     classes = "".join(map(_character_class, text))
     return tuple(Token(text[m.start() : m.end()], m.start(), m.end()) for m in _TOKEN.finditer(classes))
+
+
+def with_words(tokens: Sequence[Token], words: Set[str]) -> tuple[Token, ...]:
+    """Return the tokens, those without spaces between them joined to `words`, the longest first."""
+    if not words:
+        return tuple(tokens)
+    longest = max(map(len, words))
+    joined: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        run = [tokens[at], *takewhile(_stands_by_itself, tokens[at + 1 : at + longest])]
+        counts = range(len(run) if _stands_by_itself(run[0]) else 1, 1, -1)
+        count = next((n for n in counts if _is_word(run[:n], words)), 1)
+        joined.append(Token("".join(t.text for t in run[:count]), run[0].start, run[count - 1].end))
+        at += count
+    return tuple(joined)
+
+
+def _stands_by_itself(token: Token) -> bool:
+    return len(token.text) == 1 and _stands_alone(token.text)
+
+
+def _is_word(tokens: Sequence[Token], words: Set[str]) -> bool:
+    touching = tokens[-1].end - tokens[0].start == len(tokens)
+    return touching and "".join(token.text for token in tokens) in words
 
 
 def is_speakable(text: str) -> bool:
