@@ -11,6 +11,7 @@ from ..core.arrays import Array, Float32Array, FloatArray
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
 MOST = 40
 ROOM = 160  # shapes gathered before the least of them are dropped
+BLOCK = 32  # frames that are compared with the shapes at once: the shapes are read from memory once for all
 
 
 @dataclass
@@ -27,62 +28,86 @@ class ClipBasis:
     most: int = MOST
     _shapes: Float32Array = field(init=False)
     _count: int = 0
+    _waiting: list[Float32Array] = field(default_factory=list)
     _weights: list[Float32Array] = field(default_factory=list)
-    _errors: list[tuple[float, float]] = field(default_factory=list)
+    _errors: list[Array] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self._shapes = np.zeros((ROOM, self.rest.size), np.float32)
 
     def show(self, points: FloatArray) -> None:
         """Take in the next frame, points (n, 3) in mm."""
-        weights, rest = self._split((points - self.rest).ravel().astype(np.float32))
-        if _distances(rest).max() > self.tolerance and self._count < ROOM:
-            # Twice, because the first time leaves a little of the others in it.
-            direction = self._split(rest)[1]
-            self._shapes[self._count] = direction / np.linalg.norm(direction)
+        self._waiting.append((points - self.rest).ravel().astype(np.float32))
+        if len(self._waiting) == BLOCK:
+            self._take_in()
+
+    def _take_in(self) -> None:
+        """Find the weights of the frames that wait; those that shapes do not make add one each."""
+        if not self._waiting:
+            return
+        rest = np.array(self._waiting)
+        self._waiting.clear()
+        weights = np.zeros((len(rest), ROOM), np.float32)
+        self._split(rest, weights)
+        frame = 0
+        while self._count < ROOM:
+            missed = np.flatnonzero(_distances(rest[frame:]).max(axis=1) > self.tolerance)
+            if not len(missed):
+                break
+            frame += int(missed[0])
+            # Once more, because the first time leaves a little of the others in it.
+            direction = rest[frame : frame + 1].copy()
+            self._split(direction, np.zeros((1, ROOM), np.float32))
+            new = direction[0] / np.linalg.norm(direction)
+            self._shapes[self._count] = new
+            share = rest[frame:] @ new
+            weights[frame:, self._count] = share
+            rest[frame:] -= share[:, None] * new
             self._count += 1
-            more, rest = self._split(rest)
-            weights = np.append(weights, np.float32(0.0)) + more
-        self._weights.append(weights)
-        distance = _distances(rest)
-        self._errors.append((float((distance**2).mean()), float(distance.max())))
+            frame += 1
+        self._weights.extend(weights)
+        distances = _distances(rest)
+        self._errors.append(np.stack([(distances**2).mean(axis=1), distances.max(axis=1)], axis=1))
 
     def finish(self) -> tuple[Array, Array]:
         """Return shapes (k, n, 3) mm and weights (frames, k) of about unit size, the largest first."""
+        self._take_in()
         count = self._count
-        weights = np.zeros((len(self._weights), count))
-        for row, frame_weights in zip(weights, self._weights, strict=True):
-            row[: len(frame_weights)] = frame_weights
+        weights = np.array(self._weights, np.float64).reshape(-1, ROOM)[:, :count]
         if not count:
             return np.zeros((0, *self.rest.shape)), weights
         turn = np.linalg.svd(weights, full_matrices=False)[2]
         turned, shapes = weights @ turn.T, turn @ self._shapes[:count].astype(np.float64)
-        self._drop(turned[:, self.most :], shapes[self.most :])
+        self._drop(turned[:, self.most :], shapes[self.most :].astype(np.float32))
         turned, shapes = turned[:, : self.most], shapes[: self.most]
         scale = np.maximum(np.abs(turned).max(axis=0), 1e-9)
         return (shapes * scale[:, None]).reshape(len(shapes), *self.rest.shape), turned / scale
 
-    def _drop(self, weights: Array, shapes: Array) -> None:
+    def _drop(self, weights: Array, shapes: Float32Array) -> None:
         """Count what shapes that are left out leave over: its distances add to those there were at most."""
         if not len(shapes):
             return
-        for k, row in enumerate(weights):
-            distance = _distances((row @ shapes).astype(np.float32))
-            mean, worst = self._errors[k]
-            self._errors[k] = (mean + float((distance**2).mean()), worst + float(distance.max()))
+        for number, errors in enumerate(self._errors):
+            block = weights[number * BLOCK : number * BLOCK + len(errors)].astype(np.float32)
+            distances = _distances(block @ shapes)
+            errors[:, 0] += (distances**2).mean(axis=1)
+            errors[:, 1] += distances.max(axis=1)
 
     @property
     def residual(self) -> tuple[float, float]:
         """After `finish`: root mean square and worst distance in mm of the frames from what shapes make."""
-        errors = np.array(self._errors)
+        errors = np.concatenate(self._errors)
         return float(np.sqrt(errors[:, 0].mean())), float(errors[:, 1].max())
 
-    def _split(self, rest: Float32Array) -> tuple[Float32Array, Float32Array]:
-        """Return the weights of the shapes so far, and what they leave over."""
+    def _split(self, rest: Float32Array, weights: Float32Array) -> None:
+        """Take what the shapes so far make out of some frames `rest` (k, 3 n), and add their weights."""
         shapes = self._shapes[: self._count]
-        weights = shapes @ rest
-        return weights, np.asarray(rest - weights @ shapes, np.float32)
+        made = rest @ shapes.T
+        weights[:, : self._count] += made
+        rest -= made @ shapes
 
 
 def _distances(rest: Float32Array) -> Float32Array:
-    return np.asarray(np.linalg.norm(rest.reshape(-1, 3), axis=1))
+    """Return how far each vertex is off in each frame, (k, n)."""
+    squares = rest * rest
+    return np.asarray(np.sqrt(squares[:, 0::3] + squares[:, 1::3] + squares[:, 2::3]))
