@@ -38,7 +38,7 @@ def test_a_worker_that_hangs_twice_is_reported_in_time(misbehaving, mode) -> Non
     worker = misbehaving(mode)
     began = time.monotonic()
     with (
-        EspeakEngine(worker.command, seconds=0.4, seconds_per_character=0) as engine,
+        EspeakEngine(worker.command, seconds=1.0, seconds_per_character=0) as engine,
         pytest.raises(SpeechError, match="no answer within"),
     ):
         engine.speak(HELLO)
