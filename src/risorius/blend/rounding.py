@@ -17,8 +17,8 @@ from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..core.score import Score
 from .intervals import Spans, merged
 
-SAMPLES = 8
-"""Times around a moment at which a curve is read, a power of two; their corners are too small to show."""
+SAMPLES = 6
+"""Times around a moment at which a curve is read; their corners are too small to show."""
 QUICK = 0.25
 """The share of the time over which lids and eyes are rounded: their fastest movements take some 30 ms."""
 
@@ -64,10 +64,8 @@ class Surroundings:
         unsorted = np.empty(len(values))
         unsorted[self._order] = values
         around: Array = unsorted.reshape(SAMPLES, -1)
-        # Halves are added, so that equal values have an exact sum.
-        while len(around) > 1:
-            around = around[: len(around) // 2] + around[len(around) // 2 :]
-        return np.asarray(around[0] / SAMPLES)
+        # Of differences, so that those of equal values are exactly 0.
+        return np.asarray(around[0] + (around[1:] - around[0]).sum(axis=0) / SAMPLES)
 
 
 def _spans_of(score: Score, width: float) -> dict[str, Spans]:
