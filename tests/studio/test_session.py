@@ -321,3 +321,29 @@ def test_several_edits_are_one_change_or_none(session):
         with pytest.raises(RisoriusError):
             session.edit_all(requests.EditAll(wrong), quiet)
         assert state(session) == before
+
+
+def test_the_take_follows_an_edge_that_is_moved_by_hand(session, spoken):
+    before = perform(session)
+    k = next(k for k, phone in enumerate(before.speech.phones) if phone.symbol == "V")
+    was = before.speech.phones[k].start
+    block = next(b for b in before.blocks if b.channel == "signals" and b.start > was)
+    edit(session, Move(block.id, block.start + 0.2))
+    moved = session.relabel(requests.Relabel(k, was + 0.03), quiet)
+    assert moved.speech.phones[k].start == pytest.approx(was + 0.03)
+    assert next(b for b in moved.blocks if b.channel == "lips" and b.label == "V").start > was
+    assert moved.curves != before.curves
+    assert sum(b.edited for b in moved.blocks) == 1
+    assert moved.undoes == "move the edge of V in “very”"
+    again = session.relabel(requests.Relabel(k, was + 0.04), quiet)
+    assert again.speech.phones[k].start == pytest.approx(was + 0.04)
+    assert [edge.shift for edge in again.made.source.edges] == [pytest.approx(0.04)]
+    other = perform(session, "So I like it very much.", edges=again.made.source.edges)
+    assert len(other.made.source.edges) == 1
+    perform(session, LINE, edges=again.made.source.edges)
+    back = session.relabel(requests.Relabel(k), quiet)
+    assert back.speech.phones == before.speech.phones
+    assert not back.made.source.edges
+    assert len(spoken) == 2  # a voice for each text
+    with pytest.raises(RisoriusError, match="there is no edge"):
+        session.relabel(requests.Relabel(0, 0.2), quiet)

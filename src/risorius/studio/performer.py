@@ -18,6 +18,7 @@ from ..script import Script, parse_script, read_script
 from ..settings import Settings
 from ..speech import LabelledRecording, Recording, hear
 from ..speech.recordings.recording import read_recording
+from ..speech.structure.edges_moved import EdgeShift, with_edges
 from ..unread import values_read
 from . import limits
 from .choices import blend_of, settings_of
@@ -37,6 +38,7 @@ class Performer:
         self._files = files
         self._spoken: StageCache[Utterance | None] = StageCache(_MOST_VOICES)
         self._heard: StageCache[tuple[Script, Utterance]] = StageCache(_MOST_VOICES)
+        self._moved: StageCache[Utterance | None] = StageCache(_MOST_VOICES)
         self._scores: StageCache[ScoreFile] = StageCache(1)
 
     def perform(self, inputs: TakeInputs, progress: Progress) -> Version:
@@ -88,24 +90,35 @@ class Performer:
         self, source: Source, spans: tuple[EmotionSpan, ...], settings: Settings, progress: Progress
     ) -> tuple[Script, Utterance | None, Displays]:
         """Return a source's script and what is said of it, and where the spans lie in that."""
+        source, edges = replace(source, edges=()), source.edges
         if source.recording is not None or source.format == "TextGrid":
             language = settings.language
-            script, heard = self._heard.get(
+            script, found = self._heard.get(
                 (source, language), lambda: hear(self._recording(source, language), progress)
             )
+            heard = self._with_edges((source, language), found, edges)
             return script, heard, _placed(spans, heard)
         script = parse_script(source.script, _SUFFIX[source.format], "script")
 
         def spoken(displays: Displays) -> Utterance | None:
             colours = displays if settings.voice_emotion else ()
             key = (source, colours, values_read(settings, Stage.VOICE))
-            return self._spoken.get(key, lambda: speak(script, displays, settings, progress))
+            said = self._spoken.get(key, lambda: speak(script, displays, settings, progress))
+            return self._with_edges(key, said, edges)
 
         displays = _placed([span for span in spans if span.first is None], None)
         if len(displays) < len(spans):
             displays = _placed(spans, spoken(()))
         utterance = spoken(displays)
         return script, utterance, _placed(spans, utterance)
+
+    def _with_edges(
+        self, key: tuple[object, ...], said: Utterance | None, edges: tuple[EdgeShift, ...]
+    ) -> Utterance | None:
+        """Return what is said with the edges of phones that were moved by hand, the same for the same."""
+        if said is None or not edges:
+            return said
+        return self._moved.get((key, edges), lambda: with_edges(said, edges))
 
     def _recording(self, source: Source, language: str | None) -> Recording | LabelledRecording:
         audio = None if source.recording is None else self._files.recording(source.recording)

@@ -15,6 +15,7 @@ from ..core.performance import frame_count
 from ..core.progress import Progress, quiet
 from ..errors import InputError, RisoriusError
 from ..pipeline import combine
+from ..speech.structure.edges_moved import edge_of
 from ..take import Take
 from . import describe, limits
 from .edits_carried import brought_back, carried
@@ -104,6 +105,21 @@ class Session:
         """Perform the same script with other choices."""
         inputs = self._inputs(request.choices, request.emotions)
         return self._planned(inputs, "change the settings", progress)
+
+    def relabel(self, request: requests.Relabel, progress: Progress) -> takes.TakeView:
+        """Perform the same line with a phone that begins elsewhere."""
+        inputs, utterance = self.version().inputs, self.version().utterance
+        source = inputs.source
+        if utterance is None or source.format == "score":
+            raise InputError("only phones of what is spoken or recorded can be moved")
+        edge = edge_of(utterance, request.phone, 0.0)
+        shifts = {replace(other, shift=0.0): other.shift for other in source.edges}
+        shift = shifts.pop(edge, 0.0)
+        if request.start is not None:
+            shifts[edge] = shift + request.start - utterance.phones[request.phone].start
+        edges = tuple(replace(edge, shift=shift) for edge, shift in shifts.items())
+        said = f"move the edge of {edge.symbol or 'the silence'} in “{edge.word}”"
+        return self._planned(replace(inputs, source=replace(source, edges=edges)), said, progress)
 
     def compare(self, request: requests.Compare, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices and the same edits, as a second take."""

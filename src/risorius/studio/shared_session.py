@@ -28,6 +28,7 @@ HANDLERS: dict[type, Handler] = {
     requests.Prepare: Session.prepare,
     requests.Draft: Session.keep_draft,
     requests.Choose: Session.choose,
+    requests.Relabel: Session.relabel,
     requests.Compare: Session.compare,
     **dict.fromkeys(requests.EDITS.values(), Session.edit),
     requests.EditAll: Session.edit_all,
@@ -46,6 +47,7 @@ HANDLERS: dict[type, Handler] = {
 CHANGING = (
     requests.Perform,
     requests.Choose,
+    requests.Relabel,
     *requests.EDITS.values(),
     requests.EditAll,
     requests.BringBack,

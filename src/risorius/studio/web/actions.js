@@ -53,6 +53,14 @@ export class Actions {
   }
 
   /**
+   * Have a phone begin elsewhere: what moves follows it.
+   * @param {number} phone its index @param {number | null} start seconds; null: where it was found
+   */
+  relabel(phone, start) {
+    return this.#changing("relabel", { phone, start }, "Performing …");
+  }
+
+  /**
    * Change the score.
    * @param {string} kind one of the wire's edits: "move", "stretch", "retarget", "add", "delete", "keys", …
    * @param {Record<string, any>} fields as the wire names them

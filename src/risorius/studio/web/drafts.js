@@ -8,7 +8,7 @@ import { settled } from "./parts/dom.js";
 export const PARTS = ["source", "choices", "emotions"];
 
 /** What is written before anything is. */
-export const NOTHING = { source: { script: "", format: "text", recording: null }, emotions: [] };
+export const NOTHING = { source: { script: "", format: "text", recording: null, edges: [] }, emotions: [] };
 
 const WAIT = 600; // ms after the last letter at which the server is told
 const KEY = "risorius-draft";

@@ -26,7 +26,7 @@ export function mountExample(stage, studio) {
   });
 
   async function begin() {
-    store.set({ source: { script: LINE, format: "text", recording: null } });
+    store.set({ source: { script: LINE, format: "text", recording: null, edges: [] } });
     await playOrPause(studio);
     if (store.get("take")) showHints();
   }

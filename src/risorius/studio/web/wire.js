@@ -71,6 +71,17 @@
  * @property {string} parameter
  */
 /**
+ * By how many seconds a phone begins later than was found; below 0, earlier.
+ * The phone is number `phone` of the word `word`, which is said for the `nth` time, both from 0 on; the
+ * number after that of the word's last phone means the silence after the word. `symbol` is the phone's.
+ * @typedef {Object} EdgeShift
+ * @property {string} word
+ * @property {number} nth
+ * @property {number} phone
+ * @property {string} symbol
+ * @property {number} shift
+ */
+/**
  * An emotion over the whole clip, over seconds, or over characters [first, last) of the text.
  * @typedef {Object} EmotionSpan
  * @property {string} emotion
@@ -118,11 +129,13 @@
  */
 /**
  * What is performed: a script as text of a format, or a recording by the name that its upload received.
- * With a recording, the text is its transcript; if the text is empty, the words are recognized.
+ * With a recording, the text is its transcript; if the text is empty, the words are recognized. `edges`:
+ * where phones begin elsewhere than was found.
  * @typedef {Object} Source
  * @property {string} [script]
  * @property {"text"|"xml"|"utt"|"ssml"|"bml"|"score"|"TextGrid"} [format]
  * @property {string|null} [recording]
+ * @property {Array<EdgeShift>} [edges]
  */
 /**
  * What a take is performed from: the fields of the request `perform`.
@@ -197,6 +210,14 @@
  * @property {"choose"} do
  * @property {Choices|null} [choices]
  * @property {Array<EmotionSpan>|null} [emotions]
+ */
+/**
+ * Have a phone, by its index, begin at a time, or again where it was found if that is null.
+ * The sound stays; all that hangs on the phones follows. Answered by TakeView.
+ * @typedef {Object} Relabel
+ * @property {"relabel"} do
+ * @property {number} phone
+ * @property {number|null} [start]
  */
 /**
  * Make several edits as one change, or none if one does not fit; answered by TakeChange.
@@ -830,7 +851,7 @@
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "edit_all" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "relabel" | "edit_all" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

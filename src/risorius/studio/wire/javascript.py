@@ -15,6 +15,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
+from ...speech.structure.edges_moved import EdgeShift
 from ..tables import TABLES
 from . import answers, events, requests, shared, takes, views
 
@@ -39,7 +40,7 @@ def _classes() -> list[type]:
     messages = [
         cls for module in (shared, views, requests, takes, answers, events) for cls in _defined_in(module)
     ]
-    return [*requests.EDITS.values(), *messages, *TABLES]
+    return [*requests.EDITS.values(), EdgeShift, *messages, *TABLES]
 
 
 def _defined_in(module: types.ModuleType) -> Iterator[type]:

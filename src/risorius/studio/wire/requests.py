@@ -69,6 +69,17 @@ class Choose:
     emotions: tuple[EmotionSpan, ...] | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Relabel:
+    """Have a phone, by its index, begin at a time, or again where it was found if that is null.
+
+    The sound stays; all that hangs on the phones follows. Answered by TakeView.
+    """
+
+    phone: Whole
+    start: Seconds | None = None
+
+
 EDITS: Mapping[str, type] = {
     "move": Move,
     "stretch": Stretch,
@@ -273,6 +284,7 @@ VERBS: Mapping[str, type] = {
     "draft": Draft,
     "stop": Stop,
     "choose": Choose,
+    "relabel": Relabel,
     "edit_all": EditAll,
     "bring_back": BringBack,
     "let_go": LetGo,

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from ...core.hints import Range
 from ...core.units import Seconds, Share
+from ...speech.structure.edges_moved import EdgeShift
 from .choices import choices_class
 
 Whole = Annotated[int, Range(0, 2**31)]
@@ -36,11 +37,13 @@ class Source:
     """What is performed: a script as text of a format, or a recording by the name that its upload received.
 
     With a recording, the text is its transcript; if the text is empty, the words are recognized.
+    `edges`: where phones begin elsewhere than was found.
     """
 
     script: str = ""
     format: Format = "text"
     recording: str | None = None
+    edges: tuple[EdgeShift, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,7 @@ export function mountRecording(studio) {
       return;
     }
     const remove = button("Remove", {
-      onclick: () => store.set({ source: { ...store.get("source"), recording: null } }),
+      onclick: () => store.set({ source: { ...store.get("source"), recording: null, edges: [] } }),
     });
     fill(element, make("span", { class: "name", title: recording }, plainName(recording)), remove);
   }
@@ -49,7 +49,7 @@ export async function upload({ store, notify, actions }, file) {
       if (!response.ok) throw new Error((await response.text()).trim());
       return response.json();
     });
-    store.set({ source: { ...store.get("source"), recording, format: "text" } });
+    store.set({ source: { ...store.get("source"), recording, format: "text", edges: [] } });
     await actions.perform();
   } catch (error) {
     if (error.name !== "AbortError") notify(error.message);

@@ -1,3 +1,4 @@
+import { edgeNear } from "./edges.js";
 import { keyNear } from "./keys.js";
 import { scaleOf } from "./paint_graphs.js";
 import { handlePlaces } from "./paint_lanes.js";
@@ -14,17 +15,22 @@ const NEAR_BLOCK = 3; // pixels beside a narrow block that still mean it
 
 /**
  * @param {import("./scene.js").Scene} scene @param {number} x @param {number} y pixels from the top left
- * @returns {{kind: "head" | "handle" | "block" | "lane" | "key" | "graph" | "none", row?: any, block?: any,
+ * @returns {{kind: "head" | "edge" | "handle" | "block" | "lane" | "key" | "graph" | "none", row?: any, block?: any,
  *   handle?: number, parameter?: string, index?: number, time: number}}
  */
 export function pick(scene, x, y) {
   const time = scene.view.time(x);
-  if (y < scene.headHeight) return { kind: "head", row: rowAt(scene.head, y), time };
+  if (y < scene.headHeight) return pickHead(scene, rowAt(scene.head, y), x, time);
   const depth = y - scene.headHeight + scene.scroll;
   const row = rowAt(scene.body, depth);
   if (row === null) return { kind: "none", time };
   if (row.kind === "graph") return pickKey(scene, row, x, depth) ?? { kind: "graph", row, time };
   return pickHandle(scene, row, x, depth) ?? pickBlock(scene, row, x, depth) ?? { kind: "lane", row, time };
+}
+
+function pickHead(scene, row, x, time) {
+  const phone = edgeNear(scene, row, x);
+  return phone < 0 ? { kind: "head", row, time } : { kind: "edge", row, phone, time };
 }
 
 function pickHandle(scene, row, x, y) {

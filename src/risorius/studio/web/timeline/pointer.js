@@ -1,5 +1,6 @@
 import { spoken } from "./dom.js";
 import { DragKey, DrawKeys } from "./drawing.js";
+import { DragEdge } from "./edges.js";
 import { DragBlock, DragLoop, Pan, Scrub } from "./gestures.js";
 import { DragBox, DragGroup } from "./group.js";
 import { clockTime } from "./paint_head.js";
@@ -68,7 +69,8 @@ export function listen(canvas, controller, { add, walk }) {
 
 function begun(controller, found, x, y, event) {
   const { kind, block, handle, row, parameter, index } = found;
-  if (kind === "head") return event.shiftKey ? new DragLoop(controller, x) : new Scrub(controller, x);
+  if (kind === "edge" && !event.shiftKey) return new DragEdge(controller, x, found.phone);
+  if (kind === "head" || kind === "edge") return event.shiftKey ? new DragLoop(controller, x) : new Scrub(controller, x);
   const more = event.shiftKey || event.ctrlKey || event.metaKey;
   if (kind === "block" && more && block.editable) {
     controller.toggle(block);
@@ -99,6 +101,7 @@ function clicked(controller, { kind, row, time }) {
 
 function doubled(controller, found, [x, y], add) {
   if (found.kind === "head") controller.loopWord(found.time);
+  if (found.kind === "edge") controller.actions.relabel(found.phone, null);
   if (found.kind === "lane" && found.row.lane.channel !== "lips") add(found.time, found.row.lane.channel);
   if (found.kind === "graph" && !controller.draws) new DrawKeys(controller, found.row, x, y).end();
 }
@@ -110,7 +113,8 @@ function hover(canvas, controller, { kind, block, handle, row, time }) {
     scene.hovered = hovered;
     controller.repaint();
   }
-  canvas.title = block ? `${block.label || "silence"} (${block.channel})\n${block.cause}` : valueOf(controller, kind, row, time);
+  if (kind === "edge") canvas.title = "Drag to correct where it begins; a double click puts it back";
+  else canvas.title = block ? `${block.label || "silence"} (${block.channel})\n${block.cause}` : valueOf(controller, kind, row, time);
   canvas.style.cursor = cursorOf(kind, handle, block, controller);
 }
 
@@ -130,6 +134,7 @@ function valueOf({ scene: { model, details } }, kind, row, time) {
 function cursorOf(kind, handle, block, controller) {
   if (kind === "handle") return CURSORS[handle];
   if (kind === "head") return "text";
+  if (kind === "edge") return "col-resize";
   if (kind === "block") return block.editable ? "grab" : "pointer";
   if (kind === "graph") return controller.draws ? "crosshair" : "help";
   return kind === "key" ? "move" : "default";

@@ -2,12 +2,15 @@
  * Keys of the timeline that need no block in focus; they reach only what the timeline itself does not use.
  */
 
+import { nudgeEdge } from "./edges.js";
+
 const ZOOM = 1.4;
 
 /** What the page's list of keys says of the timeline. */
 export const TIMELINE_KEYS = [
   { keys: "Ctrl wheel, + −", does: "Timeline: zoom" },
   { keys: "N", does: "Timeline: add a movement at the playhead" },
+  { keys: "[ ]", does: "Timeline: the edge of a word or phone at the playhead earlier, later" },
   { keys: "D", does: "Timeline: drawing on the graphs on or off" },
   { keys: "↑ ↓", does: "Movements: previous, next" },
   { keys: "Page ↑ ↓", does: "Movements: previous lane, next lane" },
@@ -28,6 +31,8 @@ export function shortcuts(root, controller, add) {
     "+": () => controller.zoom(ZOOM),
     "=": () => controller.zoom(ZOOM),
     "-": () => controller.zoom(1 / ZOOM),
+    "[": () => nudgeEdge(controller, controller.clock.time, -1),
+    "]": () => nudgeEdge(controller, controller.clock.time, 1),
     n: () => add(),
     d: () => root.querySelector("#tl-draw").click(),
     ArrowLeft: () => controller.clock.step(-1),
