@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import inspect
+from collections.abc import Callable
 from dataclasses import fields, replace
 from fractions import Fraction
 from pathlib import Path
@@ -133,3 +134,23 @@ def test_the_page_of_settings_is_up_to_date() -> None:
     spec.loader.exec_module(module)
     assert module.PAGE.read_text(encoding="utf-8") == module.page(), "run python docs/settings_page.py"
     assert inspect.getdoc(module)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Settings(fsp=30), "unknown setting 'fsp'; did you mean 'fps'"),
+        (lambda: Look(camra="close-up"), "unknown setting 'camra'; did you mean 'camera'"),
+        (
+            lambda: Settings(camera="close-up"),
+            r"camera is a setting of look; .*load_settings\(camera=",
+        ),
+        (
+            lambda: Settings(conflict="sum"),
+            r"conflict is a setting of blend; .*\(blend=BlendChoices\(conf",
+        ),
+    ],
+)
+def test_a_name_that_is_none_is_told_the_nearest(make: Callable[[], object], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        make()

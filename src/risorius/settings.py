@@ -36,8 +36,21 @@ if TYPE_CHECKING:
 
         def __get__(self, settings: object, owner: object = None) -> Path | None: ...
         def __set__(self, settings: object, name: str | PathLike[str] | None) -> None: ...
+
+    Named = type
 else:
     FrameRate, FileName = Fraction, Path | None
+
+    class Named(type):
+        """The type of settings: refuses a name that is none of theirs as it is refused everywhere."""
+
+        def __call__(cls, *values: object, **named: object) -> object:
+            """Make settings; raise InputError, with the nearest name, for an unknown one."""
+            for name in named:
+                if name not in cls.__dataclass_fields__:
+                    raise InputError(_unknown_name(cls, name))
+            return super().__call__(*values, **named)
+
 
 LARGEST_SIDE = 4096
 BY_VOICE = "core.setting:later"  # to look a voice up starts the speech engine
@@ -65,7 +78,7 @@ def parse_size(text: str) -> tuple[int, int]:
 
 # fmt: off
 @dataclass(frozen=True, slots=True)
-class Look:
+class Look(metaclass=Named):
     """How a head is drawn; frozen, checked on creation (InputError names the choice at fault)."""
 
     style: str = _picture(
@@ -103,7 +116,7 @@ class Look:
 
 
 @dataclass(frozen=True, slots=True)
-class BlendChoices:
+class BlendChoices(metaclass=Named):
     """How movements are combined, as far as a user chooses: None leaves it to the score that is performed, or
     for a script to what `planned` returns. The fields are those of `BlendSettings`.
     """
@@ -154,7 +167,7 @@ class BlendChoices:
 
 
 @dataclass(frozen=True, slots=True)
-class Settings:
+class Settings(metaclass=Named):
     """All settings of a performance; frozen, checked on creation (InputError names the one at fault)."""
 
     language: str | None = _voice(
@@ -244,6 +257,17 @@ class Settings:
         if self.at is not None and self.every is not None:
             raise UnreadError(["at"], "every makes a sheet of the whole clip; expected one of the two")
 # fmt: on
+
+
+def _unknown_name(kind: Any, name: str) -> str:
+    row = rows(Settings).get(name)
+    if kind is not Settings or row is None or row.owner not in ("look", "blend"):
+        return unknown("setting", name, kind.__dataclass_fields__)
+    owner = row.owner.capitalize() if row.owner == "look" else "BlendChoices"
+    return (
+        f"{name} is a setting of {row.owner}; expected Settings({row.owner}={owner}({name}=…)), or "
+        f"load_settings({name}=…), which takes all"
+    )
 
 
 def settings_of(values: Mapping[str, object], base: Settings | None = None) -> Settings:
