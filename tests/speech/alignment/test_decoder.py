@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import signal
+import sys
 import time
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from risorius.cli import run
 from risorius.core.utterance import Utterance
 from risorius.core.worker_process import Answer, WorkerProcess
 from risorius.errors import SpeechError
@@ -42,6 +45,24 @@ def test_a_package_that_is_missing_is_named(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(decoder.importlib.util, "find_spec", lambda name: None)
     with pytest.raises(SpeechError, match="'pocketsphinx' is not installed"):
         decoder.dictionary_path()
+
+
+def test_without_the_package_all_but_alignment_works(
+    spoken: Utterance, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    find = importlib.util.find_spec
+    monkeypatch.setattr(
+        decoder.importlib.util, "find_spec", lambda name: None if name == "pocketsphinx" else find(name)
+    )
+    monkeypatch.setitem(sys.modules, "pocketsphinx", None)
+    labels, sound = str(tmp_path / "x.TextGrid"), str(tmp_path / "x.wav")
+    assert run(["speak", "Hi.", "-o", labels, "-o", sound]) == 0
+    assert run(["speak", labels, "--audio", sound, "-o", str(tmp_path / "y.muscles.csv")]) == 0
+    capsys.readouterr()
+    assert run(["speak", "Hi.", "--audio", sound, "-o", str(tmp_path / "z.muscles.csv")]) == 2
+    assert "expected it, or a TextGrid with the words" in capsys.readouterr().err
+    assert run(["align", sound, "-o", str(tmp_path / "z.TextGrid")]) == 2
+    assert "'pocketsphinx' is not installed" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])

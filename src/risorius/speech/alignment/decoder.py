@@ -156,7 +156,10 @@ def _package() -> Path:
     """Return the folder that holds pocketsphinx. It is only located: the worker imports it."""
     spec = importlib.util.find_spec("pocketsphinx")
     if spec is None or spec.origin is None:
-        raise SpeechError("the package 'pocketsphinx' is not installed; it aligns recordings")
+        raise SpeechError(
+            "the package 'pocketsphinx' is not installed, which finds words in recordings; expected it, or a "
+            "TextGrid with the words and phones (risorius speak x.TextGrid --audio x.wav)"
+        )
     return Path(spec.origin).parent.parent
 
 
