@@ -16,20 +16,25 @@ def result(name: str, error: str = "", **outcome: object) -> LineResult:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    report = Report(tmp_path)
     outputs = {str(tmp_path / "a b" / "x&y.wav"): 3, "s3://bucket/x.glb": 4}
     sound = str(tmp_path / "a b" / "x&y.wav")
-    for line in (
-        result(
-            "good", duration=3661.0, words=9000, outputs=outputs, sound=sound, sheet=str(tmp_path / "s.png")
-        ),
-        result("slow", duration=30.0, words=2),
-        result("poor", duration=2.0, words=5, doubt=55.0, doubtful=("'mat' at 1.00 s",)),
-        result("worst", duration=2.0, words=5, doubt=91.0, text="<b>said</b>"),
-        result("failed", "<script>alert(1)</script> is wrong"),
-    ):
-        report.add(line)
-    report.write()
+    with Report(tmp_path) as report:
+        for line in (
+            result(
+                "good",
+                duration=3661.0,
+                words=9000,
+                outputs=outputs,
+                sound=sound,
+                sheet=str(tmp_path / "s.png"),
+            ),
+            result("slow", duration=30.0, words=2),
+            result("poor", duration=2.0, words=5, doubt=55.0, doubtful=("'mat' at 1.00 s",)),
+            result("worst", duration=2.0, words=5, doubt=91.0, text="<b>said</b>"),
+            result("failed", "<script>alert(1)</script> is wrong"),
+        ):
+            report.add(line)
+        report.write()
     return tmp_path
 
 
@@ -68,5 +73,6 @@ def test_the_page_lists_failures_doubts_and_odd_paces_first_and_escapes_what_it_
 
 
 def test_a_report_of_nothing_is_a_page(tmp_path: Path) -> None:
-    Report(tmp_path).write()
+    with Report(tmp_path) as report:
+        report.write()
     assert Page((tmp_path / "report.html").read_text()).texts.count("0 lines") == 2

@@ -9,7 +9,6 @@ from __future__ import annotations
 import fcntl
 import json
 import os
-import sqlite3
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -19,6 +18,7 @@ from ..errors import OutputError, Place
 from ..ports.atomic import os_failure
 from .fingerprint import FileRecord
 from .outcome import Outcome
+from .scratch import Scratch
 
 NAME = ".risorius-batch"
 _SUFFIX, _LOCK = ".jsonl", ".risorius-batch.lock"
@@ -48,7 +48,7 @@ class JournalEntry:
             return None
 
 
-class Journal:
+class Journal(Scratch):
     """The journals of a folder: all are read; that of `shard` ("2-of-8"; empty for one alone) is written.
 
     Raises OutputError if another run has it, or if it cannot be written.
@@ -58,8 +58,7 @@ class Journal:
         self.folder, self.path = folder, folder / f"{NAME}{shard and '-'}{shard}{_SUFFIX}"
         self._lock: IO[bytes] | None = None
         self._file: IO[bytes] | None = None
-        self._known = sqlite3.connect("")  # on disk where it grows, removed at the end
-        self._known.execute("CREATE TABLE entries (id TEXT PRIMARY KEY, entry TEXT) WITHOUT ROWID")
+        super().__init__("entries (id TEXT PRIMARY KEY, entry TEXT) WITHOUT ROWID")
         try:
             folder.mkdir(parents=True, exist_ok=True)
             # One run of all lines, or several of shards; never two of one shard.
@@ -76,7 +75,7 @@ class Journal:
 
     def entry(self, name: str) -> JournalEntry | None:
         """Return the latest entry of an id, None if there is none."""
-        row = self._known.execute("SELECT entry FROM entries WHERE id = ?", (name,)).fetchone()
+        row = self._database.execute("SELECT entry FROM entries WHERE id = ?", (name,)).fetchone()
         return None if row is None else JournalEntry.read(row[0])
 
     def append(self, entry: JournalEntry) -> None:
@@ -89,26 +88,20 @@ class Journal:
             os.fsync(self._file.fileno())
         except OSError as error:
             raise os_failure(self.path, error) from error
-        self._known.execute("INSERT OR REPLACE INTO entries VALUES (?, ?)", (entry.id, text))
+        self._database.execute("INSERT OR REPLACE INTO entries VALUES (?, ?)", (entry.id, text))
 
     def close(self) -> None:
         """Release the journal."""
         for file in (self._file, self._lock):
             if file is not None:
                 file.close()
-        self._known.close()
-
-    def __enter__(self) -> Journal:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
+        super().close()
 
     def _read(self) -> None:
         others = [path for path in self.folder.glob(f"{NAME}*{_SUFFIX}") if path != self.path]
         for path in (*sorted(others), self.path):
             with path.open("rb") as file:
-                self._known.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?)", _ids(file))
+                self._database.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?)", _ids(file))
 
 
 def _ids(lines: IO[bytes]) -> Iterator[tuple[str, str]]:

@@ -100,7 +100,7 @@ class BatchPlan:
         maker, folder = self.maker(), self.folder()
         with ExitStack() as stack:
             journal = stack.enter_context(Journal(folder, self.shard.name))
-            report = Report(folder, self.shard.name)
+            report = stack.enter_context(Report(folder, self.shard.name))
             executor = self.executor(name_of_run(journal))
             for result in BatchRun(self.read(), maker, journal, executor, self.shard).lines():
                 report.add(result)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import sqlite3
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
@@ -16,6 +15,7 @@ from ..speech.alignment.doubt import OWN
 from .outcome import LineResult, LineState, Outcome
 from .places import is_remote
 from .report_page import PageLine, Totals, page
+from .scratch import Scratch
 
 COLUMNS = (
     "id", "place", "state", "duration_s", "words", "words_per_s", "doubt", "doubtful", "warnings", "error",
@@ -26,21 +26,20 @@ SLOW, USUAL, FAST = 0.7, 2.5, 5.5
 """Words per second: outside, a recording or its transcript is probably not what it should be."""
 
 
-class Report:
+class Report(Scratch):
     """Gathers results, on disk where they are many, and writes `report.csv` and `report.html` in a folder."""
 
     def __init__(self, folder: Path, shard: str = "") -> None:
         name = f"report{shard and '-'}{shard}"
         self.table, self.page = folder / f"{name}.csv", folder / f"{name}.html"
-        self._results = sqlite3.connect("")
-        self._results.execute("CREATE TABLE results (state TEXT, doubt REAL, pace REAL, result TEXT)")
+        super().__init__("results (state TEXT, doubt REAL, pace REAL, result TEXT)")
 
     def add(self, result: LineResult) -> None:
         """Take in the result of a line."""
         about = asdict(result)
         pace = _pace(result.outcome)
         row = (result.state, result.outcome.doubt, pace, json.dumps(about, ensure_ascii=False))
-        self._results.execute("INSERT INTO results VALUES (?, ?, ?, ?)", row)
+        self._database.execute("INSERT INTO results VALUES (?, ?, ?, ?)", row)
 
     def write(self) -> None:
         """Write both files; raises OutputError."""
@@ -83,12 +82,12 @@ class Report:
     def _totals(self) -> Totals:
         duration = "total(json_extract(result, '$.outcome.duration'))"
         query = f"SELECT state, count(*), {duration} FROM results GROUP BY state"
-        counts = {state: (count, seconds) for state, count, seconds in self._results.execute(query)}
+        counts = {state: (count, seconds) for state, count, seconds in self._database.execute(query)}
         made, whole, failed = (counts.get(state, (0, 0.0)) for state in LineState)
         return Totals(made[0], whole[0], failed[0], made[1] + whole[1])
 
     def _ordered(self, order: str) -> Iterator[LineResult]:
-        for (text,) in self._results.execute(f"SELECT result FROM results {order}"):
+        for (text,) in self._database.execute(f"SELECT result FROM results {order}"):
             data = json.loads(text)
             outcome = Outcome.read(data["outcome"])
             yield LineResult(data["id"], Place(**data["place"]), LineState(data["state"]), outcome)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import sqlite3
 import zlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -20,6 +19,7 @@ from .journal import Journal, JournalEntry
 from .manifest import ManifestRow
 from .outcome import LineResult, LineState, Outcome
 from .places import is_remote, size_of
+from .scratch import Scratch
 
 ERRORS = "errors"
 
@@ -86,18 +86,18 @@ class BatchRun:
                 remove_temporaries(folder, self.run_name)
 
     def _lines(self) -> Iterator[LineResult]:
-        names = _Names()
-        for number, row in enumerate(self.rows):
-            if not self.shard.holds(_name_of(row, number)):
-                continue
-            known = self._known(row, names)
-            if isinstance(known, LineResult):
-                yield known
-            else:
-                yield from self._made(block=False)
-                while self.executor.full:
-                    yield from self._made(block=True)
-                self.executor.submit(known)
+        with _Names() as names:
+            for number, row in enumerate(self.rows):
+                if not self.shard.holds(_name_of(row, number)):
+                    continue
+                known = self._known(row, names)
+                if isinstance(known, LineResult):
+                    yield known
+                else:
+                    yield from self._made(block=False)
+                    while self.executor.full:
+                        yield from self._made(block=True)
+                    self.executor.submit(known)
         self.executor.flush()
         while self.executor.busy:
             yield from self._made(block=True)
@@ -156,21 +156,21 @@ def check_rows(
     rows: Iterable[ManifestRow | RisoriusError], maker: JobMaker, shard: Shard, *, scripts: bool = True
 ) -> Iterator[RisoriusError | None]:
     """Yield for each row the error that it would fail with, as far as that shows beforehand, or None."""
-    names = _Names()
-    for number, row in enumerate(rows):
-        if shard.holds(_name_of(row, number)):
-            try:
-                if isinstance(row, RisoriusError):
-                    raise row
-                job = maker.job(row)
-                with at_row(job.place):
-                    names.add(job)
-                if scripts:
-                    check_job(job)
-            except RisoriusError as error:
-                yield error
-            else:
-                yield None
+    with _Names() as names:
+        for number, row in enumerate(rows):
+            if shard.holds(_name_of(row, number)):
+                try:
+                    if isinstance(row, RisoriusError):
+                        raise row
+                    job = maker.job(row)
+                    with at_row(job.place):
+                        names.add(job)
+                    if scripts:
+                        check_job(job)
+                except RisoriusError as error:
+                    yield error
+                else:
+                    yield None
 
 
 def _name_of(row: ManifestRow | RisoriusError, number: int) -> str:
@@ -191,18 +191,17 @@ def _write_error(errors: IO[str], result: LineResult) -> None:
     errors.flush()
 
 
-class _Names:
+class _Names(Scratch):
     """The ids and outputs so far, on disk where they are many."""
 
     def __init__(self) -> None:
-        self._known = sqlite3.connect("")
-        self._known.execute("CREATE TABLE names (name TEXT PRIMARY KEY, place TEXT) WITHOUT ROWID")
+        super().__init__("names (name TEXT PRIMARY KEY, place TEXT) WITHOUT ROWID")
 
     def add(self, job: BatchJob) -> None:
         """Take in a job; raises InputError if its id, or one of its outputs, is another row's."""
         for what, name in (("id", job.id), *(("output", output) for output in job.outputs)):
             row = (f"{what} {name}", str(job.place))
-            before = self._known.execute("SELECT place FROM names WHERE name = ?", row[:1]).fetchone()
+            before = self._database.execute("SELECT place FROM names WHERE name = ?", row[:1]).fetchone()
             if before is not None:
                 raise InputError(f"the {what} '{name}' is that of {before[0]} as well; expected another")
-            self._known.execute("INSERT INTO names VALUES (?, ?)", row)
+            self._database.execute("INSERT INTO names VALUES (?, ?)", row)
