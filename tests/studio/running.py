@@ -13,7 +13,8 @@ import uvicorn
 
 import risorius
 from risorius.studio.app import Studio
-from risorius.studio.server import bound, configured
+from risorius.studio.server import configured
+from risorius.web.listening import bound
 
 
 @cache

@@ -11,7 +11,7 @@ import urllib.request
 import pytest
 
 from risorius.cli import run
-from risorius.studio.server import bound
+from risorius.web.listening import bound
 from tests.profiles import everyday
 
 

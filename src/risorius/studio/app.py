@@ -26,11 +26,11 @@ from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
 from ..ports.head_glb import head_glb
 from ..ports.head_shade import shade
+from ..web.guard import Guard
 from . import limits, session_list
 from .catalogue import catalogue_json
 from .connection import Connection
 from .exports import ARCHIVE
-from .guard import Guard
 from .messages import encoded
 from .session_list import NAME
 from .shared_session import SharedSession

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import socket
 import threading
 import webbrowser
 from collections.abc import Callable
@@ -13,10 +12,10 @@ from pathlib import Path
 import uvicorn
 
 from ..errors import OutputError, Place
+from ..web.listening import HOST, bound
 from . import limits
 from .app import Studio
 
-HOST = "127.0.0.1"
 PORT = 8765
 
 
@@ -27,22 +26,6 @@ def default_folder() -> Path:
         return Path(folder)
     base = os.environ.get("XDG_DATA_HOME") or "~/.local/share"
     return Path(base).expanduser() / "risorius" / "studio"
-
-
-def bound(port: int) -> socket.socket:
-    """Return a socket that listens to this machine, at `port` (0: any that is free); raise OutputError.
-
-    Who comes before the server is ready waits.
-    """
-    made = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    try:
-        made.bind((HOST, port))
-        made.listen()
-    except OSError as error:
-        made.close()
-        raise OutputError(f"port {port} cannot be used: {error.strerror}; expected another --port") from None
-    return made
 
 
 def serve(

@@ -28,31 +28,37 @@ class Guard:
     """Lets through what names this server as its host and comes from its own page; adds headers.
 
     A page of another site can make a browser send requests here, but then Origin names that site; by a name
-    that resolves to this machine, but then Host is that name.
+    that resolves to this machine, but then Host is that name. `hosts` None allows every host: for servers
+    that ask for a token. Pages of `origins` are let through, too.
     """
 
-    def __init__(self, app: ASGIApp, hosts: Iterable[str] = HOSTS) -> None:
-        self._app, self._hosts = app, frozenset(hosts)
+    def __init__(
+        self, app: ASGIApp, hosts: Iterable[str] | None = HOSTS, origins: Iterable[str] = ()
+    ) -> None:
+        self._app, self._origins = app, frozenset(origins)
+        self._hosts = None if hosts is None else frozenset(hosts)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, or refuse it."""
         if scope["type"] not in ("http", "websocket"):
             await self._app(scope, receive, send)
-        elif not self._allowed(Headers(scope=scope), scope["type"] == "websocket"):
+        elif not self._allowed(Headers(scope=scope)):
             await _refuse(scope, receive, send)
         else:
             await self._app(scope, receive, _with_headers(send))
 
-    def _allowed(self, headers: Headers, socket: bool) -> bool:
+    def _allowed(self, headers: Headers) -> bool:
         hosts = headers.getlist("host")
-        if len(hosts) != 1 or _name(hosts[0]) not in self._hosts:
+        if len(hosts) != 1 or (self._hosts is not None and _name(hosts[0]) not in self._hosts):
             return False
         origins = headers.getlist("origin")
         if not origins:
             # Browsers name the origin of every socket and of every request that changes something.
             return headers.get("sec-fetch-site", "same-origin") in ("same-origin", "none")
+        if len(origins) != 1:
+            return False
         parts = urlsplit(origins[0])
-        return len(origins) == 1 and parts.scheme == "http" and parts.netloc == hosts[0]
+        return origins[0] in self._origins or (parts.scheme == "http" and parts.netloc == hosts[0])
 
 
 def _name(host: str) -> str:

@@ -1,0 +1,1 @@
+"""What servers share: who may speak to them, and where they listen."""
