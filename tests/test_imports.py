@@ -30,8 +30,8 @@ LIBRARY = PIPELINE | {"presets", "pipeline", "api", "live", "batches"}
 MAY_IMPORT: Mapping[str, set[str]] = {
     "errors": set(),
     "heads": set(),
-    "web": set(),
     "core": set(),
+    "web": {"core"},
     "languages": {"core"},
     "rules": {"core", "languages"},
     "script": {"core", "languages", "rules"},

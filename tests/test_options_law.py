@@ -18,6 +18,7 @@ import pytest
 from risorius import api, stream
 from risorius.cli import commands, run
 from risorius.core.setting import rows
+from risorius.serve import server as live_server
 from risorius.settings import Settings, settings_of
 from risorius.studio import server
 
@@ -31,7 +32,12 @@ pytestmark = pytest.mark.usefixtures("rules_file")
 NO_BYTE = {
     "patience": "how long the command waits for a receiver's greeting",
     "without_sound": "which clock counts while frames are sent",
-    "port": "where the studio's page is",
+    "port": "where a server is",
+    "host": "where a server listens",
+    "token_file": "who may use a server",
+    "origins": "whose pages may use a server",
+    "clients": "how many may use a server",
+    "rig": "whose weights a server can send: tests/serve/test_server.py",
     "no_browser": "who opens the studio's page",
     "folder": "where the studio's sessions are",
     "jobs": "how many processes perform a batch",
@@ -67,6 +73,11 @@ VALUES: dict[str, list[str]] = {
     "port": ["--port", "1"],
     "no_browser": ["--no-browser"],
     "folder": ["--folder", "x"],
+    "host": ["--host", "::1"],
+    "token_file": ["--token-file", "token.txt"],
+    "origins": ["--origin", "https://example.org"],
+    "clients": ["--clients", "2"],
+    "rig": ["--rig", "x.glb"],
     "batch outputs": ["-o", "{id}.glb"],
     "jobs": ["--jobs", "0"],
     "timeout": ["--timeout", "9"],
@@ -106,14 +117,16 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[object]:
         return call
 
     api.pose({}).write("x.performance.json")
+    Path("token.txt").write_text("0123456789abcdef")
     Path("own.toml").write_text('light = "dark"\n')
     for name in ("speak", "mix", "play", "pose", "align"):
         monkeypatch.setattr(api, name, watched(name, FakeTake(asked)))
     character = SimpleNamespace(shapes={}, missing=(), unused=())
     monkeypatch.setattr(api, "rig", watched("rig", (character, [])))
     monkeypatch.setattr(stream, "send_take", watched("send_take", stream.SendCounts(1, 0)))
-    monkeypatch.setattr(server, "serve", watched("serve", None))
-    monkeypatch.setattr(sys.modules["risorius.cli.studio"], "leave", lambda: None)
+    for servers, command in ((server, "studio"), (live_server, "serve")):
+        monkeypatch.setattr(servers, "serve", watched("serve", None))
+        monkeypatch.setattr(sys.modules[f"risorius.cli.{command}"], "leave", lambda: None)
     for name in ("_perform", "_check"):
         monkeypatch.setattr(sys.modules["risorius.cli.batch"], name, partial(_planned, asked, name))
     return asked
@@ -155,6 +168,7 @@ ARGUMENTS = {
     "rules list": [],
     "rules show": ["signals.brows.nuclear"],
     "rules doctor": [],
+    "serve": [],
     "studio": [],
     "batch": ["lines.csv", "-o", "{id}.png"],
 }

@@ -27,6 +27,7 @@ from .play import play
 from .pose import pose
 from .rig import rig
 from .rules import rules
+from .serve import serve
 from .speak import speak
 from .stream import stream
 from .studio import studio
@@ -114,5 +115,19 @@ def commands() -> None:
     """
 
 
-for _command in (speak, batch, align, mix, pose, play, stream, rig, explain, list_, studio, rules):
+for _command in (
+    speak,
+    batch,
+    align,
+    mix,
+    pose,
+    play,
+    stream,
+    serve,
+    rig,
+    explain,
+    list_,
+    studio,
+    rules,
+):
     commands.add_command(_command)

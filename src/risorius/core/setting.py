@@ -329,8 +329,13 @@ def check(settings: Any, spec: str = "") -> None:
 
 def _check_kind(row: Row, value: Any) -> None:
     types, what = _TYPES.get(row.kind, (object, ""))
-    if not isinstance(value, types) or (isinstance(value, str) and row.kind is ValueKind.SEVERAL):
+    several = row.kind is ValueKind.SEVERAL
+    if not isinstance(value, types) or (several and not _are_texts(value)):
         raise InputError(f"{row.name} = {value!r} is not {what}")
+
+
+def _are_texts(values: Any) -> bool:
+    return not isinstance(values, str) and all(isinstance(value, str) for value in values)
 
 
 def _check_names(row: Row, value: Any) -> None:

@@ -119,6 +119,14 @@ class ArkitFit:
         displacement[0] = self.displacement(skin)
         return np.asarray(self._solve(displacement, given[None]).weights[0])
 
+    def following(self, frame: FaceFrame, way: Array = NO_WAY) -> tuple[Array, Array]:
+        """Return the weights (52,) of a frame alone, for those that wait for it, but for rounding.
+
+        `way` (52,) is what this returned beside them for the frame before; it shortens the search.
+        """
+        found = self._solve(self.displacement(frame.skin)[None], direct_weights(frame)[None], way)
+        return np.asarray(found.weights[0]), found.way
+
     def skin(self, weights: Array) -> Array:
         """Return the level-1 skin (N1, 3) in mm of `weights` (52,)."""
         return np.asarray(self.rest + (weights @ self.shapes.skin).reshape(-1, 3))
@@ -157,7 +165,7 @@ class ArkitFit:
             row[:] = self.displacement(frame.skin)
         direct = np.array([direct_weights(frame) for frame in frames])
         weights, way = self._solve(displacement, direct, way)
-        rms, worst = _residual(displacement - _rows(weights) @ self._basis)
+        rms, worst = _residual(displacement - _rows(weights, BLOCK) @ self._basis)
         rotations = np.array([frame.eye_rotation for frame in frames])
         parameters = np.array([frame.parameters for frame in frames])
         return (weights, rotations, parameters, rms[: len(frames)], worst[: len(frames)]), way
@@ -174,17 +182,18 @@ class ArkitFit:
         return np.asarray((skin[self.counted] - self._rest_seen).ravel(), dtype=np.float64)
 
     def _solve(self, displacement: Array, direct: Array, way: Array = NO_WAY) -> _Solution:
-        """Return the weights (n, 52) of the first n of `BLOCK` displacements; `direct` (n, 52).
+        """Return the weights (n, 52) of the first n of a block of displacements; `direct` (n, 52).
 
         `way` (52,): how the penalty changed the weights of the frame before, if there is one.
         """
         direct = direct * self._direct
-        wanted = displacement - _rows(direct) @ self._basis
+        size = len(displacement)
+        wanted = displacement - _rows(direct, size) @ self._basis
         rights = (wanted @ self._heavy)[: len(direct)]
         fixed = [_one_of_each(self._all.least(right)) for right in rights]
         starts = np.array([self._some.least(*row) for row in zip(rights, fixed, strict=True)])
-        apart = _distances(wanted - _rows(starts) @ self._fitted)
-        vectors = wanted.reshape(BLOCK, -1, 3)
+        apart = _distances(wanted - _rows(starts, size) @ self._fitted)
+        vectors = wanted.reshape(size, -1, 3)
         weights = starts + direct
         for k, start in enumerate(starts):
             way = self._way(vectors[k], apart[k], rights[k], fixed[k], start, way)
@@ -254,9 +263,9 @@ def _blocks(frames: Iterable[FaceFrame]) -> Iterator[list[FaceFrame]]:
         yield block
 
 
-def _rows(weights: Array) -> Array:
+def _rows(weights: Array, size: int) -> Array:
     """Return weights (n, 52) filled up with zeros to a block: a product's rounding depends on its size."""
-    return np.concatenate((weights, np.zeros((BLOCK - len(weights), weights.shape[1]))))
+    return np.concatenate((weights, np.zeros((size - len(weights), weights.shape[1]))))
 
 
 def _distances(left: Array) -> Array:

@@ -14,6 +14,8 @@ class LiveFrame:
     """Frame `index` at `time` seconds, at the parameters' `values`, shape (parameters,).
 
     `sound`: its samples at `sample_rate`, int16. `text`: the sentence that is being said, "" between them.
+    If they were asked for, `arkit`: weights (52,) 0..1 in the order of `core.arkit.SHAPES`; and `rotations`:
+    yaw, pitch and roll of head, left and right eye (9,) in radians, to the subject's left, up, tilted left.
     """
 
     index: int
@@ -22,6 +24,8 @@ class LiveFrame:
     sound: Samples
     sample_rate: int
     text: str = ""
+    arkit: Array | None = None
+    rotations: Array | None = None
 
     @property
     def parameters(self) -> dict[str, float]:

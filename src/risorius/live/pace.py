@@ -21,7 +21,14 @@ class Pace:
 
         Frames carry the sound, so that none is dropped: who is late catches up.
         """
+        return max(0.0, -self._since(index))
+
+    def late(self, index: int) -> float:
+        """Return the seconds since a frame was due, 0 if its time has not come."""
+        return max(0.0, self._since(index))
+
+    def _since(self, index: int) -> float:
         now, due = self._now(), float(index / self._fps)
         if self._origin is None:
             self._origin = now - due
-        return max(0.0, self._origin + due - now)
+        return now - self._origin - due

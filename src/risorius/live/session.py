@@ -7,7 +7,9 @@ import time
 from collections import deque
 from collections.abc import AsyncIterator, Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from threading import Lock
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -30,6 +32,9 @@ from .listening import PauseListener, nod_pitch
 from .pace import Pace
 from .sentences import SentenceBuffer
 from .turn import MOST_SENTENCES, LiveStretch, PerformSentence, prerolled, stretch_of
+
+if TYPE_CHECKING:
+    from .weights import LiveWeights
 
 # Seconds in which the face passes from one stretch to the next: an interrupted mouth shuts within .2 s.
 SEAM = 0.15
@@ -62,7 +67,8 @@ class Live:
     No clock takes part: `frames` yields the next frame when asked, and a frame depends on the text and on the
     frames at which it arrived, not on how it was cut. Text may come from another thread than the one that
     asks for frames. Sentences that are there when a turn begins, and those that come .9 s before it ends, are
-    performed together as `speak` performs their text. `perform` performs them.
+    performed together as `speak` performs their text. `perform` performs them. With `arkit` each frame has
+    the weights of ARKit's shapes as well; raises HeadError if the head has none.
     """
 
     def __init__(
@@ -70,6 +76,7 @@ class Live:
         settings: Settings | None = None,
         *,
         fps: float | None = None,
+        arkit: bool = False,
         perform: PerformSentence = perform_sentence,
     ) -> None:
         chosen = settings or Settings()
@@ -81,6 +88,7 @@ class Live:
         self._settings = replace(chosen, lead=SEAM, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
         self._perform = perform
+        self._weights = _weights(self._settings) if arkit else None
         self._buffer = SentenceBuffer(language_of(_language(chosen)))
         self._waiting: deque[_Waiting] = deque()
         self._feelings: dict[str, float] = {}
@@ -96,6 +104,11 @@ class Live:
         self._seam_at = 0
         self._listener = PauseListener()
         self._nod_from: int | None = None
+
+    @property
+    def fps(self) -> Fraction:
+        """Frames a second."""
+        return self._settings.fps
 
     def say(self, text: str) -> None:
         """Add text, cut anywhere: a sentence is said once the next has begun, or nothing came for a second.
@@ -194,7 +207,8 @@ class Live:
             values = values.copy()
             values[_HEAD_PITCH] += nod_pitch(float((index - self._nod_from) / fps))
         text = stretch.sentence_at(float((index - stretch.first) / fps))
-        return LiveFrame(index, float(index / fps), values, sound, rate, text)
+        frame = LiveFrame(index, float(index / fps), values, sound, rate, text)
+        return frame if self._weights is None else self._weights.added(frame)
 
     def _current(self) -> LiveStretch | None:
         """Return the stretch that the next frame lies in; None at the end."""
@@ -298,6 +312,13 @@ class Live:
 
     def _felt(self) -> Displays:
         return tuple(Display(name, amount) for name, amount in self._feelings.items() if amount)
+
+
+def _weights(settings: Settings) -> LiveWeights:
+    """Return what fits weights, which loads the face only where they are asked for."""
+    from .weights import LiveWeights
+
+    return LiveWeights(settings)
 
 
 def _language(settings: Settings) -> str:

@@ -8,11 +8,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from typing import Any, TypeVar, cast
 
-from ..core.depth import TOO_DEEP, is_too_deep
 from ..core.schema import build, converter
 from ..core.source_text import SourceText, Syntax
 from ..core.units import Seconds
 from ..errors import InputError, RisoriusError, unknown
+from ..web.json_object import json_object, without_nulls
 from .wire.events import EVENTS
 from .wire.requests import EDITS, VERBS, Preview
 
@@ -47,25 +47,13 @@ def decode(text: str) -> Request:
     """Return the request that a message is; raise BadRequestError with one line on what is wrong."""
     number: int | None = None
     try:
-        data = _parsed(text)
+        data = json_object(text)
         number = _number(data)
-        if is_too_deep(data):
-            raise InputError(f"the message {TOO_DEEP}")
         return Request(number, _body(data))
     except RisoriusError as error:
         bad = BadRequestError(error.message)
         bad.id = _first_number(text) if number is None else number
         raise bad from None
-
-
-def _parsed(text: str) -> dict[str, Any]:
-    try:
-        data = json.loads(text)
-    except (ValueError, RecursionError):
-        raise InputError("the message is not JSON") from None
-    if not isinstance(data, dict):
-        raise InputError("the message is not an object {…}")
-    return data
 
 
 def _first_number(text: str) -> int | None:
@@ -99,15 +87,6 @@ def _body(data: dict[str, Any]) -> Any:
 
 def _message(verb: str) -> SourceText:
     return SourceText(verb, syntax=Syntax.JSON)
-
-
-def without_nulls(data: Any) -> Any:
-    """Leave out keys that hold null: they mean the default."""
-    if isinstance(data, dict):
-        return {key: without_nulls(value) for key, value in data.items() if value is not None}
-    if isinstance(data, list):
-        return [without_nulls(value) for value in data]
-    return data
 
 
 def read_message(kind: type[T], data: Mapping[str, object]) -> T:

@@ -1,0 +1,127 @@
+"""ARKit weights of a live face's frames, as they come."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
+from fractions import Fraction
+from functools import lru_cache
+from threading import BoundedSemaphore, Lock
+
+import numpy as np
+
+from ..core.arrays import Array
+from ..core.parameters import INDEX
+from ..face.arkit_fit import NO_WAY, ArkitFit
+from ..face.eyes import pitch_and_yaw
+from ..face.frame import FaceFrame
+from ..face.solve import FaceSolver
+from ..face.springs import RATE
+from ..settings import Settings
+from ..take import make_solver
+from .frame import LiveFrame
+
+LONGEST = RATE
+"""Steps of the skin after a gap: its earlier motion has faded in a second."""
+_HEAD = [INDEX[f"head_{axis}"] for axis in ("yaw", "pitch", "roll")]
+HEADS = 4
+"""Heads that stay ready for the next live face."""
+
+
+class LiveWeights:
+    """Fits the frames of one live face, in order, with the inertia of its skin.
+
+    What a head needs is made once, and shared by all live faces that show it. Raises HeadError if it cannot
+    be loaded, or has no ARKit shapes.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._solvers = _solvers_of(settings)
+        self._fps = settings.fps
+        with self._solvers.one() as solver:
+            self._springs = None if settings.dynamics == "static" else solver.springs()
+            self._buffers = solver.buffers()
+        self._before, self._at, self._step = np.zeros(0), Fraction(0), 0
+        self._way: Array = NO_WAY
+
+    def added(self, frame: LiveFrame) -> LiveFrame:
+        """Return a frame with its weights and rotations; frames before it may have been left out."""
+        with self._solvers.one() as solver:
+            face = self._face(solver, Fraction(frame.index) / self._fps, frame.values)
+            weights, self._way = self._solvers.fit.following(face, self._way)
+        head = frame.values[_HEAD]
+        eyes = [(yaw, pitch, 0.0) for pitch, yaw in map(pitch_and_yaw, face.eye_rotation)]
+        return replace(frame, arkit=weights, rotations=np.radians(np.concatenate([head, *eyes])))
+
+    def _face(self, solver: FaceSolver, time: Fraction, values: Array) -> FaceFrame:
+        if self._springs is None:
+            return solver.solve(values, self._buffers)
+        exact = time * RATE
+        last = math.ceil(exact)
+        if not len(self._before):
+            self._springs.come_to_rest(values)
+        else:
+            self._go_to(last, exact, values)
+        self._before, self._at, self._step = values, exact, last
+        return solver.solve_moving(values, self._springs, float(1 - (last - exact)), self._buffers)
+
+    def _go_to(self, last: int, exact: Fraction, values: Array) -> None:
+        """Move the skin up to the step `last`, straight from the values of the frame before to these."""
+        assert self._springs is not None
+        first = max(self._step, last - LONGEST)
+        for step in range(first + 1, last + 1):
+            share = min(float((step - self._at) / (exact - self._at)), 1.0)
+            self._springs.step(self._before + share * (values - self._before))
+
+
+class _Solvers:
+    """The solvers of one head: as many as solve at a time, at most one for each processor."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._free = [make_solver(settings)]
+        self._room = BoundedSemaphore(os.cpu_count() or 1)
+        self.fit = ArkitFit.of(self._free[0].head)
+
+    @contextmanager
+    def one(self) -> Iterator[FaceSolver]:
+        """Lend a solver."""
+        with self._room:
+            try:
+                solver = self._free.pop()
+            except IndexError:
+                solver = make_solver(self._settings)
+            try:
+                yield solver
+            finally:
+                self._free.append(solver)
+
+
+_making = Lock()
+
+
+def _solvers_of(settings: Settings) -> _Solvers:
+    with _making:
+        return _made(
+            settings.head, settings.age, settings.dynamics, _items(settings.shape), _items(settings.wrinkles)
+        )
+
+
+@lru_cache(maxsize=HEADS)
+def _made(
+    head: str,
+    age: float | None,
+    dynamics: str,
+    shape: tuple[tuple[str, float], ...],
+    wrinkles: tuple[tuple[str, float], ...],
+) -> _Solvers:
+    return _Solvers(
+        Settings(head=head, age=age, dynamics=dynamics, shape=dict(shape), wrinkles=dict(wrinkles))
+    )
+
+
+def _items(amounts: Mapping[str, float]) -> tuple[tuple[str, float], ...]:
+    return tuple(sorted(amounts.items()))

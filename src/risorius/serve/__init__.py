@@ -1,0 +1,1 @@
+"""A server of live faces: one for each client of its WebSocket."""

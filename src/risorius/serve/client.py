@@ -1,0 +1,238 @@
+"""One client: its messages in, its frames out. What it does wrong, or does not read, delays nobody else."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import hmac
+import logging
+import time
+from dataclasses import dataclass
+from math import ceil
+
+from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
+
+from ..errors import InputError, RisoriusError
+from ..live.pace import Pace
+from ..live.session import Live
+from ..live.weights import LiveWeights
+from ..ports.rig import Rig
+from ..settings import Settings
+from ..web.token_bucket import TokenBucket
+from . import limits
+from .choices import settings_from
+from .frames import FrameLayout, written
+from .mailbox import Mailbox
+from .messages import (
+    VERSION,
+    ClientMessage,
+    Close,
+    Feel,
+    Flush,
+    Interrupt,
+    Listen,
+    Output,
+    Say,
+    StartFace,
+    decode,
+)
+
+LOG = logging.getLogger(__name__)
+# Codes with which a socket closes (RFC 6455, 7.4.1).
+DONE, REFUSED, FAILED, BUSY = 1000, 1008, 1011, 1013
+
+
+class GoodbyeError(Exception):
+    """The client is told why, and its socket is closed."""
+
+    def __init__(self, message: str, code: int = REFUSED) -> None:
+        super().__init__(message)
+        self.code = code
+
+
+@dataclass(frozen=True, slots=True)
+class Gate:
+    """What a client must know and may choose: the token, None where none is asked for, and the rig."""
+
+    token: str | None = None
+    rig: Rig | None = None
+
+
+class LiveClient:
+    """A client of the server, from its first message to its last frame."""
+
+    def __init__(self, socket: WebSocket, gate: Gate) -> None:
+        self._socket, self._gate = socket, gate
+        self._mailbox = Mailbox()
+        self._messages = TokenBucket(limits.MESSAGES, limits.MESSAGES_AT_ONCE, time.monotonic)
+        self._bytes = TokenBucket(limits.BYTES, limits.BYTES_AT_ONCE, time.monotonic)
+
+    async def run(self) -> None:
+        """Serve it until one side ends."""
+        try:
+            await self._serve()
+            await self._close(DONE)
+        except WebSocketDisconnect:
+            pass
+        except GoodbyeError as error:
+            await self.dismiss(str(error), error.code)
+        except Exception:
+            # An error of ours: the client gets one line, the terminal the traceback.
+            LOG.exception("a client's face failed")
+            await self.dismiss("the server failed; its terminal says why", FAILED)
+
+    async def dismiss(self, message: str, code: int) -> None:
+        """Say why, and close."""
+        with contextlib.suppress(RuntimeError, WebSocketDisconnect, TimeoutError):
+            async with asyncio.timeout(1.0):
+                await self._socket.send_text(written("error", message=message))
+        await self._close(code)
+
+    async def _close(self, code: int) -> None:
+        if self._socket.application_state is WebSocketState.CONNECTED:
+            with contextlib.suppress(RuntimeError, WebSocketDisconnect, TimeoutError):
+                async with asyncio.timeout(1.0):
+                    await self._socket.close(code)
+
+    async def _serve(self) -> None:
+        start = await self._start()
+        layout, settings = self._wanted(start)
+        self._mailbox = Mailbox(max(1, ceil(start.ahead * settings.fps)))
+        face, weights = await asyncio.to_thread(_made, settings, layout)
+        await self._socket.send_text(_started(layout, settings))
+        parts = (self._play(face, weights, start.ahead), self._read(face), self._write(layout, start))
+        tasks = [asyncio.create_task(part) for part in parts]
+        try:
+            # The writer ends when the last frame is sent, the reader when the client goes.
+            ended, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+            for task in ended:
+                task.result()
+        finally:
+            for task in tasks:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+
+    async def _start(self) -> StartFace:
+        """Return the first message, which must be allowed."""
+        try:
+            async with asyncio.timeout(limits.START):
+                message = decode(await self._received())
+        except TimeoutError:
+            raise GoodbyeError(f"nothing came for {limits.START:g} s; expected 'start'") from None
+        except RisoriusError as error:
+            raise GoodbyeError(error.message) from None
+        if not isinstance(message, StartFace):
+            raise GoodbyeError("expected 'start' as the first message")
+        if self._gate.token is not None and not self._knows(self._gate.token, message.token):
+            raise GoodbyeError("wrong token; expected that of this server, in 'start' or as Bearer")
+        return message
+
+    def _knows(self, token: str, said: str | None) -> bool:
+        kind, _, given = self._socket.headers.get("authorization", "").partition(" ")
+        tokens = [said, given if kind.lower() == "bearer" else None]
+        # Every comparison takes the same time, whatever was said.
+        known = [hmac.compare_digest((other or "").encode(), token.encode()) for other in tokens]
+        return any(known)
+
+    def _wanted(self, start: StartFace) -> tuple[FrameLayout, Settings]:
+        """Return what frames hold, and the settings; what cannot be had ends it."""
+        try:
+            if start.version != VERSION:
+                raise InputError(f"version {start.version}; expected {VERSION}")
+            if Output.RIG in start.outputs and self._gate.rig is None:
+                raise InputError("this server has no rig; expected it to be started with --rig FILE")
+            return FrameLayout(start.outputs, self._gate.rig), settings_from(start)
+        except RisoriusError as error:
+            raise GoodbyeError(error.message) from None
+
+    async def _play(self, face: Live, weights: LiveWeights | None, ahead: float) -> None:
+        """Put frames into the mailbox when their time has come."""
+        frames, sentence = face.frames(), ""
+        pace = Pace(face.fps, time.monotonic)
+        while True:
+            try:
+                frame = await asyncio.to_thread(next, frames, None)
+            except RisoriusError as error:
+                self._mailbox.tell(written("error", message=str(error)))
+                frames = face.frames()
+                continue
+            if frame is None:
+                break
+            if frame.text != sentence:
+                sentence = frame.text
+                self._mailbox.tell(written("sentence", text=sentence, index=frame.index))
+            if (wait := pace.wait(frame.index) - ahead) > 0:
+                await asyncio.sleep(wait)
+            if pace.late(frame.index) > limits.LATE:
+                self._mailbox.drop(frame)
+            else:
+                self._mailbox.put(frame if weights is None else await asyncio.to_thread(weights.added, frame))
+        self._mailbox.tell(written("ended"))
+        self._mailbox.end()
+        await asyncio.Event().wait()
+
+    async def _write(self, layout: FrameLayout, start: StartFace) -> None:
+        while (item := await self._mailbox.take()) is not None:
+            message = item if isinstance(item, str) else layout.written(item, start.format)
+            try:
+                async with asyncio.timeout(limits.UNREAD):
+                    await self._send(message)
+            except TimeoutError:
+                raise GoodbyeError(f"nothing was read for {limits.UNREAD:g} s") from None
+
+    async def _send(self, message: str | bytes) -> None:
+        if isinstance(message, str):
+            await self._socket.send_text(message)
+        else:
+            await self._socket.send_bytes(message)
+
+    async def _read(self, face: Live) -> None:
+        while True:
+            try:
+                self._do(face, decode(await self._received()))
+            except RisoriusError as error:
+                self._mailbox.tell(written("error", message=error.message))
+
+    async def _received(self) -> str:
+        """Return the next message; raises InputError for one that is no text."""
+        message = await self._socket.receive()
+        if message["type"] == "websocket.disconnect":
+            raise WebSocketDisconnect(message.get("code", DONE))
+        text = message.get("text")
+        size = len(text or message.get("bytes") or b"")
+        if not self._messages.take() or not self._bytes.take(size):
+            raise GoodbyeError(
+                f"too much at once; expected at most {limits.MESSAGES:g} messages and "
+                f"{limits.BYTES / 1e6:g} MB a second"
+            )
+        if text is None:
+            raise InputError("the message is not text; expected JSON")
+        return str(text)
+
+    def _do(self, face: Live, message: ClientMessage) -> None:
+        """Do what a message asks for; raises RisoriusError."""
+        match message:
+            case Say():
+                face.say(message.text)
+            case Feel():
+                face.feel(message.emotion, message.intensity)
+            case Listen():
+                face.listen(message.samples, message.rate)
+            case Flush():
+                face.flush()
+            case Interrupt():
+                self._mailbox.tell(written("interrupted", unsaid=face.interrupt()))
+            case Close():
+                face.close()
+            case StartFace():
+                raise InputError("the face is there already; expected 'start' once")
+
+
+def _made(settings: Settings, layout: FrameLayout) -> tuple[Live, LiveWeights | None]:
+    return Live(settings), LiveWeights(settings) if layout.fits else None
+
+
+def _started(layout: FrameLayout, settings: Settings) -> str:
+    """Return what the first frame's values will be."""
+    columns = {str(output): list(names) for output, names in layout.names.items()}
+    return written("started", version=VERSION, fps=float(settings.fps), head=settings.head, **columns)

@@ -1,0 +1,134 @@
+"""What a client says: strict decoding into dataclasses, whose fields are the keys of the messages.
+
+docs/serve.md describes the messages; a change that breaks a client raises `VERSION`.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Annotated, Any
+
+import numpy as np
+
+from ..core.audio import Samples
+from ..core.frozen import FrozenDict
+from ..core.hints import Range
+from ..core.schema import build
+from ..core.source_text import SourceText, Syntax
+from ..errors import InputError, unknown
+from ..web.json_object import json_object, without_nulls
+from . import limits
+
+VERSION = 1
+
+
+class FrameFormat(StrEnum):
+    """How frames are written."""
+
+    JSON = "json"
+    BINARY = "binary"
+
+
+class Output(StrEnum):
+    """What a frame has beside its sound."""
+
+    PARAMETERS = "parameters"
+    ARKIT = "arkit"
+    ROTATIONS = "rotations"
+    RIG = "rig"
+
+
+@dataclass(frozen=True, slots=True)
+class StartFace:
+    """The first message: what is wanted. `ahead`: seconds by which frames come before they are due."""
+
+    version: int
+    fps: float | str = 30
+    format: FrameFormat = FrameFormat.JSON
+    outputs: tuple[Output, ...] = (Output.ARKIT, Output.ROTATIONS)
+    ahead: Annotated[float, Range(0.0, limits.AHEAD)] = 0.2
+    settings: Mapping[str, object] = field(default_factory=FrozenDict)
+    token: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Say:
+    """Text that is to be said, cut anywhere."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Feel:
+    """An emotion that is to be shown."""
+
+    emotion: str
+    intensity: float
+
+
+@dataclass(frozen=True, slots=True)
+class Listen:
+    """A piece of what the other says: 16-bit samples, little-endian, one channel, in base64."""
+
+    audio: str
+    rate: int
+
+    @property
+    def samples(self) -> Samples:
+        """The samples; raises InputError for what is none."""
+        return samples_of(self.audio)
+
+
+@dataclass(frozen=True, slots=True)
+class Flush:
+    """The sentence that waits is whole."""
+
+
+@dataclass(frozen=True, slots=True)
+class Interrupt:
+    """Fall silent."""
+
+
+@dataclass(frozen=True, slots=True)
+class Close:
+    """Say what has arrived, and end."""
+
+
+ClientMessage = StartFace | Say | Feel | Listen | Flush | Interrupt | Close
+KINDS: Mapping[str, type[ClientMessage]] = {
+    "start": StartFace,
+    "say": Say,
+    "feel": Feel,
+    "listen": Listen,
+    "flush": Flush,
+    "interrupt": Interrupt,
+    "close": Close,
+}
+"""The messages by what `do` calls them."""
+
+
+def decode(text: str) -> ClientMessage:
+    """Return the message that a text is; raise InputError with one line on what is wrong."""
+    data = json_object(text)
+    kind = data.pop("do", None)
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise InputError(unknown("message", str(kind)[:40], tuple(KINDS)))
+    message: Any = build(KINDS[kind], without_nulls(data), SourceText(kind, syntax=Syntax.JSON))
+    if isinstance(message, Say) and len(message.text) > limits.TEXT:
+        raise InputError(f"a text of {len(message.text):,} characters; expected at most {limits.TEXT:,}")
+    return message  # type: ignore[no-any-return]
+
+
+def samples_of(text: str) -> Samples:
+    """Return 16-bit samples from base64; raise InputError for anything else."""
+    try:
+        sound = base64.b64decode(text, validate=True)
+    except (binascii.Error, ValueError):
+        raise InputError("the sound is not base64; expected 16-bit samples in it") from None
+    if len(sound) % 2:
+        raise InputError(f"the sound has {len(sound):,} bytes; expected 2 for each sample")
+    return np.frombuffer(sound, "<i2").astype(np.int16)

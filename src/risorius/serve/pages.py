@@ -1,0 +1,74 @@
+"""What a browser asks of the server: the example page, its module, and heads as files."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Awaitable, Callable
+from functools import lru_cache
+from importlib import resources
+from pathlib import Path
+
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
+from starlette.routing import BaseRoute, Mount, Route
+from starlette.staticfiles import StaticFiles
+
+from ..errors import unknown
+from ..face.head import load_head, shipped_heads
+from ..ports.glb import rig_scene
+from ..ports.gltf import Gltf
+from ..ports.page_modules import WEB as PARTS
+
+WEB = Path(str(resources.files(__package__) / "web"))
+FILES = {
+    "/": "index.html",
+    "/live.css": "live.css",
+    "/page.js": "page.js",
+    "/risorius-live.js": "risorius-live.js",
+}
+KEPT = 3
+"""Heads whose files are kept, of 16 MB each."""
+
+
+def routes() -> list[BaseRoute]:
+    """Return the routes of the page."""
+    return [
+        *(Route(path, _sender(name)) for path, name in FILES.items()),
+        Route("/heads", heads),
+        Route("/head.glb", head),
+        Mount("/web", StaticFiles(directory=PARTS)),
+    ]
+
+
+async def heads(request: Request) -> Response:
+    """Tell which heads there are."""
+    return JSONResponse(list(shipped_heads()))
+
+
+async def head(request: Request) -> Response:
+    """Send a head with ARKit's shapes as morph targets: `head` in the query."""
+    name = request.query_params.get("head", "standard")
+    if name not in shipped_heads():
+        return PlainTextResponse(unknown("head", name[:40], shipped_heads()), status_code=404)
+    content = await run_in_threadpool(_rig, name)
+    return Response(
+        content, media_type="model/gltf-binary", headers={"cache-control": "private, max-age=3600"}
+    )
+
+
+@lru_cache(maxsize=KEPT)
+def _rig(name: str) -> bytes:
+    gltf = Gltf(generator="Risorius", copyright="Head: CC0 1.0")
+    rig_scene(load_head(name), gltf)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "head.glb"
+        gltf.save(path)
+        return path.read_bytes()
+
+
+def _sender(name: str) -> Callable[[Request], Awaitable[Response]]:
+    async def send(request: Request) -> Response:
+        return FileResponse(WEB / name, headers={"cache-control": "no-cache"})
+
+    return send

@@ -1,0 +1,152 @@
+"""Running the server of live faces."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import ipaddress
+import logging
+import socket
+import threading
+from collections.abc import AsyncIterator, Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import asynccontextmanager
+from dataclasses import dataclass
+
+import uvicorn
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route, WebSocketRoute
+from starlette.websockets import WebSocket
+
+from ..api import speak
+from ..errors import InputError, RisoriusError
+from ..live.session import Live
+from ..ports.rig import Rig
+from ..web.guard import HOSTS, Guard
+from ..web.listening import HOST, bound
+from . import limits, pages
+from .client import BUSY, Gate, LiveClient
+
+PORT = 8766
+LOG = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class ServeOptions:
+    """Where the server listens, for whom, and what for.
+
+    `token`: what clients must say; needed where `host` is another machine's way in. `origins`: pages of other
+    servers that may connect. `clients`: how many at once. `rig`: the character whose morph targets are sent.
+    Raises InputError for a server that anybody could use.
+    """
+
+    host: str = HOST
+    port: int = PORT
+    token: str | None = None
+    origins: Sequence[str] = ()
+    clients: int = limits.CLIENTS
+    rig: Rig | None = None
+
+    def __post_init__(self) -> None:
+        if self.token is not None and len(self.token) < limits.TOKEN:
+            raise InputError(f"a token of {len(self.token)} characters; expected at least {limits.TOKEN}")
+        if self.token is None and not is_loopback(self.host):
+            raise InputError(f"{self.host} can be reached from other machines; expected a token as well")
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this machine reaches an address."""
+    try:
+        return host == "localhost" or ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+class LiveServer:
+    """The clients of a server."""
+
+    def __init__(self, options: ServeOptions) -> None:
+        self._options = options
+        self._gate = Gate(options.token, options.rig)
+        self.clients: set[LiveClient] = set()
+
+    def app(self) -> Starlette:
+        """Return the application."""
+        own = [Route("/health", self.health), WebSocketRoute("/live", self.face)]
+        hosts = HOSTS if is_loopback(self._options.host) else None
+        guard = Middleware(Guard, hosts=hosts, origins=tuple(self._options.origins))
+        return Starlette(routes=[*own, *pages.routes()], middleware=[guard], lifespan=self._lifespan)
+
+    async def health(self, request: Request) -> Response:
+        """Tell that the server runs, and for how many."""
+        return JSONResponse({"clients": len(self.clients)}, headers={"cache-control": "no-store"})
+
+    async def face(self, socket: WebSocket) -> None:
+        """Serve a client."""
+        await socket.accept()
+        client = LiveClient(socket, self._gate)
+        if len(self.clients) >= self._options.clients:
+            await client.dismiss(f"{self._options.clients} clients are here; expected fewer", BUSY)
+            return
+        self.clients.add(client)
+        try:
+            await client.run()
+        finally:
+            self.clients.discard(client)
+
+    @asynccontextmanager
+    async def _lifespan(self, app: Starlette) -> AsyncIterator[None]:
+        # Each client performs in a thread; none waits for another's.
+        threads = ThreadPoolExecutor(2 * self._options.clients, thread_name_prefix="live")
+        asyncio.get_running_loop().set_default_executor(threads)
+        yield
+
+
+def warm_up() -> None:
+    """Load and compile what the first client would wait for."""
+    try:
+        speak("Hello.", text=True)
+        next(Live(arkit=True).frames())
+    except RisoriusError as error:
+        # The clients are told when they come.
+        LOG.warning("%s", error)
+
+
+def serve(options: ServeOptions, say: Callable[[str], None] = print) -> None:
+    """Serve live faces until interrupted; tell the address. Raises OutputError if the port is taken."""
+    listening = listener(options)
+    shown = f"[{options.host}]" if ":" in options.host else options.host
+    server = uvicorn.Server(configured(LiveServer(options)))
+    say(f"Live faces are at http://{shown}:{listening.getsockname()[1]}/ (Ctrl+C ends it)")
+    threading.Thread(target=warm_up, name="warming", daemon=True).start()
+    # Interrupted is how a server ends.
+    with contextlib.suppress(KeyboardInterrupt):
+        server.run(sockets=[listening])
+
+
+def listener(options: ServeOptions) -> socket.socket:
+    """Return the socket that listens; raises OutputError if it cannot.
+
+    Its clients' have small buffers: what the system keeps for one that reads slowly comes late to it.
+    """
+    listening = bound(options.port, options.host)
+    listening.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, limits.SEND_BUFFER)
+    return listening
+
+
+def configured(live: LiveServer) -> uvicorn.Config:
+    """Return how uvicorn runs it: messages within bounds, no access log."""
+    return uvicorn.Config(
+        live.app(),
+        log_level="warning",
+        access_log=False,
+        ws="websockets-sansio",
+        ws_max_size=limits.MESSAGE,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=2,
+        server_header=False,
+        lifespan="on",
+    )

@@ -1,0 +1,41 @@
+"""Weights of a live face: those of `speak`, whatever was left out, made once for a head."""
+
+from __future__ import annotations
+
+from itertools import islice
+
+import numpy as np
+import pytest
+
+from risorius import Live, Settings, speak
+from risorius.errors import HeadError
+from risorius.live.session import SEAM, TAIL
+from risorius.live.weights import LiveWeights
+
+
+def test_weights_are_those_of_the_performance() -> None:
+    live = Live(fps=30, arkit=True)
+    live.say("Oh, wow.")
+    live.close()
+    frames = list(live.frames())
+    track = speak("Oh, wow.", settings=Settings(lead=SEAM, tail=TAIL)).arkit
+    weights = np.array([frame.arkit for frame in frames])
+    # Between frames the curves are straight lines, since what comes next is not known.
+    assert np.abs(weights - track.weights[: len(weights)]).max() < 0.03
+    rotations = np.array([frame.rotations for frame in frames])
+    np.testing.assert_allclose(rotations, track.rotations[: len(rotations)], atol=1e-9)
+
+
+def test_frames_may_be_left_out() -> None:
+    live = Live(fps=30)
+    live.say("Oh, wow.")
+    frames = list(islice(live.frames(), 45))
+    whole, some = LiveWeights(Settings()), LiveWeights(Settings())
+    every = [whole.added(frame).arkit for frame in frames]
+    few = [some.added(frame).arkit for frame in frames[::3]]
+    assert np.abs(np.array(every[::3]) - np.array(few)).max() < 0.1
+
+
+def test_a_head_that_is_not_there_is_said_at_once() -> None:
+    with pytest.raises(HeadError):
+        Live(Settings(head="/nowhere"), arkit=True)

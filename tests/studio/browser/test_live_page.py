@@ -1,0 +1,118 @@
+"""The live face in a page: its module plays sound as the clock, and its example page shows it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from risorius.core.arkit import SHAPES
+from risorius.face.rotations import head_rotation
+
+from ...serve.running import running
+from .driving import Page
+
+CONVERSATION = """
+const { LiveFace } = await import("/risorius-live.js");
+const face = new LiveFace(`ws://${location.host}/live`, { outputs: ["arkit"] });
+const told = [];
+for (const kind of ["sentence", "interrupted", "error", "ended", "closed"]) {
+  const about = ({ text, unsaid, message }) => text ?? unsaid ?? message;
+  face.addEventListener(kind, ({ detail }) => told.push([kind, about(detail)]));
+}
+const until = async (done) => { while (!done()) await new Promise((go) => setTimeout(go, 10)); };
+const started = await face.start();
+face.feel("joy", 0.5);
+face.feel("jox", 0.5);
+face.say("One two three four five six seven. ");
+face.flush();
+await until(() => face.frame()?.text);
+const lags = [];
+for (let k = 0; k < 20; k++) {
+  await new Promise((go) => setTimeout(go, 20));
+  lags.push(face.now() - face.base - face.frame().time);
+}
+const playing = face.sources.size;
+face.interrupt();
+const silent = face.sources.size;
+await until(() => told.some(([kind]) => kind === "interrupted"));
+const at = face.frame().time;
+await until(() => face.frame().time > at + 0.2);
+face.close();
+await until(() => told.some(([kind]) => kind === "closed"));
+const weights = Array.from(face.frame().values.arkit);
+return { told, lags, playing, silent, names: started.arkit, weights };
+"""
+DRIVING = """
+const { driving } = await import("/risorius-live.js");
+const THREE = await import("/web/vendor/three/three.module.min.js");
+const [root, head, eye, mesh] = [new THREE.Group(), new THREE.Group(), new THREE.Group(), new THREE.Mesh()];
+head.name = "Head"; eye.name = "eye_left"; mesh.name = "Face";
+mesh.morphTargetDictionary = { other: 0, JawOpen: 1, "face.mouthSmileLeft": 2 };
+mesh.morphTargetInfluences = [0.5, 0, 0];
+root.add(head); head.add(eye, mesh);
+const names = { arkit: ["mouthSmileLeft", "jawOpen"], rotations: [] };
+const values = { arkit: [0.25, 0.75], rotations: new Float32Array([0.3, 0.2, 0.1, 0.3, 0, 0, 0, 0, 0]) };
+const show = driving(root);
+show(null);
+show({ names, values });
+const ahead = new THREE.Vector3(0, 0, 1).applyQuaternion(head.quaternion).toArray();
+const up = new THREE.Vector3(0, 1, 0).applyQuaternion(head.quaternion).toArray();
+const looks = new THREE.Vector3(0, 0, 1).applyQuaternion(eye.quaternion).toArray();
+return { influences: mesh.morphTargetInfluences, ahead, up, looks };
+"""
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with running() as server:
+        yield f"http://127.0.0.1:{server.port}/"
+
+
+@pytest.fixture
+def tab(browser_page: Page, address: str) -> Iterator[Page]:
+    """A tab of its own beside the studio's, at the server of live faces."""
+    driver = browser_page.driver
+    studio = driver.current_window_handle
+    driver.switch_to.new_window("tab")
+    driver.get(f"{address}health")
+    yield Page(driver, address)
+    driver.close()
+    driver.switch_to.window(studio)
+
+
+def test_the_module_speaks_and_falls_silent(tab: Page) -> None:
+    heard = tab.run(CONVERSATION)
+    kinds = [kind for kind, _ in heard["told"]]
+    assert kinds == ["error", "sentence", "interrupted", "sentence", "ended", "closed"], heard["told"]
+    assert heard["told"][0][1].startswith("unknown emotion 'jox'")
+    assert heard["told"][1][1] == "One two three four five six seven."
+    assert heard["told"][2][1].endswith("six seven.")
+    # A frame is shown until the next is due.
+    assert min(heard["lags"]) >= 0.0
+    assert sorted(heard["lags"])[10] < 0.07
+    assert heard["playing"] > 0
+    assert heard["silent"] == 0
+    assert heard["names"] == list(SHAPES)
+    assert len(heard["weights"]) == len(SHAPES)
+
+
+def test_the_module_drives_what_has_arkits_names(tab: Page) -> None:
+    shown = tab.run(DRIVING)
+    assert shown["influences"] == [0.5, 0.75, 0.25]
+    turned = head_rotation(*np.degrees([0.2, 0.3, 0.1]).tolist())
+    np.testing.assert_allclose(shown["ahead"], turned[:, 2], atol=1e-6)
+    np.testing.assert_allclose(shown["up"], turned[:, 1], atol=1e-6)
+    np.testing.assert_allclose(shown["looks"], [np.sin(0.3), 0.0, np.cos(0.3)], atol=1e-6)
+
+
+@pytest.mark.full
+def test_the_example_page_shows_a_face_and_takes_a_line(tab: Page) -> None:
+    tab.complaints()
+    tab.driver.get(tab.url)
+    tab.wait("document.body.dataset.ready === 'yes'")
+    tab.run("document.getElementById('say').click()")
+    caption = tab.wait("document.getElementById('caption').textContent")
+    assert caption in ("Hello there.", "How are you today?")
+    assert not tab.complaints()
