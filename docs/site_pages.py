@@ -7,6 +7,8 @@ made of the program itself.
 from __future__ import annotations
 
 import re
+import shlex
+import tempfile
 from collections.abc import Iterator
 from inspect import isclass, isfunction, ismodule
 from pathlib import Path
@@ -15,7 +17,7 @@ from typing import Any
 import click
 
 import risorius
-from risorius.cli import commands
+from risorius.cli import commands, run
 
 ROOT = Path(__file__).resolve().parents[1]
 RULES = ROOT / "src" / "risorius" / "rules" / "data"
@@ -30,6 +32,8 @@ def on_files(files: Any, config: Any) -> Any:
 
     for name, text in pages().items():
         files.append(File.generated(config, name, content=text))
+    for name, page in players():
+        files.append(File.generated(config, name, content=page))
     return files
 
 
@@ -47,6 +51,23 @@ def pages() -> dict[str, str]:
         "api.md": "\n".join(_classes()),
         "rule-files.md": "\n".join(_rule_files()),
     }
+
+
+def players() -> Iterator[tuple[str, bytes]]:
+    """Yield the name and content of each page of the gallery that plays a performance: see gallery.md."""
+    for line in _commands_of("gallery.md"):
+        with tempfile.TemporaryDirectory() as folder:
+            *arguments, name = shlex.split(line)[1:]
+            file = Path(folder) / name
+            if run([*arguments, str(file), "--quiet"]):
+                raise RuntimeError(f"the gallery's command failed: {line}")
+            yield f"gallery/{name}", file.read_bytes()
+
+
+def _commands_of(page: str) -> list[str]:
+    """Return the commands of the blocks of a page, which end in the name of what they write."""
+    text = (ROOT / "docs" / page).read_text(encoding="utf-8")
+    return re.findall(r"^(risorius .* -o [\w.]+)$", text, re.MULTILINE)
 
 
 def within_site(markdown: str, folder: str) -> str:
