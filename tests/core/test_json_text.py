@@ -145,7 +145,7 @@ BAD = [
     ('"kind": ["one"]', 'x:2:1: kind = ["one"] cannot be used; expected one of one, two'),
     ('"choice": true', "x:2:1: choice = true cannot be used; expected one of 1, 2"),
     ('"limit": {}', "x:2:1: limit = an object cannot be used; expected a number"),
-    ('"rate": []', "x:2:1: rate = [] cannot be used; expected a text or a number"),
+    ('"rate": []', "x:2:1: rate = [] cannot be used; expected a number or a text"),
     ('"curve": 1', "x:2:1: curve = 1 cannot be used; expected a list of numbers"),
     ('"curve": [1, true]', "x:2:14: curve[1] = true cannot be used; expected a number"),
     ('"curve": [1, 1e999]', "x:2:14: curve[1] is too large; expected a number"),

@@ -32,7 +32,7 @@ def _without_masseter(document: dict[str, Any]) -> None:
     [
         (lambda d: d.update(fps="0"), '"fps"', "fps = 0 is out of range"),
         (lambda d: d.update(fps="1e10000000"), '"fps"', "fps '1e10000000' is not a number; expected e.g. 30"),
-        (lambda d: d.update(fps=[]), '"fps"', "fps = [] cannot be used; expected a text or a number"),
+        (lambda d: d.update(fps=[]), '"fps"', "fps = [] cannot be used; expected a number or a text"),
         (lambda d: d.update(risorius=9), '"risorius"', "version 9 is not known; expected 1"),
         (lambda d: d.pop("score"), "", "key 'score' is missing; expected an object"),
         (

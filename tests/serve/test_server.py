@@ -254,6 +254,12 @@ def test_pages_of_other_sites_are_refused(server: Running, headers: dict[str, st
             made.receive()
 
 
+def test_a_browser_finds_the_icon_it_asks_for(server: Running) -> None:
+    with urlopen(f"http://127.0.0.1:{server.port}/favicon.ico") as answer:
+        assert answer.headers["content-type"] == "image/svg+xml"
+        assert b"<svg" in answer.read()
+
+
 @pytest.mark.parametrize(
     ("said", "header", "known"),
     [

@@ -78,8 +78,9 @@ def describe(hint: Any, syntax: Syntax) -> str:
         limits = [rule for rule in arguments[1:] if isinstance(rule, Range)]
         return " ".join((describe(arguments[0], syntax), *map(_bounds, limits)))
     if origin in (types.UnionType, typing.Union):
-        kinds = [describe(kind, syntax) for kind in arguments if kind is not types.NoneType]
-        return " or ".join(dict.fromkeys(kinds))
+        # In an order of their own: `typing` may give that of an equal union written elsewhere.
+        kinds = {describe(kind, syntax) for kind in arguments if kind is not types.NoneType}
+        return " or ".join(sorted(kinds))
     if origin is Literal:
         return "one of " + ", ".join(map(str, arguments))
     if isinstance(hint, type) and issubclass(hint, StrEnum):

@@ -22,10 +22,12 @@ from ..ports.page_modules import WEB as PARTS
 
 WEB = Path(str(resources.files(__package__) / "web"))
 FILES = {
-    "/": "index.html",
-    "/live.css": "live.css",
-    "/page.js": "page.js",
-    "/risorius-live.js": "risorius-live.js",
+    "/": WEB / "index.html",
+    "/live.css": WEB / "live.css",
+    "/page.js": WEB / "page.js",
+    "/risorius-live.js": WEB / "risorius-live.js",
+    # Browsers ask for it beside every answer that is no page.
+    "/favicon.ico": PARTS / "icon.svg",
 }
 KEPT = 3
 """Heads whose files are kept, of 16 MB each."""
@@ -34,7 +36,7 @@ KEPT = 3
 def routes() -> list[BaseRoute]:
     """Return the routes of the page."""
     return [
-        *(Route(path, _sender(name)) for path, name in FILES.items()),
+        *(Route(path, _sender(file)) for path, file in FILES.items()),
         Route("/heads", heads),
         Route("/head.glb", head),
         Mount("/web", StaticFiles(directory=PARTS)),
@@ -67,8 +69,8 @@ def _rig(name: str) -> bytes:
         return path.read_bytes()
 
 
-def _sender(name: str) -> Callable[[Request], Awaitable[Response]]:
+def _sender(file: Path) -> Callable[[Request], Awaitable[Response]]:
     async def send(request: Request) -> Response:
-        return FileResponse(WEB / name, headers={"cache-control": "no-cache"})
+        return FileResponse(file, headers={"cache-control": "no-cache"})
 
     return send
