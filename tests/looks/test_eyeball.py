@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.looks.eyeball import cap, iris_image, iris_picture
+from risorius.looks.eyeball import cap, iris_image, iris_picture, pupil_axes
 
 
 def test_the_cap_is_a_sphere_wound_outwards():
@@ -31,3 +31,9 @@ def test_the_picture_of_an_eye_is_an_iris_within_white():
     assert picture[32, 32].max() < 40
     assert picture[0, 0].min() > 200
     assert 40 < picture[32, 32 + 8].mean() < 200
+
+
+def test_pupils_stand_out_a_little_from_where_the_eyes_look():
+    ahead = pupil_axes() @ [0.0, 0.0, 1.0]
+    assert ahead[0] == pytest.approx(ahead[1] * [-1, 1, 1])
+    assert 2.8 < np.degrees(np.arcsin(ahead[0, 0])) < 5.6

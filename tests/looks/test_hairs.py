@@ -11,6 +11,7 @@ from risorius.looks.strands import Strands, root_frames
 from risorius.looks.surface import unit
 
 BROWN = np.array([0.04, 0.025, 0.015])
+SKIN = np.array([0.5, 0.35, 0.25])
 
 
 def curves_in_head(surface, hairs: Strands):
@@ -72,7 +73,7 @@ def test_skin_is_darkened_under_the_brows_alone(anatomy):
 
 
 def test_lashes_point_out_of_the_eye(head, surface):
-    lashes = grow_lashes(head, surface, BROWN, upper=20, lower=10)
+    lashes = grow_lashes(head, surface, BROWN, SKIN, upper=20, lower=10)
     curves = curves_in_head(surface, lashes)
     side = np.repeat([0, 1], 30)
     out = unit(curves[:, 0] - head.eye_centre[side])
@@ -122,3 +123,12 @@ def test_hair_shades_the_forehead_below_the_hairline_from_above(anatomy):
     assert cast[far].max() == 0
     assert covered[far].max() == 0
     assert around[far].max() == 0
+
+
+def test_lower_lashes_are_fainter_than_upper_ones(head, surface):
+    lashes = grow_lashes(head, surface, BROWN, SKIN, upper=20, lower=10)
+    faint = np.tile(np.repeat([False, True], [20, 10]), 2)
+    brightness = lashes.colours.mean(axis=-1)
+    assert brightness[faint].min() > 1.5 * brightness[~faint].max()
+    widths = lashes.widths.max(axis=1)
+    assert widths[faint].max() < widths[~faint].min()

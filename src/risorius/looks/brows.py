@@ -50,7 +50,7 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 3
         * (0.5 + 0.5 * smoothstep(0.0, 0.3, t))
         * anatomy.unit
     )
-    shade = 1.0 + 0.9 * rng.random(count)
+    shade = 1.4 + 1.2 * rng.random(count)
     bend = rng.normal(-14, 8, count)
     sides = []
     for side in (1.0, -1.0):
@@ -75,7 +75,7 @@ def _side(
         lift = 0.42 * (1 - 1.35 * way)
         curve.append(curve[-1] + step + lift * normal * 0.6)
     ways = np.linspace(0.0, 1.0, POINTS)
-    widths = np.tile(0.19 * (1 - 0.85 * ways**1.6) * np.minimum(1.0, 0.75 + ways), (len(place), 1))
+    widths = np.tile(0.15 * (1 - 0.85 * ways**1.6) * np.minimum(1.0, 0.75 + ways), (len(place), 1))
     return surface.root(
         triangles, weights, np.stack(curve, axis=1), widths, colour, np.full(len(place), 0.15), 0.25
     )

@@ -11,6 +11,11 @@ from .noise import noise_at
 from .srgb import linear, srgb_decode, srgb_encode
 
 IRIS = f4(0.365)  # radius of the iris in radii of the eye
+AXIS = 4.0
+"""Degrees by which the pupil's axis stands out from the line of sight (angle kappa).
+
+People have 2.8 by the synoptophore and 5.6 by the Orbscan (Basmak and others 2007).
+"""
 _PUPIL = 0.36 * float(IRIS)  # of the eyeball's radius
 _SCLERA = (228, 220, 212)
 _RINGS, _SECTORS = 16, 40
@@ -37,6 +42,15 @@ def cap() -> tuple[Array, Int32Array]:
     first = np.stack([index[:-1], index[1:], following[1:]], axis=-1).reshape(-1, 3)
     second = np.stack([index[:-1], following[1:], following[:-1]], axis=-1).reshape(-1, 3)
     return vertices, np.concatenate([fan, first, second]).astype(np.int32)
+
+
+def pupil_axes() -> Array:
+    """Return the rotations (2, 3, 3) of the left and the right eye from the line of sight to the pupil."""
+    angle = np.radians(AXIS) * np.array([1.0, -1.0])
+    result = np.tile(np.eye(3), (2, 1, 1))
+    result[:, 0, 0] = result[:, 2, 2] = np.cos(angle)
+    result[:, 0, 2], result[:, 2, 0] = np.sin(angle), -np.sin(angle)
+    return result
 
 
 def iris_image(inner: ByteColour, outer: ByteColour) -> Float32Array:

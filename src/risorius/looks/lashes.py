@@ -13,14 +13,16 @@ POINTS = 5
 _SEED = 11
 
 
-def grow_lashes(head: Head, surface: Surface, colour: Array, upper: int = 64, lower: int = 30) -> Strands:
-    """Return `upper` and `lower` lashes of linear albedo `colour` (3,) for each eye."""
-    groups = []
+def grow_lashes(
+    head: Head, surface: Surface, colour: Array, skin: Array, upper: int = 84, lower: int = 44
+) -> Strands:
+    """Return `upper` and `lower` lashes of linear albedo `colour` (3,) for each eye, over that of `skin`."""
+    groups, faint = [], colour + 0.4 * (skin - colour)  # lower lashes are finer than a pixel
     for side in range(2):
         pairs = surface.points[head.lid_pairs[side]]
         rng = np.random.default_rng(_SEED)
         groups.append(_row(surface, pairs[:, 0], head.eye_centre[side], upper, 6.8, 1.0, colour, rng))
-        groups.append(_row(surface, pairs[:, 1], head.eye_centre[side], lower, 2.4, -1.0, colour, rng))
+        groups.append(_row(surface, pairs[:, 1], head.eye_centre[side], lower, 2.6, -1.0, faint, rng))
     return join(groups)
 
 
@@ -45,7 +47,7 @@ def _row(
     length = longest * (0.45 + 0.55 * np.sin(np.pi * np.clip(0.12 + 0.62 * place, 0, 1)) ** 1.5)
     length *= 0.85 + 0.3 * rng.random(count)
     ahead = unit(root - centre)
-    fan = (place - 0.42) * 0.9 + rng.normal(0, 0.06, count)
+    fan = (place - 0.42) * 0.75 + rng.normal(0, 0.06, count)
     start = ahead + np.stack([outward * fan, np.full(count, -0.10 * up), np.zeros(count)], axis=1)
     way = np.linspace(0.0, 1.0, POINTS)
     curl = np.array([0.0, up * (1.05 if up > 0 else 0.75), 0.0])
@@ -54,7 +56,7 @@ def _row(
     curves = root[:, None, :] + np.concatenate([np.zeros((count, 1, 3)), np.cumsum(steps, axis=1)], axis=1)
     triangles, weights = surface.nearest(root)
     curves += (surface.at(triangles, weights)[0] - root)[:, None, :]
-    widths = np.tile((0.15 if up > 0 else 0.085) * (1 - 0.88 * way**1.3), (count, 1))
+    widths = np.tile((0.12 if up > 0 else 0.06) * (1 - 0.88 * way**1.3), (count, 1))
     return surface.root(
         triangles, weights, curves, widths, np.tile(colour, (count, 1)), np.full(count, 0.3), 0.0
     )

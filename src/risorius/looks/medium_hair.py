@@ -22,7 +22,7 @@ _SHARE = 0.54  # longer hairs are drawn wider and in smaller number
 _PARTING = -24.0  # mm: x of the parting
 _AXIS = -72.0  # mm: z of the axis around which hair is turned off the face
 # Heights over the eyes in mm, and the angle from the front within which no hair hangs at that height.
-_FACE = ((-20.0, 10.0, 30.0, 48.0, 60.0, 66.0), (64.0, 68.0, 62.0, 54.0, 44.0, 0.0))
+_FACE = ((-20.0, 10.0, 30.0, 46.0, 56.0, 61.0), (64.0, 68.0, 62.0, 54.0, 44.0, 0.0))
 
 
 def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:

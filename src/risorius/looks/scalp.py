@@ -13,7 +13,7 @@ from .surface import Surface, flat, unit
 
 # Heights of the hairline over the eyes in mm, by the angle from the front around an axis through the skull.
 _ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
-_HEIGHTS = (65, 66, 68, 62, 48, 30, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
+_HEIGHTS = (60, 61, 63, 58, 46, 29, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
 _AXIS = -72.0  # mm: z of that axis
 LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, IntArray
 from ..face.head import Head
-from ..looks.eyeball import iris_picture
+from ..looks.eyeball import iris_picture, pupil_axes
 from ..looks.parts import Part
 from .gltf import INDICES, VERTICES, Gltf
 
@@ -75,7 +75,8 @@ class GlbScene:
             "NORMAL": gltf.accessor(self._normals[part.name].astype(np.float32), VERTICES),
         }
         if part.name in _EYES:
-            across = (points - about) / self.head.eye_radius[_EYES.index(part.name)]
+            side = _EYES.index(part.name)
+            across = (points - about) / self.head.eye_radius[side] @ pupil_axes()[side]
             uv = np.stack([0.5 + 0.5 * across[:, 0], 0.5 - 0.5 * across[:, 1]], axis=1)
             attributes["TEXCOORD_0"] = gltf.accessor(uv.astype(np.float32), VERTICES)
         else:

@@ -10,7 +10,9 @@ from ..core.arrays import ByteArray, Float32Array, Int8Array, Int32Array
 from ..core.kernels.jit import f4
 from ..errors import InputError
 from ..face.frame import FaceFrame
+from ..looks.anatomy import smoothstep
 from ..looks.attributes import HAIR, OCCLUSION
+from ..looks.eyeball import pupil_axes
 from ..looks.garment import cloth_offset, neckline
 from ..looks.head_model import HeadModel
 from ..looks.normals import Normals
@@ -24,6 +26,7 @@ from .occlusion import Occluder, bake
 from .ribbons import WHOLE, ribbons
 from .turn import turn
 
+_LIPS = 0.35  # of the light that comes through the flesh to where the lips touch
 _SOFTENED = 0.8  # exponent: light reflected within folds brightens them a little
 
 
@@ -92,7 +95,10 @@ class HeadScene:
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
         mesh = Occluder(self._local, normals, self.triangles[solid], self.two_sided[solid])
         free, reach = bake(mesh, *self.anatomy.sphere(), lamps)
-        self.attributes[:count, OCCLUSION] = free[:count] ** _SOFTENED
+        free = free[:count] ** _SOFTENED
+        masks = self.anatomy.masks
+        touching = smoothstep(0.25, 0.75, masks["lips"]) * (1.0 - masks["inner_mouth"])
+        self.attributes[:count, OCCLUSION] = free + _LIPS * touching * (1.0 - free)
         columns = max(len(lamps), LAMPS)  # as many as kernels read
         self.reach: Float32Array = np.ones((len(self.rest), columns), np.float32)
         self.reach[:count, 1 : len(lamps)] = reach[:count]
@@ -177,6 +183,7 @@ class HeadScene:
         """Return the positions that the shaders of eyes and mouth need."""
         head = self.head
         centres = (head.eye_centre - head.head_pivot) @ frame.head_rotation.T + head.head_pivot
+        axes = frame.head_rotation @ frame.eye_rotation @ pupil_axes()
         lids = [
             lid_margins(
                 frame.skin[head.lid_pairs[side]].astype(np.float64),
@@ -190,7 +197,7 @@ class HeadScene:
             rotation=rotation,
             pivot=pivot,
             eyes=centres.astype(np.float32),
-            eye_axes=np.ascontiguousarray(frame.head_rotation @ frame.eye_rotation, np.float32),
+            eye_axes=np.ascontiguousarray(axes, np.float32),
             eye_radius=head.eye_radius.astype(np.float32),
             lids=np.stack([heights for _, heights in lids]).astype(np.float32),
             lid_span=np.stack([s for s, _ in lids]).astype(np.float32),
