@@ -23,7 +23,7 @@ from risorius.languages import language_of
 from risorius.live.frame import LiveFrame
 from risorius.live.pace import Pace
 from risorius.live.sentences import SentenceBuffer
-from risorius.live.session import SEAM, TAIL
+from risorius.live.turn import SEAM, TAIL
 from risorius.rules.emotions import Displays
 from risorius.settings import Settings
 from risorius.take import Take

@@ -293,3 +293,43 @@ def test_a_client_hears_when_it_listens(client: Client) -> None:
     column = list(NAMES).index("head_pitch")
     pitches = [client.until("frame")["parameters"][column] for _ in range(10)]
     assert min(pitches) < before["parameters"][column] - 3.0
+
+
+def test_a_voice_made_elsewhere_is_played_and_looks_are_obeyed(client: Client) -> None:
+    take = speak("Oh, well.", text=True)
+    assert take.audio is not None
+    assert take.utterance is not None
+    sound, rate = take.audio.read(), take.audio.sample_rate
+    words = [[word.text, word.start, word.end] for word in take.utterance.words]
+    client.start(fps=30, outputs=["rotations"], settings={"lively": False, "seed": 2})
+    client.send("look", pitch=0, yaw=20)
+    for start in range(0, len(sound), 5_001):
+        piece = sound[start : start + 5_001].astype("<i2").tobytes()
+        about = {"words": words} if start == 0 else {}
+        client.send("say", audio=base64.b64encode(piece).decode(), rate=rate, **about)
+    client.send("close")
+    frames = client.frames()
+    heard = np.concatenate([sound_of(frame) for frame in frames])
+    first = int(np.flatnonzero(heard)[0]) - int(np.flatnonzero(sound)[0])
+    np.testing.assert_array_equal(heard[first : first + len(sound)], sound)
+    last = np.degrees(frames[-1]["rotations"])
+    assert last[0] + 0.5 * (last[3] + last[6]) == pytest.approx(20.0, abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("about", "fault"),
+    [
+        ({"audio": "%", "rate": 8_000}, "not base64"),
+        ({"audio": "", "rate": 1}, "sample rate 1"),
+        ({"audio": "", "rate": 8_000, "words": [["a", 1.0]]}, "words"),
+        ({"audio": "", "rate": 8_000, "encoding": "mp3"}, "unknown encoding"),
+    ],
+)
+def test_a_voice_that_cannot_be_used_is_one_error(client: Client, about: dict[str, Any], fault: str) -> None:
+    client.start(fps=10)
+    client.send("say", **about)
+    assert fault in client.until("error")["message"]
+    client.send("look", pitch=3)
+    assert "half a direction" in client.until("error")["message"]
+    client.send("look", target="lft")
+    assert "'left'" in client.until("error")["message"]

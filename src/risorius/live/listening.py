@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..core.arrays import Array
-from ..errors import InputError
+from ..core.pcm import check_rate, samples_of
 
 # Seconds: of sound that is judged at once, of speech before a pause that is answered, of the pause until the
 # answer, of a pause after which speech begins anew, and between two nods (ours: facts name no rate).
@@ -35,7 +34,8 @@ class PauseListener:
 
         Raises InputError, and hears nothing, if they are not one channel of sound at 8 to 192 kHz.
         """
-        sound = _checked(samples, rate)
+        check_rate(rate, *_RATES)
+        sound = samples_of(samples) / 32_768.0
         if rate != self._rate:
             self._rest, self._rate = np.zeros(0), rate
         sound = np.concatenate([self._rest, sound])
@@ -69,20 +69,3 @@ def nod_pitch(seconds: float) -> float:
     if not 0.0 <= seconds < NOD_SECONDS:
         return 0.0
     return float(NOD_DEGREES * np.sin(np.pi * seconds / NOD_SECONDS) ** 2)
-
-
-def _checked(samples: ArrayLike, rate: int) -> Array:
-    if isinstance(rate, bool) or not isinstance(rate, int) or not _RATES[0] <= rate <= _RATES[1]:
-        raise InputError(f"sample rate {rate!r}; expected {_RATES[0]:,} to {_RATES[1]:,} Hz, a whole number")
-    try:
-        given = np.asarray(samples)
-    except ValueError:
-        given = np.zeros((1, 1))
-    if given.ndim != 1 or (given.dtype != np.int16 and given.dtype.kind != "f"):
-        raise InputError(
-            f"sound is {given.dtype} in {given.ndim} dimensions; expected one channel of int16, or -1..1"
-        )
-    sound = given / 32_768.0 if given.dtype == np.int16 else given.astype(float)
-    if not np.all(np.abs(sound) <= 1.0):
-        raise InputError("sound beyond -1..1; expected int16, or floats from -1 to 1")
-    return sound

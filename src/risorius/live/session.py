@@ -5,8 +5,8 @@ from __future__ import annotations
 import asyncio
 import time
 from collections import deque
-from collections.abc import AsyncIterator, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import AsyncIterator, Iterable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from threading import Lock
 from typing import TYPE_CHECKING
@@ -15,45 +15,46 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..api import speak
+from ..channels.eye_head import Angles
+from ..channels.gaze import LISTENER
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
 from ..core.parameters import INDEX
 from ..errors import InputError, ParameterError, RisoriusError, UnreadError, unknown
-from ..languages import language_of
 from ..pipeline import with_profile
-from ..rules.emotions import Display, Displays, emotion_names
+from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
 from ..speech.engines.registry import is_voice_file, load_engine
 from ..speech.engines.voices import find_voice
 from ..take import Take
 from .frame import LiveFrame
+from .hearing import perform_voice, texts_of
 from .idle import IDLE_SECONDS, idle_take
 from .listening import PauseListener, nod_pitch
+from .looking import Looking, direction_of
 from .pace import Pace
-from .sentences import SentenceBuffer
-from .turn import MOST_SENTENCES, LiveStretch, PerformSentence, prerolled, stretch_of
+from .turn import (
+    MOST_SENTENCES,
+    SEAM,
+    TAIL,
+    LiveStretch,
+    PerformSentence,
+    prerolled,
+    stretch_of,
+)
+from .waiting import LiveSentence, WaitingSentences
 
 if TYPE_CHECKING:
     from .weights import LiveWeights
 
-# Seconds in which the face passes from one stretch to the next: an interrupted mouth shuts within .2 s.
-SEAM = 0.15
-# Seconds of silence behind a sentence; with the seam before the next they make its pause.
-TAIL = 0.35
+# Seconds for which the face looks at who interrupts it.
+TURNED = 2.0
 # Seconds without new text after which the last sentence counts as whole.
 PATIENCE = 1.0
 MOST_WAITING = 1_000
 """Sentences that may wait to be said."""
 _SAMPLE_RATE = 22_050
-_HEAD_PITCH = INDEX["head_pitch"]
-
-
-@dataclass(frozen=True, slots=True)
-class _Waiting:
-    """A sentence that is to be said, and what was felt when it became whole."""
-
-    text: str
-    feelings: Displays
+_HEAD_PITCH, _EYE_PITCH = INDEX["head_pitch"], INDEX["gaze_pitch"]
 
 
 def perform_sentence(text: str, feelings: Displays, settings: Settings) -> Take:
@@ -89,9 +90,9 @@ class Live:
         self._idle_settings = with_profile(self._settings)
         self._perform = perform
         self._weights = _weights(self._settings) if arkit else None
-        self._buffer = SentenceBuffer(language_of(_language(chosen)))
-        self._waiting: deque[_Waiting] = deque()
-        self._feelings: dict[str, float] = {}
+        self._waiting = WaitingSentences(_language(chosen))
+        # Why phrases are heard less well than they might be.
+        self._faults: deque[str] = deque()
         self._lock = Lock()
         self._closed = self._interrupted = False
         self._next = self._turns = self._idles = self._last_text = 0
@@ -104,29 +105,56 @@ class Live:
         self._seam_at = 0
         self._listener = PauseListener()
         self._nod_from: int | None = None
+        self._looking = Looking(self._settings.fps)
 
     @property
     def fps(self) -> Fraction:
         """Frames a second."""
         return self._settings.fps
 
-    def say(self, text: str) -> None:
+    def say(
+        self,
+        text: str = "",
+        *,
+        audio: ArrayLike | bytes | None = None,
+        rate: int | None = None,
+        encoding: str = "pcm_s16le",
+        words: Iterable[tuple[str, float, float]] = (),
+    ) -> None:
         """Add text, cut anywhere: a sentence is said once the next has begun, or nothing came for a second.
 
-        Raises InputError after `close`, or if too much text waits.
+        With `audio` a piece of a voice that was made elsewhere is played instead: samples (int16, or -1..1),
+        or bytes in an encoding of `core.pcm`, at `rate` Hz. `text` is what it says, so far as it is known,
+        and `words` the words with their start and end in seconds since the sound began, or since `flush`.
+        With the words' times a phrase begins when the next one is known to come; with its text alone when
+        `flush` ends it; with neither, in a pause or after 6 s. Raises InputError after `close`, if too much
+        waits, or for sound and words that cannot be used; then nothing is added.
         """
         with self._lock:
             if self._closed:
                 raise InputError("nothing can be said after close")
-            if len(self._waiting) >= MOST_WAITING:
-                raise InputError(f"{MOST_WAITING:,} sentences wait already; expected text as it is said")
+            if audio is not None:
+                if rate is None:
+                    raise InputError("sound without its rate; expected Hz")
+                self._waiting.add_voice(audio, rate, encoding, text, words)
+            elif rate is not None or words:
+                raise InputError("a rate or words without sound; expected audio as well")
+            else:
+                self._waiting.add_text(text)
             self._last_text = self._next
-            self._queue(self._buffer.add(text))
 
     def flush(self) -> None:
-        """End the sentence that waits for its end."""
+        """End the sentence, or the phrase of a voice, that waits for its end."""
         with self._lock:
-            self._queue(self._buffer.flush())
+            self._waiting.end()
+
+    def look(self, target: str | Angles | None) -> None:
+        """Look in a direction until told otherwise: a name (`listener`, `left`, `up` …), or pitch and yaw in
+        degrees, up and to the face's own left; None gives the looks back to the face.
+
+        Raises InputError for an unknown name, ParameterError for angles that are out of range.
+        """
+        self._looking.look(None if target is None else direction_of(target))
 
     def feel(self, emotion: str, intensity: float) -> None:
         """Show an emotion at 0..1, from the next sentence that becomes whole on, and in between.
@@ -139,7 +167,7 @@ class Live:
         if not 0 <= intensity <= 1:
             raise ParameterError(f"{emotion} = {intensity} is out of range; expected 0 to 1")
         with self._lock:
-            self._feelings[names[emotion.lower()]] = intensity
+            self._waiting.feel(names[emotion.lower()], intensity)
 
     def listen(self, samples: ArrayLike, rate: int) -> None:
         """Hear a piece of what the other says; the face nods at its pauses if it says nothing itself.
@@ -147,29 +175,31 @@ class Live:
         `samples`: one channel, int16 or -1..1. Raises InputError for other sound, which is not heard.
         """
         with self._lock:
-            if self._listener.hear(samples, rate) and (self._stretch is None or not self._stretch.spoken):
+            if self._listener.hear(samples, rate) and (self._stretch is None or not self._stretch.sentences):
                 self._nod_from = self._next
 
     def interrupt(self) -> str:
-        """Fall silent at once, with the mouth shut within .2 s; return the text that was not said.
+        """Fall silent at once, with the mouth shut within .2 s, and look at the listener; return what was not
+        said.
 
         It begins at the first word that was not heard yet, and is forgotten.
         """
         with self._lock:
-            waiting = [sentence.text for sentence in self._waiting]
-            unsaid = [*waiting, *self._buffer.flush()]
+            unsaid = self._waiting.clear()
             playing = self._stretch
             if playing is not None and not self._interrupted:
                 since = float((self._next - playing.first) / self._settings.fps)
-                unsaid = [playing.unsaid_after(since), *unsaid]
-            self._waiting.clear()
+                unsaid = playing.unsaid_after(since) + unsaid
+            self._faults.clear()
             self._interrupted = True
-            return "".join(unsaid).strip()
+            if not self._looking.is_told:
+                self._looking.look(LISTENER, TURNED)
+            return unsaid.strip()
 
     def close(self) -> None:
         """Say what has arrived; then `frames` ends."""
-        self.flush()
         with self._lock:
+            self._waiting.end()
             self._closed = True
 
     def frames(self, *, paced: bool = False) -> Iterator[LiveFrame]:
@@ -194,6 +224,8 @@ class Live:
 
     def _frame(self) -> LiveFrame | None:
         stretch = self._current()
+        if self._faults:
+            raise InputError(self._faults.popleft())
         if stretch is None:
             return None
         index, fps, rate = self._next, self._settings.fps, stretch.sample_rate
@@ -203,9 +235,12 @@ class Live:
         heard = stretch.samples[edges[1] - edges[0] : edges[2] - edges[0]]
         sound[: len(heard)] = heard
         self._next, self._last = index + 1, values
-        if self._nod_from is not None:
+        if self._nod_from is not None and (nod := nod_pitch(float((index - self._nod_from) / fps))):
+            # The eyes stay on whom they look at.
             values = values.copy()
-            values[_HEAD_PITCH] += nod_pitch(float((index - self._nod_from) / fps))
+            values[_HEAD_PITCH] += nod
+            values[_EYE_PITCH] -= nod
+        values = self._looking.shown(values, index)
         text = stretch.sentence_at(float((index - stretch.first) / fps))
         frame = LiveFrame(index, float(index / fps), values, sound, rate, text)
         return frame if self._weights is None else self._weights.added(frame)
@@ -213,13 +248,14 @@ class Live:
     def _current(self) -> LiveStretch | None:
         """Return the stretch that the next frame lies in; None at the end."""
         with self._lock:
-            if self._buffer and self._next - self._last_text >= PATIENCE * self._settings.fps:
-                self._queue(self._buffer.flush())
+            waits = self._next - self._last_text
+            if self._waiting.is_unfinished and waits >= PATIENCE * self._settings.fps:
+                self._waiting.end()
             playing = self._stretch
             if playing and (self._next >= playing.end or self._interrupted):
                 playing = None
             self._interrupted = False
-            is_idle = playing is None or not playing.spoken
+            is_idle = playing is None or not playing.sentences
             joined = None if is_idle else playing
             if joined and self._next != joined.last_call(self._settings.fps):
                 return joined
@@ -233,18 +269,16 @@ class Live:
             self._seam_at = self._next
         return self._stretch
 
-    def _take(self, joined: LiveStretch | None) -> tuple[tuple[str, ...], Displays]:
+    def _take(self, joined: LiveStretch | None) -> tuple[tuple[LiveSentence, ...], Displays]:
         """Take the sentences that are said next, in a new turn or in one that plays, and what is felt."""
-        taken: list[str] = []
-        room = MOST_SENTENCES - (len(joined.sentences) if joined else 0)
-        first = self._waiting[0].feelings if self._waiting else self._felt()
-        feelings = joined.feelings if joined else first
-        while self._waiting and len(taken) < room and self._waiting[0].feelings == feelings:
-            taken.append(self._waiting.popleft().text)
-        return tuple(taken), feelings
+        first = joined.sentences[0] if joined else None
+        taken = self._waiting.take(first, MOST_SENTENCES - (len(joined.sentences) if joined else 0))
+        if joined:
+            return tuple(taken), joined.feelings
+        return tuple(taken), taken[0].feelings if taken else self._waiting.felt
 
     def _begun(
-        self, joined: LiveStretch | None, sentences: tuple[str, ...], feelings: Displays
+        self, joined: LiveStretch | None, sentences: tuple[LiveSentence, ...], feelings: Displays
     ) -> LiveStretch:
         """Return what plays now. If sentences cannot be spoken together, the others wait for the first."""
         before = self._stretch
@@ -258,25 +292,33 @@ class Live:
             if len(sentences) == 1:
                 raise
         with self._lock:
-            self._waiting.extendleft(_Waiting(text, feelings) for text in reversed(sentences[1:]))
+            self._waiting.put_back(sentences[1:])
         return self._begin_turn(joined, before, sentences[:1], feelings)
 
     def _begin_turn(
         self,
         joined: LiveStretch | None,
         before: LiveStretch | None,
-        sentences: tuple[str, ...],
+        sentences: tuple[LiveSentence, ...],
         feelings: Displays,
     ) -> LiveStretch:
         if joined is not None:
-            sentences, chosen, first = (*joined.sentences, *sentences), self._turn_settings, joined.first
+            new, sentences = sentences, (*joined.sentences, *sentences)
+            chosen, first = self._turn_settings, joined.first
         else:
+            new = sentences
             # The first turn has the random numbers of `speak`, every other one others.
             chosen = replace(self._settings, seed=self._settings.seed + self._turns)
             chosen, first = self._after(before, chosen, feelings)
-        take = self._perform("".join(sentences), feelings, chosen)
+        phrases = [sentence.voice.result() for sentence in sentences if sentence.voice is not None]
+        if phrases:
+            take, texts = perform_voice(phrases, feelings, chosen), texts_of(phrases)
+        else:
+            texts = tuple(sentence.text for sentence in sentences)
+            take = self._perform("".join(texts), feelings, chosen)
+        self._faults += [phrase.fault for phrase in phrases[len(phrases) - len(new) :] if phrase.fault]
         self._turn_settings, self._turns = chosen, self._turns + (joined is None)
-        stretch = stretch_of(take, sentences, first, feelings, self._sample_rate)
+        stretch = stretch_of(take, sentences, texts, first, feelings, self._sample_rate)
         self._sample_rate = stretch.sample_rate
         return stretch
 
@@ -285,7 +327,7 @@ class Live:
         chosen, first = self._after(before, chosen, feelings)
         self._idles += 1
         take = idle_take(IDLE_SECONDS + float((self._next - first) / chosen.fps), feelings, chosen)
-        return stretch_of(take, (), first, feelings, self._sample_rate)
+        return stretch_of(take, (), (), first, feelings, self._sample_rate)
 
     def _after(
         self, before: LiveStretch | None, chosen: Settings, feelings: Displays
@@ -306,12 +348,6 @@ class Live:
         before = self._seam_from[min(since, len(self._seam_from) - 1)]
         blended: Array = before + weight * (values - before)
         return blended
-
-    def _queue(self, sentences: list[str]) -> None:
-        self._waiting.extend(_Waiting(text, self._felt()) for text in sentences)
-
-    def _felt(self) -> Displays:
-        return tuple(Display(name, amount) for name, amount in self._feelings.items() if amount)
 
 
 def _weights(settings: Settings) -> LiveWeights:

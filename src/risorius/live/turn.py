@@ -15,7 +15,12 @@ from ..core.audio import Samples
 from ..rules.emotions import Displays
 from ..settings import Settings
 from ..take import Take
+from .waiting import LiveSentence
 
+SEAM = 0.15
+"""Seconds in which the face passes from one stretch to the next: an interrupted mouth shuts within .2 s."""
+TAIL = 0.35
+"""Seconds of silence behind a sentence; with the seam before the next they make its pause."""
 MOST_SENTENCES = 8
 """Sentences of a turn. Each that joins performs the turn anew, so that the cost of joining is bounded."""
 LAST_CALL = 0.9
@@ -30,16 +35,16 @@ PerformSentence = Callable[[str, Displays, Settings], Take]
 class LiveStretch:
     """What is played: values (frames, parameters) and samples, from the face's frame `first` on.
 
-    `spoken`: the text, "" if nothing is said; its `sentences`, which have the blanks between them, and these
-    without as `labels`. `starts`: seconds at which each begins. `words`: seconds and first character of each.
+    `sentences`: what is said, none if nothing is; `spoken`: their text, and as `labels` that of each.
+    `starts`: seconds at which each begins. `words`: seconds and first character of each.
     """
 
     first: int
     values: Array
     samples: Samples
     sample_rate: int
+    sentences: tuple[LiveSentence, ...] = ()
     spoken: str = ""
-    sentences: tuple[str, ...] = ()
     labels: tuple[str, ...] = ()
     starts: tuple[float, ...] = ()
     words: tuple[tuple[float, int], ...] = ()
@@ -65,9 +70,17 @@ class LiveStretch:
 
 
 def stretch_of(
-    take: Take, sentences: tuple[str, ...], first: int, feelings: Displays, rate: int
+    take: Take,
+    sentences: tuple[LiveSentence, ...],
+    texts: tuple[str, ...],
+    first: int,
+    feelings: Displays,
+    rate: int,
 ) -> LiveStretch:
-    """Return what a take plays from the frame `first` on; `rate` is that of a take without sound."""
+    """Return what a take plays from the frame `first` on; `rate` is that of a take without sound.
+
+    `texts`: those of the sentences, with the blanks between them.
+    """
     samples = np.zeros(0, np.int16)
     if take.audio is not None:
         samples, rate = take.audio.read(), take.audio.sample_rate
@@ -75,14 +88,13 @@ def stretch_of(
     if take.utterance is not None:
         words = tuple((word.start, word.source_start) for word in take.utterance.words)
     starts, character = [], 0
-    for sentence in sentences:
+    for text in filter(None, texts):
         first_words = [start for start, place in words if place >= character]
         starts.append(first_words[0] if first_words else 0.0)
-        character += len(sentence)
-    values, spoken = take.performance.values, "".join(sentences)
-    labels = tuple(sentence.strip() for sentence in sentences)
+        character += len(text)
+    values, labels = take.performance.values, tuple(text.strip() for text in texts if text)
     return LiveStretch(
-        first, values, samples, rate, spoken, sentences, labels, tuple(starts), words, feelings
+        first, values, samples, rate, sentences, "".join(texts), labels, tuple(starts), words, feelings
     )
 
 

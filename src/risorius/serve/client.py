@@ -31,6 +31,7 @@ from .messages import (
     Flush,
     Interrupt,
     Listen,
+    LookAt,
     Output,
     Say,
     StartFace,
@@ -189,7 +190,13 @@ class LiveClient:
     async def _read(self, face: Live) -> None:
         while True:
             try:
-                self._do(face, decode(await self._received()))
+                message = decode(await self._received())
+                if isinstance(message, Interrupt):
+                    # It waits for what is being heard.
+                    unsaid = await asyncio.to_thread(face.interrupt)
+                    self._mailbox.tell(written("interrupted", unsaid=unsaid))
+                else:
+                    self._do(face, message)
             except RisoriusError as error:
                 self._mailbox.tell(written("error", message=error.message))
 
@@ -213,15 +220,22 @@ class LiveClient:
         """Do what a message asks for; raises RisoriusError."""
         match message:
             case Say():
-                face.say(message.text)
+                sound = message.sound
+                face.say(
+                    message.text or "",
+                    audio=sound,
+                    rate=message.rate,
+                    encoding=message.encoding,
+                    words=message.words,
+                )
+            case LookAt():
+                face.look(message.direction)
             case Feel():
                 face.feel(message.emotion, message.intensity)
             case Listen():
                 face.listen(message.samples, message.rate)
             case Flush():
                 face.flush()
-            case Interrupt():
-                self._mailbox.tell(written("interrupted", unsaid=face.interrupt()))
             case Close():
                 face.close()
             case StartFace():

@@ -57,9 +57,44 @@ class StartFace:
 
 @dataclass(frozen=True, slots=True)
 class Say:
-    """Text that is to be said, cut anywhere."""
+    """Text that is to be said, cut anywhere; or a piece of a voice that says it, in base64.
 
-    text: str
+    `words`: words of the voice with their start and end in seconds, counted from its beginning or from the
+    last `flush`.
+    """
+
+    text: str | None = None
+    audio: str | None = None
+    rate: int | None = None
+    encoding: str = "pcm_s16le"
+    words: tuple[tuple[str, float, float], ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.text is None and self.audio is None:
+            raise InputError("it has no text; expected text, or audio with its rate")
+
+    @property
+    def sound(self) -> bytes | None:
+        """The voice's bytes, if there are any; raises InputError for what is no base64."""
+        return None if self.audio is None else _bytes_of(self.audio)
+
+
+@dataclass(frozen=True, slots=True)
+class LookAt:
+    """A direction to look in, by name or by pitch and yaw in degrees; without one, as the face likes."""
+
+    target: str | None = None
+    pitch: float | None = None
+    yaw: float | None = None
+
+    @property
+    def direction(self) -> str | tuple[float, float] | None:
+        """The direction; raises InputError for half of one, and for two."""
+        if self.pitch is None and self.yaw is None:
+            return self.target
+        if self.target is not None or self.pitch is None or self.yaw is None:
+            raise InputError("half a direction, or two; expected a target, or pitch and yaw")
+        return self.pitch, self.yaw
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,10 +133,11 @@ class Close:
     """Say what has arrived, and end."""
 
 
-ClientMessage = StartFace | Say | Feel | Listen | Flush | Interrupt | Close
+ClientMessage = StartFace | Say | LookAt | Feel | Listen | Flush | Interrupt | Close
 KINDS: Mapping[str, type[ClientMessage]] = {
     "start": StartFace,
     "say": Say,
+    "look": LookAt,
     "feel": Feel,
     "listen": Listen,
     "flush": Flush,
@@ -118,17 +154,23 @@ def decode(text: str) -> ClientMessage:
     if not isinstance(kind, str) or kind not in KINDS:
         raise InputError(unknown("message", str(kind)[:40], tuple(KINDS)))
     message: Any = build(KINDS[kind], without_nulls(data), SourceText(kind, syntax=Syntax.JSON))
-    if isinstance(message, Say) and len(message.text) > limits.TEXT:
-        raise InputError(f"a text of {len(message.text):,} characters; expected at most {limits.TEXT:,}")
+    if isinstance(message, Say) and len(message.text or "") > limits.TEXT:
+        raise InputError(
+            f"a text of {len(message.text or ''):,} characters; expected at most {limits.TEXT:,}"
+        )
     return message  # type: ignore[no-any-return]
 
 
 def samples_of(text: str) -> Samples:
     """Return 16-bit samples from base64; raise InputError for anything else."""
-    try:
-        sound = base64.b64decode(text, validate=True)
-    except (binascii.Error, ValueError):
-        raise InputError("the sound is not base64; expected 16-bit samples in it") from None
+    sound = _bytes_of(text)
     if len(sound) % 2:
         raise InputError(f"the sound has {len(sound):,} bytes; expected 2 for each sample")
     return np.frombuffer(sound, "<i2").astype(np.int16)
+
+
+def _bytes_of(text: str) -> bytes:
+    try:
+        return base64.b64decode(text, validate=True)
+    except (binascii.Error, ValueError):
+        raise InputError("the sound is not base64; expected samples in it") from None

@@ -13,6 +13,8 @@ from ..script import Script, SpokenLine
 from ..script.model import script_of
 from ..script.textgrid import read_textgrid
 from .alignment import align
+from .alignment.aligner import assembled
+from .alignment.timed_words import TimedWord, locate_in_words, written
 from .assembly.retime import is_timed
 from .prosody import measured
 from .recordings.dictated import utterance_dictated
@@ -109,10 +111,24 @@ def _labelled(recording: LabelledRecording, progress: Progress) -> Utterance:
     if audio is None:
         return utterance_of_labels(labels)
     if words is not None and found_tier(labels, PHONE_TIERS) is None:
-        return hear_words(audio, " ".join(w.text for w in words.labels if not is_silence(w.text)), progress)
+        said = [TimedWord(w.text, w.start, w.end) for w in words.labels if not is_silence(w.text)]
+        return _hear_timed(audio, said, labels.source, progress)
     utterance = utterance_of_labels(labels, read_recording(audio))
     progress("Listening …")
     return measured(utterance, accents=not tells_accents(labels), boundaries=not tells_boundaries(labels))
+
+
+def _hear_timed(
+    audio: str | PathLike[str], words: list[TimedWord], source: str, progress: Progress
+) -> Utterance:
+    """Return what is said when in a recording whose words have labels: these are kept."""
+    sound = read_recording(audio)
+    progress("Aligning …")
+    try:
+        found = locate_in_words(sound, words)
+    except InputError as error:
+        raise error.at(Place(source)) from None
+    return measured(assembled(sound, written(words), found.phones, found.words, found.language))
 
 
 def with_written_tones(utterance: Utterance, script: Script) -> Utterance:

@@ -74,7 +74,25 @@ export class LiveFace extends EventTarget {
     this.send("say", { text });
   }
 
-  /** End the last sentence. */
+  /**
+   * Add a piece of a voice made elsewhere, which is played instead of ours.
+   *
+   * @param {Float32Array | number[]} samples -1 to 1
+   * @param {number} rate samples a second
+   * @param {{text?: string, words?: [string, number, number][]}} [about] what it says, as far as it is known:
+   *   its text, or its words with their start and end in seconds since the voice began, or since `flush`
+   */
+  voice(samples, rate, about = {}) {
+    this.send("say", { ...about, audio: packed(samples), rate });
+  }
+
+  /** Look in a direction by name, or at [pitch, yaw] in degrees; null gives the looks back to the face. */
+  look(target) {
+    const angles = Array.isArray(target) ? { pitch: target[0], yaw: target[1] } : { target };
+    this.send("look", angles);
+  }
+
+  /** End the last sentence, or the voice that waits for its end. */
   flush() {
     this.send("flush");
   }
@@ -92,8 +110,7 @@ export class LiveFace extends EventTarget {
 
   /** Hear a piece of what the other says: samples -1 to 1, as of a microphone. */
   listen(samples, rate) {
-    const words = Int16Array.from(samples, (s) => Math.max(-1, Math.min(1, s)) * 32767);
-    this.send("listen", { audio: base64(new Uint8Array(words.buffer)), rate });
+    this.send("listen", { audio: packed(samples), rate });
   }
 
   /** Let it say what has arrived, and end. */
@@ -267,6 +284,12 @@ function turn({ object, rest }, [yaw, pitch, roll]) {
   if (!object) return;
   object.rotation.set(-pitch, yaw, -roll, "YXZ");
   object.quaternion.premultiply(rest);
+}
+
+/** Samples -1 to 1 as 16-bit ones in base64. */
+function packed(samples) {
+  const words = Int16Array.from(samples, (s) => Math.round(Math.max(-1, Math.min(1, s)) * 32767));
+  return base64(new Uint8Array(words.buffer));
 }
 
 function base64(bytes) {

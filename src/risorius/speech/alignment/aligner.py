@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from itertools import islice, pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -42,12 +43,28 @@ def align(
     unknown language, and if the aligner fails; warns (SpeechWarning) of single words that may not fit.
     `progress` is told how many seconds of a long recording are aligned.
     """
+    found = located(audio, transcript, language, progress)
+    return assembled(audio, transcript, found.phones, found.words, found.language)
+
+
+class Located(NamedTuple):
+    """What is said when: phones and silences, contiguous; the words they are of, and these' language."""
+
+    phones: Sequence[AlignedPhone]
+    words: Sequence[ScriptWord]
+    language: str
+
+
+def located(
+    audio: Audio, transcript: str, language: str | None = None, progress: Progress = quiet
+) -> Located:
+    """Return where in a recording the phones of its transcript are; raises and warns as `align` does."""
     resampled = Resampled(audio)
     spoken, words = read_transcript(transcript, language)
     stretches = decoded(resampled, [word.readings for word in words], progress)
     aligned = [phone for stretch in stretches for phone in refined(resampled, stretch)]
     check_words(words, [phone for stretch in stretches for phone in stretch])
-    return assembled(audio, transcript, owned(aligned, words), words, spoken.language)
+    return Located(owned(aligned, words), words, spoken.language)
 
 
 def owned(aligned: Sequence[AlignedPhone], words: Sequence[ScriptWord]) -> list[AlignedPhone]:

@@ -19,8 +19,8 @@ from ...core.progress import Progress, quiet
 from ...core.utterance import SILENCE, Utterance, Word
 from ...errors import InputError
 from ...languages import phonesets
-from ..alignment.aligner import assembled, moved, refined
-from ..alignment.decoder import MIDDLE, AlignedPhone, AlignmentError, Decoders, with_decoders
+from ..alignment.aligner import Located, assembled, moved, refined
+from ..alignment.decoder import MIDDLE, MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, with_decoders
 from ..alignment.doubt import OWN, mean_score
 from ..alignment.lexicon import ScriptWord, read_transcript, written_readings
 from ..alignment.silences import without_gaps
@@ -40,10 +40,16 @@ def recognize(audio: Audio, progress: Progress = quiet) -> Utterance:
     Raises InputError if nothing is, SpeechError if the recognizer fails. `progress` is told how many seconds
     of a long recording are recognized.
     """
-    return with_decoders(lambda decoders: _utterance(audio, decoders, progress))
+    text, found = heard(audio, progress)
+    return assembled(audio, text, found.phones, found.words, found.language)
 
 
-def _utterance(audio: Audio, decoders: Decoders, progress: Progress) -> Utterance:
+def heard(audio: Audio, progress: Progress = quiet) -> tuple[str, Located]:
+    """Return the text that seems to be said, and when its phones are; raises as `recognize` does."""
+    return with_decoders(lambda decoders: _heard(audio, decoders, progress))
+
+
+def _heard(audio: Audio, decoders: Decoders, progress: Progress) -> tuple[str, Located]:
     resampled = Resampled(audio)
     aligned: list[AlignedPhone] = []
     names: list[str] = []
@@ -55,7 +61,7 @@ def _utterance(audio: Audio, decoders: Decoders, progress: Progress) -> Utteranc
         names += words
     if not names:
         raise InputError("no speech was recognized; expected a recorded voice")
-    return assembled(audio, " ".join(names), aligned, list(_script_words(names)))
+    return " ".join(names), Located(aligned, list(_script_words(names)), MODEL_LANGUAGE)
 
 
 def stretches(resampled: Resampled) -> Iterator[tuple[float, float]]:

@@ -1,0 +1,173 @@
+"""From a phrase of the face's own voice to what is said when in it, beside the frames that are shown."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+
+from ..core.audio import Audio, AudioWriter, Samples
+from ..core.utterance import SILENCE, Utterance
+from ..errors import Place, RisoriusError, warnings_to
+from ..pipeline import combine, compose, with_profile
+from ..rules.emotions import Displays
+from ..script import SpokenLine
+from ..script.model import script_of
+from ..settings import Settings
+from ..speech.alignment.aligner import Located, assembled, located
+from ..speech.alignment.decoder import MODEL_LANGUAGE, AlignedPhone
+from ..speech.alignment.lexicon import ScriptWord
+from ..speech.alignment.said import said_in
+from ..speech.alignment.silences import without_gaps
+from ..speech.alignment.timed_words import locate_in_words, written
+from ..speech.prosody import measured
+from ..speech.recordings.recognition import heard
+from ..speech.recordings.recording import SHORTEST, SILENT_PEAK
+from ..speech.text.tokens import is_speakable
+from ..take import Take
+from .voice import Known, VoicedPhrase
+
+# Seconds of a voice's own silence that stand for as much of the lead.
+_OWN_SILENCE = 0.15
+
+
+@dataclass(frozen=True, slots=True)
+class HeardPhrase:
+    """What a phrase says when.
+
+    `rest`: the text that came with it, and that it does not say. `fault`: why what it says is less certain
+    than it might be, "" if it is not.
+    """
+
+    phrase: VoicedPhrase
+    text: str
+    located: Located
+    rest: str = ""
+    fault: str = ""
+
+    @property
+    def silence(self) -> float:
+        """Seconds before its first sound."""
+        first = self.located.phones[0]
+        return first.end if first.symbol == SILENCE else 0.0
+
+
+Hearing = Future[HeardPhrase]
+
+
+def hear_later(phrase: VoicedPhrase, language: str, before: Hearing | None) -> Hearing:
+    """Hear a phrase in another thread, after the one before it, which may have left some of the text."""
+    return _threads().submit(_hear_after, phrase, language, before)
+
+
+def _hear_after(phrase: VoicedPhrase, language: str, before: Hearing | None) -> HeardPhrase:
+    rest = "" if before is None else before.result().rest
+    with warnings_to(lambda line: None):
+        return hear_phrase(replace(phrase, text=rest + phrase.text), language)
+
+
+def hear_phrase(phrase: VoicedPhrase, language: str) -> HeardPhrase:
+    """Return what a phrase says when: by its words' times, else by its text, else by ear.
+
+    One that cannot be heard is played with the mouth at rest.
+    """
+    audio = _audio([phrase.samples], phrase.sample_rate)
+    faults: list[str] = []
+    is_silent = phrase.duration < SHORTEST or np.abs(phrase.samples).max() < SILENT_PEAK * 32_768
+    ways = {
+        Known.TIMES: (_by_times, _by_text, _by_ear),
+        Known.TEXT: (_by_text, _by_ear),
+        Known.NOTHING: (_by_ear,),
+    }[phrase.known]
+    for way in () if is_silent else ways:
+        try:
+            return replace(way(phrase, audio, language), fault="; ".join(faults))
+        except RisoriusError as error:
+            faults.append(error.message)
+    return _unheard(phrase, phrase.text, "; ".join(faults))
+
+
+def _by_times(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
+    if not any(is_speakable(word.text) for word in phrase.words):
+        return _unheard(phrase)
+    return HeardPhrase(phrase, written(phrase.words), locate_in_words(audio, phrase.words, language))
+
+
+def _by_text(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
+    text, rest = written(phrase.words) or phrase.text, ""
+    if phrase.is_open and not phrase.words and is_speakable(text):
+        end = said_in(audio, text, language)
+        text, rest = text[:end], text[end:]
+    if not is_speakable(text):
+        # All of it was said before: a breath.
+        return _unheard(phrase, rest)
+    return HeardPhrase(phrase, text.strip(), located(audio, text.strip(), language), rest)
+
+
+def _by_ear(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
+    return HeardPhrase(phrase, *heard(audio))
+
+
+def perform_voice(phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings) -> Take:
+    """Perform phrases that follow one another, with the settings' lead before them and their tail after."""
+    settings = with_profile(settings)
+    utterance = measured(_joined(phrases, settings))
+    line = SpokenLine(utterance.text, 0.0, Place("live"))
+    script = script_of((line,), timed=False, source="live", language=utterance.language)
+    return combine(compose(script, utterance, feelings, settings), settings, utterance)
+
+
+def texts_of(phrases: Sequence[HeardPhrase]) -> tuple[str, ...]:
+    """Return what the phrases say, with the blanks between them."""
+    return tuple(phrase.text.strip() + " " if phrase.text.strip() else "" for phrase in phrases)
+
+
+def _unheard(phrase: VoicedPhrase, rest: str = "", fault: str = "") -> HeardPhrase:
+    silence = AlignedPhone(SILENCE, 0.0, phrase.duration, -1, 0.0)
+    return HeardPhrase(phrase, "", Located([silence], [], MODEL_LANGUAGE), rest, fault)
+
+
+def _joined(phrases: Sequence[HeardPhrase], settings: Settings) -> Utterance:
+    """Return phrases as one utterance."""
+    rate = phrases[0].phrase.sample_rate
+    silent = settings.lead - min(phrases[0].silence, _OWN_SILENCE), settings.tail
+    lead, tail = (np.zeros(round(seconds * rate), np.int16) for seconds in silent)
+    phones: list[AlignedPhone] = []
+    words: list[ScriptWord] = []
+    character, time = 0, len(lead) / rate
+    if len(lead):
+        phones.append(AlignedPhone(SILENCE, 0.0, time, -1, 0.0))
+    for phrase, text in zip(phrases, texts_of(phrases), strict=True):
+        first = len(words)
+        phones += [
+            f._replace(start=f.start + time, end=f.end + time, word=f.word + first if f.word >= 0 else -1)
+            for f in phrase.located.phones
+        ]
+        words += [_moved(entry, character) for entry in phrase.located.words]
+        character, time = character + len(text), time + phrase.phrase.duration
+    phones.append(AlignedPhone(SILENCE, time, time + len(tail) / rate, -1, 0.0))
+    audio = _audio([lead, *(phrase.phrase.samples for phrase in phrases), tail], rate)
+    text = "".join(texts_of(phrases))
+    return assembled(audio, text, without_gaps(phones), words, phrases[0].located.language)
+
+
+def _moved(entry: ScriptWord, characters: int) -> ScriptWord:
+    word = entry.word
+    start, end = word.source_start + characters, word.source_end + characters
+    return entry._replace(word=replace(word, source_start=start, source_end=end))
+
+
+def _audio(pieces: Sequence[Samples], rate: int) -> Audio:
+    with AudioWriter(rate) as writer:
+        for piece in pieces:
+            writer.append(piece)
+        return writer.finish()
+
+
+@cache
+def _threads() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(os.cpu_count() or 1, "hear")

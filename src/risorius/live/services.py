@@ -1,0 +1,175 @@
+"""Speech services that send a voice in pieces, with the times of its words: their messages for `Live.say`.
+
+Each class follows one answer of a service, by the format that it publishes, and holds what it must know of
+the messages before. No service is asked for anything here.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from ..core.pcm import sample_bytes
+from ..errors import InputError, unknown
+from .session import Live
+
+Message = Mapping[str, Any]
+TimedWords = list[tuple[str, float, float]]
+# Azure's unit of time, seconds.
+_TICK = 1e-7
+_ELEVENLABS = {"pcm": "pcm_s16le", "ulaw": "pcm_mulaw", "alaw": "pcm_alaw"}
+
+
+class ElevenLabsVoice:
+    """The messages of ElevenLabs' WebSocket `stream-input` (and of `stream/with-timestamps`).
+
+    `output_format`: that which was asked for, `pcm_24000` or `ulaw_8000`. Characters' times are counted from
+    the beginning of each message's sound.
+    """
+
+    def __init__(self, face: Live, output_format: str) -> None:
+        """Raise InputError for a format that is not plain samples."""
+        kind, _, rate = output_format.partition("_")
+        if kind not in _ELEVENLABS or not rate.isdigit():
+            message = unknown("output format", output_format, ("pcm_16000", "pcm_24000", "ulaw_8000"))
+            raise InputError(message)
+        self._face, self._encoding, self._rate = face, _ELEVENLABS[kind], int(rate)
+        self._seconds = 0.0
+        # Characters of a word that may go on in the next message, with their times.
+        self._word: list[tuple[str, float, float]] = []
+
+    def say(self, message: Message) -> None:
+        """Let the face say what a message has; raises InputError for what is no such message."""
+        data = _decoded(message.get("audio") or message.get("audio_base64") or "")
+        alignment = message.get("alignment") or {}
+        words = self._words(alignment)
+        is_last = bool(message.get("isFinal"))
+        if is_last:
+            words += self._ended()
+        self._seconds += len(data) / sample_bytes(self._encoding) / self._rate
+        if data or words:
+            self._face.say(audio=data, rate=self._rate, encoding=self._encoding, words=words)
+        if is_last:
+            self._face.flush()
+            self._seconds = 0.0
+
+    def _words(self, alignment: Message) -> TimedWords:
+        characters, starts, ends = _times(alignment)
+        words: TimedWords = []
+        for character, start, end in zip(characters, starts, ends, strict=True):
+            if character.isspace():
+                words += self._ended()
+            else:
+                self._word.append((character, self._seconds + start, self._seconds + end))
+        return words
+
+    def _ended(self) -> TimedWords:
+        """Return the word that has ended, if there is one."""
+        if not self._word:
+            return []
+        text = "".join(character for character, _, _ in self._word)
+        word = text, self._word[0][1], self._word[-1][2]
+        self._word = []
+        return [word]
+
+
+def _times(alignment: Message) -> tuple[Sequence[str], list[float], list[float]]:
+    """Return characters with start and end in seconds, as the WebSocket or the other interface names them."""
+    try:
+        if "characters" in alignment:
+            starts = [float(s) for s in alignment["character_start_times_seconds"]]
+            ends = [float(s) for s in alignment["character_end_times_seconds"]]
+            characters = alignment["characters"]
+        else:
+            characters = alignment.get("chars", ())
+            starts = [s / 1e3 for s in alignment.get("charStartTimesMs", ())]
+            lasting = [s / 1e3 for s in alignment.get("charDurationsMs", ())]
+            ends = [start + length for start, length in zip(starts, lasting, strict=True)]
+        if not len(characters) == len(starts) == len(ends):
+            raise ValueError
+    except (TypeError, ValueError, KeyError):
+        raise InputError("the alignment's characters and times do not match; expected one for each") from None
+    return characters, starts, ends
+
+
+class CartesiaVoice:
+    """The messages of Cartesia's WebSocket `tts/websocket`: `chunk`, `timestamps`, `flush_done`, `done`.
+
+    `encoding` and `rate`: those of the `output_format` that was asked for. Words' times are counted from the
+    beginning of the context.
+    """
+
+    def __init__(self, face: Live, encoding: str, rate: int) -> None:
+        """Raise InputError for an unknown encoding."""
+        sample_bytes(encoding)
+        self._face, self._encoding, self._rate = face, encoding, rate
+
+    def say(self, message: Message) -> None:
+        """Let the face say what a message has; raises InputError for what is no such message."""
+        kind = message.get("type")
+        if kind == "chunk":
+            self._add(_decoded(message.get("data", "")), [])
+        elif kind == "timestamps":
+            times = message.get("word_timestamps") or {}
+            try:
+                words = list(zip(times["words"], times["start"], times["end"], strict=True))
+            except (KeyError, TypeError, ValueError):
+                raise InputError("word_timestamps do not match; expected words, start and end") from None
+            self._add(b"", words)
+        elif kind == "done":
+            self._face.flush()
+        elif kind == "error":
+            raise InputError(f"the service failed: {message.get('title') or message.get('error')}")
+
+    def _add(self, data: bytes, words: TimedWords) -> None:
+        self._face.say(audio=data, rate=self._rate, encoding=self._encoding, words=words)
+
+
+class AzureVoice:
+    """The events of Azure's speech SDK: `synthesizing` with sound, `synthesis_word_boundary` with a word.
+
+    `encoding` and `rate`: those of the raw output format that was asked for. Times are counted from the
+    beginning of the synthesis, in ticks of 100 ns.
+    """
+
+    def __init__(self, face: Live, encoding: str = "pcm_s16le", rate: int = 24_000) -> None:
+        """Raise InputError for an unknown encoding."""
+        sample_bytes(encoding)
+        self._face, self._encoding, self._rate = face, encoding, rate
+        self._word: tuple[str, float, float] | None = None
+
+    def word(self, text: str, audio_offset: int, duration: float, boundary_type: str = "Word") -> None:
+        """Take a word boundary: `audio_offset` in ticks, `duration` in seconds, as the SDK has them.
+
+        A punctuation mark belongs to the word before it.
+        """
+        if boundary_type.lower().startswith("punctuation"):
+            if self._word is not None:
+                self._word = (self._word[0] + text, *self._word[1:])
+            return
+        self._send()
+        start = audio_offset * _TICK
+        self._word = text, start, start + duration
+
+    def sound(self, data: bytes) -> None:
+        """Take a piece of sound."""
+        self._face.say(audio=data, rate=self._rate, encoding=self._encoding)
+
+    def end(self) -> None:
+        """Take the end of the synthesis."""
+        self._send()
+        self._face.flush()
+
+    def _send(self) -> None:
+        if self._word is not None:
+            word, self._word = self._word, None
+            self._face.say(audio=b"", rate=self._rate, encoding=self._encoding, words=[word])
+
+
+def _decoded(text: object) -> bytes:
+    try:
+        return base64.b64decode(str(text), validate=True)
+    except (binascii.Error, ValueError):
+        raise InputError("the message's sound is not base64; expected samples in it") from None

@@ -1,0 +1,126 @@
+"""What was given to a live face and is not said yet: text, a voice, and what is felt with them."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from ..errors import InputError
+from ..languages import language_of
+from ..rules.emotions import Display, Displays
+from .hearing import Hearing, hear_later, texts_of
+from .sentences import SentenceBuffer
+from .voice import VoiceBuffer, VoicedPhrase
+
+MOST_WAITING = 1_000
+"""Sentences that may wait to be said."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LiveSentence:
+    """What is to be said, and what was felt when it became whole: a text, or the phrase of a `voice` at
+    `rate` Hz.
+    """
+
+    text: str
+    feelings: Displays
+    voice: Hearing | None = None
+    rate: int = 0
+
+    def said(self) -> str:
+        """Return the text, with the blanks after it."""
+        return self.text if self.voice is None else texts_of([self.voice.result()])[0]
+
+    def joins(self, first: LiveSentence) -> bool:
+        """Tell whether it can be performed together with what a turn began with."""
+        return self.feelings == first.feelings and self.rate == first.rate
+
+
+class WaitingSentences:
+    """Sentences that wait, in order, and the last one, which is not whole yet."""
+
+    def __init__(self, language: str) -> None:
+        self._language = language
+        self._text, self._voice = SentenceBuffer(language_of(language)), VoiceBuffer()
+        # The phrase before, which the next one of the same voice goes on from.
+        self._before: Hearing | None = None
+        self._whole: deque[LiveSentence] = deque()
+        self._feelings: dict[str, float] = {}
+
+    @property
+    def is_unfinished(self) -> bool:
+        """Tell whether something waits for its end."""
+        return bool(self._text) or bool(self._voice)
+
+    @property
+    def felt(self) -> Displays:
+        """What is felt now."""
+        return tuple(Display(name, amount) for name, amount in self._feelings.items() if amount)
+
+    def feel(self, emotion: str, intensity: float) -> None:
+        """Feel an emotion with what becomes whole from now on."""
+        self._feelings[emotion] = intensity
+
+    def add_text(self, text: str) -> None:
+        """Add text; a voice that waits for its end ends. Raises InputError if too much waits."""
+        self._check()
+        self._hear(self._voice.flush())
+        self._queue(self._text.add(text))
+
+    def add_voice(
+        self,
+        audio: ArrayLike | bytes,
+        rate: int,
+        encoding: str,
+        text: str,
+        words: Iterable[tuple[str, float, float]],
+    ) -> None:
+        """Add a piece of a voice; text that waits for its end ends. InputError for what cannot be used."""
+        self._check()
+        phrases = self._voice.add(audio, rate, encoding, text, words)
+        self._queue(self._text.flush())
+        self._hear(phrases)
+
+    def end(self) -> None:
+        """End what waits for its end."""
+        self._queue(self._text.flush())
+        self._hear(self._voice.flush())
+
+    def take(self, first: LiveSentence | None, most: int) -> list[LiveSentence]:
+        """Take at most so many that can be performed together with the first, or else with each other."""
+        taken: list[LiveSentence] = []
+        while self._whole and len(taken) < most and (first is None or self._whole[0].joins(first)):
+            taken.append(self._whole.popleft())
+            first = first or taken[0]
+        return taken
+
+    def put_back(self, sentences: Iterable[LiveSentence]) -> None:
+        """Let sentences wait again, before all others."""
+        self._whole.extendleft(reversed(tuple(sentences)))
+
+    def clear(self) -> str:
+        """Forget all; return its text."""
+        unsaid = [sentence.said() for sentence in self._whole]
+        if self._before is not None:
+            unsaid.append(self._before.result().rest)
+        unsaid += [self._voice.text, *self._text.flush()]
+        self._voice.flush()
+        self._before = None
+        self._whole.clear()
+        return "".join(unsaid)
+
+    def _check(self) -> None:
+        if len(self._whole) >= MOST_WAITING:
+            raise InputError(f"{MOST_WAITING:,} sentences wait already; expected text as it is said")
+
+    def _queue(self, sentences: list[str]) -> None:
+        self._whole.extend(LiveSentence(text, self.felt) for text in sentences)
+
+    def _hear(self, phrases: list[VoicedPhrase]) -> None:
+        for phrase in phrases:
+            heard = hear_later(phrase, self._language, self._before)
+            self._before = heard if phrase.is_open else None
+            self._whole.append(LiveSentence("", self.felt, heard, phrase.sample_rate))
