@@ -54,7 +54,7 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "__init__": {"core", "rules", "settings", "presets", "take", "pipeline", "api", "live", "batches"},
     "stream": LIBRARY,
     "serve": LIBRARY | {"__init__", "stream", "web"},
-    "studio": LIBRARY | {"__init__", "stream", "web"},
+    "studio": LIBRARY | {"__init__", "stream", "serve", "web"},
     "cli": LIBRARY | {"__init__", "stream", "serve", "studio"},
     "__main__": {"cli"},
 }

@@ -19,6 +19,7 @@ from ..face.head import load_head, shipped_heads
 from ..ports.glb import rig_scene
 from ..ports.gltf import Gltf
 from ..ports.page_modules import WEB as PARTS
+from .choices import NAMES
 
 WEB = Path(str(resources.files(__package__) / "web"))
 FILES = {
@@ -37,15 +38,19 @@ def routes() -> list[BaseRoute]:
     """Return the routes of the page."""
     return [
         *(Route(path, _sender(file)) for path, file in FILES.items()),
-        Route("/heads", heads),
+        Route("/about.json", about),
         Route("/head.glb", head),
-        Mount("/web", StaticFiles(directory=PARTS)),
     ]
 
 
-async def heads(request: Request) -> Response:
-    """Tell which heads there are."""
-    return JSONResponse(list(shipped_heads()))
+def parts() -> Mount:
+    """Return the route of what the page has in common with others."""
+    return Mount("/web", StaticFiles(directory=PARTS))
+
+
+async def about(request: Request) -> Response:
+    """Tell which heads there are, and which settings a client may choose."""
+    return JSONResponse({"heads": list(shipped_heads()), "settings": list(NAMES)})
 
 
 async def head(request: Request) -> Response:

@@ -18,7 +18,7 @@ from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
-from starlette.routing import Route, WebSocketRoute
+from starlette.routing import BaseRoute, Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
 from ..api import speak
@@ -75,10 +75,14 @@ class LiveServer:
 
     def app(self) -> Starlette:
         """Return the application."""
-        own = [Route("/health", self.health), WebSocketRoute("/live", self.face)]
         hosts = HOSTS if is_loopback(self._options.host) else None
         guard = Middleware(Guard, hosts=hosts, origins=tuple(self._options.origins))
-        return Starlette(routes=[*own, *pages.routes()], middleware=[guard], lifespan=self._lifespan)
+        routes = [Route("/health", self.health), *self.routes(), pages.parts()]
+        return Starlette(routes=routes, middleware=[guard], lifespan=self._lifespan)
+
+    def routes(self) -> list[BaseRoute]:
+        """Return the routes of the page and its socket, for any server that has those of `pages.parts`."""
+        return [WebSocketRoute("/live", self.face), *pages.routes()]
 
     async def health(self, request: Request) -> Response:
         """Tell that the server runs, and for how many."""

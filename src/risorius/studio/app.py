@@ -26,6 +26,7 @@ from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
 from ..ports.head_glb import head_glb
 from ..ports.head_shade import shade
+from ..serve.server import LiveServer, ServeOptions
 from ..web.guard import Guard
 from . import limits, session_list
 from .catalogue import catalogue_json
@@ -95,6 +96,7 @@ class Studio:
             Route("/api/session/{session}/project", self.open_project, methods=["POST"]),
             Route("/api/session/{session}/export/{job:int}/{file}", self.export),
             WebSocketRoute("/ws/{session}", self.socket),
+            Mount("/live", routes=LiveServer(ServeOptions()).routes()),
         ]
         guard = [Middleware(Guard)]
         refusals = {RisoriusError: _refused}

@@ -116,3 +116,19 @@ def test_the_example_page_shows_a_face_and_takes_a_line(tab: Page) -> None:
     caption = tab.wait("document.getElementById('caption').textContent")
     assert caption in ("Hello there.", "How are you today?")
     assert not tab.complaints()
+
+
+@pytest.mark.parametrize("head", ["standard", pytest.param("amara", marks=pytest.mark.full)])
+def test_the_studio_goes_live_with_what_is_chosen_there(page: Page, head: str) -> None:
+    page.run(
+        f"studio.store.set({{ choices: {{ ...studio.store.get('choices'), head: '{head}', seed: 4 }} }})"
+    )
+    page.run("document.getElementById('live').click()")
+    inside = "document.getElementById('live-face').contentDocument"
+    page.wait(f"{inside}.body?.dataset.ready === 'yes'")
+    assert page.get(f"{inside}.getElementById('head').value") == head
+    page.run(f"{inside}.getElementById('text').value = 'One.'; {inside}.getElementById('say').click()")
+    assert page.wait(f"{inside}.getElementById('caption').textContent") == "One."
+    page.run("document.getElementById('live').click()")
+    assert page.get("document.getElementById('live-face')") is None
+    assert not page.complaints()

@@ -3,10 +3,16 @@
 import { GLTFLoader } from "/web/vendor/three/GLTFLoader.js";
 import { drawnBySoftware } from "/web/stage/software.js";
 import * as THREE from "/web/vendor/three/three.module.min.js";
-import { LiveFace, driving, nodeOf } from "/risorius-live.js";
+import { LiveFace, driving, nodeOf } from "./risorius-live.js";
 
 const $ = (id) => document.getElementById(id);
-const token = new URLSearchParams(location.hash.slice(1)).get("token") ?? undefined;
+document.body.classList.toggle("embedded", new URLSearchParams(location.search).has("embedded"));
+// After the address's "#": a token, and settings as JSON, those of a studio that shows this page among them.
+const given = new URLSearchParams(location.hash.slice(1));
+const token = given.get("token") ?? undefined;
+const { settings: known, heads } = await (await fetch("about.json")).json();
+const asked = Object.entries(JSON.parse(given.get("settings") ?? "{}"));
+const settings = Object.fromEntries(asked.filter(([name]) => known.includes(name)));
 const renderer = new THREE.WebGLRenderer({ canvas: $("stage"), antialias: true, alpha: true });
 const camera = new THREE.PerspectiveCamera(20, 1, 0.01, 20);
 const scene = new THREE.Scene();
@@ -56,8 +62,10 @@ function tell(text, isFault = false) {
 /** Connect, if it is not connected yet. */
 async function connected() {
   if (face) return face;
-  const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`;
-  const made = new LiveFace(address, { token, settings: { head: $("head").value } });
+  const address = new URL("live", location.href);
+  address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+  address.hash = address.search = "";
+  const made = new LiveFace(address.href, { token, settings: { ...settings, head: $("head").value } });
   face = made;
   made.addEventListener("interrupted", ({ detail }) => tell(detail.unsaid ? `Not said: ${detail.unsaid}` : "Silent."));
   made.addEventListener("error", ({ detail }) => tell(detail.message, true));
@@ -119,7 +127,7 @@ $("character").addEventListener("change", async () => {
 async function loadHead() {
   tell("Loading the head …");
   try {
-    await load(`/head.glb?head=${encodeURIComponent($("head").value)}`);
+    await load(`head.glb?head=${encodeURIComponent($("head").value)}`);
     tell("Say something.");
   } catch {
     tell("The head cannot be loaded; the server's terminal may say why.", true);
@@ -143,8 +151,8 @@ function draw(now) {
   renderer.render(scene, camera);
 }
 
-for (const name of await (await fetch("/heads")).json()) $("head").append(new Option(name, name));
-$("head").value = "standard";
+for (const name of heads) $("head").append(new Option(name, name));
+$("head").value = settings.head ?? "standard";
 renderer.setAnimationLoop(draw);
 await loadHead();
 document.body.dataset.ready = "yes";

@@ -5,13 +5,15 @@ import { fill, make } from "./parts/dom.js";
 import { showHints } from "./example.js";
 import { isDraft } from "./drafts.js";
 import { glyph } from "./parts/glyphs.js";
+import { liveSwitch } from "./live.js";
 import { switchTheme } from "./theme.js";
 
 /**
  * @param {HTMLElement} tools @param {HTMLElement} state @param {object} studio
  * @returns {{open: () => void, list: (keys: {keys: string, does: string}[]) => void}} the help
  */
-export function mountHeader(tools, state, { store, actions }) {
+export function mountHeader(tools, state, studio) {
+  const { store, actions } = studio;
   const tool = (name, label, act) =>
     button(glyph(name), { class: "plain icon", id: name, "aria-label": label, title: label, onclick: act });
   const undo = tool("undo", "Undo", () => actions.undo());
@@ -30,7 +32,7 @@ export function mountHeader(tools, state, { store, actions }) {
     ),
   );
   const open = () => dialog.showModal();
-  tools.append(undo, redo, tool("theme", "Light or dark", switchTheme), tool("help", "Keys", open), dialog);
+  tools.append(undo, redo, liveSwitch(studio), tool("theme", "Light or dark", switchTheme), tool("help", "Keys", open), dialog);
   store.watch(["take"], () => {
     showStep(undo, "Undo", store.get("take")?.undoes, "Ctrl Z");
     showStep(redo, "Redo", store.get("take")?.redoes, "Ctrl Shift Z");
