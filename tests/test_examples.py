@@ -1,5 +1,7 @@
 """Every example performs, without a warning."""
 
+import runpy
+import time
 from pathlib import Path
 
 import pytest
@@ -36,3 +38,15 @@ def test_julia_prefers_popcorn(name: str) -> None:
         ("prefers", "L-H%"),
         ("popcorn", "L-L%"),
     ]
+
+
+def test_the_agent_answers_word_by_word() -> None:
+    face = runpy.run_path(str(FOLDER / "agents" / "echo.py"))["EchoFace"](Settings(lively=False))
+    face.say("Good morning")
+    texts: list[str] = []
+    deadline = time.monotonic() + 20
+    for frame in face.frames(paced=True):
+        texts += [frame.text] if frame.text and frame.text not in texts else []
+        if len(texts) == 2 or time.monotonic() > deadline:
+            break
+    assert texts == ['You said: "Good morning".', "What else?"]

@@ -14,6 +14,7 @@ class LiveFrame:
     """Frame `index` at `time` seconds, at the parameters' `values`, shape (parameters,).
 
     `sound`: its samples at `sample_rate`, int16. `text`: the sentence that is being said, "" between them.
+    `speaking`: whether something is played, its pauses included.
     If they were asked for, `arkit`: weights (52,) 0..1 in the order of `core.arkit.SHAPES`; and `rotations`:
     yaw, pitch and roll of head, left and right eye (9,) in radians, to the subject's left, up, tilted left.
     """
@@ -24,6 +25,7 @@ class LiveFrame:
     sound: Samples
     sample_rate: int
     text: str = ""
+    speaking: bool = False
     arkit: Array | None = None
     rotations: Array | None = None
 

@@ -242,7 +242,8 @@ class Live:
             values[_EYE_PITCH] -= nod
         values = self._looking.shown(values, index)
         text = stretch.sentence_at(float((index - stretch.first) / fps))
-        frame = LiveFrame(index, float(index / fps), values, sound, rate, text)
+        speaking = bool(stretch.sentences)
+        frame = LiveFrame(index, float(index / fps), values, sound, rate, text, speaking)
         return frame if self._weights is None else self._weights.added(frame)
 
     def _current(self) -> LiveStretch | None:

@@ -7,6 +7,7 @@ import contextlib
 import hmac
 import logging
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil
 
@@ -53,10 +54,13 @@ class GoodbyeError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Gate:
-    """What a client must know and may choose: the token, None where none is asked for, and the rig."""
+    """What a client must know and may choose: the token, None where none is asked for, and the rig; and what
+    makes its face.
+    """
 
     token: str | None = None
     rig: Rig | None = None
+    face: Callable[[Settings], Live] = Live
 
 
 class LiveClient:
@@ -99,7 +103,7 @@ class LiveClient:
         start = await self._start()
         layout, settings = self._wanted(start)
         self._mailbox = Mailbox(max(1, ceil(start.ahead * settings.fps)))
-        face, weights = await asyncio.to_thread(_made, settings, layout)
+        face, weights = await asyncio.to_thread(self._made, settings, layout)
         await self._socket.send_text(_started(layout, settings))
         parts = (self._play(face, weights, start.ahead), self._read(face), self._write(layout, start))
         tasks = [asyncio.create_task(part) for part in parts]
@@ -145,6 +149,9 @@ class LiveClient:
             return FrameLayout(start.outputs, self._gate.rig), settings_from(start)
         except RisoriusError as error:
             raise GoodbyeError(error.message) from None
+
+    def _made(self, settings: Settings, layout: FrameLayout) -> tuple[Live, LiveWeights | None]:
+        return self._gate.face(settings), LiveWeights(settings) if layout.fits else None
 
     async def _play(self, face: Live, weights: LiveWeights | None, ahead: float) -> None:
         """Put frames into the mailbox when their time has come."""
@@ -240,10 +247,6 @@ class LiveClient:
                 face.close()
             case StartFace():
                 raise InputError("the face is there already; expected 'start' once")
-
-
-def _made(settings: Settings, layout: FrameLayout) -> tuple[Live, LiveWeights | None]:
-    return Live(settings), LiveWeights(settings) if layout.fits else None
 
 
 def _started(layout: FrameLayout, settings: Settings) -> str:

@@ -25,6 +25,7 @@ from ..api import speak
 from ..errors import InputError, RisoriusError
 from ..live.session import Live
 from ..ports.rig import Rig
+from ..settings import Settings
 from ..web.guard import HOSTS, Guard
 from ..web.listening import HOST, bound
 from . import limits, pages
@@ -40,6 +41,7 @@ class ServeOptions:
 
     `token`: what clients must say; needed where `host` is another machine's way in. `origins`: pages of other
     servers that may connect. `clients`: how many at once. `rig`: the character whose morph targets are sent.
+    `face` makes a client's face of its settings: an agent's answers where others say what they are given.
     Raises InputError for a server that anybody could use.
     """
 
@@ -49,6 +51,7 @@ class ServeOptions:
     origins: Sequence[str] = ()
     clients: int = limits.CLIENTS
     rig: Rig | None = None
+    face: Callable[[Settings], Live] = Live
 
     def __post_init__(self) -> None:
         if self.token is not None and len(self.token) < limits.TOKEN:
@@ -70,7 +73,7 @@ class LiveServer:
 
     def __init__(self, options: ServeOptions) -> None:
         self._options = options
-        self._gate = Gate(options.token, options.rig)
+        self._gate = Gate(options.token, options.rig, options.face)
         self.clients: set[LiveClient] = set()
 
     def app(self) -> Starlette:

@@ -1,0 +1,85 @@
+"""A face for agents made with LiveKit: it stands where the agent's sound goes, and passes it on with frames.
+
+    session = AgentSession(...)
+    await session.start(agent, room=room)
+    session.output.audio = face = FaceOutput(show, next_in_chain=session.output.audio)
+    ...
+    await face.aclose()
+
+`show` is called with each frame of the face (`risorius.live.frame.LiveFrame`), 30 a second: publish its ARKit
+weights as data, or drive what draws the face. Tried with livekit-agents 1.8.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+from livekit import rtc
+from livekit.agents.voice.io import AudioOutput, AudioOutputCapabilities
+
+from risorius import Live, Settings
+from risorius.errors import RisoriusError
+from risorius.live.frame import LiveFrame
+
+Show = Callable[[LiveFrame], Awaitable[None]]
+
+
+class FaceOutput(AudioOutput):
+    """Performs the agent's sound, and passes it on in pieces that belong to the frames."""
+
+    def __init__(
+        self, show: Show, next_in_chain: AudioOutput, settings: Settings | None = None, fps: float = 30
+    ) -> None:
+        super().__init__(
+            label="Risorius",
+            capabilities=AudioOutputCapabilities(pause=False),
+            next_in_chain=next_in_chain,
+            sample_rate=next_in_chain.sample_rate,
+        )
+        assert self.next_in_chain is not None
+        self._show, self._sink = show, self.next_in_chain
+        self._face = Live(settings, fps=fps, arkit=True)
+        self._spoke = self._ended = False
+        self._playing = asyncio.create_task(self._play())
+
+    async def capture_frame(self, frame: rtc.AudioFrame) -> None:
+        """Take a piece of the agent's sound."""
+        await super().capture_frame(frame)
+        self._face.say(audio=bytes(frame.data), rate=frame.sample_rate)
+
+    def flush(self) -> None:
+        """End what is being said."""
+        super().flush()
+        self._face.flush()
+        self._ended = True
+
+    def clear_buffer(self) -> None:
+        """Fall silent: the agent was interrupted."""
+        self._face.interrupt()
+        self._sink.clear_buffer()
+
+    async def aclose(self) -> None:
+        """Say what has arrived, and end."""
+        self._face.close()
+        await self._playing
+
+    async def _play(self) -> None:
+        frames = self._face.aframes()
+        while True:
+            try:
+                frame = await anext(frames, None)
+            except RisoriusError as error:
+                print(error)
+                frames = self._face.aframes()
+                continue
+            if frame is None:
+                return
+            await self._show(frame)
+            if frame.speaking:
+                sound = frame.sound.astype("<i2").tobytes()
+                await self._sink.capture_frame(rtc.AudioFrame(sound, frame.sample_rate, 1, len(frame.sound)))
+            elif self._spoke and self._ended:
+                self._ended = False
+                self._sink.flush()
+            self._spoke = frame.speaking
