@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -13,7 +13,7 @@ from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError
 from risorius.face.arkit_fit import ArkitTrack
 from risorius.face.expressions import expressions, preset_weights
-from risorius.stream import PROTOCOLS, Options
+from risorius.stream import PROTOCOLS, ArkitMoment, Options
 from risorius.stream.osc import bundles, message
 
 FPS = Fraction(30000, 1001)
@@ -28,6 +28,11 @@ def track() -> ArkitTrack:
     return ArkitTrack(weights, head, eyes, np.zeros(4), np.zeros(4))
 
 
+def written(name: str, track: ArkitTrack, options: Options) -> Callable[[int], Sequence[bytes]]:
+    packets = PROTOCOLS.get(name).make(FPS, options)
+    return lambda k: packets(ArkitMoment(k, track.weights[k], track.head[k], track.eyes[k]))
+
+
 @pytest.mark.parametrize("wrong", [{"names": "vrm2"}, {"subject": ""}, {"subject": "x" * 101}])
 def test_wrong_options(wrong: dict[str, str]) -> None:
     with pytest.raises(InputError):
@@ -35,7 +40,7 @@ def test_wrong_options(wrong: dict[str, str]) -> None:
 
 
 def test_live_link_face(track: ArkitTrack) -> None:
-    packets = PROTOCOLS.get("livelink").make(track, FPS, Options(subject="Ännchen"))
+    packets = written("livelink", track, Options(subject="Ännchen"))
     (data,) = packets(3)
     name = "Ännchen".encode()
     assert len(data) == 306 + len(name)
@@ -55,9 +60,7 @@ def test_live_link_face(track: ArkitTrack) -> None:
 
 
 def test_the_same_subject_is_the_same_device(track: ArkitTrack) -> None:
-    one, same, other = (
-        PROTOCOLS.get("livelink").make(track, FPS, Options(subject=name))(0)[0][5:41] for name in "aab"
-    )
+    one, same, other = (written("livelink", track, Options(subject=name))(0)[0][5:41] for name in "aab")
     assert one == same != other
 
 
@@ -103,7 +106,7 @@ def test_bundles_stay_small_and_in_order() -> None:
 
 @pytest.mark.parametrize("names", ["vrm0", "vrm1", "arkit", "ARKit"])
 def test_vmc(track: ArkitTrack, names: str) -> None:
-    packets = PROTOCOLS.get("vmc").make(track, FPS, Options(names=names))(2)
+    packets = written("vmc", track, Options(names=names))(2)
     assert all(len(packet) <= 1500 for packet in packets)
     found = [m for packet in packets for m in osc_messages(packet)]
     assert found[0] == ("/VMC/Ext/OK", [1])
@@ -124,7 +127,7 @@ def test_vmc(track: ArkitTrack, names: str) -> None:
 @pytest.mark.parametrize("names", ["vrm0", "vrm1"])
 def test_python_osc_reads_the_same(track: ArkitTrack, names: str) -> None:
     osc_packet = pytest.importorskip("pythonosc.osc_packet")
-    for packet in PROTOCOLS.get("vmc").make(track, FPS, Options(names=names))(2):
+    for packet in written("vmc", track, Options(names=names))(2):
         read = [(m.message.address, m.message.params) for m in osc_packet.OscPacket(packet).messages]
         assert read == list(osc_messages(packet))
 
@@ -135,7 +138,7 @@ def test_vmc_turns_to_unity_s_axes(track: ArkitTrack) -> None:
     turned = ArkitTrack(track.weights[:1], left, np.zeros((1, 2, 3)), np.zeros(1), np.zeros(1))
     bones = [
         a
-        for packet in PROTOCOLS.get("vmc").make(turned, FPS, Options())(0)
+        for packet in written("vmc", turned, Options())(0)
         for address, a in osc_messages(packet)
         if address == "/VMC/Ext/Bone/Pos"
     ]
@@ -146,7 +149,7 @@ def test_vmc_turns_to_unity_s_axes(track: ArkitTrack) -> None:
 
 
 def test_ifacialmocap(track: ArkitTrack) -> None:
-    (data,) = PROTOCOLS.get("ifacialmocap").make(track, FPS, Options())(1)
+    (data,) = written("ifacialmocap", track, Options())(1)
     shapes, rest = data.decode().split("=")
     pairs = dict(pair.split("-") for pair in shapes.rstrip("|").split("|"))
     assert len(pairs) == 52

@@ -11,7 +11,8 @@ from ..core.setting import Stage
 from ..errors import InputError, UnreadError
 from .console import Console
 from .inputs import Spoken, input_options
-from .options import Command, check_outputs, option, setting_options, settings_from
+from .options import Command, check_outputs, displays, option, setting_options, settings_from
+from .typed import TypedText, face_of
 
 # What is sent are weights, as a file of them has them: it depends on what the curves and the skin depend on.
 _LIKE = Path("x.arkit.csv")
@@ -82,8 +83,9 @@ def stream(
     """Perform INPUT (a text, a file, or - for standard input) for another program, live.
 
     The sound is the clock; late frames are dropped. With --audio a recorded voice is performed, as by speak.
+    Standard input is said sentence by sentence as it comes, until it ends.
     """
-    from ..stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_take
+    from ..stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_live, send_take
 
     spoken = Spoken(source, is_text, emotions, audio, transcript)
     stream_options = {"subject": subject, "names": names}
@@ -95,18 +97,16 @@ def stream(
         raise InputError("--to and --listen exclude each other; expected one of them")
     to = to or "127.0.0.1"
     parse_address(listen or to, PROTOCOLS.get(protocol).port)
+    line: dict[str, Any] = {"listen": listen, "patience": patience, "options": options}
     with Console() as console:
         settings = settings_from(chosen)
         check_outputs([_LIKE], settings)
-        take = spoken.perform(settings, console.progress)
-        sent = send_take(
-            take,
-            protocol,
-            to,
-            listen=listen,
-            patience=patience,
-            options=options,
-            sound=not without_sound,
-            progress=console.progress,
-        )
+        line |= {"sound": not without_sound, "progress": console.progress}
+        if source == "-" and audio is None and transcript is None:
+            face = face_of(settings, displays(emotions))
+            typed = TypedText(face)
+            sent = send_live(face, protocol, to, **line)
+            typed.check()
+        else:
+            sent = send_take(spoken.perform(settings, console.progress), protocol, to, **line)
         console.say(f"Sent {sent.frames} frames, dropped {sent.dropped}")

@@ -112,6 +112,11 @@ class Live:
         """Frames a second."""
         return self._settings.fps
 
+    @property
+    def waiting(self) -> int:
+        """Sentences that wait to be said."""
+        return len(self._waiting)
+
     def say(
         self,
         text: str = "",

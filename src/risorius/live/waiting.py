@@ -55,6 +55,9 @@ class WaitingSentences:
         """Tell whether something waits for its end."""
         return bool(self._text) or bool(self._voice)
 
+    def __len__(self) -> int:
+        return len(self._whole)
+
     @property
     def felt(self) -> Displays:
         """What is felt now."""

@@ -2,11 +2,13 @@
 
 from .greeting import wait_for_greeting
 from .ifacialmocap import GREETINGS, ifacialmocap_packets, ifacialmocap_pieces
+from .line import PATIENCE
+from .live import send_live
 from .livelink import livelink_packets
-from .protocols import PROTOCOLS, Options, Packets, Protocol, check_options, register
+from .protocols import PROTOCOLS, ArkitMoment, Options, Packets, Protocol, check_options, register
 from .receiver_socket import Address, parse_address
 from .send import SendCounts, send
-from .take import PATIENCE, send_take
+from .take import send_take
 from .vmc import vmc_packets
 
 register(
@@ -24,6 +26,7 @@ __all__ = [
     "PATIENCE",
     "PROTOCOLS",
     "Address",
+    "ArkitMoment",
     "Options",
     "Packets",
     "Protocol",
@@ -31,6 +34,7 @@ __all__ = [
     "check_options",
     "parse_address",
     "send",
+    "send_live",
     "send_take",
     "wait_for_greeting",
 ]

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from ..core.arrays import Int16Array
 from ..core.audio import Audio
-from ..errors import OutputError
+from .sound import open_output
 
 
 class Clock(Protocol):
@@ -65,17 +65,7 @@ class SoundClock(MachineClock):
         self._audio = audio
         self._given = 0
         self._heard = (0.0, 0.0)  # seconds of sound, and when
-        try:
-            import sounddevice
-        except (ImportError, OSError) as error:
-            message = f"sound needs sounddevice and PortAudio ({error}); expected --without-sound"
-            raise OutputError(message) from None
-        try:
-            self._stream = sounddevice.OutputStream(
-                samplerate=audio.sample_rate, channels=1, dtype="int16", callback=self._fill
-            )
-        except sounddevice.PortAudioError as error:
-            raise OutputError(f"no sound can be played ({error}); expected --without-sound") from None
+        self._stream = open_output(audio.sample_rate, self._fill)
 
     def now(self) -> float:
         """Return the seconds of the sound that have been heard."""

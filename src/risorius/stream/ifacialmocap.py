@@ -16,8 +16,7 @@ from fractions import Fraction
 import numpy as np
 
 from ..core.arkit import SHAPES
-from ..face.arkit_fit import ArkitTrack
-from .protocols import Asked, Options, Packets
+from .protocols import ArkitMoment, Asked, Options, Packets
 
 _SECRET = b"_sahuasouryya9218sauhuiayeta91555dy3719"
 _ASKS = {b"iFacialMocap": "ifacialmocap", b"iFacialMocap_UDPTCP": "ifacialmocap-tcp"}
@@ -43,24 +42,24 @@ def name_of(shape: str) -> str:
     return shape
 
 
-def ifacialmocap_packets(track: ArkitTrack, fps: Fraction, options: Options) -> Packets:
+def ifacialmocap_packets(fps: Fraction, options: Options) -> Packets:
     """Return one datagram per frame."""
     names = [name_of(shape) for shape in SHAPES]
     joint = "&" if options.dialect == "v2" else "-"
 
-    def packets(frame: int) -> list[bytes]:
-        values = np.round(100.0 * track.weights[frame]).astype(int)
+    def packets(frame: ArkitMoment) -> list[bytes]:
+        values = np.round(100.0 * frame.weights).astype(int)
         pairs = "|".join(f"{name}{joint}{value}" for name, value in zip(names, values, strict=True))
-        head = ",".join(_angles(track.head[frame])) + ",0,0,0"
-        left, right = (",".join(_angles(eye)) for eye in track.eyes[frame])
+        head = ",".join(_angles(frame.head)) + ",0,0,0"
+        left, right = (",".join(_angles(eye)) for eye in frame.eyes)
         return [f"{pairs}|=head#{head}|rightEye#{right}|leftEye#{left}|".encode()]
 
     return packets
 
 
-def ifacialmocap_pieces(track: ArkitTrack, fps: Fraction, options: Options) -> Packets:
+def ifacialmocap_pieces(fps: Fraction, options: Options) -> Packets:
     """Return the same as pieces of one stream, the end of each frame marked."""
-    packets = ifacialmocap_packets(track, fps, options)
+    packets = ifacialmocap_packets(fps, options)
     return lambda frame: [packet + _END for packet in packets(frame)]
 
 

@@ -14,8 +14,7 @@ from fractions import Fraction
 import numpy as np
 
 from ..core.arkit import INDEX, PACKET_SHAPES, ROTATIONS
-from ..face.arkit_fit import ArkitTrack
-from .protocols import Options, Packets
+from .protocols import ArkitMoment, Options, Packets
 
 VERSION = 6
 COUNT = len(PACKET_SHAPES) + len(ROTATIONS)
@@ -23,15 +22,16 @@ _SPACE = uuid.UUID("6f9619ff-8b86-d011-b42d-00c04fc964ff")
 _ORDER = [INDEX[name[0].lower() + name[1:]] for name in PACKET_SHAPES]
 
 
-def livelink_packets(track: ArkitTrack, fps: Fraction, options: Options) -> Packets:
+def livelink_packets(fps: Fraction, options: Options) -> Packets:
     """Return one datagram per frame; the device's identity follows from the subject's name."""
     name = options.subject.encode()
     device = str(uuid.uuid5(_SPACE, options.subject)).upper().encode("ascii")
     start = struct.pack(">Bi36si", VERSION, len(device), device, len(name)) + name
-    values = np.concatenate([track.weights[:, _ORDER], track.rotations], axis=1).astype(">f4")
 
-    def packets(frame: int) -> list[bytes]:
-        clock = struct.pack(">ifiiB", frame, 0.0, fps.numerator, fps.denominator, COUNT)
-        return [start + clock + values[frame].tobytes()]
+    def packets(frame: ArkitMoment) -> list[bytes]:
+        clock = struct.pack(">ifiiB", frame.index, 0.0, fps.numerator, fps.denominator, COUNT)
+        turns = np.radians([*frame.head, *frame.eyes.ravel()])
+        values = np.concatenate([frame.weights[_ORDER], turns]).astype(">f4")
+        return [start + clock + values.tobytes()]
 
     return packets

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
+from ..core.arrays import Array
 from ..core.registry import Registry
 from ..errors import InputError, UnreadError, unknown
-from ..face.arkit_fit import ArkitTrack
 
 NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
 
@@ -43,13 +43,25 @@ class Options:
             raise InputError(f"the subject '{self.subject}' is empty or longer than 100 bytes")
 
 
-Packets = Callable[[int], Sequence[bytes]]
-"""Returns the datagrams of a frame, by its index."""
+@dataclass(frozen=True, slots=True)
+class ArkitMoment:
+    """A frame in ARKit's terms: its `index`, weights (52,), and the rotations of head (3,) and eyes (2, 3) in
+    degrees, as in `ArkitTrack`.
+    """
+
+    index: int
+    weights: Array
+    head: Array
+    eyes: Array
+
+
+Packets = Callable[[ArkitMoment], Sequence[bytes]]
+"""Returns the datagrams of a frame."""
 
 
 @dataclass(frozen=True, slots=True)
 class Protocol:
-    """A protocol: its receivers' usual port, and `make(track, fps, options)`, which returns its packets.
+    """A protocol: its receivers' usual port, and `make(fps, options)`, which returns its packets.
 
     `greetings`: what a receiver says first to that port of ours, where the protocol has that. `tcp`: the
     packets are pieces of one stream, not datagrams. `reads`: the options that it reads.
@@ -57,7 +69,7 @@ class Protocol:
 
     port: int
     description: str
-    make: Callable[[ArkitTrack, Fraction, Options], Packets]
+    make: Callable[[Fraction, Options], Packets]
     greetings: Greetings = field(default_factory=dict)
     tcp: bool = False
     reads: tuple[str, ...] = ()
@@ -70,7 +82,7 @@ def register(
     name: str,
     port: int,
     description: str,
-    make: Callable[[ArkitTrack, Fraction, Options], Packets],
+    make: Callable[[Fraction, Options], Packets],
     greetings: Greetings | None = None,
     *,
     tcp: bool = False,

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from .clock import Clock
-from .protocols import Packets
 from .receiver_socket import Address, ReceiverSocket
 
 
@@ -19,9 +19,15 @@ class SendCounts:
 
 
 def send(
-    packets: Packets, frames: int, fps: Fraction, to: Address, clock: Clock, *, tcp: bool = False
+    packets: Callable[[int], Sequence[bytes]],
+    frames: int,
+    fps: Fraction,
+    to: Address,
+    clock: Clock,
+    *,
+    tcp: bool = False,
 ) -> SendCounts:
-    """Send `frames` frames at `fps` in real time, as datagrams or over `tcp`.
+    """Send `frames` frames, by their index, at `fps` in real time, as datagrams or over `tcp`.
 
     A frame leaves when its time has come; one that is due while another is still being sent is dropped as
     soon as the next is due too. Raises OutputError for a host that is not known and a receiver that is not

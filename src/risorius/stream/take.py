@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
 
 from ..core.progress import Progress, quiet
-from ..errors import InputError
 from ..take import Take
 from . import clock
-from .greeting import wait_for_greeting
-from .protocols import PROTOCOLS, Options, check_options
-from .receiver_socket import Address, check_host, parse_address
+from .line import PATIENCE, Line
+from .protocols import ArkitMoment, Options
 from .send import SendCounts, send
-
-# Seconds to wait for a greeting.
-PATIENCE = 60.0
 
 
 def send_take(
@@ -36,24 +31,16 @@ def send_take(
     With `sound` the voice is played here and is the clock. Raises InputError for a wrong protocol or address,
     OutputError where nothing listens or nobody greets.
     """
-    chosen = PROTOCOLS.get(protocol)
-    options = options or Options()
-    address = parse_address(listen or to, chosen.port)
-    if listen is not None and not chosen.greetings:
-        greeted = ", ".join(name for name in PROTOCOLS if PROTOCOLS.get(name).greetings)
-        raise InputError(f"{protocol} has no greeting to wait for; expected --to, or one of {greeted}")
-    check_options(protocol, options)
-    if listen is None:
-        check_host(address)
+    line = Line.named(protocol, to, listen, options)
     timer = clock.SoundClock(take.audio) if sound and take.audio is not None else clock.MachineClock()
     progress("Fitting weights …")
     track = take.arkit
-    if listen is not None:
-        progress(f"Waiting for a greeting at {address} …")
-        host, greeting = wait_for_greeting(address, chosen.greetings, patience)
-        chosen, options = PROTOCOLS.get(greeting.protocol), replace(options, dialect=greeting.dialect)
-        address = Address(host, chosen.port)
-    packets = chosen.make(track, take.performance.fps, options)
-    progress(f"Sending to {address} …")
+    line = line.greeted(patience, progress)
     frames, fps = len(take.performance.values), take.performance.fps
-    return send(packets, frames, fps, address, timer, tcp=chosen.tcp)
+    packets = line.protocol.make(fps, line.options)
+
+    def packets_of(index: int) -> Sequence[bytes]:
+        return packets(ArkitMoment(index, track.weights[index], track.head[index], track.eyes[index]))
+
+    progress(f"Sending to {line.address} …")
+    return send(packets_of, frames, fps, line.address, timer, tcp=line.protocol.tcp)

@@ -14,26 +14,26 @@ import numpy as np
 
 from ..core.arkit import SHAPES, column_of
 from ..core.arrays import Array
-from ..face.arkit_fit import ArkitTrack
 from ..face.expressions import expressions, preset_weights
 from ..face.rotations import head_rotation
 from ..ports.gltf import quaternion
 from .osc import bundles, message
-from .protocols import Options, Packets
+from .protocols import ArkitMoment, Options, Packets
 
 BONES = ("Head", "LeftEye", "RightEye")
 
 
-def vmc_packets(track: ArkitTrack, fps: Fraction, options: Options) -> Packets:
+def vmc_packets(fps: Fraction, options: Options) -> Packets:
     """Return the bundles of a frame, each small enough for one datagram."""
-    names, weights = _expressions(track, options.names)
+    names = _expressions(options.names)
 
-    def packets(frame: int) -> list[bytes]:
-        parts = [message("/VMC/Ext/OK", 1), message("/VMC/Ext/T", float(frame / fps))]
-        for bone, angles in zip(BONES, (track.head[frame], *track.eyes[frame]), strict=True):
+    def packets(frame: ArkitMoment) -> list[bytes]:
+        parts = [message("/VMC/Ext/OK", 1), message("/VMC/Ext/T", float(frame.index / fps))]
+        for bone, angles in zip(BONES, (frame.head, *frame.eyes), strict=True):
             turn = unity_quaternion(angles)
             parts.append(message("/VMC/Ext/Bone/Pos", bone, 0.0, 0.0, 0.0, *turn.tolist()))
-        for name, weight in zip(names, weights[frame], strict=True):
+        weights = frame.weights if len(names) == len(SHAPES) else preset_weights(frame.weights[None])[0]
+        for name, weight in zip(names, weights, strict=True):
             parts.append(message("/VMC/Ext/Blend/Val", name, float(weight)))
         return bundles([*parts, message("/VMC/Ext/Blend/Apply")])
 
@@ -47,12 +47,11 @@ def unity_quaternion(angles: Array) -> Array:
     return np.array([x, -y, -z, w])
 
 
-def _expressions(track: ArkitTrack, names: str) -> tuple[Sequence[str], Array]:
+def _expressions(names: str) -> Sequence[str]:
     if names == "arkit":
-        return SHAPES, track.weights
+        return SHAPES
     if names == "ARKit":
-        return [column_of(name) for name in SHAPES], track.weights
-    presets = preset_weights(track.weights)
+        return [column_of(name) for name in SHAPES]
     if names == "vrm1":
-        return list(expressions()), presets
-    return [expression.vrm0 for expression in expressions().values()], presets
+        return list(expressions())
+    return [expression.vrm0 for expression in expressions().values()]

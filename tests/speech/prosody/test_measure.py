@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from risorius.core.audio import AudioWriter
-from risorius.core.utterance import Pause, PauseKind, Phone, Utterance
+from risorius.core.utterance import Pause, PauseKind, Phone, Utterance, Word
 from risorius.speech import synthesize
 from risorius.speech.prosody import measured
 from risorius.speech.prosody.measure import pitched
@@ -83,3 +83,13 @@ def test_loudness_is_told_beside_what_was_heard_before(spoken: Utterance) -> Non
     for ours, theirs in zip(measured(soft).syllables, measured(spoken).syllables, strict=True):
         assert ours.loudness == pytest.approx(theirs.loudness, abs=0.5)
         assert ours.prominence == pytest.approx(theirs.prominence, abs=0.1)
+
+
+def test_what_has_no_vowel_has_no_accent_and_no_tone() -> None:
+    with AudioWriter(16_000) as writer:
+        writer.append(np.full(8_000, 3_000, np.int16))
+        audio = writer.finish()
+    phones = (Phone("SH", 0.0, 0.5, -1, 0),)
+    hushed = Utterance("shh", "en-us", audio, phones, (Word("shh", 0.0, 0.5, 0, 1, 0, 3),))
+    found = measured(hushed)
+    assert (found.syllables, found.accents, found.boundaries) == ((), (), ())

@@ -31,6 +31,8 @@ def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = T
     ends: list[Boundary] = []
     written = {boundary.word for boundary in utterance.boundaries}
     for run in runs_of(utterance):
+        if not run.syllables:
+            continue  # a hum, or "sh": it has no accent, and no tone at its end
         contour = _contour(resampled, run, speaker)
         cues = cues_of(utterance, run, resampled, contour, speaker)
         syllables += _sounding(utterance, run, cues)

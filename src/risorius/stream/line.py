@@ -1,0 +1,47 @@
+"""Who is sent something, and how: the protocol, the address, or a greeting to wait for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from ..core.progress import Progress
+from ..errors import InputError
+from .greeting import wait_for_greeting
+from .protocols import PROTOCOLS, Options, Protocol, check_options
+from .receiver_socket import Address, check_host, parse_address
+
+# Seconds to wait for a greeting.
+PATIENCE = 60.0
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A protocol with its options, and the receiver's address; `listens`: the receiver greets there first."""
+
+    protocol: Protocol
+    options: Options
+    address: Address
+    listens: bool = False
+
+    @classmethod
+    def named(cls, protocol: str, to: str, listen: str | None, options: Options | None) -> Line:
+        """Return the line to a receiver; raise InputError for what there is not, OutputError for no host."""
+        chosen, options = PROTOCOLS.get(protocol), options or Options()
+        address = parse_address(listen or to, chosen.port)
+        if listen is not None and not chosen.greetings:
+            greeted = ", ".join(name for name in PROTOCOLS if PROTOCOLS.get(name).greetings)
+            raise InputError(f"{protocol} has no greeting to wait for; expected --to, or one of {greeted}")
+        check_options(protocol, options)
+        if listen is None:
+            check_host(address)
+        return cls(chosen, options, address, listen is not None)
+
+    def greeted(self, patience: float, progress: Progress) -> Line:
+        """Return the line to who greets, where that is waited for; raise OutputError if nobody does."""
+        if not self.listens:
+            return self
+        progress(f"Waiting for a greeting at {self.address} …")
+        host, greeting = wait_for_greeting(self.address, self.protocol.greetings, patience)
+        protocol = PROTOCOLS.get(greeting.protocol)
+        options = replace(self.options, dialect=greeting.dialect)
+        return Line(protocol, options, Address(host, protocol.port))
