@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from risorius import Live, speak
+from risorius import Live
 from risorius.core.audio import AudioWriter
 from risorius.core.parameters import INDEX, NAMES, PARAMETERS, Kind
 from risorius.core.performance import Performance, frame_count
@@ -22,8 +22,8 @@ from risorius.errors import InputError, ParameterError, RisoriusError, SpeechErr
 from risorius.languages import language_of
 from risorius.live.frame import LiveFrame
 from risorius.live.pace import Pace
+from risorius.live.seam import SEAM
 from risorius.live.sentences import SentenceBuffer
-from risorius.live.turn import SEAM, TAIL
 from risorius.rules.emotions import Displays
 from risorius.settings import Settings
 from risorius.take import Take
@@ -230,60 +230,28 @@ def test_pauses_that_nothing_reads_are_refused() -> None:
             live(30, chosen)
 
 
-def test_the_frames_are_those_of_speak() -> None:
-    text = "Hello there. Who are you?"
-    chosen = Settings(lead=SEAM, tail=TAIL)
-    take = speak(text, text=True, emotion={"happiness": 0.7}, settings=chosen)
-    face = Live()
-    face.feel("happiness", 0.7)
-    for piece in ("Hel", "lo there. Wh", "o are you?"):
-        face.say(piece)
+def test_what_joins_is_told_when_it_is_interrupted_or_cannot_be_said() -> None:
+    face = live()
+    face.say("Aaaa aaaa aaaa aaaa. Bbbb. ")
+    face.flush()
+    iterator = face.frames()
+    next(iterator)
+    face.say("Joins. ")
+    face.flush()
+    next(iterator)
+    assert face.waiting == 1
+    assert face.interrupt().endswith("Joins.")
+    assert face.waiting == 0
+    face.say("Aaaa aaaa aaaa aaaa. ")
+    face.flush()
+    next(iterator)
+    face.say("Here the engine dies. Better. ")
     face.close()
-    frames = list(face.frames())
-    np.testing.assert_allclose([f.values for f in frames], take.performance.values, atol=1e-6)
-    assert take.audio is not None
-    heard, sound = np.concatenate([f.sound for f in frames]), take.audio.read()
-    shorter = min(len(heard), len(sound))
-    np.testing.assert_array_equal(heard[:shorter], sound[:shorter])
-
-
-def test_a_sentence_that_joins_a_turn_changes_no_sound_and_hardly_a_muscle() -> None:
-    whole, joined = Live(), Live()
-    whole.say("Hello there, my friend. Who are you?")
-    whole.close()
-    joined.say("Hello there, my friend.")
-    joined.flush()
-    iterator = joined.frames()
-    frames = list(islice(iterator, 10))
-    joined.say(" Who are you?")
-    joined.close()
-    frames += iterator
-    expected = list(whole.frames())
-    for frame, other in zip(frames, expected, strict=True):
-        np.testing.assert_array_equal(frame.sound, other.sound)
-        assert frame.text == other.text
-        np.testing.assert_allclose(frame.values[MUSCLES], other.values[MUSCLES], atol=0.02)
-
-
-@pytest.mark.full
-@settings(max_examples=40, deadline=None)
-@given(st.integers(1, 20), st.integers(25, 70), st.integers(25, 70))
-def test_late_pieces_in_time_change_no_sound(frames: int, first: int, second: int) -> None:
-    text = "Hello there, my dear friend. Who are you? I like it very much, you know. It is 3.50 now."
-    whole, pieces = Live(), Live()
-    whole.say(text)
-    whole.close()
-    cuts = [0, *sorted((first, second)), len(text)]
-    pieces.say("Hello there, my dear friend. W")
-    iterator = pieces.frames()
-    said = list(islice(iterator, frames))
-    for start, end in pairwise(cuts):
-        pieces.say(text[max(start, 30) : max(end, 30)])
-    pieces.close()
-    said += iterator
-    for frame, other in zip(said, whole.frames(), strict=True):
-        np.testing.assert_array_equal(frame.sound, other.sound)
-        assert frame.text == other.text
+    said: list[LiveFrame] = []
+    with pytest.raises(SpeechError, match="the engine died"):
+        said += iterator
+    said += face.frames()
+    assert list(dict.fromkeys(f.text for f in said if f.text))[-1] == "Better."
 
 
 def test_a_smile_goes_on_from_one_idle_stretch_to_the_next() -> None:

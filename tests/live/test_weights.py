@@ -9,7 +9,8 @@ import pytest
 
 from risorius import Live, Settings, speak
 from risorius.errors import HeadError
-from risorius.live.session import SEAM, TAIL
+from risorius.live.seam import SEAM
+from risorius.live.turn import TAIL
 from risorius.live.weights import LiveWeights
 
 

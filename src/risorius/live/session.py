@@ -20,7 +20,7 @@ from ..channels.gaze import LISTENER
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
 from ..core.parameters import INDEX
-from ..errors import InputError, ParameterError, RisoriusError, UnreadError, unknown
+from ..errors import InputError, ParameterError, UnreadError, unknown
 from ..pipeline import with_profile
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
@@ -28,18 +28,22 @@ from ..speech.engines.registry import is_voice_file, load_engine
 from ..speech.engines.voices import find_voice
 from ..take import Take
 from .frame import LiveFrame
-from .hearing import perform_voice, texts_of
 from .idle import IDLE_SECONDS, idle_take
+from .joining import Joining, join_later
 from .listening import PauseListener, nod_pitch
 from .looking import Looking, direction_of
 from .pace import Pace
+from .seam import SEAM, Seam
 from .turn import (
-    MOST_SENTENCES,
-    SEAM,
+    FEW_SENTENCES,
+    FIRST_CHARACTERS,
     TAIL,
     LiveStretch,
+    PerformedTurn,
     PerformSentence,
+    TurnPlan,
     prerolled,
+    room,
     stretch_of,
 )
 from .waiting import LiveSentence, WaitingSentences
@@ -51,8 +55,6 @@ if TYPE_CHECKING:
 TURNED = 2.0
 # Seconds without new text after which the last sentence counts as whole.
 PATIENCE = 1.0
-MOST_WAITING = 1_000
-"""Sentences that may wait to be said."""
 _SAMPLE_RATE = 22_050
 _HEAD_PITCH, _EYE_PITCH = INDEX["head_pitch"], INDEX["gaze_pitch"]
 
@@ -68,7 +70,8 @@ class Live:
     No clock takes part: `frames` yields the next frame when asked, and a frame depends on the text and on the
     frames at which it arrived, not on how it was cut. Text may come from another thread than the one that
     asks for frames. Sentences that are there when a turn begins, and those that come .9 s before it ends, are
-    performed together as `speak` performs their text. `perform` performs them. With `arkit` each frame has
+    performed together as `speak` performs their text; the latter in another thread, while the turn plays.
+    `perform` performs them. With `arkit` each frame has
     the weights of ARKit's shapes as well; raises HeadError if the head has none.
     """
 
@@ -98,11 +101,12 @@ class Live:
         self._next = self._turns = self._idles = self._last_text = 0
         self._sample_rate = _SAMPLE_RATE
         self._stretch: LiveStretch | None = None
-        # Those of the turn that plays.
-        self._turn_settings = self._settings
+        # How the turn that plays is performed, who joins it, and who begins one.
+        self._plan: TurnPlan | None = None
+        self._joining: Joining | None = None
+        self._beginning: tuple[LiveSentence, ...] = ()
         self._last: Array | None = None
-        self._seam_from: Array | None = None
-        self._seam_at = 0
+        self._seam = Seam(self._settings.fps)
         self._listener = PauseListener()
         self._nod_from: int | None = None
         self._looking = Looking(self._settings.fps)
@@ -115,7 +119,7 @@ class Live:
     @property
     def waiting(self) -> int:
         """Sentences that wait to be said."""
-        return len(self._waiting)
+        return len(self._waiting) + len(self._performing())
 
     def say(
         self,
@@ -190,7 +194,8 @@ class Live:
         It begins at the first word that was not heard yet, and is forgotten.
         """
         with self._lock:
-            unsaid = self._waiting.clear()
+            unsaid = "".join(sentence.said() for sentence in self._performing()) + self._waiting.clear()
+            self._joining, self._beginning = None, ()
             playing = self._stretch
             if playing is not None and not self._interrupted:
                 since = float((self._next - playing.first) / self._settings.fps)
@@ -234,7 +239,7 @@ class Live:
         if stretch is None:
             return None
         index, fps, rate = self._next, self._settings.fps, stretch.sample_rate
-        values = self._blended(stretch.values[index - stretch.first])
+        values = self._seam.blended(stretch.values[index - stretch.first], index)
         edges = [round(k * rate / fps) for k in (stretch.first, index, index + 1)]
         sound = np.zeros(edges[2] - edges[1], np.int16)
         heard = stretch.samples[edges[1] - edges[0] : edges[2] - edges[0]]
@@ -261,72 +266,81 @@ class Live:
             if playing and (self._next >= playing.end or self._interrupted):
                 playing = None
             self._interrupted = False
-            is_idle = playing is None or not playing.sentences
-            joined = None if is_idle else playing
-            if joined and self._next != joined.last_call(self._settings.fps):
-                return joined
-            sentences, feelings = self._take(joined)
-            if is_idle and not sentences and self._closed:
-                return None
-        if sentences or playing is None:
-            self._stretch = self._begun(joined, sentences, feelings)
-            rest = None if self._last is None else self._last[None]
-            self._seam_from = rest if joined is None else joined.values[self._next - joined.first :]
-            self._seam_at = self._next
+            if playing is not None and playing.sentences:
+                if not self._joins(playing):
+                    return playing
+                sentences: tuple[LiveSentence, ...] = ()
+                feelings = playing.feelings
+            else:
+                sentences = tuple(self._waiting.take(None, FEW_SENTENCES, FIRST_CHARACTERS))
+                self._beginning = sentences
+                feelings = sentences[0].feelings if sentences else self._waiting.felt
+                if not sentences and self._closed:
+                    return None
+        if self._joining is not None:
+            self._join(self._joining)
+        elif sentences or playing is None:
+            self._begin(sentences, feelings)
         return self._stretch
 
-    def _take(self, joined: LiveStretch | None) -> tuple[tuple[LiveSentence, ...], Displays]:
-        """Take the sentences that are said next, in a new turn or in one that plays, and what is felt."""
-        first = joined.sentences[0] if joined else None
-        taken = self._waiting.take(first, MOST_SENTENCES - (len(joined.sentences) if joined else 0))
-        if joined:
-            return tuple(taken), joined.feelings
-        return tuple(taken), taken[0].feelings if taken else self._waiting.felt
+    def _performing(self) -> tuple[LiveSentence, ...]:
+        """Return the sentences that no stretch has yet and that wait no more."""
+        return self._beginning if self._joining is None else self._joining.sentences
 
-    def _begun(
-        self, joined: LiveStretch | None, sentences: tuple[LiveSentence, ...], feelings: Displays
-    ) -> LiveStretch:
-        """Return what plays now. If sentences cannot be spoken together, the others wait for the first."""
-        before = self._stretch
-        if not sentences:
-            return self._begin_idle(before, feelings)
-        # If nothing can be spoken, the stretch before is over; a turn goes on without those that join.
-        self._stretch = joined
-        try:
-            return self._begin_turn(joined, before, sentences, feelings)
-        except RisoriusError:
-            if len(sentences) == 1:
-                raise
+    def _joins(self, playing: LiveStretch) -> bool:
+        """Have sentences that came in time join the turn that plays; tell whether they are due."""
+        plan = self._plan
+        if self._joining is None and plan is not None and self._next <= playing.last_call(plan.settings.fps):
+            most = room(len(playing.sentences), len(self._waiting))
+            new = tuple(self._waiting.take(playing.sentences[0], most))
+            if new:
+                self._joining = join_later(playing, new, plan, self._next)
+        return self._joining is not None and self._next >= self._joining.at
+
+    def _join(self, joining: Joining) -> None:
+        """Go on with the turn that others have joined; an error in them is raised, and it goes on without."""
+        performed = joining.turn.result()
+        playing = self._stretch
         with self._lock:
-            self._waiting.put_back(sentences[1:])
-        return self._begin_turn(joined, before, sentences[:1], feelings)
+            if self._joining is not joining or playing is None:
+                # Interrupted meanwhile.
+                return
+            self._joining = None
+            if performed.stretch is not None:
+                self._stretch = performed.stretch
+                assert self._last is not None
+                coming = performed.stretch.values[self._next - 1 - performed.stretch.first :]
+                self._seam.meet(self._last, coming, self._next)
+        self._told(performed)
 
-    def _begin_turn(
-        self,
-        joined: LiveStretch | None,
-        before: LiveStretch | None,
-        sentences: tuple[LiveSentence, ...],
-        feelings: Displays,
-    ) -> LiveStretch:
-        if joined is not None:
-            new, sentences = sentences, (*joined.sentences, *sentences)
-            chosen, first = self._turn_settings, joined.first
-        else:
-            new = sentences
+    def _told(self, performed: PerformedTurn) -> None:
+        """Let sentences wait that could not be said together, and tell what is wrong with those that were."""
+        with self._lock:
+            self._waiting.put_back(performed.rest)
+        self._faults += performed.faults
+        if performed.error is not None:
+            raise performed.error
+
+    def _begin(self, sentences: tuple[LiveSentence, ...], feelings: Displays) -> None:
+        """Begin a turn, or an idle stretch; raises RisoriusError for a sentence that cannot be spoken."""
+        before, self._stretch = self._stretch, None
+        if sentences:
             # The first turn has the random numbers of `speak`, every other one others.
             chosen = replace(self._settings, seed=self._settings.seed + self._turns)
             chosen, first = self._after(before, chosen, feelings)
-        phrases = [sentence.voice.result() for sentence in sentences if sentence.voice is not None]
-        if phrases:
-            take, texts = perform_voice(phrases, feelings, chosen), texts_of(phrases)
+            self._plan = TurnPlan(self._perform, chosen, feelings, first, self._sample_rate)
+            performed = self._plan.extended((), sentences)
+            with self._lock:
+                if self._interrupted:
+                    # While it was performed: nothing of it is said.
+                    performed = replace(performed, rest=())
+                self._stretch, self._beginning = performed.stretch, ()
+            self._told(performed)
+            assert performed.stretch is not None
+            self._turns, self._sample_rate = self._turns + 1, performed.stretch.sample_rate
         else:
-            texts = tuple(sentence.text for sentence in sentences)
-            take = self._perform("".join(texts), feelings, chosen)
-        self._faults += [phrase.fault for phrase in phrases[len(phrases) - len(new) :] if phrase.fault]
-        self._turn_settings, self._turns = chosen, self._turns + (joined is None)
-        stretch = stretch_of(take, sentences, texts, first, feelings, self._sample_rate)
-        self._sample_rate = stretch.sample_rate
-        return stretch
+            self._stretch = self._begin_idle(before, feelings)
+        self._seam.leave(self._last, self._next)
 
     def _begin_idle(self, before: LiveStretch | None, feelings: Displays) -> LiveStretch:
         chosen = replace(self._idle_settings, seed=self._settings.seed + self._idles)
@@ -343,17 +357,6 @@ class Live:
             return chosen, self._next
         chosen, dropped = prerolled(chosen)
         return chosen, self._next - dropped
-
-    def _blended(self, values: Array) -> Array:
-        """Return the next frame's values: at a seam they smoothly leave what would have been shown."""
-        since = self._next - self._seam_at
-        share = float((since + 1) / self._settings.fps) / SEAM
-        if self._seam_from is None or share >= 1.0:
-            return values
-        weight = share * share * (3.0 - 2.0 * share)
-        before = self._seam_from[min(since, len(self._seam_from) - 1)]
-        blended: Array = before + weight * (values - before)
-        return blended
 
 
 def _weights(settings: Settings) -> LiveWeights:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import ceil
@@ -12,17 +12,21 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..core.audio import Samples
+from ..errors import RisoriusError
 from ..rules.emotions import Displays
 from ..settings import Settings
 from ..take import Take
+from .hearing import perform_voice, texts_of
 from .waiting import LiveSentence
 
-SEAM = 0.15
-"""Seconds in which the face passes from one stretch to the next: an interrupted mouth shuts within .2 s."""
 TAIL = 0.35
 """Seconds of silence behind a sentence; with the seam before the next they make its pause."""
-MOST_SENTENCES = 8
-"""Sentences of a turn. Each that joins performs the turn anew, so that the cost of joining is bounded."""
+FIRST_CHARACTERS = 200
+"""Characters with which a turn begins, if there are so many: the others join it while it plays. What is said
+after so much text changes nothing of its first second (`channels.HORIZON`)."""
+FEW_SENTENCES, MOST_SENTENCES, GROWTH = 8, 64, 4
+"""Sentences of a turn. Joining performs the turn anew: one of more than a few sentences is joined only by as
+many as it has at least, and grows at most so many times, so that the cost of a sentence is bounded."""
 LAST_CALL = 0.9
 """Seconds before a turn's end after which no sentence joins it (DESIGN, section 6)."""
 PREROLL = 1.0
@@ -67,6 +71,65 @@ class LiveStretch:
     def last_call(self, fps: Fraction) -> int:
         """Return the last frame before which sentences may join."""
         return max(self.first, self.end - ceil(LAST_CALL * fps))
+
+
+@dataclass(frozen=True, slots=True)
+class TurnPlan:
+    """How a turn is performed: `perform` makes it by the `settings`, and it begins at the frame `first`.
+
+    `rate` is that of a turn without sound.
+    """
+
+    perform: PerformSentence
+    settings: Settings
+    feelings: Displays
+    first: int
+    rate: int
+
+    def performed(self, sentences: tuple[LiveSentence, ...]) -> LiveStretch:
+        """Perform sentences together; raises RisoriusError if that cannot be done."""
+        phrases = [sentence.voice.result() for sentence in sentences if sentence.voice is not None]
+        if phrases:
+            take, texts = perform_voice(phrases, self.feelings, self.settings), texts_of(phrases)
+        else:
+            texts = tuple(sentence.text for sentence in sentences)
+            take = self.perform("".join(texts), self.feelings, self.settings)
+        return stretch_of(take, sentences, texts, self.first, self.feelings, self.rate)
+
+    def extended(self, before: tuple[LiveSentence, ...], new: tuple[LiveSentence, ...]) -> PerformedTurn:
+        """Perform a turn with new sentences. If they cannot be spoken together, the others wait again."""
+        try:
+            return PerformedTurn(self.performed((*before, *new)), faults=_faults(new))
+        except RisoriusError as error:
+            if len(new) == 1:
+                return PerformedTurn(error=error)
+        try:
+            return PerformedTurn(self.performed((*before, new[0])), new[1:], _faults(new[:1]))
+        except RisoriusError as error:
+            return PerformedTurn(None, new[1:], error=error)
+
+
+@dataclass(frozen=True, slots=True)
+class PerformedTurn:
+    """What came of performing a turn: what it plays, None if its new sentences cannot be spoken, because of
+    `error`; the sentences that wait again; and why phrases are heard less well than they might be.
+    """
+
+    stretch: LiveStretch | None = None
+    rest: tuple[LiveSentence, ...] = ()
+    faults: tuple[str, ...] = ()
+    error: RisoriusError | None = None
+
+
+def _faults(sentences: Sequence[LiveSentence]) -> tuple[str, ...]:
+    phrases = [sentence.voice.result() for sentence in sentences if sentence.voice is not None]
+    return tuple(phrase.fault for phrase in phrases if phrase.fault)
+
+
+def room(size: int, waiting: int) -> int:
+    """Return how many of the sentences that wait may join a turn of this size."""
+    enough = (GROWTH - 1) * size if waiting >= size else 0
+    return min(max(FEW_SENTENCES - size, enough), MOST_SENTENCES - size)
 
 
 def stretch_of(

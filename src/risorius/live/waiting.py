@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -92,10 +93,13 @@ class WaitingSentences:
         self._queue(self._text.flush())
         self._hear(self._voice.flush())
 
-    def take(self, first: LiveSentence | None, most: int) -> list[LiveSentence]:
-        """Take at most so many that can be performed together with the first, or else with each other."""
+    def take(self, first: LiveSentence | None, most: int, characters: float = math.inf) -> list[LiveSentence]:
+        """Take at most so many that can be performed together with the first, or else with each other; none
+        more once there are so many characters."""
         taken: list[LiveSentence] = []
         while self._whole and len(taken) < most and (first is None or self._whole[0].joins(first)):
+            if sum(len(sentence.text) for sentence in taken) >= characters:
+                break
             taken.append(self._whole.popleft())
             first = first or taken[0]
         return taken

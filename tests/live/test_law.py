@@ -1,0 +1,158 @@
+"""The law: text that is there in time gives the frames that `speak` gives for the whole, a late piece a pause."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import islice, pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from risorius import Live, speak
+from risorius.core.parameters import INDEX, NAMES
+from risorius.live.frame import LiveFrame
+from risorius.live.seam import SEAM
+from risorius.live.session import perform_sentence
+from risorius.live.turn import TAIL
+from risorius.rules.emotions import Displays
+from risorius.settings import Settings
+from risorius.take import Take
+
+PARAGRAPH = (
+    "I like it very much here, and she likes popcorn. What do you like? My baby brother put the map by the "
+    "beam. Well, who knows. You may ask her yourself when she comes back on Monday. Everybody else has gone "
+    "away. It is 3.50 now. No, I do not believe a word of it! Is it true? She said that nobody in the whole "
+    "house, neither the children nor their parents, had seen a thing. Oh. Bring the ball. That is all."
+)
+# What a look at who listens moves: it begins up to 3.1 s before the end of what is known to be said.
+LOOKS = [
+    INDEX[name]
+    for name in NAMES
+    if name.startswith(("gaze", "head_pitch", "head_yaw", "orbicularis_oculi", "levator_palpebrae"))
+]
+OTHERS = [column for column in range(len(NAMES)) if column not in LOOKS]
+
+
+@cache
+def spoken(text: str, feelings: Displays, seed: int) -> Take:
+    """Perform sentences as a live face does by default; the same ones are performed once."""
+    return perform_sentence(text, feelings, Settings(lead=SEAM, tail=TAIL, seed=seed))
+
+
+def talking() -> Live:
+    return Live(perform=lambda text, feelings, chosen: spoken(text, feelings, chosen.seed))
+
+
+def offline(text: str, seed: int = 0) -> Take:
+    return spoken(text + " ", (), seed)
+
+
+def close_to(frames: list[LiveFrame], take: Take) -> None:
+    """Check that frames are those of a take, and that its sound is theirs."""
+    np.testing.assert_allclose([f.values for f in frames], take.performance.values, atol=1e-6)
+    sound_of(frames, take)
+
+
+def sound_of(frames: list[LiveFrame], take: Take) -> None:
+    """Check that the sound of frames is that of a take."""
+    assert take.audio is not None
+    heard, sound = np.concatenate([f.sound for f in frames]), take.audio.read()
+    shorter = min(len(heard), len(sound))
+    np.testing.assert_array_equal(heard[:shorter], sound[:shorter])
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.lists(st.integers(0, len(PARAGRAPH)), max_size=40))
+def test_a_long_text_in_any_pieces_gives_the_frames_of_speak(cuts: list[int]) -> None:
+    """A turn begins with some of its sentences; the others join it while it plays."""
+    face = talking()
+    for start, end in pairwise([0, *sorted(cuts), len(PARAGRAPH)]):
+        face.say(PARAGRAPH[start:end])
+    face.close()
+    frames = list(face.frames())
+    assert len(frames) == len(offline(PARAGRAPH).performance.values)
+    close_to(frames, offline(PARAGRAPH))
+
+
+FIRST, SECOND, THIRD = "Hello there, my dear friend. ", "I like it very much here, you know. ", "Who are you?"
+
+
+def check_joining(first: int, second: int, cuts: list[int]) -> None:
+    """All but the looks that end a turn are those of the whole from the beginning, looks soon after.
+
+    Where lips part, what is said a second later may shift that by less than a millisecond.
+    """
+    face, taken = talking(), offline(FIRST + SECOND + THIRD)
+    face.say(FIRST + "I")
+    iterator = face.frames()
+    frames = list(islice(iterator, first))
+    rest = SECOND[1:] + THIRD
+    cut = sorted({min(c, len(rest)) for c in cuts} | {len(SECOND) + 1})
+    for start, end in pairwise([0, *cut, len(rest)]):
+        face.say(rest[start:end])
+        if end == cut[-1]:
+            frames += islice(iterator, second)
+    face.close()
+    frames += iterator
+    assert len(frames) == len(taken.performance.values)
+    off = np.abs(np.array([f.values for f in frames]) - taken.performance.values)
+    settled = first + second + 25
+    assert off[settled:].max() < 1e-6
+    assert off[:, OTHERS].max() < 0.01
+    assert np.mean(off[:, OTHERS] > 1e-6) < 1e-3
+    sound_of(frames, taken)
+
+
+@settings(max_examples=12, deadline=None)
+@given(st.integers(1, 25), st.integers(0, 28), st.lists(st.integers(0, len(SECOND + THIRD)), max_size=5))
+def test_sentences_that_join_in_time_give_the_frames_of_the_whole(
+    first: int, second: int, cuts: list[int]
+) -> None:
+    check_joining(first, second, cuts)
+
+
+@pytest.mark.full
+@settings(max_examples=150, deadline=None)
+@given(st.integers(1, 25), st.integers(0, 28), st.lists(st.integers(0, len(SECOND + THIRD)), max_size=5))
+def test_sentences_join_in_time_whenever_they_come(first: int, second: int, cuts: list[int]) -> None:
+    check_joining(first, second, cuts)
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.integers(0, 90))
+def test_a_late_piece_is_the_performance_with_a_pause_of_that_length_there(late: int) -> None:
+    face, before, after = talking(), offline(FIRST.strip()), offline(THIRD, seed=1)
+    face.say(FIRST)
+    face.flush()
+    iterator = face.frames()
+    frames = list(islice(iterator, len(before.performance.values) + late))
+    face.say(THIRD)
+    face.close()
+    frames += iterator
+    begun = next(f.index for f in frames if f.text == THIRD)
+    assert begun == len(before.performance.values) + late
+    close_to(frames[: len(before.performance.values)], before)
+    assert not any(f.sound.any() for f in frames[len(before.performance.values) : begun])
+    seam = round(SEAM * 30)
+    values = after.performance.values[seam:]
+    np.testing.assert_allclose([f.values for f in frames[begun + seam :]], values, atol=1e-6)
+    assert after.audio is not None
+    heard = np.concatenate([f.sound for f in frames[begun:]])
+    sound = after.audio.read()[: len(heard)]
+    # Frames hold their samples by the face's own time, so that a turn's sound may begin one sample later.
+    length = len(sound) - 1
+    assert any(np.array_equal(heard[k : k + length], sound[:length]) for k in (0, 1))
+
+
+def test_the_frames_are_those_of_speak() -> None:
+    text = "Hello there. Who are you?"
+    chosen = Settings(lead=SEAM, tail=TAIL)
+    take = speak(text, text=True, emotion={"happiness": 0.7}, settings=chosen)
+    face = Live()
+    face.feel("happiness", 0.7)
+    for piece in ("Hel", "lo there. Wh", "o are you?"):
+        face.say(piece)
+    face.close()
+    close_to(list(face.frames()), take)
