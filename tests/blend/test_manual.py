@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import json
+import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from risorius import blend
 from risorius.core.arrays import Array
+from risorius.core.key_shapes import Handle, KeyShape
 from risorius.core.movement import LipSegment, ManualCurve, Movement
 from risorius.core.parameters import INDEX
-from risorius.core.score import BlendSettings, Score
+from risorius.core.score import BlendSettings, Score, check_score
+from risorius.errors import InputError
+from risorius.ports.score_json import read_score_file, score_to_json
 
 
 def test_keys_are_joined_by_lines_and_hold_only_within_their_time() -> None:
@@ -102,3 +110,61 @@ def test_every_policy_has_a_drawn_curve_replace(conflict: str) -> None:
         Score(4.0, (TestReplacing.HAPPY,), manual=(TestReplacing.LOW,), settings=settings), np.array([2.0])
     )
     assert values[0, INDEX[TestReplacing.SMILE]] == pytest.approx(0.1)
+
+
+BROW = "frontalis_medialis.left"
+
+
+def shaped(*shapes: KeyShape, keys: tuple[tuple[float, float], ...] = ((1.0, 0.2), (2.0, 0.8))) -> Score:
+    return Score(4.0, manual=(ManualCurve({BROW: keys}, replaces=True, shapes={BROW: shapes}),))
+
+
+@pytest.mark.parametrize(
+    ("shapes", "message"),
+    [
+        ((KeyShape(),), "1 shapes; expected one for each of its 2 keys"),
+        ((KeyShape(after=(-0.1, 0.0)), KeyShape()), "shape 0 has handles"),
+        ((KeyShape(), KeyShape(before=(0.1, 0.0))), "shape 1 has handles"),
+        ((KeyShape(after=(math.nan, 0.0)), KeyShape()), "expected \\[seconds, value\\]"),
+        ((KeyShape(after=(0.1, math.inf)), KeyShape()), "expected \\[seconds, value\\]"),
+    ],
+)
+def test_shapes_that_are_not_those_of_the_keys_are_refused(
+    shapes: tuple[KeyShape, ...], message: str
+) -> None:
+    with pytest.raises(InputError, match=message):
+        check_score(shaped(*shapes))
+
+
+def test_a_key_that_is_held_keeps_its_value_until_the_next() -> None:
+    values = blend.at(shaped(KeyShape(hold=True), KeyShape()), np.array([1.0, 1.5, 1.999, 2.0]))
+    np.testing.assert_allclose(values[:, INDEX[BROW]], [0.2, 0.2, 0.2, 0.8])
+
+
+def test_level_handles_ease_in_and_out_and_straight_ones_change_nothing() -> None:
+    times = np.linspace(1.0, 2.0, 41)
+    level = shaped(KeyShape(after=(1 / 3, 0.0)), KeyShape(before=(-1 / 3, 0.0)))
+    eased = blend.at(level, times)[:, INDEX[BROW]]
+    share = times - 1.0
+    np.testing.assert_allclose(eased, 0.2 + 0.6 * share**2 * (3 - 2 * share), atol=1e-4)
+    straight = blend.at(shaped(KeyShape(), KeyShape()), times)
+    third = shaped(KeyShape(after=(1 / 3, 0.2)), KeyShape(before=(-1 / 3, -0.2)))
+    np.testing.assert_allclose(blend.at(third, times), straight, atol=1e-12)
+
+
+@given(st.tuples(st.floats(0, 9), st.floats(-9, 9)), st.tuples(st.floats(-9, 0), st.floats(-9, 9)))
+def test_whatever_the_handles_the_curve_stays_in_its_range_and_meets_its_keys(
+    after: Handle, before: Handle
+) -> None:
+    score = shaped(KeyShape(after=after), KeyShape(before=before))
+    values = blend.at(score, np.linspace(1.0, 2.0, 101))[:, INDEX[BROW]]
+    assert values.min() >= 0.0
+    assert values.max() <= 1.0
+    np.testing.assert_allclose(values[[0, -1]], [0.2, 0.8])
+
+
+def test_a_score_keeps_its_shapes(tmp_path: Path) -> None:
+    score = shaped(KeyShape(after=(0.1, 0.2)), KeyShape(before=(-0.3, 0.0), hold=True))
+    path = tmp_path / "a.score.json"
+    path.write_text(json.dumps(score_to_json(score)))
+    assert read_score_file(path).score.manual == score.manual

@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import anyio
+import anyio._backends._asyncio  # anyio imports it in the server's thread else
 import uvicorn
 
 import risorius

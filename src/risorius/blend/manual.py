@@ -1,4 +1,4 @@
-"""Curves drawn by hand: keys joined by straight lines, in force only within their own time."""
+"""Curves drawn by hand: keys joined by lines, in force only within their own time."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from ..core.arrays import Array, IndexArray
+from ..core.key_shapes import polyline
 from ..core.movement import ManualCurve
+from ..core.parameters import INDEX, PARAMETERS
 from .concatenate import NEUTRALS
 from .curve import Curve, Origin
 from .intervals import Extent, Spans, above_line, covers, difference, merged
@@ -17,8 +19,12 @@ class KeyCurve:
     """One parameter's keys in a curve drawn by hand, as deviations from its neutral."""
 
     def __init__(self, name: str, drawn: ManualCurve) -> None:
-        table = np.array(drawn.keys[name], dtype=np.float64)
-        self.times, self.values = table[:, 0].copy(), table[:, 1] - NEUTRALS[name]
+        table = polyline(drawn.keys[name], drawn.shapes.get(name, ()))
+        known = PARAMETERS[INDEX[name]]
+        # Handles may reach beyond the range.
+        values = np.clip(table[:, 1], known.low, known.high) if drawn.shapes else table[:, 1]
+        self.times, self.values = table[:, 0].copy(), values - NEUTRALS[name]
+        self._keys = np.array([time for time, _ in drawn.keys[name]])
         self._drawn = drawn
 
     def sample(self, times: Array) -> tuple[IndexArray, Array]:
@@ -44,7 +50,7 @@ class KeyCurve:
 
     def breakpoints(self) -> Array:
         """Return the key times, shape (n,)."""
-        return self.times
+        return self._keys
 
 
 def key_curves(curves: Iterable[ManualCurve]) -> dict[str, list[KeyCurve]]:

@@ -15,6 +15,7 @@ from typing import Any
 from ..errors import InputError, unknown
 from .action_units import resolve_targets
 from .functions import DEFAULT_FUNCTION
+from .key_shapes import KeyShape
 from .movement import Cause, ManualCurve, Movement
 from .parameters import parameters_named
 from .score import Score, check_score
@@ -59,7 +60,7 @@ class Add:
     """Add a block. Targets are parameters, action units or aliases.
 
     Without `layer` it gets a layer of its own, so that no other block of its channel interrupts it; without
-    `id` it gets the next free one.
+    `id` it gets the next free one, without `priority` that of its channel.
     """
 
     channel: str
@@ -71,6 +72,7 @@ class Add:
     layer: str | None = None
     function: str | None = None
     id: str | None = None
+    priority: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,12 +87,14 @@ class Keys:
     """Draw a parameter's curve by hand: keys [time, value] with increasing times replace earlier keys.
 
     A name without its side means both sides. `replaces`: from the first key to the last, the curve replaces
-    all other channels; else the highest value shows.
+    all other channels; else the highest value shows. `shapes`: how it passes each key;
+    none is straight.
     """
 
     parameter: str
     keys: tuple[tuple[float, float], ...]
     replaces: bool = True
+    shapes: tuple[KeyShape, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,6 +198,7 @@ def _add(score: Score, edit: Add) -> Score:
         id=name,
         layer=name if edit.layer is None else edit.layer,
         function=edit.function or DEFAULT_FUNCTION,
+        priority=edit.priority,
         cause=Cause(BY_HAND, "added"),
     )
     _placed(score, added)
@@ -213,7 +218,8 @@ def _keys(score: Score, edit: Keys) -> Score:
             f"keys of {edit.parameter} lie outside the clip; expected times from 0 to {score.duration:g} s"
         )
     rest = _undrawn(score, names)
-    curve = ManualCurve(dict.fromkeys(names, edit.keys), Cause(BY_HAND, "drawn"), edit.replaces)
+    shapes = dict.fromkeys(names, edit.shapes) if edit.shapes else {}
+    curve = ManualCurve(dict.fromkeys(names, edit.keys), Cause(BY_HAND, "drawn"), edit.replaces, shapes)
     return replace(score, manual=(*rest, curve))
 
 
@@ -230,7 +236,8 @@ def _undrawn(score: Score, names: Collection[str]) -> tuple[ManualCurve, ...]:
     for curve in score.manual:
         keys = {name: keys for name, keys in curve.keys.items() if name not in names}
         if keys:
-            curves.append(curve if len(keys) == len(curve.keys) else replace(curve, keys=keys))
+            shapes = {name: shapes for name, shapes in curve.shapes.items() if name in keys}
+            curves.append(curve if len(keys) == len(curve.keys) else replace(curve, keys=keys, shapes=shapes))
     return tuple(curves)
 
 

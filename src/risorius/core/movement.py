@@ -12,6 +12,7 @@ from .action_units import Targets
 from .articulators import leader
 from .channels import CHANNELS
 from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS, FunctionName
+from .key_shapes import KeyShape
 from .parameters import INDEX, PARAMETERS, check_value
 from .time import on_ticks, put_on_ticks
 from .units import MAX_SECONDS, Seconds
@@ -152,11 +153,13 @@ class ManualCurve:
 
     Times in seconds, read to the nearest tick. `replaces`: from its first to its last key a curve replaces
     every other channel in its parameter, so that it can also be lower; else the highest value shows.
+    `shapes`: for parameters whose curve is not straight, how it passes each key.
     """
 
     keys: Mapping[str, CurveKeys]
     cause: Cause = field(default_factory=Cause)
     replaces: bool = False
+    shapes: Mapping[str, tuple[KeyShape, ...]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         keys = {name: _on_ticks(curve) for name, curve in self.keys.items()}
@@ -194,6 +197,24 @@ def check_span(label: str, start: float, end: float) -> None:
         raise InputError(f"'{label}': end = {end} must come after start = {start}")
     if not end <= MAX_SECONDS:
         raise InputError(f"'{label}': end = {end} is out of range; expected at most {MAX_SECONDS:g} seconds")
+
+
+def check_shapes(curve: ManualCurve) -> None:
+    """Raise InputError unless each parameter with shapes has one for each key, its handles on their sides."""
+    for name, shapes in curve.shapes.items():
+        keys = len(curve.keys.get(name, ()))
+        if len(shapes) != keys:
+            raise InputError(
+                f"curve of {name}: {len(shapes)} shapes; expected one for each of its {keys} keys"
+            )
+        for number, shape in enumerate(shapes):
+            before, after = shape.before or (0.0, 0.0), shape.after or (0.0, 0.0)
+            within = all(abs(part) <= MAX_SECONDS for part in (*before, *after))
+            if not (within and before[0] <= 0.0 <= after[0]):
+                raise InputError(
+                    f"curve of {name}: shape {number} has handles {list(before)} and {list(after)}; "
+                    "expected [seconds, value] from the key, one back and one on"
+                )
 
 
 def check_target(name: str, value: float) -> None:

@@ -10,7 +10,15 @@ from ..errors import InputError
 from .articulators import check_lip_target
 from .functions import FunctionName
 from .hints import Range
-from .movement import LipSegment, ManualCurve, Movement, check_movement, check_span, check_target
+from .movement import (
+    LipSegment,
+    ManualCurve,
+    Movement,
+    check_movement,
+    check_shapes,
+    check_span,
+    check_target,
+)
 from .time import put_on_ticks
 from .units import MAX_SECONDS, Share
 
@@ -112,3 +120,4 @@ def _check_manual(curve: ManualCurve) -> None:
                 )
         if any(not a[0] < b[0] for a, b in pairwise(keys)):
             raise InputError(f"manual curve of {name}: times must increase from key to key")
+    check_shapes(curve)

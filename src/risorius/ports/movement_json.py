@@ -12,6 +12,7 @@ from ..core.channels import CHANNELS
 from ..core.functions import DEFAULT_FUNCTION
 from ..core.hints import ChooseType, Range, Then
 from ..core.json_text import JsonObject
+from ..core.key_shapes import KeyShape
 from ..core.movement import (
     Cause,
     Dominance,
@@ -19,6 +20,7 @@ from ..core.movement import (
     ManualCurve,
     Movement,
     check_movement,
+    check_shapes,
     check_span,
     check_target,
 )
@@ -106,6 +108,10 @@ def _curves(curves: Mapping[str, tuple[NumberPair, ...]]) -> dict[str, tuple[Num
     return _by_parameter(curves, _check_keys)
 
 
+def _shapes(shapes: Mapping[str, tuple[KeyShape, ...]]) -> dict[str, tuple[KeyShape, ...]]:
+    return _by_parameter(shapes, lambda _name, _value: None)
+
+
 def _check_keys(parameter: str, keys: tuple[NumberPair, ...]) -> None:
     for number, (_, value) in enumerate(keys):
         try:
@@ -151,12 +157,18 @@ class ManualEntry:
 
     channel: Literal["manual"]
     keys: Annotated[Mapping[str, Annotated[tuple[tuple[KeyTime, float], ...], Then(_rising)]], Then(_curves)]
+    shapes: Annotated[Mapping[str, tuple[KeyShape, ...]], Then(_shapes)] = field(default_factory=dict)
     replaces: bool = False
     cause: Cause = field(default_factory=Cause)
 
     def curve(self) -> ManualCurve:
-        """Return the curves."""
-        return ManualCurve(self.keys, self.cause, self.replaces)
+        """Return the curves; raise MisfitError if the shapes are not those of their keys."""
+        curve = ManualCurve(self.keys, self.cause, self.replaces, self.shapes)
+        try:
+            check_shapes(curve)
+        except InputError as error:
+            raise MisfitError(error.message, "shapes") from None
+        return curve
 
 
 def _kind_of(members: Mapping[str, Any]) -> Any:
@@ -182,8 +194,17 @@ def entry_to_json(entry: Movement | LipSegment | ManualCurve) -> JsonObject:
     if isinstance(entry, LipSegment):
         return _lips_to_json(entry)
     keys = {name: [list(key) for key in keys] for name, keys in entry.keys.items()}
+    shapes = {name: [_shape_to_json(shape) for shape in shapes] for name, shapes in entry.shapes.items()}
+    bent = {"shapes": shapes} if shapes else {}
     replaces = {"replaces": True} if entry.replaces else {}
-    return {"channel": "manual", "keys": keys} | replaces | _cause_to_json(entry.cause)
+    return {"channel": "manual", "keys": keys} | bent | replaces | _cause_to_json(entry.cause)
+
+
+def _shape_to_json(shape: KeyShape) -> JsonObject:
+    fields: JsonObject = {"before": shape.before, "after": shape.after, "hold": shape.hold}
+    return {
+        name: list(v) if isinstance(v, tuple) else v for name, v in fields.items() if v not in (None, False)
+    }
 
 
 def _movement_to_json(m: Movement) -> JsonObject:

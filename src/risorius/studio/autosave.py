@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from ..core.audio import AudioWriter
@@ -21,6 +21,7 @@ from .scores import parsed, read_score
 from .session import Session
 from .session_files import SessionFiles, digest, write_text
 from .version import Version
+from .wire.marks import LaneStates, Markers
 from .wire.shared import TakeInputs
 from .wire.views import PageView
 
@@ -38,6 +39,8 @@ class AutosaveDocument:
     view: Mapping[str, object]
     score: str
     lost: SavedLost = ()
+    markers: Markers = ()
+    lanes: LaneStates = field(default_factory=LaneStates)
     sound: str | None = None
     take: int = 0
 
@@ -131,7 +134,7 @@ class Autosave:
         score = self._folder / Path(saved.score).name
         sound = None if saved.sound is None else self._folder / Path(saved.sound).name
         score_file = _with_own_sound(read_score(parsed(score.read_bytes(), score.name), sound))
-        version = version_of(saved.made, score_file, saved.edits, files, saved.lost)
+        version = version_of(saved.made, score_file, saved, files)
         return Opened(version, _view(saved.view)), saved.take
 
 

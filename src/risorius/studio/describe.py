@@ -121,7 +121,9 @@ def drawn(score: Score) -> tuple[takes.DrawnCurve, ...]:
 
 
 def _drawn(name: str, curve: ManualCurve) -> takes.DrawnCurve:
-    return takes.DrawnCurve(name, tuple(curve.keys[name]), sentence(curve.cause), curve.replaces)
+    return takes.DrawnCurve(
+        name, tuple(curve.keys[name]), sentence(curve.cause), curve.replaces, curve.shapes.get(name, ())
+    )
 
 
 def curves(values: Array) -> dict[str, str]:

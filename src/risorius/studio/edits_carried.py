@@ -15,6 +15,7 @@ from ..core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Stretch
 from ..core.movement import Movement
 from ..errors import RisoriusError
 from .version import LostEdit, Version, worded
+from .wire.marks import Marker
 from .word_times import Fit, WordTimes
 
 NEAR = 0.25
@@ -79,7 +80,19 @@ def carried(before: Version, after: Version) -> Version:
         some = "; ".join(texts[:3]) + ("; …" if len(texts) > 3 else "")
         warnings = (*warnings, f"{len(texts)} of the changes by hand did not fit any more: {some}")
     kept = (*lost, *named)[-MOST_LOST:]
-    return replace(version, warnings=warnings, milliseconds=after.milliseconds, lost=kept)
+    return replace(
+        version,
+        warnings=warnings,
+        milliseconds=after.milliseconds,
+        lost=kept,
+        markers=_moved_markers(before, WordTimes(before.utterance, after.utterance), version.score.duration),
+        lanes=before.lanes,
+    )
+
+
+def _moved_markers(before: Version, times: WordTimes, duration: float) -> tuple[Marker, ...]:
+    """Return the markers where their words are; those of words that are gone stand where these would."""
+    return tuple(replace(marker, time=min(times.at(marker.time)[0], duration)) for marker in before.markers)
 
 
 def _made(
@@ -212,6 +225,7 @@ def _inside(edit: Add | Keys, duration: float) -> Add | Keys:
     if isinstance(edit, Keys):
         shift = min(0.0, duration - edit.keys[-1][0])
         keys = tuple((time + shift, value) for time, value in edit.keys)
-        return replace(edit, keys=tuple(key for key in keys if key[0] >= 0.0))
+        inside = tuple(key for key in keys if key[0] >= 0.0)
+        return replace(edit, keys=inside, shapes=edit.shapes[len(keys) - len(inside) :])
     shift = min(0.0, duration - edit.end)
     return replace(edit, start=max(0.0, edit.start + shift), end=edit.end + shift)

@@ -13,7 +13,7 @@ import io
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Annotated, Any
+from typing import Annotated, Any, Protocol
 
 import numpy as np
 import soundfile
@@ -34,6 +34,7 @@ from .session import Session
 from .session_files import SessionFiles
 from .version import LostEdit, Version
 from .wire import requests, shared
+from .wire.marks import LaneStates, Marker, Markers
 from .wire.views import PageView
 
 VERSION = 1
@@ -96,6 +97,8 @@ class ProjectDocument:
     score: ScoreDocument
     view: SavedView = field(default_factory=PageView)
     lost: SavedLost = ()
+    markers: Markers = ()
+    lanes: LaneStates = field(default_factory=LaneStates)
     sound: str | None = None
     recording: RecordingEntry | None = None
     emotions: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
@@ -110,6 +113,26 @@ class Opened:
     view: PageView
 
 
+class Changes(Protocol):
+    """What both kinds of documents save of what a user has changed."""
+
+    @property
+    def edits(self) -> tuple[Edit, ...]:
+        """The edits in order."""
+
+    @property
+    def lost(self) -> tuple[LostEdit, ...]:
+        """Those that have no place in the score."""
+
+    @property
+    def markers(self) -> tuple[Marker, ...]:
+        """The markers."""
+
+    @property
+    def lanes(self) -> LaneStates:
+        """What is muted, solo and locked."""
+
+
 def header(version: Version, view: PageView) -> dict[str, Any]:
     """Return what a project says beside score and sound."""
     return {
@@ -117,6 +140,8 @@ def header(version: Version, view: PageView) -> dict[str, Any]:
         "made": encoded(version.inputs),
         "edits": [_kept_edit(edit) for edit in version.edits],
         "lost": [{"text": it.text, "edit": it.edit and _kept_edit(it.edit)} for it in version.lost],
+        "markers": [encoded(marker) for marker in version.markers],
+        "lanes": encoded(version.lanes),
         "view": encoded(view),
     }
 
@@ -167,21 +192,30 @@ def _opened(project: ProjectDocument, files: SessionFiles) -> Opened:
         file = score_file(project.score, None)
     with within("sound"):
         utterance = _sounding(file.utterance, project.sound)
-    version = version_of(inputs, ScoreFile(file.score, utterance), project.edits, files, project.lost)
+    version = version_of(inputs, ScoreFile(file.score, utterance), project, files)
     return Opened(version, project.view)
 
 
 def version_of(
     inputs: shared.TakeInputs,
     score_file: ScoreFile,
-    edits: tuple[Edit, ...],
+    saved: Changes,
     files: SessionFiles,
-    lost: tuple[LostEdit, ...] = (),
 ) -> Version:
-    """Return the version of a session that a score and its edits are."""
+    """Return the version of a session that a score and what was changed in it are."""
     settings = with_profile(settings_of(inputs.choices, files.folder))
     base = score_file.score
-    return Version(inputs, base, base, settings, score_file.utterance, edits, lost=lost)
+    return Version(
+        inputs,
+        base,
+        base,
+        settings,
+        score_file.utterance,
+        saved.edits,
+        lost=saved.lost,
+        markers=saved.markers,
+        lanes=saved.lanes,
+    )
 
 
 def _with_recording(

@@ -23,7 +23,7 @@ from .history import History
 from .performer import Performer
 from .prefetch import Prefetch, worth_it
 from .session_files import SessionFiles
-from .version import LostEdit, Version, worded
+from .version import LostEdit, Version, lanes_worded, worded
 from .wire import answers, requests, shared, takes
 from .wire.views import PageView
 
@@ -133,6 +133,23 @@ class Session:
         self.history.push(version, worded(version.edits[-1], before.score))
         return self._changed(version)
 
+    def set_markers(self, request: requests.SetMarkers, progress: Progress) -> takes.TakeChange:
+        """Set the markers."""
+        before = self.version()
+        late = [marker for marker in request.markers if marker.time > before.score.duration]
+        if late:
+            raise InputError(f"a marker at {late[0].time:g} s; expected up to {before.score.duration:g} s")
+        after = before.annotated(markers=request.markers)
+        self.history.push(after, "change the markers")
+        return self._changed(after)
+
+    def set_lanes(self, request: requests.SetLanes, progress: Progress) -> takes.TakeChange:
+        """Mute, solo and lock lanes."""
+        before = self.version()
+        after = before.annotated(lanes=request.lanes)
+        self.history.push(after, lanes_worded(before.lanes, request.lanes))
+        return self._changed(after)
+
     def bring_back(self, request: requests.BringBack, progress: Progress) -> takes.TakeChange:
         """Make something again that was lost when the text changed."""
         version, entry = self._lost(request.number)
@@ -162,7 +179,7 @@ class Session:
         """Return the take that an edit would make, and which curves it would change; nothing is changed."""
         version, live = self.version().changed(edit), self.current
         assert live is not None
-        take = combine(version.score, version.settings, version.utterance, live.take)
+        take = combine(version.audible, version.settings, version.utterance, live.take)
         changed = describe.changed_curves(live.curves, describe.curves(take.performance.values))
         return take, takes.Previewed(live.number, changed)
 
@@ -292,7 +309,7 @@ class Session:
         progress("Combining …")
         begun = perf_counter()
         like = None if self.current is None else self.current.take
-        take = combine(version.score, version.settings, version.utterance, like)
+        take = combine(version.audible, version.settings, version.utterance, like)
         version.milliseconds["blend"] = 1e3 * (perf_counter() - begun)
         return take
 
@@ -311,13 +328,15 @@ class Session:
             frames=len(take.performance.values),
             speech=None if take.utterance is None else describe.spoken(take.utterance, sound),
             blocks=tuple(live.blocks.values()),
-            drawn=describe.drawn(take.score),
+            drawn=describe.drawn(version.score),
             curves=live.curves,
             made=version.inputs,
             undoes=self.history.undoes,
             redoes=self.history.redoes,
             warnings=version.warnings,
             lost=_lost_texts(version),
+            markers=version.markers,
+            lanes=version.lanes,
             milliseconds=version.milliseconds,
         )
 
@@ -330,7 +349,7 @@ class Session:
             before=before.number,
             blocks=blocks,
             gone=() if whole else tuple(n for n in before.blocks if n not in after.blocks),
-            drawn=describe.drawn(after.take.score),
+            drawn=describe.drawn(after.version.score),
             curves={} if whole else describe.changed_curves(before.curves, after.curves),
             from_frame=first,
             to_frame=last,
@@ -340,6 +359,8 @@ class Session:
             whole=whole,
             warnings=after.version.warnings,
             lost=_lost_texts(after.version),
+            markers=after.version.markers,
+            lanes=after.version.lanes,
         )
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from ..core.edits import Add, ClearKeys, Edit, Keys, edited, named
 from ..core.movement import Movement
 from ..core.score import Score
 from ..core.utterance import Utterance
 from ..settings import Settings
+from .wire.marks import LaneStates, Marker
 from .wire.shared import TakeInputs
 
 
@@ -31,6 +33,7 @@ class Version:
     """What a take is made from.
 
     `base`: the score as planned; `score`: with all edits made; `lost`: those that have no place in it.
+    `lanes`: what of it is muted.
     """
 
     inputs: TakeInputs
@@ -41,12 +44,31 @@ class Version:
     edits: tuple[Edit, ...] = ()
     warnings: tuple[str, ...] = ()
     lost: tuple[LostEdit, ...] = ()
+    markers: tuple[Marker, ...] = ()
+    lanes: LaneStates = field(default_factory=LaneStates)
     milliseconds: dict[str, float] = field(default_factory=dict, compare=False)
 
     @property
     def lost_made(self) -> tuple[LostEdit, ...]:
         """Those lost edits that had made something."""
         return tuple(entry for entry in self.lost if entry.edit is not None)
+
+    @property
+    def audible(self) -> Score:
+        """The score without what is on muted lanes."""
+        silent, score = self.lanes.silent, self.score
+        if not silent:
+            return score
+        return replace(
+            score,
+            movements=tuple(m for m in score.movements if m.channel not in silent),
+            lips=() if "lips" in silent else score.lips,
+            manual=() if "manual" in silent else score.manual,
+        )
+
+    def annotated(self, **values: Any) -> Version:
+        """Return the version with other markers or lanes."""
+        return replace(self, warnings=(), milliseconds={}, **values)
 
     def changed(self, edit: Edit) -> Version:
         """Return the version with one more edit; raise InputError or ParameterError if it does not fit."""
@@ -69,6 +91,19 @@ def worded(edit: Edit, *scores: Score) -> str:
         return f"{verb} {edit.parameter.replace('_', ' ')}"
     found = next((m for score in scores for m in score.movements if m.id == edit.movement), None)
     return f"{verb} {edit.movement if found is None else _said(found)}"
+
+
+def lanes_worded(before: LaneStates, after: LaneStates) -> str:
+    """Return a short description of a change of lanes, as "mute head"."""
+    for verb, undo, was, now in (
+        ("mute", "unmute", before.muted, after.muted),
+        ("solo", "end solo of", before.solo, after.solo),
+        ("lock", "unlock", before.locked, after.locked),
+    ):
+        added, gone = [n for n in now if n not in was], [n for n in was if n not in now]
+        if added or gone:
+            return f"{verb if added else undo} {', '.join(added or gone)}"
+    return "change the lanes"
 
 
 def _said(m: Movement) -> str:

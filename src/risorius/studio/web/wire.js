@@ -31,7 +31,7 @@
 /**
  * Add a block. Targets are parameters, action units or aliases.
  * Without `layer` it gets a layer of its own, so that no other block of its channel interrupts it; without
- * `id` it gets the next free one.
+ * `id` it gets the next free one, without `priority` that of its channel.
  * @typedef {Object} Add
  * @property {"edit"} do
  * @property {"add"} kind
@@ -44,6 +44,7 @@
  * @property {string|null} [layer]
  * @property {string|null} [function]
  * @property {string|null} [id]
+ * @property {number|null} [priority]
  */
 /**
  * Delete a block.
@@ -55,13 +56,14 @@
 /**
  * Draw a parameter's curve by hand: keys [time, value] with increasing times replace earlier keys.
  * A name without its side means both sides. `replaces`: from the first key to the last, the curve replaces
- * all other channels; else the highest value shows.
+ * all other channels; else the highest value shows. `shapes`: how it passes each key; none is straight.
  * @typedef {Object} Keys
  * @property {"edit"} do
  * @property {"keys"} kind
  * @property {string} parameter
  * @property {Array<[number, number]>} keys
  * @property {boolean} [replaces]
+ * @property {Array<KeyShape>} [shapes]
  */
 /**
  * Delete the curves drawn by hand for a parameter; a name without its side means both sides.
@@ -80,6 +82,15 @@
  * @property {number} phone
  * @property {string} symbol
  * @property {number} shift
+ */
+/**
+ * How a drawn curve passes one of its keys: None is a straight line towards the neighbour.
+ * `before`, `after`: the handles at the key's left and right; a handle that reaches beyond the neighbour in
+ * time is shortened to it. `hold`: the key's value stays until the next key.
+ * @typedef {Object} KeyShape
+ * @property {[number, number]|null} [before]
+ * @property {[number, number]|null} [after]
+ * @property {boolean} [hold]
  */
 /**
  * An emotion over the whole clip, over seconds, or over characters [first, last) of the text.
@@ -143,6 +154,20 @@
  * @property {Source} source
  * @property {Choices} choices
  * @property {Array<EmotionSpan>} emotions
+ */
+/**
+ * A time with a note.
+ * @typedef {Object} Marker
+ * @property {number} time
+ * @property {string} [text]
+ */
+/**
+ * Channels that are muted, those that act alone (`solo`), and those that are locked against changes.
+ * What is muted moves nothing, also in exports. If any is solo, all others are as if muted.
+ * @typedef {Object} LaneStates
+ * @property {Array<string>} [muted]
+ * @property {Array<string>} [solo]
+ * @property {Array<string>} [locked]
  */
 /**
  * Where the head is seen from: centre and height of what is seen in metres, turn and tilt in degrees.
@@ -231,6 +256,18 @@
  * @typedef {Object} Preview
  * @property {Move|Stretch|Retarget|Add|Delete|Keys|ClearKeys} edit
  * @property {number|null} [face]
+ */
+/**
+ * Set all markers of the line; they follow its words when the text changes. Answered by TakeChange.
+ * @typedef {Object} SetMarkers
+ * @property {"markers"} do
+ * @property {Array<Marker>} markers
+ */
+/**
+ * Say which lanes are muted, solo and locked; answered by TakeChange.
+ * @typedef {Object} SetLanes
+ * @property {"lanes"} do
+ * @property {LaneStates} lanes
  */
 /**
  * Make a change again that did not fit a new plan, by its number in `lost`; answered by TakeChange.
@@ -428,12 +465,13 @@
  * @property {boolean} [edited]
  */
 /**
- * A parameter's curve drawn by hand: keys [time, value]. `replaces`: as in Keys.
+ * A parameter's curve drawn by hand: keys [time, value]. `replaces`, `shapes`: as in Keys.
  * @typedef {Object} DrawnCurve
  * @property {string} parameter
  * @property {Array<[number, number]>} keys
  * @property {string} cause
  * @property {boolean} replaces
+ * @property {Array<KeyShape>} [shapes]
  */
 /**
  * The sound's peaks at one zoom: base64 of int8 pairs (lowest, highest), one pair per bucket.
@@ -458,7 +496,8 @@
  * `curves`: `frames` values for each parameter that moves; the others stay at their neutral value. `made`:
  * what it was performed from. `undoes`, `redoes`: the changes that undo and redo would act on. `warnings`:
  * where the take differs from what was requested. `lost`: changes by hand that did not fit when the line
- * was planned anew, which `bring_back` makes again. `milliseconds`: the duration of each step.
+ * was planned anew, which `bring_back` makes again. `lanes`: what is muted, solo and locked.
+ * `milliseconds`: the duration of each step.
  * @typedef {Object} TakeView
  * @property {number} take
  * @property {number} duration
@@ -473,6 +512,8 @@
  * @property {string} redoes
  * @property {Array<string>} warnings
  * @property {Array<string>} lost
+ * @property {Array<Marker>} markers
+ * @property {LaneStates} lanes
  * @property {Object<string, number>} milliseconds
  */
 /**
@@ -494,6 +535,8 @@
  * @property {TakeView|null} whole
  * @property {Array<string>} warnings
  * @property {Array<string>} lost
+ * @property {Array<Marker>} markers
+ * @property {LaneStates} lanes
  */
 /**
  * A session: its take (null before the first), and the recordings, emotions and poses saved in it.
@@ -851,7 +894,7 @@
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "relabel" | "edit_all" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "relabel" | "edit_all" | "markers" | "lanes" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

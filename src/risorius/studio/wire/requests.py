@@ -12,6 +12,7 @@ from ...core.schema import converter
 from ...core.units import Seconds, Share
 from ...errors import InputError, unknown
 from .choices import export_class
+from .marks import LaneStates, Markers
 from .shared import Choices, EmotionSpan, Source, Whole
 from .views import PageView
 
@@ -120,6 +121,20 @@ class Preview:
 
     edit: Edit
     face: Seconds | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SetMarkers:
+    """Set all markers of the line; they follow its words when the text changes. Answered by TakeChange."""
+
+    markers: Markers
+
+
+@dataclass(frozen=True, slots=True)
+class SetLanes:
+    """Say which lanes are muted, solo and locked; answered by TakeChange."""
+
+    lanes: LaneStates
 
 
 @dataclass(frozen=True, slots=True)
@@ -286,6 +301,8 @@ VERBS: Mapping[str, type] = {
     "choose": Choose,
     "relabel": Relabel,
     "edit_all": EditAll,
+    "markers": SetMarkers,
+    "lanes": SetLanes,
     "bring_back": BringBack,
     "let_go": LetGo,
     "undo": Undo,

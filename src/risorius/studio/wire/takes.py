@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from ...core.key_shapes import KeyShape
+from .marks import LaneStates, Marker
 from .shared import TakeInputs
 from .views import PageView
 
@@ -78,12 +80,13 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class DrawnCurve:
-    """A parameter's curve drawn by hand: keys [time, value]. `replaces`: as in Keys."""
+    """A parameter's curve drawn by hand: keys [time, value]. `replaces`, `shapes`: as in Keys."""
 
     parameter: str
     keys: tuple[tuple[float, float], ...]
     cause: str
     replaces: bool
+    shapes: tuple[KeyShape, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +118,8 @@ class TakeView:
     `curves`: `frames` values for each parameter that moves; the others stay at their neutral value. `made`:
     what it was performed from. `undoes`, `redoes`: the changes that undo and redo would act on. `warnings`:
     where the take differs from what was requested. `lost`: changes by hand that did not fit when the line was
-    planned anew, which `bring_back` makes again. `milliseconds`: the duration of each step.
+    planned anew, which `bring_back` makes again. `lanes`: what is muted, solo and
+    locked. `milliseconds`: the duration of each step.
     """
 
     take: int
@@ -131,6 +135,8 @@ class TakeView:
     redoes: str = ""
     warnings: tuple[str, ...] = ()
     lost: tuple[str, ...] = ()
+    markers: tuple[Marker, ...] = ()
+    lanes: LaneStates = field(default_factory=LaneStates)
     milliseconds: Mapping[str, float] = field(default_factory=dict)
 
 
@@ -156,6 +162,8 @@ class TakeChange:
     whole: TakeView | None = None
     warnings: tuple[str, ...] = ()
     lost: tuple[str, ...] = ()
+    markers: tuple[Marker, ...] = ()
+    lanes: LaneStates = field(default_factory=LaneStates)
 
 
 @dataclass(frozen=True, slots=True)
