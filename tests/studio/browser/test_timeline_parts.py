@@ -33,7 +33,8 @@ LONG_TAKE = """
   const peaks = Int8Array.from({ length: 2 * Math.floor(seconds / 0.004) }, (_, k) => (k % 2 ? 90 : -90));
   const waves = [{ seconds_per_bucket: 0.004, peaks }];
   const speech = { text: "", language: "en", sound: "", words, phones, tones, pauses: [], waves };
-  const take = { take: 1, duration: seconds, fps: "30", rate, frames, speech, blocks, drawn: [],
+  const take = { take: 1, duration: seconds, fps: "30", rate, frames, speech, blocks, drawn: [], markers: [],
+    lanes: { muted: [], solo: [], locked: [] },
     curves: { masseter: curve }, made: {} };
 """
 

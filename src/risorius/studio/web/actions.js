@@ -93,6 +93,16 @@ export class Actions {
     this.#store.set({ preview: false });
   }
 
+  /** Set all markers of the line. @param {import("./wire.js").Marker[]} markers */
+  setMarkers(markers) {
+    return this.#changing("markers", { markers }, "");
+  }
+
+  /** Say which lanes are muted, solo and locked. @param {import("./wire.js").LaneStates} lanes */
+  setLanes(lanes) {
+    return this.#changing("lanes", { lanes }, "");
+  }
+
   /** Make a change again that did not fit a new text. @param {number} number in the take's `lost` */
   bringBack(number) {
     return this.#changing("bring_back", { number }, "");

@@ -2,6 +2,7 @@
 
 import { playOrPause } from "./playing.js";
 import { toggleLoop } from "./transport.js";
+import { toggleFullScreen } from "./views.js";
 import { VIEWS } from "./stage/cameras.js";
 
 /**
@@ -26,6 +27,7 @@ export function listenToKeys(studio, help) {
       `Camera: ${label.toLowerCase()}`,
       () => view.choose(name),
     ]),
+    ["f", "F", "Full screen", () => toggleFullScreen(document.getElementById("stage"))],
     ["Ctrl+Enter", "Ctrl Enter", "Perform", () => actions.perform()],
     ["Ctrl+z", "Ctrl Z", "Undo", () => actions.undo()],
     ["Ctrl+Shift+z", "Ctrl Shift Z", "Redo", () => actions.redo()],

@@ -40,7 +40,7 @@ export function changedTake(take, change) {
   blocks.sort((a, b) => a.start - b.start);
   const curves = { ...take.curves, ...decoded(change.curves) };
   for (const [name, text] of Object.entries(change.curves)) if (text === "") delete curves[name];
-  const { drawn, made, undoes, redoes, warnings, lost } = change;
+  const { drawn, made, undoes, redoes, warnings, lost, markers, lanes } = change;
   return {
     ...take,
     take: change.take,
@@ -52,6 +52,8 @@ export function changedTake(take, change) {
     redoes,
     warnings,
     lost,
+    markers,
+    lanes,
   };
 }
 

@@ -3,6 +3,7 @@
 import { VIEWS } from "./stage/cameras.js";
 import { button } from "./parts/fields.js";
 import { fill, make } from "./parts/dom.js";
+import { glyph } from "./parts/glyphs.js";
 
 const STEP = 8; // degrees a key turns the head by
 const ZOOM = 1.1;
@@ -20,6 +21,7 @@ export function mountViews(element, note, names, studio) {
     const now = view.name;
     for (const { name, camera } of cameras) camera.setAttribute("aria-pressed", String(name === now));
   };
+  element.append(fullScreen(element.parentElement));
   view.onmove(showCamera);
   showCamera();
   document.getElementById("head").addEventListener("keydown", (event) => turnByKeys(event, view));
@@ -30,6 +32,22 @@ export function mountViews(element, note, names, studio) {
   });
   mountNote(note, studio);
   mountFine(element, studio.headPlayers.stage);
+}
+
+/** The button that lets the stage fill the screen. @param {HTMLElement} stage */
+function fullScreen(stage) {
+  const label = "Full screen (F)";
+  const shown = () => document.fullscreenElement === stage;
+  const act = () => toggleFullScreen(stage);
+  const wide = button(glyph("full"), { id: "full-screen", "aria-label": label, "aria-pressed": "false", title: label, onclick: act });
+  document.addEventListener("fullscreenchange", () => wide.setAttribute("aria-pressed", String(shown())));
+  return wide;
+}
+
+/** Let the stage fill the screen, or no longer. @param {HTMLElement} stage */
+export function toggleFullScreen(stage) {
+  const done = document.fullscreenElement ? document.exitFullscreen() : stage.requestFullscreen();
+  done.catch(() => {}); // where the browser does not allow it, nothing happens
 }
 
 /** Whether the line is played as finely as the head at rest is drawn, and how much of it can be by now. */

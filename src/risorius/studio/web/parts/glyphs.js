@@ -12,6 +12,8 @@ const PATHS = {
   theme: '<circle cx="12" cy="12" r="8"/><path class="full" d="M12 4a8 8 0 0 1 0 16z"/>',
   help: '<circle cx="12" cy="12" r="9"/><path d="M9.500 9.500a2.500 2.500 0 1 1 3.500 2.300c-.7.300-1 .8-1 1.700M12 16.500v.01"/>',
   live: '<path d="M12 15a3 3 0 0 0 3-3V7a3 3 0 0 0-6 0v5a3 3 0 0 0 3 3zM6.500 11.500V12a5.500 5.500 0 0 0 11 0v-.500M12 17.500V21"/>',
+  lock: '<path d="M8 11V8a4 4 0 0 1 8 0v3"/><path class="full" d="M6 11h12v9H6z"/>',
+  full: '<path d="M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5"/>',
   close: '<path d="M6 6l12 12M18 6L6 18"/>',
   sound: '<path d="M4 9.500v5h3.500L12 18V6L7.500 9.500zM15.500 9a4 4 0 0 1 0 6M18 6.500a8 8 0 0 1 0 11"/>',
 };

@@ -131,7 +131,6 @@ export class BlockList {
     const again = (key.toLowerCase() === "z" && shiftKey) || key === "y";
     if (again) this.#controller.redo();
     else if (key.toLowerCase() === "z") this.#controller.undo();
-    else if (key.toLowerCase() === "a") this.#controller.chooseLane();
     else return false;
     return true;
   }
@@ -146,7 +145,7 @@ export class BlockList {
     const block = this.#order[this.#current];
     const option = this.#list.querySelector('[tabindex="0"]');
     if (option) option.textContent = described(block, this.#controller);
-    if (block) this.#said.textContent = block.editable ? timesTold(block, this.#controller) : "cannot be changed";
+    if (block) this.#said.textContent = block.free ? timesTold(block, this.#controller) : "cannot be changed";
     return true;
   }
 }
@@ -167,6 +166,6 @@ export function described(block, controller) {
   return (
     `${name}, ${block.channel}, from ${shown.start.toFixed(2)} to ${shown.end.toFixed(2)} seconds, ` +
     `onset ${(shown.apex_start - shown.start).toFixed(2)}, offset ${(shown.end - shown.apex_end).toFixed(2)}` +
-    `${what ? `: ${what}${more}` : ""}${block.editable ? "" : "; cannot be changed"}`
+    `${what ? `: ${what}${more}` : ""}${block.free ? "" : "; cannot be changed"}`
   );
 }

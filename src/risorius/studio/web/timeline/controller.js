@@ -1,5 +1,6 @@
-import { movedTogether } from "./group.js";
-import { moved, pulled, timesOf } from "./times.js";
+import { clipboard, copy, pasted } from "./clipboard.js";
+import { movedTogether, spanOf } from "./group.js";
+import { moved, pulled, stretchedTogether, timesOf } from "./times.js";
 
 const PATIENCE = 350; // ms without a key after which what was done by keys is sent
 
@@ -15,7 +16,7 @@ export class TimelineController {
   #nudgedAll = null; // the same of several blocks
   #timer = 0;
 
-  /** @param {object} parts scene, edits, details, clock, actions, store, scroller, repaint, arrange */
+  /** @param {object} parts scene, graphs, edits, details, clock, actions, store, scroller, repaint, arrange */
   constructor(parts) {
     Object.assign(this, parts);
   }
@@ -38,7 +39,7 @@ export class TimelineController {
 
   /** Select several blocks; the last one is explained. */
   chooseAll(blocks) {
-    const all = new Map(blocks.filter(({ editable }) => editable).map((block) => [block.id, block]));
+    const all = new Map(blocks.filter(({ free }) => free).map((block) => [block.id, block]));
     this.choose([...all.values()].at(-1) ?? null);
     if (all.size > 1) this.scene.group = new Set(all.keys());
     this.repaint();
@@ -89,10 +90,10 @@ export class TimelineController {
    */
   nudge(what, frames) {
     const { block, blocks } = this;
-    if (!block?.editable) return;
+    if (!block?.free) return;
     const { duration, frame } = this.scene.model;
     if (blocks.length > 1) {
-      if (what === "move") this.#nudgeAll(blocks, frames * frame, duration);
+      this.#nudgeAll(blocks, what, frames * frame, duration);
       return;
     }
     const times = timesOf(this.edits.shown(block) ?? block);
@@ -105,10 +106,17 @@ export class TimelineController {
     this.#timer = setTimeout(() => this.settle(), PATIENCE);
   }
 
-  #nudgeAll(blocks, delta, duration) {
+  /** Start and end are those of the selection as a whole, which is stretched; onset and offset those of each. */
+  #nudgeAll(blocks, what, delta, duration) {
     const times = blocks.map((block) => timesOf(this.edits.shown(block) ?? block));
+    const [first, last] = spanOf(this.scene);
+    const after = {
+      move: () => movedTogether(times, delta, duration),
+      0: () => stretchedTogether(times, last, first, first + delta, duration),
+      3: () => stretchedTogether(times, first, last, last + delta, duration),
+    }[what] ?? (() => times.map((own) => pulled(own, what, own[what] + delta, duration)));
     this.#nudgedAll = blocks;
-    this.edits.holdAll(blocks, movedTogether(times, delta, duration));
+    this.edits.holdAll(blocks, after());
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.settle(), PATIENCE);
   }
@@ -139,7 +147,7 @@ export class TimelineController {
       return;
     }
     const { block, blocks } = this;
-    if (!block?.editable) return;
+    if (!block?.free) return;
     clearTimeout(this.#timer);
     this.#nudged = this.#nudgedAll = null;
     if (blocks.length > 1) {
@@ -160,6 +168,68 @@ export class TimelineController {
     const keys = this.edits.keys(parameter).filter((_, k) => k !== index);
     this.scene.selectedKey = null;
     return this.edits.sendKeys(this.partners(parameter), keys);
+  }
+
+  /** Keep the selected movements, to be pasted here or in another session. @returns {Promise<boolean>} whether there were any */
+  async copy() {
+    await this.settle();
+    return copy(this);
+  }
+
+  /** Copy the selected movements and delete them. */
+  async cut() {
+    if (await this.copy()) this.remove();
+  }
+
+  /** Add what was copied from the playhead on, as one change, and select it. */
+  async paste() {
+    await this.settle();
+    const movements = clipboard();
+    if (movements.length === 0) return;
+    const before = new Set(this.scene.model.blocks.keys());
+    const edits = pasted(movements, this.clock.time, this.scene.model.duration);
+    if ((await this.actions.editAll(edits)) === null) return;
+    const added = [...this.scene.model.blocks.values()].filter(({ id }) => !before.has(id));
+    this.chooseAll(added);
+    if (added.length) this.reveal(added[0]);
+  }
+
+  /**
+   * Mute, solo or lock a lane, or no longer.
+   * @param {"muted" | "solo" | "locked"} state @param {string} channel
+   */
+  async turnLane(state, channel) {
+    await this.settle();
+    const { lanes } = this.scene.model.take;
+    const now = lanes[state];
+    const after = now.includes(channel) ? now.filter((name) => name !== channel) : [...now, channel];
+    await this.actions.setLanes({ ...lanes, [state]: after });
+  }
+
+  /** Whether a lane is locked against changes. */
+  locks(channel) {
+    return this.scene.model.take.lanes.locked.includes(channel);
+  }
+
+  setMarkers(markers) {
+    return this.actions.setMarkers(markers);
+  }
+
+  /** Set a marker at the playhead. @returns {Promise<number>} its index */
+  async addMarker() {
+    const { markers } = this.scene.model;
+    const { time } = this.clock;
+    const near = (one) => Math.abs(one.time - time) < 1e-3;
+    if (!markers.some(near)) await this.setMarkers([...markers, { time, text: "" }]);
+    return this.scene.model.markers.findIndex(near);
+  }
+
+  /** Go to the marker before or after the playhead. @param {-1 | 1} way */
+  goMarker(way) {
+    const { time } = this.clock;
+    const there = this.scene.model.markers.filter((one) => way * (one.time - time) > 1e-3);
+    const next = way > 0 ? there[0] : there.at(-1);
+    if (next) this.clock.seek(next.time);
   }
 
   async undo() {

@@ -1,3 +1,4 @@
+import { withHandle } from "./key_shapes.js";
 import { withKey, withLine, withMoved } from "./keys.js";
 import { scaleOf } from "./paint_graphs.js";
 
@@ -44,6 +45,44 @@ export class DragKey {
 
   end() {
     if (this.#dragging) this.#controller.edits.sendKeys(this.#names, this.#controller.edits.keys(this.#parameter));
+  }
+
+  cancel() {
+    this.#controller.edits.dropKeys(this.#names);
+  }
+}
+
+/** Drag a handle of a key; with Alt it is bent apart from the one across. */
+export class DragTangent {
+  #controller;
+  #row;
+  #found;
+  #names;
+  #keys;
+  #dragging = false;
+
+  /** @param {{parameter: string, index: number, side: "before" | "after"}} found */
+  constructor(controller, row, found) {
+    this.#controller = controller;
+    this.#row = row;
+    this.#found = found;
+    this.#keys = controller.edits.keys(found.parameter);
+    this.#names = controller.partners(found.parameter).filter((name) => row.names.includes(name));
+  }
+
+  move(x, y, event) {
+    const { scene, edits } = this.#controller;
+    const { index, side } = this.#found;
+    const [time, value] = this.#keys[index];
+    const high = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
+    const handle = [scene.view.time(x) - time, high - value];
+    this.#dragging = true;
+    edits.holdKeys(this.#names, withHandle(this.#keys, index, side, handle, event.altKey));
+  }
+
+  end() {
+    const { edits } = this.#controller;
+    if (this.#dragging) edits.sendKeys(this.#names, edits.keys(this.#found.parameter));
   }
 
   cancel() {

@@ -1,4 +1,5 @@
 import { editsOf } from "./group.js";
+import { fieldsOf } from "./key_shapes.js";
 import { Preview } from "./preview.js";
 import { editOf, timesOf } from "./times.js";
 
@@ -122,7 +123,7 @@ export class Edits {
   #keyEdit(names, keys) {
     const parameter = names.length > 1 ? this.#model.parameters.get(names[0]).base : names[0];
     if (keys.length === 0) return { kind: "clear_keys", fields: { parameter } };
-    return { kind: "keys", fields: { parameter, keys } };
+    return { kind: "keys", fields: { parameter, ...fieldsOf(keys) } };
   }
 
   /** Send an edit; `over` is called when its answer is here, unless another was sent for the same meanwhile. */

@@ -1,6 +1,7 @@
 import { Adder } from "./adder.js";
 import { BlockList } from "./blocklist.js";
 import { h } from "./dom.js";
+import { MarkerList } from "./markers.js";
 import { Names } from "./names.js";
 import { Overview } from "./overview.js";
 import { Picker } from "./picker.js";
@@ -38,14 +39,16 @@ export function fitted({ root, scroller, canvas, frame, depth, status }, control
   const list = new BlockList(root, controller);
   const add = (time = controller.clock.time, channel = null) => controller.scene.model && adder.open(time, channel);
   const walk = () => list.focus();
-  const tools = new Tools(root, controller, { add: () => add(), blocks: walk, graphs: picker.button() });
+  const markers = new MarkerList(root, controller);
+  const note = (index) => markers.open(index);
+  const tools = new Tools(root, controller, { add: () => add(), blocks: walk, markers: () => note(), graphs: picker.button() });
   const names = new Names(scroller, controller, graphs);
   scroller.append(frame, depth);
   root.append(scroller, status);
   const overview = new Overview(root, controller);
   root.append(h("p", { class: "tl-empty" }, "The timeline of your performance appears here."));
   const why = new Why(explanation, controller);
-  listen(canvas, controller, { add, walk });
+  listen(canvas, controller, { add, walk, note });
   shortcuts(root, controller, add);
   return { list, tools, names, overview, why };
 }

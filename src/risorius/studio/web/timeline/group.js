@@ -1,5 +1,5 @@
 import { blockBand } from "./rows.js";
-import { editOf, moved, nearest, snappedBy, timesOf } from "./times.js";
+import { editOf, moved, nearest, snappedBy, stretchTo, stretchedTogether, timesOf } from "./times.js";
 
 /**
  * Several movements that are selected together, and what is done to all of them: each is one change to undo.
@@ -17,7 +17,7 @@ export function within(scene, { x0, y0, x1, y1 }) {
     if (row.kind !== "lane" || row.y > bottom || row.y + row.height < top) continue;
     for (const block of row.lane.spans.within(from, to)) {
       const [high, low] = blockBand(row, block);
-      if (block.editable && low >= top && high <= bottom) found.push(block);
+      if (block.free && low >= top && high <= bottom) found.push(block);
     }
   }
   return found;
@@ -30,12 +30,81 @@ export function movedTogether(all, delta, duration) {
   return all.map((times) => times.map((time) => time + bound));
 }
 
-/** The wire's edits that move blocks to other times. */
+/** The wire's edits that put blocks to other times. */
 export function editsOf(blocks, after) {
-  const edits = blocks.map((block, k) => [block, editOf(timesOf(block), after[k])]);
-  return edits
-    .filter(([, edit]) => edit !== null)
-    .map(([block, { kind, fields }]) => ({ kind, movement: block.id, ...fields }));
+  return blocks.flatMap((block, k) => {
+    const edit = editOf(timesOf(block), after[k]);
+    if (edit === null) return [];
+    const { kind, fields } = edit.kind === "move" ? edit : stretchTo(after[k]);
+    return [{ kind, movement: block.id, ...fields }];
+  });
+}
+
+/** Start of the first and end of the last of the selected movements as they are shown; null where one or none is. */
+export function spanOf({ group, model, edits }) {
+  if (!model || group.size < 2) return null;
+  const shown = [...group].map((id) => model.blocks.get(id)).filter(Boolean).map((block) => edits.shown(block) ?? block);
+  return [Math.min(...shown.map(({ start }) => start)), Math.max(...shown.map(({ end }) => end))];
+}
+
+const GRIP = 4; // half the size of what a selection is stretched by
+
+/** The end of the selection's bar on the ruler at a place: 0 its start, 1 its end, -1 neither. */
+export function gripNear(scene, row, x, y) {
+  const span = row?.kind === "ruler" ? spanOf(scene) : null;
+  if (!span || y < row.y + row.height / 2) return -1;
+  return span.findIndex((time) => Math.abs(scene.view.x(time) - x) <= 2 * GRIP);
+}
+
+/** A bar on the ruler over all that is selected: its ends stretch it. */
+export function paintSpan(scene, row) {
+  const span = spanOf(scene);
+  if (!span) return;
+  const { context, view, palette } = scene;
+  const [left, right] = span.map((time) => view.x(time));
+  const y = row.y + row.height - 5;
+  context.fillStyle = palette.mark;
+  context.fillRect(left, y - 1, right - left, 3);
+  for (const x of [left, right]) context.fillRect(x - GRIP, y - GRIP, 2 * GRIP, 2 * GRIP);
+}
+
+/** Stretch all that is selected, onsets and offsets too; the other end stays. */
+export class DragStretch {
+  #controller;
+  #blocks;
+  #from;
+  #ends;
+  #time = null;
+
+  /** @param {number} end which end is dragged: 0 the first start, 1 the last end */
+  constructor(controller, end) {
+    this.#controller = controller;
+    this.#blocks = controller.blocks;
+    this.#from = this.#blocks.map((one) => timesOf(controller.edits.shown(one) ?? one));
+    const span = spanOf(controller.scene);
+    this.#ends = [span[1 - end], span[end]];
+  }
+
+  move(x, y, event) {
+    const { scene, edits, snaps } = this.#controller;
+    const { duration, edges } = scene.model;
+    const time = scene.view.time(x);
+    const edge = snaps !== event.altKey ? nearest(edges, time, REACH / scene.view.scale) : null;
+    scene.guide = edge;
+    this.#time = edge ?? time;
+    edits.holdAll(this.#blocks, stretchedTogether(this.#from, ...this.#ends, this.#time, duration));
+  }
+
+  end() {
+    this.#controller.scene.guide = null;
+    if (this.#time !== null) this.#controller.edits.sendAll(this.#blocks);
+    this.#controller.repaint();
+  }
+
+  cancel() {
+    this.#controller.scene.guide = null;
+    for (const { id } of this.#blocks) this.#controller.edits.drop(id);
+  }
 }
 
 /** Move all that is selected; snaps as the block that is dragged does. */

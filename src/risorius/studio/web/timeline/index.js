@@ -60,7 +60,7 @@ class Timeline {
     const [edits, details, { canvas, scroller }] = [this.#edits, this.#details, this.#parts];
     this.#scene = new Scene(canvas, { view: new Viewport(), edits, details });
     this.#said = new Said(this.#parts.frame, this.#scene);
-    const made = { scene: this.#scene, edits, details, clock, actions, store, scroller, repaint, arrange };
+    const made = { scene: this.#scene, graphs: this.#graphs, edits, details, clock, actions, store, scroller, repaint, arrange };
     this.#controller = new TimelineController(made);
     Object.assign(this.#parts, fitted(this.#parts, this.#controller, this.#graphs, explanation));
     element.replaceChildren(this.#parts.root);

@@ -1,5 +1,5 @@
 /**
- * Keys drawn by hand on a graph: lists of [time, value] whose times rise.
+ * Keys drawn by hand on a graph: lists of [time, value], or with a shape (`key_shapes.js`), whose times rise.
  */
 
 const APART = 0.005; // s between two keys at least
@@ -28,7 +28,7 @@ function tethered(keys, added, { duration, valueAt }) {
 export function withMoved(keys, index, time, value, duration) {
   const low = index > 0 ? keys[index - 1][0] + APART : 0;
   const high = index < keys.length - 1 ? keys[index + 1][0] - APART : duration;
-  return keys.map((key, k) => (k === index ? [Math.max(low, Math.min(time, high)), value] : key));
+  return keys.map((key, k) => (k === index ? [Math.max(low, Math.min(time, high)), value, ...key.slice(2)] : key));
 }
 
 export function without(keys, index) {

@@ -1,4 +1,5 @@
 import { h, spoken } from "./dom.js";
+import { SHAPES, shapeOf, shaped } from "./key_shapes.js";
 import { withKey, withMoved } from "./keys.js";
 
 /**
@@ -22,7 +23,7 @@ export class KeyTable {
     const { unit, low, high } = this.#controller.scene.model.parameters.get(parameter);
     const add = h("button", { id: "tl-key-add", onclick: () => this.#add(parameter, time) }, "Set a key here");
     const clear = h("button", { id: "tl-key-clear", onclick: () => this.#send(parameter, []) }, "Delete all keys");
-    const head = h("tr", {}, ...["Time, s", `Value${unit ? `, ${unit}` : ""}`, ""].map((text) => h("th", { scope: "col" }, text)));
+    const head = h("tr", {}, ...["Time, s", `Value${unit ? `, ${unit}` : ""}`, "Shape", ""].map((text) => h("th", { scope: "col" }, text)));
     const rows = keys.slice(0, MOST).map((key, index) => this.#row(parameter, key, index, { low, high }));
     return h("section", { class: "stack" },
       h("h3", {}, "Drawn by hand"),
@@ -31,7 +32,8 @@ export class KeyTable {
       h("div", { class: "row" }, add, keys.length ? clear : null)); // prettier-ignore
   }
 
-  #row(parameter, [time, value], index, { low, high }) {
+  #row(parameter, key, index, { low, high }) {
+    const [time, value] = key;
     const what = `key ${index + 1} of ${spoken(parameter)}`;
     const [at, amount] = [time, value].map((number, k) => {
       const bounds = k ? { min: low, max: high } : { min: 0 };
@@ -42,9 +44,19 @@ export class KeyTable {
     });
     const change = () => this.#move(parameter, index, Number(at.value), Number(amount.value));
     for (const input of [at, amount]) input.addEventListener("change", change);
+    const shape = this.#shape(parameter, key, index, what);
     const remove = () => this.#controller.removeKey({ parameter, index });
     const away = h("button", { "aria-label": `Delete ${what}`, title: "Delete", onclick: remove }, "×");
-    return h("tr", {}, ...[at, amount, away].map((part) => h("td", {}, part)));
+    return h("tr", {}, ...[at, amount, shape, away].map((part) => h("td", {}, part)));
+  }
+
+  /** How the curve passes a key. */
+  #shape(parameter, key, index, what) {
+    const options = Object.entries(SHAPES).map(([name, title]) => h("option", { value: name }, title));
+    const list = h("select", { id: `tl-key-${index}-shape`, "aria-label": `Shape of ${what}` }, ...options);
+    list.value = shapeOf(key);
+    list.addEventListener("change", () => this.#send(parameter, shaped(this.#controller.edits.keys(parameter), index, list.value)));
+    return list;
   }
 
   #add(parameter, time) {

@@ -1,3 +1,4 @@
+import { keysOf } from "./key_shapes.js";
 import { Pyramid } from "./pyramid.js";
 import { Spans, stacked } from "./spans.js";
 
@@ -25,11 +26,15 @@ export class Model {
     this.#pyramids = before ? before.#pyramids : new WeakMap();
     this.parameters = new Map(catalogue.parameters.map((parameter) => [parameter.name, parameter]));
     this.bases = basesOf(catalogue.parameters);
-    this.blocks = new Map(take.blocks.map((block) => [block.id, block]));
-    this.lanes = lanesOf(take.blocks, catalogue.channels);
-    this.drawn = new Map(take.drawn.map(({ parameter, keys }) => [parameter, keys]));
+    const locked = new Set(take.lanes.locked);
+    const blocks = take.blocks.map((block) => ({ ...block, free: block.editable && !locked.has(block.channel) }));
+    this.blocks = new Map(blocks.map((block) => [block.id, block]));
+    this.lanes = lanesOf(blocks, catalogue.channels);
+    this.silent = silentOf(take.lanes, catalogue.channels);
+    this.markers = take.markers;
+    this.drawn = new Map(take.drawn.map((curve) => [curve.parameter, keysOf(curve)]));
     this.speech = before?.take.speech === take.speech ? before.speech : speechOf(take.speech);
-    this.edges = before?.speech === this.speech && before.edges ? before.edges : edgesOf(take);
+    this.edges = edgesOf(take);
   }
 
   get duration() {
@@ -103,6 +108,11 @@ export class Model {
   }
 }
 
+/** Channels that move nothing: those that are muted, or all but those that are solo. */
+function silentOf({ muted, solo }, channels) {
+  return new Set(solo.length ? channels.map(({ name }) => name).filter((name) => !solo.includes(name)) : muted);
+}
+
 function basesOf(parameters) {
   const bases = new Map();
   for (const { base, name } of parameters) {
@@ -133,9 +143,10 @@ function speechOf(speech) {
   };
 }
 
-/** Times that an edit snaps to: where phones begin and end, and the take's own ends. */
-function edgesOf({ speech, duration }) {
+/** Times that an edit snaps to: where phones begin and end, markers, and the take's own ends. */
+function edgesOf({ speech, duration, markers }) {
   const phones = speech?.phones ?? [];
-  const times = new Set([0, duration, ...phones.flatMap(({ start, end }) => [start, end])]);
+  const marked = markers.map(({ time }) => time);
+  const times = new Set([0, duration, ...marked, ...phones.flatMap(({ start, end }) => [start, end])]);
   return Float64Array.from([...times].sort((a, b) => a - b));
 }

@@ -1,9 +1,15 @@
+import { glyph } from "../parts/glyphs.js";
 import { h, spoken } from "./dom.js";
 
 /**
  * The names of lanes and graphs, to the left of them; a graph can be explained, asked for one side, and put away.
  */
 
+const STATES = [
+  { state: "muted", sign: "M", verb: "Mute", title: "its movements stay, and move nothing" },
+  { state: "solo", sign: "S", verb: "Solo", title: "only it and other solo lanes move the face" },
+  { state: "locked", sign: () => glyph("lock"), verb: "Lock", title: "its movements cannot be changed" },
+];
 const SIDES = ["both", "left", "right"];
 const SIGNS = { both: "L R", left: "L", right: "R" };
 
@@ -50,7 +56,10 @@ export class Names {
     const style = { top: `${row.y * unit}px`, height: `${row.height * unit}px` };
     if (row.kind === "graph") return h("div", { class: "tl-name", style }, ...this.#graph(row));
     style["--colour"] = `var(--tl-channel-${row.lane.channel})`;
-    return h("div", { class: "tl-name", style }, this.#lane(row));
+    const { channel } = row.lane;
+    const silent = this.#controller.scene.model.silent.has(channel);
+    const states = STATES.map((state) => this.#state(channel, state));
+    return h("div", { class: silent ? "tl-name tl-silent" : "tl-name", style }, this.#lane(row), ...states);
   }
 
   /** A lane's name folds it: all movements on one row. */
@@ -60,6 +69,19 @@ export class Names {
     const turn = () => this.#controller.fold(channel);
     return h("button", { class: "tl-lane-name", title, "aria-expanded": String(!fold), "data-name": channel, onclick: turn },
       name); // prettier-ignore
+  }
+
+  /** A button that mutes, solos or locks a lane. */
+  #state(channel, { state, sign, verb, title }) {
+    const on = this.#controller.scene.model.take.lanes[state].includes(channel);
+    return h("button", {
+      class: "tl-state",
+      "aria-pressed": String(on),
+      "aria-label": `${verb} ${channel}`,
+      title: `${verb} ${channel}: ${title}`,
+      "data-name": `${channel} ${state}`,
+      onclick: () => this.#controller.turnLane(state, channel),
+    }, typeof sign === "string" ? sign : sign()); // prettier-ignore
   }
 
   #graph({ base, names }) {

@@ -1,3 +1,5 @@
+import { handlesOf, traceKeys } from "./key_shapes.js";
+
 /**
  * The graph of a muscle: its final curve, each channel's own beneath, and where one was held back.
  */
@@ -144,14 +146,15 @@ function trace({ context, view, model, count, width }, scale, curve, neutral) {
   return [first / rate, last / rate];
 }
 
-/** Keys drawn by hand, and the straight lines between them. */
+/** Keys drawn by hand, the curve through them, and the handles of the selected one. */
 function paintKeys(scene, row, scale, name) {
   const { context, view, palette, selectedKey, count } = scene;
   const keys = scene.edits.keys(name);
   if (!keys?.length) return;
   context.beginPath();
-  for (const [time, value] of keys) context.lineTo(view.x(time), scale.y(value));
+  traceKeys(context, keys, (time) => view.x(time), (value) => scale.y(value));
   stroke(scene, palette.key, 1.5);
+  if (selectedKey?.parameter === name && keys[selectedKey.index]) paintHandles(scene, scale, keys[selectedKey.index]);
   keys.forEach(([time, value], k) => {
     const x = view.x(time);
     if (x < -8 || x > view.width + 8) return;
@@ -161,6 +164,24 @@ function paintKeys(scene, row, scale, name) {
     context.fill();
     count.marks++;
   });
+}
+
+function paintHandles({ context, view, palette, count }, scale, key) {
+  const [x, y] = [view.x(key[0]), scale.y(key[1])];
+  for (const handle of handlesOf(key)) {
+    const [far, high] = [view.x(handle.time), scale.y(handle.value)];
+    context.strokeStyle = palette.mark;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(x, y);
+    context.lineTo(far, high);
+    context.stroke();
+    context.beginPath();
+    context.arc(far, high, 3.5, 0, 2 * Math.PI);
+    context.fillStyle = palette.mark;
+    context.fill();
+    count.marks++;
+  }
 }
 
 function diamond(context, x, y, size) {

@@ -113,7 +113,6 @@ function paintTones({ context, view, model, palette, count }, row) {
 }
 
 const NARROW = 7; // pixels in which no text fits
-const CUT = 14; // pixels in which the beginning of a word says something
 
 /** Words or phones: a box each with its text, as far as it fits. */
 export function paintTexts({ context, view, palette, model, count }, row) {
@@ -142,17 +141,14 @@ function paintText({ context, palette, view }, row, item, [x, end]) {
   if (room < NARROW) return;
   const y = row.y + row.height / 2 + 0.5;
   context.fillStyle = palette.text;
-  if (context.measureText(text).width + 4 <= room) context.fillText(text, (left + right) / 2, y);
-  else if (item.text && room >= CUT) cutText(context, text, left + 2, y, room - 3);
+  const shown = item.text ? beginning(context, text, room - 2) : text;
+  if (context.measureText(shown).width <= room) context.fillText(shown, (left + right) / 2, y);
 }
 
-/** A text's beginning, as much as there is room for. */
-function cutText(context, text, x, y, room) {
-  context.save();
-  context.beginPath();
-  context.rect(x, y - 10, room, 20);
-  context.clip();
-  context.textAlign = "left";
-  context.fillText(text, x, y);
-  context.restore();
+/** A text, or as many of its letters as there is room for; a single letter would say nothing. */
+export function beginning(context, text, room) {
+  if (context.measureText(text).width <= room) return text;
+  const letters = [...text];
+  while (letters.length > 1 && context.measureText(`${letters.join("")}…`).width > room) letters.pop();
+  return letters.length > 1 ? `${letters.join("")}…` : "";
 }

@@ -1,3 +1,4 @@
+import { spoken } from "./dom.js";
 import { blockBand } from "./rows.js";
 
 /**
@@ -20,18 +21,19 @@ export function paintLane(scene, row) {
   const { context, view, palette, edits, selected, group } = scene;
   context.fillStyle = palette.grid;
   context.fillRect(0, row.y + row.height - 1, scene.width, 1);
-  const drawn = { strokes: new Map(), labels: new Map() };
+  const silent = scene.model.silent.has(row.lane.channel);
+  const drawn = { silent, strokes: new Map(), labels: new Map() };
   for (const block of row.lane.spans.within(view.start, view.end)) {
     if (block.id === selected || group.has(block.id) || edits.has(block.id)) continue;
     paintBlock(scene, row, block, drawn);
   }
   for (const id of new Set([...edits.held, ...group, selected])) {
     const block = scene.model.blocks.get(id);
-    if (block?.channel === row.lane.channel) paintBlock(scene, row, block, { labels: new Map() });
+    if (block?.channel === row.lane.channel) paintBlock(scene, row, block, { silent, labels: new Map() });
   }
 }
 
-function paintBlock(scene, row, block, { strokes, labels }) {
+function paintBlock(scene, row, block, { silent, strokes, labels }) {
   const { context, view, palette, count, selected, hovered, focused } = scene;
   const shown = scene.edits.shown(block);
   if (shown === null) return;
@@ -48,10 +50,20 @@ function paintBlock(scene, row, block, { strokes, labels }) {
   }
   count.blocks++;
   const chosen = block.id === selected || scene.group.has(block.id);
-  fillBlock(scene, shown, xs, [top, bottom], colour, chosen || block.id === hovered);
+  if (silent) outlineBlock(scene, xs, [top, bottom], colour);
+  else fillBlock(scene, shown, xs, [top, bottom], colour, chosen || block.id === hovered);
   if (shown.edited) paintEdited(context, xs, top, colour);
   paintLabel(scene, shown, xs, [top, bottom], labels);
   if (chosen) paintChosen(scene, shown, xs, [top, bottom], focused);
+}
+
+/** A movement that moves nothing, its lane being muted. */
+function outlineBlock({ context }, xs, [top, bottom], colour) {
+  context.strokeStyle = colour;
+  context.globalAlpha = 0.6;
+  context.lineWidth = 1;
+  context.strokeRect(xs[0] + 0.5, top + 0.5, Math.max(xs[3] - xs[0] - 1, 1), bottom - top - 1);
+  context.globalAlpha = 1;
 }
 
 function fillBlock({ context, shapes, model, view }, block, xs, [top, bottom], colour, strong) {
@@ -92,9 +104,10 @@ function paintEdited(context, xs, top, colour) {
 function paintLabel({ context, view, palette, count }, block, xs, [top, bottom], labels) {
   const [left, right] = [Math.max(xs[0], 0) + 4, Math.min(xs[3], view.width) - 3];
   const phone = !block.editable;
-  if (!block.label || right - left < (phone ? 6 : LABELLED)) return;
+  if (!block.label || (!phone && right - left < LABELLED)) return;
   if (left < labels.get(top)) return;
   context.font = `${phone ? 10 : 11}px ${palette.font}`;
+  if (phone && context.measureText(block.label).width > right - left + 4) return;
   const text = phone ? block.label : labelWithin(context, block, right - left);
   labels.set(top, left + Math.min(context.measureText(text).width, right - left));
   context.fillStyle = palette.label;
@@ -122,7 +135,7 @@ export function labelWithin(context, block, room) {
 
 /** A layer's name as people read it: "brows"; one that only counts ("1.happiness") says nothing more. */
 function layerOf({ layer, label }) {
-  const name = layer.replace(/^\d+\./, "");
+  const name = spoken(layer.replace(/^\d+\./, ""));
   return label.includes(name) ? "" : name;
 }
 
@@ -130,7 +143,7 @@ function paintChosen({ context, palette }, block, xs, [top, bottom], focused) {
   context.strokeStyle = palette.mark;
   context.lineWidth = focused ? 2.5 : 1.5;
   context.strokeRect(xs[0] - 1, top - 1, xs[3] - xs[0] + 2, bottom - top + 2);
-  if (!block.editable) return;
+  if (!block.free) return;
   for (const [x, y] of handlePlaces(xs, top, bottom)) {
     context.fillStyle = palette.ground;
     context.fillRect(x - HANDLE, y - HANDLE, 2 * HANDLE, 2 * HANDLE);

@@ -1,5 +1,8 @@
 import { edgeNear } from "./edges.js";
+import { gripNear } from "./group.js";
+import { handlesOf } from "./key_shapes.js";
 import { keyNear } from "./keys.js";
+import { markerNear } from "./markers.js";
 import { scaleOf } from "./paint_graphs.js";
 import { handlePlaces } from "./paint_lanes.js";
 import { blockBand, rowAt } from "./rows.js";
@@ -15,27 +18,31 @@ const NEAR_BLOCK = 3; // pixels beside a narrow block that still mean it
 
 /**
  * @param {import("./scene.js").Scene} scene @param {number} x @param {number} y pixels from the top left
- * @returns {{kind: "head" | "edge" | "handle" | "block" | "lane" | "key" | "graph" | "none", row?: any, block?: any,
+ * @returns {{kind: "head" | "grip" | "marker" | "edge" | "handle" | "block" | "lane" | "key" | "tangent" | "graph" | "none", row?: any, block?: any,
  *   handle?: number, parameter?: string, index?: number, time: number}}
  */
 export function pick(scene, x, y) {
   const time = scene.view.time(x);
-  if (y < scene.headHeight) return pickHead(scene, rowAt(scene.head, y), x, time);
+  if (y < scene.headHeight) return pickHead(scene, rowAt(scene.head, y), [x, y], time);
   const depth = y - scene.headHeight + scene.scroll;
   const row = rowAt(scene.body, depth);
   if (row === null) return { kind: "none", time };
-  if (row.kind === "graph") return pickKey(scene, row, x, depth) ?? { kind: "graph", row, time };
+  if (row.kind === "graph") return pickTangent(scene, row, x, depth) ?? pickKey(scene, row, x, depth) ?? { kind: "graph", row, time };
   return pickHandle(scene, row, x, depth) ?? pickBlock(scene, row, x, depth) ?? { kind: "lane", row, time };
 }
 
-function pickHead(scene, row, x, time) {
+function pickHead(scene, row, [x, y], time) {
+  const end = gripNear(scene, row, x, y);
+  if (end >= 0) return { kind: "grip", row, end, time };
+  const index = markerNear(scene, row, x);
+  if (index >= 0) return { kind: "marker", row, index, time };
   const phone = edgeNear(scene, row, x);
   return phone < 0 ? { kind: "head", row, time } : { kind: "edge", row, phone, time };
 }
 
 function pickHandle(scene, row, x, y) {
   const found = scene.model.blocks.get(scene.selected);
-  const block = found?.channel === row.lane.channel && found.editable ? scene.edits.shown(found) : null;
+  const block = found?.channel === row.lane.channel && found.free ? scene.edits.shown(found) : null;
   if (!block) return null;
   const xs = timesOf(block).map((time) => scene.view.x(time));
   const near = handlePlaces(xs, ...blockBand(row, found)).map(([hx, hy], handle) => {
@@ -58,6 +65,17 @@ function pickBlock(scene, row, x, y) {
     if (block.id === scene.selected && inside) break;
   }
   return found && { kind: "block", row, block: found, time };
+}
+
+/** A handle of the selected key. */
+function pickTangent({ model, edits, view, selectedKey }, row, x, y) {
+  if (!selectedKey || !row.names.includes(selectedKey.parameter)) return null;
+  const { parameter, index } = selectedKey;
+  const key = edits.keys(parameter)[index];
+  const scale = scaleOf(model, row);
+  const near = ({ time, value }) => Math.hypot(view.x(time) - x, scale.y(value) - y) <= NEAR_KEY;
+  const handle = key && handlesOf(key).find(near);
+  return handle ? { kind: "tangent", row, parameter, index, side: handle.side, time: view.time(x) } : null;
 }
 
 function pickKey(scene, row, x, y) {

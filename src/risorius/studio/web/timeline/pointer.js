@@ -1,8 +1,9 @@
 import { spoken } from "./dom.js";
-import { DragKey, DrawKeys } from "./drawing.js";
+import { DragKey, DragTangent, DrawKeys } from "./drawing.js";
 import { DragEdge } from "./edges.js";
 import { DragBlock, DragLoop, Pan, Scrub } from "./gestures.js";
-import { DragBox, DragGroup } from "./group.js";
+import { DragBox, DragGroup, DragStretch } from "./group.js";
+import { DragMarker } from "./markers.js";
 import { clockTime } from "./paint_head.js";
 import { pick } from "./pick.js";
 
@@ -13,14 +14,20 @@ import { pick } from "./pick.js";
 const CURSORS = ["ew-resize", "col-resize", "col-resize", "ew-resize"];
 const WHEEL = 0.0022; // zoom by a wheel's pixel
 const LINE = 16; // pixels of a wheel that reports lines
+const TITLES = {
+  edge: "Drag to correct where it begins; a double click puts it back",
+  grip: "Drag to stretch all that is selected",
+  marker: "Drag to move the marker; a double click lists all markers and their notes",
+};
 const STILL = 3; // pixels: less is a click
 
 /**
  * @param {HTMLCanvasElement} canvas @param {import("./controller.js").TimelineController} controller
- * @param {{add: (time: number, channel: string) => void, walk: () => void}} parts `walk` gives the keys to the
- *   list of blocks, at the one that is selected
+ * @param {{add: (time: number, channel: string) => void, walk: () => void, note: (index: number) => void}} parts
+ *   `walk` gives the keys to the list of blocks, at the one that is selected; `note` has a marker's note typed
  */
-export function listen(canvas, controller, { add, walk }) {
+export function listen(canvas, controller, parts) {
+  const { walk } = parts;
   let gesture = null;
   let down = null;
 
@@ -63,16 +70,18 @@ export function listen(canvas, controller, { add, walk }) {
     event.stopPropagation();
   };
   document.addEventListener("keydown", giveUp, true);
-  canvas.addEventListener("dblclick", (event) => doubled(controller, pick(controller.scene, ...place(event)), place(event), add));
+  canvas.addEventListener("dblclick", (event) => doubled(controller, pick(controller.scene, ...place(event)), place(event), parts));
   canvas.addEventListener("wheel", (event) => wheeled(event, controller, place(event)[0]), { passive: false });
 }
 
 function begun(controller, found, x, y, event) {
   const { kind, block, handle, row, parameter, index } = found;
+  if (kind === "grip") return new DragStretch(controller, found.end);
+  if (kind === "marker") return new DragMarker(controller, x, index);
   if (kind === "edge" && !event.shiftKey) return new DragEdge(controller, x, found.phone);
   if (kind === "head" || kind === "edge") return event.shiftKey ? new DragLoop(controller, x) : new Scrub(controller, x);
   const more = event.shiftKey || event.ctrlKey || event.metaKey;
-  if (kind === "block" && more && block.editable) {
+  if (kind === "block" && more && block.free) {
     controller.toggle(block);
     return null;
   }
@@ -81,8 +90,9 @@ function begun(controller, found, x, y, event) {
   if (kind === "handle") return new DragBlock(controller, x, block, handle);
   if (kind === "block") {
     controller.choose(block, found.time);
-    return block.editable ? new DragBlock(controller, x, block, null) : null;
+    return block.free ? new DragBlock(controller, x, block, null) : null;
   }
+  if (kind === "tangent") return new DragTangent(controller, row, found);
   if (kind === "key") {
     controller.chooseKey(parameter, index);
     return new DragKey(controller, row, parameter, index);
@@ -99,10 +109,11 @@ function clicked(controller, { kind, row, time }) {
   if (kind === "lane" || kind === "none") controller.choose(null);
 }
 
-function doubled(controller, found, [x, y], add) {
+function doubled(controller, found, [x, y], { add, note }) {
+  if (found.kind === "marker") note(found.index);
   if (found.kind === "head") controller.loopWord(found.time);
   if (found.kind === "edge") controller.actions.relabel(found.phone, null);
-  if (found.kind === "lane" && found.row.lane.channel !== "lips") add(found.time, found.row.lane.channel);
+  if (found.kind === "lane" && found.row.lane.channel !== "lips" && !controller.locks(found.row.lane.channel)) add(found.time, found.row.lane.channel);
   if (found.kind === "graph" && !controller.draws) new DrawKeys(controller, found.row, x, y).end();
 }
 
@@ -113,7 +124,7 @@ function hover(canvas, controller, { kind, block, handle, row, time }) {
     scene.hovered = hovered;
     controller.repaint();
   }
-  if (kind === "edge") canvas.title = "Drag to correct where it begins; a double click puts it back";
+  if (kind in TITLES) canvas.title = TITLES[kind];
   else canvas.title = block ? `${block.label || "silence"} (${block.channel})\n${block.cause}` : valueOf(controller, kind, row, time);
   canvas.style.cursor = cursorOf(kind, handle, block, controller);
 }
@@ -134,10 +145,12 @@ function valueOf({ scene: { model, details } }, kind, row, time) {
 function cursorOf(kind, handle, block, controller) {
   if (kind === "handle") return CURSORS[handle];
   if (kind === "head") return "text";
+  if (kind === "grip") return "ew-resize";
+  if (kind === "marker") return "grab";
   if (kind === "edge") return "col-resize";
-  if (kind === "block") return block.editable ? "grab" : "pointer";
+  if (kind === "block") return block.free ? "grab" : "pointer";
   if (kind === "graph") return controller.draws ? "crosshair" : "help";
-  return kind === "key" ? "move" : "default";
+  return kind === "key" || kind === "tangent" ? "move" : "default";
 }
 
 function wheeled(event, controller, x) {

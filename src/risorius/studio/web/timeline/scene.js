@@ -1,4 +1,6 @@
 import { drawnBySoftware } from "../stage/software.js";
+import { paintSpan } from "./group.js";
+import { paintMarkers } from "./markers.js";
 import { clockTime, paintRuler, paintTexts, paintWave } from "./paint_head.js";
 import { paintGraph } from "./paint_graphs.js";
 import { paintLane } from "./paint_lanes.js";
@@ -100,12 +102,18 @@ export class Scene {
     context.fillStyle = palette.head;
     context.fillRect(0, 0, width, headHeight);
     for (const row of this.head) {
-      if (row.kind === "ruler") paintRuler(this, row);
+      if (row.kind === "ruler") this.#paintRuler(row);
       else if (row.kind === "wave") paintWave(this, row);
       else paintTexts(this, row);
     }
     context.fillStyle = palette.rule;
     context.fillRect(0, headHeight - 1, width, 1);
+  }
+
+  #paintRuler(row) {
+    paintRuler(this, row);
+    paintMarkers(this, row);
+    paintSpan(this, row);
   }
 
   /** Faint lines where words begin, as far as they stand apart. */

@@ -11,6 +11,8 @@ export const TIMELINE_KEYS = [
   { keys: "Ctrl wheel, + −", does: "Timeline: zoom" },
   { keys: "N", does: "Timeline: add a movement at the playhead" },
   { keys: "[ ]", does: "Timeline: the edge of a word or phone at the playhead earlier, later" },
+  { keys: "M", does: "Timeline: set a marker at the playhead" },
+  { keys: "< >", does: "Timeline: to the marker before, after" },
   { keys: "D", does: "Timeline: drawing on the graphs on or off" },
   { keys: "↑ ↓", does: "Movements: previous, next" },
   { keys: "Page ↑ ↓", does: "Movements: previous lane, next lane" },
@@ -19,8 +21,9 @@ export const TIMELINE_KEYS = [
   { keys: "Alt ← →", does: "Movements: stretch the start" },
   { keys: "Ctrl ← →", does: "Movements: longer or shorter onset" },
   { keys: "Ctrl Shift ← →", does: "Movements: longer or shorter offset" },
-  { keys: "Shift click, drag a box", does: "Movements: select several; all of them move, and are deleted" },
+  { keys: "Shift click, drag a box", does: "Movements: select several, to move, stretch, copy and delete them together" },
   { keys: "Ctrl A", does: "Movements: select all of the lane" },
+  { keys: "Ctrl C, Ctrl X, Ctrl V", does: "Movements: copy, cut, paste at the playhead" },
   { keys: "Delete", does: "Movements: delete" },
   { keys: "Escape", does: "Movements: select none; cancel a drag" },
 ];
@@ -34,6 +37,9 @@ export function shortcuts(root, controller, add) {
     "[": () => nudgeEdge(controller, controller.clock.time, -1),
     "]": () => nudgeEdge(controller, controller.clock.time, 1),
     n: () => add(),
+    m: () => controller.addMarker(),
+    "<": () => controller.goMarker(-1),
+    ">": () => controller.goMarker(1),
     d: () => root.querySelector("#tl-draw").click(),
     ArrowLeft: () => controller.clock.step(-1),
     ArrowRight: () => controller.clock.step(1),
@@ -41,9 +47,17 @@ export function shortcuts(root, controller, add) {
     Delete: () => controller.remove(),
     Backspace: () => controller.remove(),
   };
+  const withControl = {
+    a: () => controller.chooseLane(),
+    c: () => controller.copy(),
+    x: () => controller.cut(),
+    v: () => controller.paste(),
+  };
   root.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || typing(event.target)) return;
-    const act = keys[event.key];
+    if (event.altKey || typing(event.target)) return;
+    const held = event.ctrlKey || event.metaKey;
+    if (event.shiftKey && (held || !"<>+".includes(event.key))) return;
+    const act = (held ? withControl : keys)[event.key];
     if (!act || !controller.scene.model) return;
     event.preventDefault();
     event.stopPropagation();

@@ -59,6 +59,22 @@ export function editOf(before, after) {
   return { kind: "stretch", fields };
 }
 
+/**
+ * Several blocks stretched together: what lay at `fixed` stays, what lay at `from` comes to lie at `to`.
+ * @param {number[][]} all the times of each block
+ */
+export function stretchedTogether(all, fixed, from, to, duration) {
+  const shortest = Math.min(...all.map(([start, , , end]) => end - start));
+  const room = from > fixed ? (duration - fixed) / (from - fixed) : fixed / (fixed - from);
+  const share = within((to - fixed) / (from - fixed), LEAST / shortest, Math.max(room, 1));
+  return all.map((times) => times.map((time) => fixed + (time - fixed) * share));
+}
+
+/** The fields of the wire's edit that gives a block these times, its onset and offset too. */
+export function stretchTo([start, rise, fall, end]) {
+  return { kind: "stretch", fields: { start, end, onset: rise - start, offset: end - fall } };
+}
+
 /** The nearest of the sorted times within `reach`, or null. */
 export function nearest(edges, time, reach) {
   const k = firstAbove(edges, time);

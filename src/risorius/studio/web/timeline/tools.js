@@ -1,3 +1,4 @@
+import { clipboard } from "./clipboard.js";
 import { h } from "./dom.js";
 
 /**
@@ -9,17 +10,22 @@ const STEP = 1.4; // zoom of a click
 export class Tools {
   #controller;
   #remove;
+  #copy;
+  #paste;
 
   /**
    * @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller
-   * @param {{add: () => void, blocks: () => void, graphs: Node}} parts
+   * @param {{add: () => void, blocks: () => void, markers: () => void, graphs: Node}} parts
    */
-  constructor(parent, controller, { add, blocks, graphs }) {
+  constructor(parent, controller, { add, blocks, graphs, markers }) {
     this.#controller = controller;
+    this.#copy = button("Copy", () => controller.copy().then(() => this.show()), { title: "Copy the selected movements (Ctrl C)" });
+    this.#paste = button("Paste", () => controller.paste(), { title: "Paste what was copied at the playhead (Ctrl V)" });
     this.#remove = button("Delete", () => controller.remove(), { title: "Delete the selected movement or key (Delete)" });
     parent.append(h("div", { class: "tl-tools", role: "toolbar", "aria-label": "Timeline tools" },
       button("Add…", add, { title: "Add a movement at the playhead (N)" }),
-      this.#remove, button("Movements", blocks, { title: "Go to the list of movements; arrow keys select and edit them" }),
+      this.#remove, this.#copy, this.#paste, button("Movements", blocks, { title: "Go to the list of movements; arrow keys select and edit them" }),
+      button("Markers…", markers, { title: "List the markers; M sets one at the playhead, < and > go from one to the next" }),
       graphs,
       toggle("Draw", (on) => (controller.draws = on), false, "Draw curves by hand on the graphs (D)", "tl-draw"),
       h("span", { class: "tl-gap" }),
@@ -33,7 +39,9 @@ export class Tools {
   /** Show what can be done now. */
   show() {
     const { selectedKey } = this.#controller.scene;
-    this.#remove.disabled = !this.#controller.block?.editable && !selectedKey;
+    this.#copy.disabled = !this.#controller.blocks.some(({ editable }) => editable);
+    this.#paste.disabled = clipboard().length === 0;
+    this.#remove.disabled = !this.#controller.block?.free && !selectedKey;
   }
 }
 

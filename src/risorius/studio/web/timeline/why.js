@@ -66,7 +66,7 @@ export class Why {
       return [h("h2", {}, spoken(parameter)), when, ...rest, ...told, this.#keys.element(parameter, time)];
     }
     const told = reasons.length ? reasons.map((one) => this.#reason(one)) : this.#idle(block);
-    return [...this.#head(block), when, ...told, ...(block.editable ? this.#shape(block) : [])];
+    return [...this.#head(block), when, ...told, ...(block.free ? this.#shape(block) : this.#shut(block))];
   }
 
   /** Why a movement is not to be seen: what it aims at, and what moves that instead. */
@@ -79,6 +79,8 @@ export class Why {
     const why = home
       ? h("p", {}, `It ${link ? "brings" : "keeps"} ${block.channel} ${link ? "back to" : "at"} rest`, ...(link ? [", after ", link] : []), ".")
       : h("p", {}, "At this time it has no visible effect.");
+    const { silent } = this.#controller.scene.model;
+    if (silent.has(block.channel)) return [h("p", {}, `It moves nothing: the lane ${block.channel} is muted.`)];
     const others = this.#instead.map((one) => this.#reason(one));
     return others.length ? [why, h("p", { class: "hint" }, "What moves this at that time:"), ...others] : [why];
   }
@@ -98,6 +100,11 @@ export class Why {
     const lane = h("p", { class: "tl-part", style: colourOf(block.channel) }, `${block.channel}, priority ${block.priority}`);
     const cause = h("p", {}, block.cause ? `Because of ${block.cause}` : "No cause is known.");
     return [title, lane, cause];
+  }
+
+  /** Why it cannot be changed. */
+  #shut({ editable, channel }) {
+    return editable ? [h("p", { class: "hint" }, `The lane ${channel} is locked.`)] : [];
   }
 
   /** Its times and targets as numbers to change. */
