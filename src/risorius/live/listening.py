@@ -1,15 +1,19 @@
-"""When a listener nods: at the pauses of who speaks to it."""
+"""When a listener nods: at the pauses of who speaks to it, and after low pitch."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..core.arrays import Array
 from ..core.pcm import check_rate, samples_of
+from .low_pitch import LowPitch
 
 # Seconds: of sound that is judged at once, of speech before a pause that is answered, of the pause until the
 # answer, of a pause after which speech begins anew, and between two nods (ours: facts name no rate).
 _BLOCK, SPEECH, PAUSE, LONG_PAUSE, BETWEEN = 0.02, 1.0, 0.2, 1.0, 2.0
+# Seconds of speech before low pitch that is answered, and from then to the answer (Ward and Tsukahara 2000).
+LOW_SPEECH, LOW_WAIT = 0.7, 0.7
 # Decibels: the quietest sound that may be speech, and how far below the mean of speech a pause lies.
 _QUIETEST, _DROP = -50.0, 20.0
 # Share of a new block in the mean of speech: it follows in about a second.
@@ -28,9 +32,12 @@ class PauseListener:
         self._level: float | None = None
         self._speech = self._silence = 0.0
         self._since = BETWEEN
+        self._low = LowPitch(_BLOCK)
+        # Seconds until low pitch is answered.
+        self._due: float | None = None
 
     def hear(self, samples: ArrayLike, rate: int) -> bool:
-        """Hear samples, int16 or -1..1; return whether a pause began in them at which to nod.
+        """Hear samples, int16 or -1..1; return whether there is something in them at which to nod.
 
         Raises InputError, and hears nothing, if they are not one channel of sound at 8 to 192 kHz.
         """
@@ -44,11 +51,29 @@ class PauseListener:
         self._rest = sound[blocks.size :]
         levels = 10.0 * np.log10(np.mean(blocks**2, axis=1) + 1e-12)
         # Every block counts, those after a pause as well.
-        nods = [self._advance(level) for level in levels.tolist()]
+        nods = [self._advance(level, block) for level, block in zip(levels.tolist(), blocks, strict=True)]
         return any(nods)
 
-    def _advance(self, level: float) -> bool:
+    def _advance(self, level: float, block: Array) -> bool:
         self._since += _BLOCK
+        is_low = self._low.advance(block, self._rate)
+        if not (self._is_pause(level) or self._is_answer(is_low)):
+            return False
+        self._speech, self._since, self._due = 0.0, 0.0, None
+        return True
+
+    def _is_answer(self, is_low: bool) -> bool:
+        """Tell whether low pitch is to be answered now."""
+        if is_low and self._speech >= LOW_SPEECH:
+            self._due = LOW_WAIT
+        elif self._due is not None:
+            self._due -= _BLOCK
+        if self._due is None or self._due > 0.0:
+            return False
+        self._due = None
+        return self._since >= BETWEEN
+
+    def _is_pause(self, level: float) -> bool:
         threshold = _QUIETEST if self._level is None else max(_QUIETEST, self._level - _DROP)
         if level > threshold:
             self._level = level if self._level is None else self._level + _SHARE * (level - self._level)
@@ -58,10 +83,7 @@ class PauseListener:
         if self._silence >= LONG_PAUSE:
             # Who speaks next may be further away.
             self._level, self._speech = None, 0.0
-        if self._silence < PAUSE or self._speech < SPEECH or self._since < BETWEEN:
-            return False
-        self._speech, self._since = 0.0, 0.0
-        return True
+        return self._silence >= PAUSE and self._speech >= SPEECH and self._since >= BETWEEN
 
 
 def nod_pitch(seconds: float) -> float:
