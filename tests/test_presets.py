@@ -48,7 +48,7 @@ def test_files_lie_over_presets_and_options_over_both(folder: Path) -> None:
         ("\n\nfps = 0", r"own\.toml:3:1: fps = 0 is out of range"),
         ('light = "sun"', r"own\.toml:1:1: unknown light 'sun'; expected one of studio, daylight, dark"),
         ("lively = 3", r"own\.toml:1:1: lively = 3 is not True or False"),
-        ("size = [1, 2, 3]", r"own\.toml:1:1: size 1 = 1 is out of range"),
+        ("size = [1, 2, 3]", r"own\.toml:1:1: size = \(1, 2, 3\) is not width and height"),
         ("size = 720", r"own\.toml:1:1: size = 720 is not width and height"),
         ("camera = 5", r"own\.toml:1:1: camera = 5 is not a text"),
         ("[look]\nlight = 1", r"own\.toml:1:1: unknown setting 'look'"),

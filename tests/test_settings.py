@@ -27,7 +27,7 @@ DOCS = Path(__file__).parents[1] / "docs"
         ({"fps": "0"}, "fps = 0 is out of range"),
         ({"fps": "fast"}, "fps 'fast' is not a number"),
         ({"size": "720"}, "size '720' is not a size; expected e.g. 720x720"),
-        ({"size": "8x720"}, "size 8 = 8 is out of range; expected 16 to 4096"),
+        ({"size": "8x720"}, "the width of size = 8 is out of range; expected 16 to 4096"),
         ({"rate": 79}, "rate = 79 is out of range; expected 80 to 440"),
         ({"lead": -0.1}, r"lead = -0\.1 is out of range; expected 0 to 60"),
         ({"articulation": "2.5"}, r"articulation = 2\.5 is out of range; expected 0 to 2"),
@@ -35,11 +35,11 @@ DOCS = Path(__file__).parents[1] / "docs"
         ({"seed": -1}, "seed = -1 is out of range"),
         ({"every": 0}, "every = 0 is out of range; expected 1 to 1e"),
         ({"at": -1.0}, r"at = -1\.0 is out of range"),
-        ({"dynamics": "spring"}, "unknown dynamics 'spring'; did you mean 'springs'"),
+        ({"dynamics": "spring"}, "unknown skin 'spring'; did you mean 'springs'"),
         ({"hair": "bold"}, "unknown hair style 'bold'; did you mean 'bald'"),
         ({"shape": "nose_widht:1"}, "unknown slider 'nose_widht'"),
         ({"min_onset": 11.0}, r"min_onset = 11\.0 is out of range; expected 0 to 10"),
-        ({"voice_emotion": "maybe"}, "unknown voice_emotion 'maybe'; expected one of on, off"),
+        ({"voice_emotion": "maybe"}, "unknown voice emotion 'maybe'; expected one of on, off"),
     ],
 )
 def test_a_wrong_value_is_named(values: dict[str, object], message: str) -> None:
@@ -55,13 +55,17 @@ def test_a_wrong_value_is_named(values: dict[str, object], message: str) -> None
         ({"profile": 5}, "profile = 5 is not a text"),
         ({"head": "olav"}, "unknown head 'olav'; did you mean 'olaf'"),
         ({"attitudes": ("polte",)}, "unknown attitude 'polte'; did you mean 'polite'"),
-        ({"attitudes": "polite"}, "attitudes = 'polite' is not a sequence of names"),
+        ({"attitudes": 5}, "attitudes = 5 is not a sequence of names"),
+        ({"attitudes": "polte"}, "unknown attitude 'polte'; did you mean 'polite'"),
+        ({"size": (640, 480, 1)}, r"size = \(640, 480, 1\) is not width and height"),
+        ({"age": "old"}, "age 'old' is not a number; expected 0 to 100"),
+        ({"seed": "x"}, "seed 'x' is not a whole number; expected 0 or more"),
         ({"without": ("gase",)}, "unknown channel 'gase'; did you mean 'gaze'"),
         ({"manner": "shoot"}, "unknown manner of speech 'shoot'; did you mean 'shout'"),
         ({"shape": {"nose_widht": 1.0}}, "unknown slider 'nose_widht'; did you mean 'nose_width'"),
         ({"shape": {"nose_width": 1.5}}, r"shape nose_width = 1\.5 is out of range; expected -1 to 1"),
         ({"wrinkles": {"forehead": -1}}, "wrinkles forehead = -1 is out of range; expected 0 to 2"),
-        ({"lively": "yes"}, "lively = 'yes' is not True or False"),
+        ({"lively": "yes"}, "unknown lively 'yes'; expected one of on, off"),
         ({"blend": {}}, "blend is dict; expected risorius.BlendChoices"),
         ({"at": 1.0, "every": 2}, "at has no effect: every makes a sheet of the whole clip"),
     ],
@@ -154,3 +158,25 @@ def test_the_page_of_settings_is_up_to_date() -> None:
 def test_a_name_that_is_none_is_told_the_nearest(make: Callable[[], object], message: str) -> None:
     with pytest.raises(InputError, match=message):
         make()
+
+
+@pytest.mark.parametrize(
+    ("settings", "field", "value"),
+    [
+        (Settings(size="640x480"), "size", (640, 480)),
+        (Settings(size=[640, 480]), "size", (640, 480)),
+        (Settings(attitudes="polite"), "attitudes", ("polite",)),
+        (Settings(without=["lips", "gaze"]), "without", ("lips", "gaze")),
+        (Settings(voice_emotion="off"), "voice_emotion", False),
+        (Settings(shape="nose_width:0.5"), "shape", {"nose_width": 0.5}),
+        (Settings(age="40"), "age", 40.0),
+        (Look(complexion="tan"), "complexion", 0.5),
+        (Look(overlay="bars,caption"), "overlay", ("caption", "bars")),
+        (Look(camera="close-up:50"), "lens", 50.0),
+        (Look(camera="close-up", lens=50.0), "lens", 50.0),
+        (replace(Look(lens=50.0), camera="eyes"), "lens", 50.0),
+        (replace(Look(lens=50.0), camera="eyes:60"), "lens", 60.0),
+    ],
+)
+def test_settings_take_what_the_command_line_takes(settings: Any, field: str, value: object) -> None:
+    assert getattr(settings, field) == value

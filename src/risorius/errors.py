@@ -14,6 +14,7 @@ LONGEST_LINE = 300  # characters of what the command line prints of an error
 LONGEST_MESSAGE = 280  # of an error with its place
 _LONGEST_PLACE = 140
 _LONGEST_NAME = 60  # of a name that is shown
+_SHORTEST_PART = 3  # letters by which a name is found that contains them
 _receiver: ContextVar[Callable[[str], None] | None] = ContextVar("receiver of warnings", default=None)
 
 
@@ -152,9 +153,22 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> str:
     """
     name = name if len(name) <= _LONGEST_NAME else f"{name[:_LONGEST_NAME]}…"
     choices = list(known)
-    lowered = {c.lower(): c for c in reversed(choices)}
-    near = difflib.get_close_matches(name.lower(), list(lowered), n=1, cutoff=0.6)
-    if near:
-        return f"unknown {kind} '{name}'; did you mean '{lowered[near[0]]}'?"
+    near = nearest(name, choices)
+    if near is not None:
+        return f"unknown {kind} '{name}'; did you mean '{near}'?"
     shown = ", ".join(choices[:12]) + (", …" if len(choices) > 12 else "")
     return f"unknown {kind} '{name}'; expected one of {shown}"
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """Return the known name that is most alike, or else the first that contains `name`; None if none is near.
+
+    >>> nearest("zygomatic", ["masseter", "zygomatic_major"])
+    'zygomatic_major'
+    """
+    lowered = {choice.lower(): choice for choice in reversed(list(known))}
+    wanted = name.lower()
+    near = difflib.get_close_matches(wanted, list(lowered), n=1, cutoff=0.6)
+    if not near and len(wanted) >= _SHORTEST_PART:
+        near = sorted((choice for choice in lowered if wanted in choice), key=len)[:1]
+    return lowered[near[0]] if near else None

@@ -8,7 +8,7 @@ declared of one.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
@@ -37,19 +37,38 @@ if TYPE_CHECKING:
         def __get__(self, settings: object, owner: object = None) -> Path | None: ...
         def __set__(self, settings: object, name: str | PathLike[str] | None) -> None: ...
 
+    class PictureSize:
+        """What type checkers know of a picture's size: "640x480" or (640, 480); a tuple is kept."""
+
+        def __get__(self, settings: object, owner: object = None) -> tuple[int, int]: ...
+        def __set__(self, settings: object, size: str | Sequence[int]) -> None: ...
+
+    class NameList:
+        """What type checkers know of several names: one text or a sequence; a tuple is kept."""
+
+        def __get__(self, settings: object, owner: object = None) -> tuple[str, ...]: ...
+        def __set__(self, settings: object, names: str | Sequence[str]) -> None: ...
+
+    class Complexion:
+        """What type checkers know of a complexion: "tan" or 0.5; a number is kept."""
+
+        def __get__(self, settings: object, owner: object = None) -> float | None: ...
+        def __set__(self, settings: object, complexion: str | float | None) -> None: ...
+
     Named = type
 else:
-    FrameRate, FileName = Fraction, Path | None
+    FrameRate, FileName, PictureSize = Fraction, Path | None, tuple[int, int]
+    NameList, Complexion = tuple[str, ...], float | None
 
     class Named(type):
-        """The type of settings: refuses a name that is none of theirs as it is refused everywhere."""
+        """The type of settings: takes values, and refuses names, as the command line does."""
 
         def __call__(cls, *values: object, **named: object) -> object:
             """Make settings; raise InputError, with the nearest name, for an unknown one."""
             for name in named:
                 if name not in cls.__dataclass_fields__:
                     raise InputError(_unknown_name(cls, name))
-            return super().__call__(*values, **named)
+            return super().__call__(*values, **_values_read(cls, named))
 
 
 LARGEST_SIDE = 4096
@@ -99,10 +118,10 @@ class Look(metaclass=Named):
     hair: str | None = _appearance(
         "Hair", None, "short, medium, shaved or bald.",
         names=looks.HAIR_STYLES, what="hair style", unset="the head's own")
-    complexion: float | None = _appearance(
+    complexion: Complexion = _appearance(
         "Complexion", None, "fair, light, tan, brown, dark, or 0 (the fairest) to 1 (the darkest).",
         low=0.0, high=1.0, names="core.look:COMPLEXIONS", read=looks.parse_complexion, unset="the head's own")
-    overlay: tuple[str, ...] = _picture(
+    overlay: NameList = _picture(
         "Overlay", (), "Explanations in the picture: caption, phones, bars, lanes; separated by commas.",
         metavar="NAME,…", names=looks.OVERLAYS, read=looks.parse_overlay)
 
@@ -122,7 +141,7 @@ class BlendChoices(metaclass=Named):
     """
 
     conflict: str | None = _model(
-        "Conflicts", None, "How conflicts between rival muscles are resolved.",
+        "Conflicts", None, "How conflicts between muscles are resolved: inhibit, graded, attenuate or sum.",
         metavar="POLICY", usual="graded", names="blend.conflict:POLICIES", what="conflict policy")
     activation_threshold: float | None = _model(
         "Threshold", None, "Activity of a rival above which a muscle gives way.",
@@ -134,13 +153,14 @@ class BlendChoices(metaclass=Named):
         "Minimum offset, s", None, "Shortest time (s) in which a muscle gives way to a rival.",
         flag=None, low=0.0, high=10.0, step=0.01, unset="by muscle")
     onset_function: str | None = _model(
-        "Onsets", None, "The onset and offset function of all movements.",
+        "Onsets", None,
+        "The function by which all movements rise and fall: exponential, linear, minimum_jerk or saccade.",
         names="core.functions:ONSET_FUNCTIONS", what="onset function", unset="by channel")
     contact: bool | None = _model(
         "Lips always close", None, "Switch off the lips' contact goals, to see their effect.",
         flag="--without-contact", usual=True)
     lips: str | None = _model(
-        "Lips", None, "Model of coarticulation.",
+        "Lips", None, "Model of coarticulation: effort, dominance or lookahead.",
         metavar="MODEL", usual="effort", names="blend.mouth.coarticulation:LIP_MODELS",
         what="lip model")
     rounding: float | None = _model(
@@ -171,11 +191,11 @@ class Settings(metaclass=Named):
     """All settings of a performance; frozen, checked on creation (InputError names the one at fault)."""
 
     language: str | None = _voice(
-        "Language", None, "Language, spoken by its first voice, or of a recording: de, fr, cmn …",
-        metavar="CODE", names="speech.engines.voices:languages", find=BY_VOICE, unset="of the voice")
+        "Language", None, "Language of the text or of the recording: de, fr, cmn …",
+        metavar="CODE", names="speech.engines.voices:languages", find=BY_VOICE, unset="the voice's")
     voice: str | None = _voice(
-        "Voice", None, "The voice ('risorius list voices'), or its file.",
-        names="speech.engines.voices:speaking", find=BY_VOICE, unset="the language's first; en-us")
+        "Voice", None, "A voice ('risorius list voices'), a Piper model (.onnx) or a program of yours.",
+        names="speech.engines.voices:speaking", find=BY_VOICE, unset="the language's first; else en-us")
     rate: int | None = _voice(
         "Words per minute", None, "Words per minute, 80 to 440.",
         metavar="WPM", low=80, high=440, step=5, unset="the voice's own")
@@ -188,7 +208,7 @@ class Settings(metaclass=Named):
     profile: str = _manner(
         "Profile", "neutral", "Who speaks: a profile, or a .toml file.", names="rules.profiles:profiles",
         find="rules.profiles:profile_of")
-    attitudes: tuple[str, ...] = _manner(
+    attitudes: NameList = _manner(
         "Attitudes", (), "Attitude of the speaker, added to the profile. May be given several times.",
         flag="--attitude", names="rules.profiles:attitudes",
         find="rules.profiles:attitude")
@@ -203,11 +223,12 @@ class Settings(metaclass=Named):
         what="manner of speech")
     articulation: float = _manner(
         "Articulation", 1.0, "How far the lips move, 0 to 2.", metavar="X", low=0.0, high=2.0, step=0.05)
-    without: tuple[str, ...] = _manner(
+    without: NameList = _manner(
         "Leave out", (), "Leave a channel out ('risorius list channels').",
         metavar="CHANNEL", names="core.channels:CHANNELS", what="channel")
     rules: FileName = _manner(
-        "Rules", None, "A file of rules that adds to the built-in ones, replaces or deletes them.",
+        "Rules", None,
+        "A file of rules that are added to the built-in ones, or replace or delete some of them.",
         metavar="FILE", on_page=False)
     head: str = _head(
         "Head", "standard", "The head that performs: its name, or its folder.", names="face.head:head_titles",
@@ -226,7 +247,7 @@ class Settings(metaclass=Named):
     dynamics: str = _skin(
         "Skin", "springs",
         "How the skin moves: springs (with inertia), biphasic (stiffer under strain) or static.",
-        flag="--skin", names=DYNAMICS)
+        flag="--skin", names=DYNAMICS, what="skin")
     seed: int = setting(
         Stage.PLAN, Group.TIME, "Seed", 0, "Seed of everything random.",
         metavar="N", low=0, high=2**63 - 1, step=1)
@@ -234,11 +255,11 @@ class Settings(metaclass=Named):
         Stage.FRAMES, Group.TIME, "Frames per second", Fraction(30),
         "Frames per second; fractions such as 24000/1001 work.",
         metavar="RATE", names=("24", "25", "24000/1001", "30", "30000/1001", "50", "60"), read=parse_fps)
-    size: tuple[int, int] = _picture(
+    size: PictureSize = _picture(
         "Size", (720, 720), "Size of the picture in pixels.",
         metavar="WxH", low=16, high=LARGEST_SIDE, read=parse_size)
     at: float | None = _output(
-        "At, s", None, "Time of a .png in seconds.",
+        "At, s", None, "Time of the frame that a .png shows, in seconds.",
         metavar="S", low=0.0, high=MAX_SECONDS, unset="the middle")
     every: int | None = _output(
         "Every", None, "Make each .png a sheet of every N-th frame.", metavar="N", low=1, high=1_000_000)
@@ -257,6 +278,21 @@ class Settings(metaclass=Named):
         if self.at is not None and self.every is not None:
             raise UnreadError(["at"], "every makes a sheet of the whole clip; expected one of the two")
 # fmt: on
+
+
+def _values_read(kind: type, named: Mapping[str, Any]) -> dict[str, Any]:
+    """Return values by name, texts read as on the command line and lists as tuples.
+
+    "close-up:50" for a camera is its lens, too; without the colon the lens stays as it is named.
+    """
+    table, values = rows(kind), {**named}
+    for name, value in named.items():
+        if isinstance(value, list):
+            values[name] = tuple(value)
+        elif isinstance(value, str) and name in table:
+            parts = [(row.name, part) for row, part in _parts(table, table[name], value)]
+            values.update(parts[:1] if parts[0][1] == value else parts)
+    return values
 
 
 def _unknown_name(kind: Any, name: str) -> str:

@@ -23,7 +23,7 @@ ERRORS = [
     "risorius: lines.csv:3: has no id; expected one",
     "risorius: lines.csv:4: id '../b' leaves the folder of the outputs; expected a name below it",
     "risorius: lines.csv:5: the id 'a' is that of lines.csv:2 as well; expected another",
-    "risorius: lines.csv:6: seed 'x' is not a whole number",
+    "risorius: lines.csv:6: seed 'x' is not a whole number; expected 0 or more",
     "risorius: lines.csv:7: unknown emotion 'joyy'; did you mean 'joy'?",
     "risorius: lines.csv:8: has 1 cells; expected 4, one per column",
 ]

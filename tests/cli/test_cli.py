@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from risorius.cli import EXIT_FAULT, run
+from risorius.cli import EXIT_FAULT, commands, run
 
 MINIMAL_SCORE = {
     "risorius": 1,
@@ -63,7 +63,7 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["pose", "AU1=1", "--style", "clya", "-o", "x.png"], "unknown style 'clya'; did you mean 'clay'?"),
         (["pose", "AU1=1", "--camera", "close-up:wide", "-o", "x.png"], "expected e.g. close-up:85"),
         (["pose", "AU1=1", "--light", "sun", "-o", "x.png"], "expected one of studio, daylight, dark"),
-        (["pose", "AU1=1", "--background", "blurple", "-o", "x.png"], "neither a file nor a colour"),
+        (["pose", "AU1=1", "--background", "blurple", "-o", "x.png"], "did you mean 'purple'"),
         (["pose", "AU1=1", "--quality", "hihg", "-o", "x.png"], "did you mean 'high'"),
         (["pose", "AU1=1", "--hair", "bold", "-o", "x.png"], "did you mean 'bald'"),
         (
@@ -88,7 +88,7 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["speak", "Hello.", "--size", "720"], "720x720"),
         (["speak", "Hello.", "--without", "blinks"], "unknown channel"),
         (["speak", "Hello.", "--conflict", "inhibitt"], "did you mean 'inhibit'"),
-        (["speak", "Hello.", "--voice-emotion", "of"], "unknown voice_emotion 'of'; did you mean 'off'?"),
+        (["speak", "Hello.", "--voice-emotion", "of"], "unknown voice emotion 'of'; did you mean 'off'?"),
         (["speak", "Hello.", "--lips", "dominanc"], "did you mean 'dominance'"),
         (["speak", "Hello.", "--head", "standart", "-o", "x.png"], "did you mean 'standard'"),
         (["speak", "Hello.", "--seed", "-1"], "seed"),
@@ -103,6 +103,16 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["explain", "x.performance.json", "--parameter", "masseter"], "--at"),
         (["explain", "x.performance.json", "--at", "1", "--parameter", "smyle"], "unknown muscle"),
         (["list", "muskles"], "muscles"),
+        (["list", "lang"], "unknown list 'lang'; did you mean 'languages'"),
+        (["speak", "Hello.", "--voice", "german"], "unknown voice 'german'; did you mean 'de'?"),
+        (["speak", "Hello.", "--voice", "zzz"], "'risorius list voices' shows all"),
+        (["speak", "Hello.", "--rate", "fast"], "rate 'fast' is not a whole number; expected 80 to 440"),
+        (["speak", "Hello.", "--age", "old", "-o", "x.png"], "age 'old' is not a number; expected 0 to 100"),
+        (["pose", "AU1=1", "--background", "trnsparent", "-o", "x.png"], "did you mean 'transparent'?"),
+        (["pose", "AU1=1", "--size", "5x720", "-o", "x.png"], "the width of size = 5 is out of range"),
+        (["pose", "zygomat=1", "-o", "x.png"], "did you mean 'zygomatic_m"),
+        (["rules", "show", "contrast"], "did you mean 'signals.brows.contrast'"),
+        (["stream", "Hello.", "--protocol", "vcm"], "unknown protocol 'vcm'; did you mean 'vmc'"),
         (["spaek", "Hello."], "spaek"),
     ],
 )
@@ -176,7 +186,10 @@ def test_help_explains(command: list[str], capsys: pytest.CaptureFixture[str]) -
     assert "Usage: risorius" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("command", [[], ["rules"]])
+BARE = [[], ["rules"], *([name] for name in commands.commands if name not in ("studio", "serve"))]
+
+
+@pytest.mark.parametrize("command", [*BARE, ["rules", "show"]])
 def test_a_bare_command_prints_its_help(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert run(command) == 0
     assert len(capsys.readouterr().out.splitlines()) > 5

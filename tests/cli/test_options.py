@@ -37,6 +37,14 @@ def completed(*words: str) -> list[str]:
         (("speak", "--fps", "24"), ["24", "24000/1001"]),
         (("pose", "--complexion", "t"), ["tan"]),
         (("rules", "d"), ["doctor"]),
+        (("rules", "show", "signals.brows.c"), ["signals.brows.contrast"]),
+        (
+            ("pose", "AU44"),
+            ["AU44="],
+        ),
+        (("explain", "x.performance.json", "--parameter", "zygomatic_ma"), ["zygomatic_major"]),
+        (("stream", "--protocol", "v"), ["vmc"]),
+        (("stream", "--names", "vrm"), ["vrm0", "vrm1"]),
         (("list", "mus"), ["muscles"]),
     ],
 )

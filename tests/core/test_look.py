@@ -54,7 +54,10 @@ def test_only_a_transparent_background_is_transparent():
 
 
 def test_what_is_no_colour_is_an_error():
-    with pytest.raises(InputError, match="background 'blurple' is neither a file nor a colour"):
+    with pytest.raises(
+        InputError,
+        match="background 'blurple' is neither a colour .*; did you mean 'purple'",
+    ):
         parse_colour("blurple")
 
 

@@ -46,7 +46,7 @@ class Outer:
         (lambda: Inner(glow=float("nan")), "glow = nan is out of range"),
         (lambda: Outer(count=10), "count = 10 is out of range; expected 1 to 9"),
         (lambda: Outer(parts=("a", "c")), "unknown parts 'c'; expected one of a, b"),
-        (lambda: Outer(side=(2, 5)), "side 5 = 5 is out of range; expected 1 to 4"),
+        (lambda: Outer(side=(2, 5)), "the height of side = 5 is out of range; expected 1 to 4"),
         (lambda: rows(Outer)["count"].read("three"), "count 'three' is not a whole number"),
         (lambda: rows(Outer)["glow"].read("much"), "glow 'much' is not a number"),
         (lambda: rows(Outer)["loud"].read("yes"), "unknown loud 'yes'; expected one of on, off"),

@@ -20,7 +20,7 @@ WRONG = [
     ({"profile_text": "x" * 200_000}, "longer than"),
     ({"fps": "fast"}, "fps 'fast' is not a number"),
     ({"fps": "1e9"}, "out of range"),
-    ({"dynamics": "jelly"}, "unknown dynamics 'jelly'"),
+    ({"dynamics": "jelly"}, "unknown skin 'jelly'"),
     ({"hair": "/etc"}, "unknown hair style"),
     ({"rules_off": ("nothing.such",)}, "unknown rule 'nothing.such'"),
 ]

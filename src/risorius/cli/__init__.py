@@ -101,7 +101,25 @@ def _unforeseen(error: Exception, arguments: list[str], debug: bool) -> int:
     return _fault(f"{where} ({type(error).__name__}: {error}); please report it with what {DEBUG} prints")
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+SECTIONS = {
+    "Perform": (speak, batch, pose, play, mix),
+    "Perform live": (stream, serve),
+    "Recordings and characters": (align, rig),
+    "Examine and edit": (studio, explain, rules, list_),
+}
+
+
+class Commands(click.Group):
+    """All commands; help lists them in sections, those that are wanted first before the others."""
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write each section with its commands and what they do."""
+        for title, section in SECTIONS.items():
+            with formatter.section(title):
+                formatter.write_dl([(str(it.name), it.get_short_help_str(formatter.width)) for it in section])
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(__version__, prog_name="risorius")
 @click.option(DEBUG, is_flag=True, expose_value=False, help="Print where in the program an error arose.")
 def commands() -> None:
@@ -115,19 +133,6 @@ def commands() -> None:
     """
 
 
-for _command in (
-    speak,
-    batch,
-    align,
-    mix,
-    pose,
-    play,
-    stream,
-    serve,
-    rig,
-    explain,
-    list_,
-    studio,
-    rules,
-):
-    commands.add_command(_command)
+for _section in SECTIONS.values():
+    for _command in _section:
+        commands.add_command(_command)

@@ -12,7 +12,7 @@ from .options import Command, check_outputs, output_option, setting_options
 from .outputs import files_for
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="Find the times of the words and phones of a recording.")
 @click.argument("audio")
 @click.argument("transcript", required=False)
 @output_option

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 EXIT_FAILED = 1
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="Perform many lines, from a table or a folder of recordings.")
 @click.argument("manifest")
 @option(
     "-o",

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import click
 
+from ..core.setting import Names
 from ..errors import InputError
-from .options import Command, option
+from .options import Command, Named, option
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="Explain why the face does what it does.")
 @click.argument("performance", type=click.Path(path_type=Path, dir_okay=True))
 @option(
     "--at",
@@ -23,6 +24,7 @@ from .options import Command, option
     "--parameter",
     group="Output",
     metavar="NAME",
+    type=Named(Names(path="core.parameters:BASES")),
     help="Explain one muscle or other parameter. Without it, all that move.",
 )
 def explain(performance: Path, at: float | None, parameter: str | None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,7 +20,7 @@ Listing = tuple[Sequence[str], list[Sequence[str]]]
 
 
 def muscles() -> Listing:
-    """The 19 muscles of paper A, Table 1, then the other parameters."""
+    """The muscles of paper A, Table 1, and the other parameters."""
     from ..core.action_units import ACTION_UNITS
     from ..core.parameters import BASES, CONFLICTING_NUMBERS
 
@@ -43,14 +44,14 @@ def muscles() -> Listing:
 
 
 def channels() -> Listing:
-    """The channels with their default priorities."""
+    """The channels with their priorities."""
     from ..core.channels import CHANNELS
 
     return ("channel", "priority"), [(name, f"{CHANNELS.get(name).priority:g}") for name in CHANNELS]
 
 
 def emotions() -> Listing:
-    """The emotions, their other names and the action units of a full display."""
+    """The emotions, their other names, and their action units."""
     from ..rules.emotions import emotions as all_emotions
 
     return ("emotion", "also", "action units"), [
@@ -60,14 +61,17 @@ def emotions() -> Listing:
 
 
 def voices() -> Listing:
-    """The voices: the default first, then by name; at the end those that change others."""
+    """The voices that come along, the default first."""
     from ..speech.engines.voices import voices as all_voices
 
-    return ("voice", "language", "name"), [(v.name, v.language, v.description) for v in all_voices()]
+    return ("voice", "language", "name"), [
+        (v.name, v.language or "any", v.description if v.language else f"a timbre: en-us{v.name}")
+        for v in all_voices()
+    ]
 
 
 def languages() -> Listing:
-    """The languages that voices speak, how many do, and what is known of each beside its sounds."""
+    """The languages, with what is known of each beside its sounds."""
     from ..languages import language_of
     from ..languages import languages as all_languages
     from ..speech.engines.voices import speaking
@@ -91,14 +95,14 @@ def _tells_questions(language: Language) -> bool:
 
 
 def outputs() -> Listing:
-    """The outputs by suffix."""
+    """The files that can be written, by suffix."""
     from ..ports.formats import FORMATS
 
     return ("suffix", "content"), [(suffix, FORMATS.get(suffix).description) for suffix in FORMATS]
 
 
 def heads() -> Listing:
-    """The heads that come with Risorius; a folder with a head of your own can be named as well."""
+    """The heads that come along."""
     from ..face.head import load_head, shipped_heads
 
     identities = {name: load_head(name).identity for name in shipped_heads()}
@@ -106,7 +110,7 @@ def heads() -> Listing:
 
 
 def sliders() -> Listing:
-    """The sliders of a head's shape: --shape NAME:VALUE, -1 to 1."""
+    """The sliders of a head's shape (--shape NAME:VALUE)."""
     import numpy as np
 
     from ..face.sliders import load_sliders
@@ -121,21 +125,21 @@ def sliders() -> Listing:
 
 
 def profiles() -> Listing:
-    """The profiles of speakers."""
+    """The profiles of speakers (--profile NAME)."""
     from ..rules.profiles import profiles as all_profiles
 
     return ("profile", "description"), [(p.name, p.description) for p in all_profiles().values()]
 
 
 def attitudes() -> Listing:
-    """The attitudes that lie over a profile."""
+    """The attitudes that change a profile (--attitude NAME)."""
     from ..rules.profiles import attitudes as all_attitudes
 
     return ("attitude", "description"), [(a.name, a.description) for a in all_attitudes().values()]
 
 
 def presets() -> Listing:
-    """The presets: settings that are kept together (--preset NAME)."""
+    """The presets: settings that go together (--preset NAME)."""
     from ..presets import presets as all_presets
 
     return ("preset", "description"), list(all_presets().items())
@@ -177,9 +181,21 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
 }
 
 
-@click.command(name="list", cls=Command)
-@click.argument("what", type=KnownName("list", list(LISTINGS)))
+def _help() -> str:
+    """Return the help of `list`: what each list holds."""
+    width = max(map(len, LISTINGS))
+    lines = [f"{name:{width}}  {inspect.getdoc(rows)}" for name, rows in LISTINGS.items()]
+    return "\n".join(["List the names that can be used.", "", "\b", *lines])
+
+
+@click.command(
+    name="list",
+    cls=Command,
+    help=_help(),
+    short_help="List names: voices, languages, heads, emotions …",
+)
+@click.argument("what", metavar="WHAT", type=KnownName("list", list(LISTINGS)))
 def list_(what: str) -> None:
-    """List what can be named."""
+    """Print one of the lists."""
     header, rows = LISTINGS[what]()
     print_table(header, rows)

@@ -15,7 +15,7 @@ from .outputs import files_for
 PRINTED = "-.muscles.csv"
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="Combine the movements of a score into curves.")
 @click.argument("score", type=click.Path(path_type=Path, dir_okay=True))
 @output_option
 @setting_options((Stage.COMBINE, *SHOWN))

@@ -23,7 +23,14 @@ SHOWN = (Stage.FRAMES, Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, St
 
 
 class Command(click.Command):
-    """A command that says how it goes in the form that is wanted; help has options in their groups."""
+    """A command that says how it goes in the form that is wanted; help has options in their groups.
+
+    Without arguments, a command that takes some prints its help.
+    """
+
+    def __init__(self, *arguments: Any, **about: Any) -> None:
+        takes_some = any(isinstance(p, click.Argument) for p in about.get("params") or ())
+        super().__init__(*arguments, **{"no_args_is_help": takes_some, **about})
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """Return the parameters; those of messages, which `messages` reads, stand before `--help`."""
@@ -51,8 +58,8 @@ class Option(click.Option):
 
 
 _MESSAGES = (
-    Option(["-q", QUIET], is_flag=True, expose_value=False, help="Say nothing but warnings and errors."),
-    Option([JSON], is_flag=True, expose_value=False, help="Say it in JSON, an object a line."),
+    Option(["-q", QUIET], is_flag=True, expose_value=False, help="Print only warnings and errors."),
+    Option([JSON], is_flag=True, expose_value=False, help="Print messages as JSON, one object per line."),
 )
 
 
@@ -148,15 +155,13 @@ def _option(row: Row) -> Callable[[F], F]:
 
 def _type(row: Row) -> Any:
     if row.kind is ValueKind.SWITCH:
-        return KnownName(row.name, ["on", "off"])
+        return KnownName(row.called, ["on", "off"])
     if row.kind is ValueKind.FILE:
         return click.Path(path_type=Path, dir_okay=True)
     if row.entry.names is not None:
         separator = "," if row.kind is ValueKind.SEVERAL and not row.several else ""
         return Named(row.entry.names, after=":" if row.kind is ValueKind.AMOUNTS else "", separator=separator)
-    if row.entry.read is None and row.kind in (ValueKind.NUMBER, ValueKind.WHOLE):
-        return float if row.kind is ValueKind.NUMBER else int
-    return str
+    return str  # numbers, too: settings read them, and say what was expected
 
 
 def _value(row: Row, given: Any) -> Any:
@@ -174,7 +179,8 @@ preset_option = option(
     multiple=True,
     metavar="NAME",
     type=Named(Names(path="presets:presets")),
-    help="Settings that go together ('risorius list presets'); options overrule them. May be repeated.",
+    help="Settings that go together ('risorius list presets'). Options override them. May be given several "
+    "times.",
 )
 config_option = option(
     "--config",
@@ -182,7 +188,8 @@ config_option = option(
     group="Settings",
     multiple=True,
     metavar="FILE",
-    help="A .toml file with settings of yours, such as fps = 60, over presets and under options.",
+    help="A .toml file with settings of yours, such as fps = 60. It overrides presets; options override it. "
+    "May be given several times.",
 )
 output_option = option(
     "-o",
@@ -191,8 +198,8 @@ output_option = option(
     group="Output",
     multiple=True,
     type=click.Path(path_type=Path, dir_okay=True),
-    help="File to write; its suffix is the format ('risorius list outputs'). `-.SUFFIX` is standard output. "
-    "May be given several times.",
+    help="File to write. Its suffix chooses the format ('risorius list outputs'); -.SUFFIX writes to "
+    "standard output. May be given several times.",
 )
 rules_option = setting_options(names=("rules",))
 emotion_option = option(
@@ -202,8 +209,8 @@ emotion_option = option(
     multiple=True,
     metavar="NAME:INTENSITY[@START-END][/PRIORITY]",
     type=Named(Names(path="rules.emotions:emotions"), after=":"),
-    help="Show an emotion, 0 to 1, over the whole clip or a span in seconds, at the priority of its channel "
-    "(10) or another: above 60, the lips', it outdoes speech. May be given several times.",
+    help="Show an emotion, 0 to 1: happiness:0.7, or anger:1@0.5-2 from 0.5 to 2 s. A priority above 60, "
+    "that of the lips, lets it win over speech. May be given several times.",
 )
 
 

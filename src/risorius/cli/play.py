@@ -13,7 +13,7 @@ from .options import SHOWN, Command, check_outputs, option, output_option, setti
 from .outputs import files_for
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="Perform a captured face: ARKit, OpenFace, MPEG-4.")
 @click.argument("capture", type=click.Path(path_type=Path, dir_okay=True))
 @option("--audio", group="Input", metavar="FILE", help="The sound of the performance: WAV, MP3, a film …")
 @output_option

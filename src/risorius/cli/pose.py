@@ -7,11 +7,12 @@ from typing import Any
 
 import click
 
-from ..core.setting import Stage
+from ..core.setting import Names, Stage
 from ..errors import InputError, OutputError
 from .console import Console
 from .options import (
     Command,
+    Named,
     check_outputs,
     displays,
     emotion_option,
@@ -21,11 +22,12 @@ from .options import (
 )
 from .outputs import files_for
 
+TARGETS = Names(path="core.action_units:target_names")
 WITHOUT_SPEECH = ("movements", "curves", "vertices", "pixels", "head")
 
 
-@click.command(cls=Command)
-@click.argument("targets", nargs=-1, metavar="NAME=VALUE …")
+@click.command(cls=Command, short_help="Draw one face: emotions, action units, muscles.")
+@click.argument("targets", nargs=-1, metavar="NAME=VALUE …", type=Named(TARGETS, after="="))
 @emotion_option
 @output_option
 @setting_options((Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE))

@@ -6,18 +6,21 @@ from pathlib import Path
 
 import click
 
+from ..core.setting import Names
 from ..errors import InputError
 from .messages import print_table
-from .options import Command, rules_option
+from .options import Command, Named, rules_option
+
+RULE = Named(Names(path="rules.rule_set:rule_names"))
 
 
-@click.group()
+@click.group(short_help="List, show and check the rules.")
 def rules() -> None:
-    """Look at the rules that turn speech into movements: ours, as a file of yours changes them."""
+    """List, show and check the rules that turn speech into movements, with the changes of a file of yours."""
 
 
-@rules.command(name="list", cls=Command)
-@click.argument("prefix", required=False)
+@rules.command(name="list", cls=Command, no_args_is_help=False)
+@click.argument("prefix", required=False, type=RULE)
 @rules_option
 def list_rules(prefix: str | None, rules: Path | None) -> None:
     """List all rules, or those whose id is PREFIX or begins with it up to a dot."""
@@ -27,7 +30,7 @@ def list_rules(prefix: str | None, rules: Path | None) -> None:
 
 
 @rules.command(cls=Command)
-@click.argument("name")
+@click.argument("name", type=RULE)
 @rules_option
 def show(name: str, rules: Path | None) -> None:
     """Show the rule NAME as it stands in its file, and where."""

@@ -16,7 +16,7 @@ _LARGEST_TOKEN = 4_096
 _VARIABLE = "RISORIUS_TOKEN"
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="Serve live faces to other programs and pages, over WebSocket.")
 @option("--host", group="Server", metavar="ADDRESS", help="Address to listen at.  [default: 127.0.0.1]")
 @option(
     "--port",

@@ -16,7 +16,7 @@ from .outputs import files_for
 DEFAULT_OUTPUT = "performance.mp4"
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="Perform a text, a script or a recorded voice.")
 @click.argument("source", metavar="[INPUT]", required=False)
 @output_option
 @input_options

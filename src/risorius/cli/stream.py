@@ -7,11 +7,11 @@ from typing import Any
 
 import click
 
-from ..core.setting import Stage
+from ..core.setting import Names, Stage
 from ..errors import InputError, UnreadError
 from .console import Console
 from .inputs import Spoken, input_options
-from .options import Command, check_outputs, displays, option, setting_options, settings_from
+from .options import Command, Named, check_outputs, displays, option, setting_options, settings_from
 from .typed import TypedText, face_of
 
 # What is sent are weights, as a file of them has them: it depends on what the curves and the skin depend on.
@@ -19,13 +19,14 @@ _LIKE = Path("x.arkit.csv")
 _READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage.SHAPE, Stage.SKIN)
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="Send a performance to Unreal, VRM avatars and others, live.")
 @click.argument("source", metavar="[INPUT]", required=False)
 @option(
     "--protocol",
     group="Receiver",
     default="livelink",
     metavar="NAME",
+    type=Named(Names(path="stream:PROTOCOLS")),
     help="livelink, vmc, ifacialmocap or ifacialmocap-tcp.  [default: livelink]",
 )
 @option(
@@ -55,6 +56,7 @@ _READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage
     "--names",
     group="Receiver",
     metavar="SET",
+    type=Named(Names(path="stream.protocols:NAMES")),
     help="Expressions over VMC: vrm0, vrm1, arkit or ARKit.  [default: vrm0]",
 )
 @option(

@@ -13,7 +13,7 @@ from .console import Console
 from .options import Command, option
 
 
-@click.command(cls=Command)
+@click.command(cls=Command, short_help="See, hear and shape a performance in the browser.")
 @option(
     "--port",
     group="Server",

@@ -13,7 +13,7 @@ from typing import Annotated
 
 from ..errors import ParameterError, unknown
 from .hints import Then
-from .parameters import PARAMETERS, Parameter, check_value, parameters_named
+from .parameters import BASES, PARAMETERS, Parameter, check_value, parameters_named
 from .schema import MisfitError
 
 
@@ -133,6 +133,12 @@ def _parameters_of(unit: ActionUnit, side: str) -> list[tuple[Parameter, float]]
     if all(not p.side for p, _ in pairs):
         raise ParameterError(f"AU{unit.number} ({unit.name}) has no sides; expected AU{unit.number}")
     return [(p, weight) for p, weight in pairs if p.side in ("", side)]
+
+
+def target_names() -> dict[str, str]:
+    """Return the names that a pose may set: action units with what they do, then muscles and the others."""
+    units = {f"AU{unit.number}": unit.name for unit in ACTION_UNITS.values()}
+    return units | dict.fromkeys(BASES, "")
 
 
 def check_intensity(name: str, value: float) -> float:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Annotated
 
-from ..errors import InputError, unknown
+from ..errors import InputError, nearest, unknown
 from .hints import Range
 
 Size = tuple[int, int]
@@ -46,10 +46,10 @@ def parse_colour(text: str) -> ByteColour:
     try:
         red, green, blue = ImageColor.getrgb(text)[:3]
     except ValueError:
-        raise InputError(
-            f"background '{text}' is neither a file nor a colour; expected e.g. '#203040', 'white', "
-            f"'{TRANSPARENT}' or a picture"
-        ) from None
+        near = nearest(text, [TRANSPARENT, *ImageColor.colormap])
+        expected = f"did you mean '{near}'?" if near else f"expected e.g. '#203040', 'white', '{TRANSPARENT}'"
+        message = f"background '{text}' is neither a colour nor the file of a picture; {expected}"
+        raise InputError(message) from None
     return red, green, blue
 
 

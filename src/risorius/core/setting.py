@@ -22,6 +22,7 @@ from ..errors import InputError, unknown
 from .frozen import FrozenDict
 
 _KEY = "setting"
+_MANY = 1e9  # a limit from which on none is told
 
 
 class Stage(StrEnum):
@@ -236,6 +237,18 @@ class Row:
         return f"--{self.name.replace('_', '-')}" if flag == "" else flag
 
     @property
+    def called(self) -> str:
+        """What errors call it: a name that fits its option as well as its field."""
+        return self.entry.what or self.name.replace("_", " ")
+
+    @property
+    def _expected(self) -> str:
+        low, high = self.entry.low, self.entry.high
+        if low is None or high is None:
+            return ""
+        return f"; expected {low:g} to {high:g}" if high < _MANY else f"; expected {low:g} or more"
+
+    @property
     def usual(self) -> Any:
         """Its value where nobody chooses it."""
         return self.entry.usual if self.default is None else self.default
@@ -263,10 +276,10 @@ class Row:
             try:
                 return make(text)
             except ValueError:
-                raise InputError(f"{self.name} '{text}' is not {what}") from None
+                raise InputError(f"{self.called} '{text}' is not {what}{self._expected}") from None
         if self.kind is ValueKind.SWITCH:
             if text not in SWITCHED:
-                raise InputError(unknown(self.name, text, SWITCHED))
+                raise InputError(unknown(self.called, text, SWITCHED))
             return SWITCHED[text]
         return Path(text) if self.kind is ValueKind.FILE else text
 
@@ -329,13 +342,19 @@ def check(settings: Any, spec: str = "") -> None:
 
 def _check_kind(row: Row, value: Any) -> None:
     types, what = _TYPES.get(row.kind, (object, ""))
-    several = row.kind is ValueKind.SEVERAL
-    if not isinstance(value, types) or (several and not _are_texts(value)):
+    fits = _FITS.get(row.kind)
+    if not isinstance(value, types) or (fits is not None and not fits(value)):
         raise InputError(f"{row.name} = {value!r} is not {what}")
 
 
 def _are_texts(values: Any) -> bool:
     return not isinstance(values, str) and all(isinstance(value, str) for value in values)
+
+
+_FITS: Mapping[ValueKind, Callable[[Any], bool]] = {
+    ValueKind.SEVERAL: _are_texts,
+    ValueKind.SIZE: lambda size: len(size) == 2,
+}
 
 
 def _check_names(row: Row, value: Any) -> None:
@@ -347,7 +366,7 @@ def _check_names(row: Row, value: Any) -> None:
         if find is not None:
             find(name)
         elif name not in (known := names.known or [choice.name for choice in names.choices()]):
-            raise InputError(unknown(row.entry.what or row.name, str(name), known))
+            raise InputError(unknown(row.called, str(name), known))
 
 
 def _check_range(row: Row, value: Any, spec: str) -> None:
@@ -365,4 +384,6 @@ def _numbers(row: Row, value: Any) -> Iterable[tuple[str, Any]]:
     """Return the numbers of a setting with their names in messages."""
     if row.kind is ValueKind.AMOUNTS:
         return [(f"{row.name} {name}", number) for name, number in value.items()]
-    return [(f"{row.name} {n}", n) for n in value] if row.kind is ValueKind.SIZE else [(row.name, value)]
+    if row.kind is ValueKind.SIZE:
+        return [(f"the {side} of {row.name}", n) for side, n in zip(("width", "height"), value, strict=True)]
+    return [(row.name, value)]

@@ -73,6 +73,11 @@ def shipped() -> RuleSet:
     return rule_set
 
 
+def rule_names() -> dict[str, str]:
+    """Return the ids of the rules that come with Risorius, with what each is for."""
+    return {rule.id: rule.comment for rule in shipped()}
+
+
 def rule_set_of(path: Path | None) -> RuleSet:
     """Return the package's rules as a user's file changes them; raise InputError if it cannot be used."""
     return shipped() if path is None else extended(shipped(), read_text(path), str(path))

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from ...errors import SpeechError, unknown
+from ...languages import language_of
 from .protocol import SpeechEngine, Voice
 from .registry import load_engine
 
@@ -12,14 +14,29 @@ DEFAULT_VOICE = "en-us"
 _USUAL = ("en", "de", "fr", "es", "cmn")
 _LONG_CODE = 3  # letters of the codes of ISO 639-2
 _LONGEST = 40  # letters of a name that is shown
+_PLAIN_CHANGE = re.compile(r"\+[fm]\d")
 
 
 def voices(engine: SpeechEngine | None = None) -> tuple[Voice, ...]:
-    """Return all voices: the default, those that speak by their names, then those named `+name`, which change
-    the timbre of any other.
+    """Return all voices in the order in which they are looked for.
+
+    The default comes first, then the others of its language, then languages of whose words we know most,
+    then the other languages, each by its name. At the end stand those named `+name`, which change the timbre
+    of any other: plain women and men before the rest.
     """
     known = (engine or load_engine()).voices()
-    return tuple(sorted(known, key=lambda v: (v.name != DEFAULT_VOICE, v.name.startswith("+"))))
+    return tuple(sorted(known, key=_place))
+
+
+def _place(voice: Voice) -> tuple[bool, bool, bool, bool, str]:
+    code, usual = voice.language.split("-")[0], DEFAULT_VOICE.split("-")[0]
+    is_change = voice.name.startswith("+")
+    if is_change:
+        best = _PLAIN_CHANGE.fullmatch(voice.name) is not None
+    else:
+        best = voice.language != "" and bool(language_of(code).function_words)
+    called = voice.name if is_change else f"{voice.description} {voice.name}"
+    return is_change, voice.name != DEFAULT_VOICE, code != usual, not best, called.lower()
 
 
 def speaking() -> dict[str, Voice]:
@@ -60,8 +77,12 @@ def _by_name(name: str, known: tuple[Voice, ...]) -> Voice:
     if speaking is not None:
         return speaking
     varies = name.startswith("+")
+    named = [voice.name for voice in known if voice.description.lower() == wanted]
+    if named:
+        raise SpeechError(f"unknown voice '{name}'; did you mean '{named[0]}'?")
     names = [voice.name for voice in known if voice.name.startswith("+") == varies]
-    raise SpeechError(unknown("variant" if varies else "voice", name, names))
+    message = unknown("variant" if varies else "voice", name, names)
+    raise SpeechError(message if message.endswith("?") else f"{message}; 'risorius list voices' shows all")
 
 
 def _by_language(language: str, known: tuple[Voice, ...]) -> Voice:
