@@ -77,6 +77,93 @@ def test_faults_of_a_caller_are_told_by_one_kind_of_error(clip: risorius.Take) -
     assert clip.curves.get("lip_seel") is None
 
 
+def _no_file(call: Any) -> Any:
+    return pytest.param(call, "int does not name a file; expected a text or a path")
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        _no_file(lambda take, r: take.write(5)),
+        _no_file(lambda take, r: r.mix(5)),
+        _no_file(lambda take, r: r.load(5)),
+        _no_file(lambda take, r: r.play(5)),
+        _no_file(lambda take, r: r.rig(5)),
+        _no_file(lambda take, r: r.align(5)),
+        _no_file(lambda take, r: r.speak(audio=5, transcript="Hi.")),
+        _no_file(lambda take, r: r.load_settings(5)),
+        (lambda take, r: r.speak(Path("no.xml")), "no.xml: there is no such file"),
+        (lambda take, r: r.speak("Hi.", audio="x.wav", transcript=5), "int cannot be performed"),
+        (lambda take, r: r.speak("Hi.", emotion=5), "int is not an emotion; expected {'happiness': 0.7}"),
+        (lambda take, r: r.speak("Hi.", emotion=[5]), "int is not an emotion"),
+        (lambda take, r: r.speak("Hi.", emotion="hapiness:1"), "did you mean 'happiness'"),
+        (lambda take, r: r.speak("Hi.", emotion={"happiness": "x"}), "happiness = 'x' is not a number"),
+        (lambda take, r: r.pose([1]), "list is not a pose; expected values by name"),
+        (lambda take, r: r.pose({"AU12": "x"}), "AU12 = 'x' is not a number"),
+        (lambda take, r: r.pipe(5), "texts are int; expected a sequence"),
+        (lambda take, r: r.pipe([], settings=5), "settings are int"),
+        (lambda take, r: r.batch(5, "{id}.wav"), "rows are int; expected a sequence"),
+        (lambda take, r: r.batch([], 5), "outputs are int; expected a sequence"),
+        (lambda take, r: r.Live(5), "settings are int"),
+        (lambda take, r: r.Live().say(5), "int cannot be said; expected a text"),
+        (lambda take, r: r.Live().feel(5, 1), "5 is not the name of an emotion"),
+        (lambda take, r: r.Live().feel("joy", "x"), "joy = 'x' is not a number"),
+        (lambda take, r: take.explain("x"), "time = 'x' is not a number"),
+        (lambda take, r: take.explain(0.5, 5), "5 is not the name of a muscle or parameter"),
+        (lambda take, r: next(take.pictures(indices=[999])), "frame 999 is not in the performance"),
+        (lambda take, r: next(take.faces(["a"])), "frame 'a' is not in the performance"),
+        (lambda take, r: next(take.pictures("big")), "size 'big' is not a size; expected e.g. 720x720"),
+    ],
+)
+def test_a_wrong_argument_is_a_fault_of_the_same_kind(call: Any, message: str, clip: risorius.Take) -> None:
+    with pytest.raises(risorius.RisoriusError) as caught:
+        call(clip, risorius)
+    assert message in str(caught.value)
+
+
+def test_emotions_are_taken_as_on_the_command_line() -> None:
+    by_name, by_text, by_texts, as_display = (
+        risorius.speak("Hi.", emotion=emotion).performance.values
+        for emotion in (
+            {"happiness": 0.7}, "joy:0.7", ["happiness:0.7"], [risorius.Display("happiness", 0.7)]
+        )
+    )  # fmt: skip
+    for values in (by_text, by_texts, as_display):
+        np.testing.assert_array_equal(values, by_name)
+
+
+def test_a_script_may_be_a_path(tmp_path: Path) -> None:
+    script, words = tmp_path / "scene.xml", tmp_path / "words.txt"
+    script.write_text('<PHONEME text="Hello." />')
+    words.write_text("Hello.")
+    take = risorius.speak(script)
+    take.write(tmp_path / "x.wav")
+    assert take.utterance is not None
+    assert take.utterance.text == "Hello."
+    heard = risorius.speak(audio=tmp_path / "x.wav", transcript=words)
+    assert heard.utterance is not None
+    assert [word.text for word in heard.utterance.words] == ["Hello"]
+
+
+def test_what_a_take_holds_is_shown_in_one_line_each(clip: risorius.Take) -> None:
+    held = [
+        clip.utterance,
+        clip.score,
+        clip.performance,
+        clip.audio,
+        clip.head,
+        clip.settings,
+        next(clip.faces([0])),
+    ]
+    for part in held:
+        assert len(repr(part)) < 160, repr(part)
+        assert "\n" not in repr(part)
+    assert repr(risorius.Settings(age=40, look=risorius.Look(style="clay"))) == (
+        "Settings(age=40, look=Look(style='clay'))"
+    )
+    assert str(clip.explain(0.5, "masseter")[0]).startswith("masseter = ")
+
+
 @pytest.mark.parametrize(
     ("chosen", "message"),
     [

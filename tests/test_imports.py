@@ -51,7 +51,7 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "api": PIPELINE | {"pipeline"},
     "live": PIPELINE | {"pipeline", "api"},
     "batches": PIPELINE | {"pipeline", "api"},
-    "__init__": {"core", "rules", "settings", "presets", "take", "pipeline", "api", "live", "batches"},
+    "__init__": LIBRARY,
     "stream": LIBRARY,
     "serve": LIBRARY | {"__init__", "stream", "web"},
     "studio": LIBRARY | {"__init__", "stream", "serve", "web"},

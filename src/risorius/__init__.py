@@ -19,10 +19,33 @@ if TYPE_CHECKING:
     from .api import speak as speak
     from .batches.library import batch as batch
     from .batches.library import pipe as pipe
+    from .batches.outcome import LineResult as LineResult
+    from .blend import Explanation as Explanation
+    from .blend import Tally as Tally
+    from .blend import Trace as Trace
+    from .core.audio import Audio as Audio
+    from .core.movement import Cause as Cause
+    from .core.movement import Movement as Movement
+    from .core.performance import Performance as Performance
+    from .core.score import Score as Score
+    from .core.utterance import Utterance as Utterance
+    from .errors import HeadError as HeadError
+    from .errors import InputError as InputError
+    from .errors import OutputError as OutputError
+    from .errors import ParameterError as ParameterError
     from .errors import RisoriusError as RisoriusError
     from .errors import RisoriusWarning as RisoriusWarning
+    from .errors import SpeechError as SpeechError
+    from .errors import SpeechWarning as SpeechWarning
+    from .errors import UnreadError as UnreadError
     from .errors import warnings_to as warnings_to
+    from .face.arkit_fit import ArkitTrack as ArkitTrack
+    from .face.frame import FaceFrame as FaceFrame
+    from .face.head import Head as Head
+    from .live.frame import LiveFrame as LiveFrame
     from .live.session import Live as Live
+    from .ports.rig import Rig as Rig
+    from .ports.rig import Shown as Shown
     from .presets import load_settings as load_settings
     from .rules.emotions import Display as Display
     from .settings import BlendChoices as BlendChoices
@@ -32,14 +55,37 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 __all__ = [
+    "ArkitTrack",
+    "Audio",
     "BlendChoices",
+    "Cause",
     "Display",
+    "Explanation",
+    "FaceFrame",
+    "Head",
+    "HeadError",
+    "InputError",
+    "LineResult",
     "Live",
+    "LiveFrame",
     "Look",
+    "Movement",
+    "OutputError",
+    "ParameterError",
+    "Performance",
+    "Rig",
     "RisoriusError",
     "RisoriusWarning",
+    "Score",
     "Settings",
+    "Shown",
+    "SpeechError",
+    "SpeechWarning",
     "Take",
+    "Tally",
+    "Trace",
+    "UnreadError",
+    "Utterance",
     "align",
     "batch",
     "load",
@@ -57,8 +103,31 @@ __all__ = [
 _MODULES = {
     "api": ("align", "load", "mix", "play", "pose", "rig", "speak"),
     "batches.library": ("batch", "pipe"),
-    "errors": ("RisoriusError", "RisoriusWarning", "warnings_to"),
+    "batches.outcome": ("LineResult",),
+    "blend": ("Explanation", "Tally", "Trace"),
+    "core.audio": ("Audio",),
+    "core.movement": ("Cause", "Movement"),
+    "core.performance": ("Performance",),
+    "core.score": ("Score",),
+    "core.utterance": ("Utterance",),
+    "errors": (
+        "HeadError",
+        "InputError",
+        "OutputError",
+        "ParameterError",
+        "RisoriusError",
+        "RisoriusWarning",
+        "SpeechError",
+        "SpeechWarning",
+        "UnreadError",
+        "warnings_to",
+    ),
+    "face.arkit_fit": ("ArkitTrack",),
+    "face.frame": ("FaceFrame",),
+    "face.head": ("Head",),
+    "live.frame": ("LiveFrame",),
     "live.session": ("Live",),
+    "ports.rig": ("Rig", "Shown"),
     "presets": ("load_settings",),
     "rules.emotions": ("Display",),
     "settings": ("BlendChoices", "Look", "Settings"),

@@ -10,15 +10,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .core.movement import Cause, ManualCurve
+from .core.paths import is_file, path_of
 from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import BlendSettings, Score
-from .errors import InputError, Place, UnreadError
+from .errors import InputError, Place, UnreadError, check_number
 from .pipeline import combine, perform
 from .ports.performance_json import read_performance_file
 from .ports.score_json import read_score_file
 from .ports.targets import check_targets
-from .rules.emotions import Display, Displays
+from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
 from .settings import BlendChoices, Settings
 from .speech import Input, Recording, hear, read_transcript
@@ -30,14 +31,15 @@ if TYPE_CHECKING:
     from .ports.rig import Rig, Shown
 
 FileName = str | PathLike[str]
-Emotions = Mapping[str, float] | Iterable[Display]
+Emotions = Mapping[str, float] | str | Iterable[Display | str]
+"""Intensities by name, or texts such as "happiness:0.7@1-3", or displays."""
 
 
 def speak(
-    script: str | None = None,
+    script: FileName | None = None,
     *,
     audio: FileName | None = None,
-    transcript: str | None = None,
+    transcript: FileName | None = None,
     text: bool = False,
     source: str = "text",
     emotion: Emotions = (),
@@ -48,13 +50,13 @@ def speak(
     names it in messages.
 
     With the recording `audio` its voice is heard instead of a synthesized one: it says the text, or the words
-    of `transcript` (a text, or the name of a file with it), or is labelled by the TextGrid; given none of
-    these, it is recognized, which is weaker. `emotion`: intensities 0..1 by name, or displays with their
-    spans. Raises RisoriusError with one line on what is wrong and where.
+    of `transcript` (a text, or the name of a file with it), or is labelled by the TextGrid; without any of
+    these, it is recognized, which is less exact. `emotion`: intensities 0..1 by name, or "happiness:0.7@1-3"
+    as on the command line, or displays. Raises RisoriusError with one line on what is wrong and where.
     """
-    settings, displays = _checked(settings), displays_of(emotion)
-    if script is not None and not isinstance(script, str):
-        raise InputError(f"{type(script).__name__} cannot be performed; expected a text, or a file's name")
+    settings, displays = checked(settings), displays_of(emotion)
+    script, transcript = _text_or_file(script), _text_or_file(transcript)
+    audio = None if audio is None else path_of(audio)
     if script is not None and script.lower().endswith(".json") and not text:
         arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
         refuse(settings, SCORE, Place(script), **arguments)
@@ -65,7 +67,7 @@ def speak(
 
 def align(
     audio: FileName,
-    transcript: str | None = None,
+    transcript: FileName | None = None,
     *,
     language: str | None = None,
     progress: Progress = quiet,
@@ -78,7 +80,8 @@ def align(
     """
     if transcript is None and language is not None:
         raise UnreadError(["language"], RECOGNIZED, Place(str(audio)))
-    _, utterance = hear(Recording(audio, read_transcript(transcript), language=language), progress)
+    words = read_transcript(_text_or_file(transcript))
+    _, utterance = hear(Recording(path_of(audio), words, language=language), progress)
     return combine(Score(utterance.duration, text=utterance.text), Settings(), utterance)
 
 
@@ -95,9 +98,9 @@ def mix(
 
     Raises RisoriusError; UnreadError for settings of a voice or a plan, which a score has behind it.
     """
-    settings = _checked(settings)
+    settings, path = checked(settings), path_of(score)
     refuse(settings, SCORE, Place(str(score)))
-    file = read_score_file(Path(score))
+    file = read_score_file(path)
     blend = settings.blend.over(file.score.settings)
     blend = BlendChoices(conflict=conflict, onset_function=onset_function).over(blend)
     movements = announced(replace(file.score, settings=blend), settings.fps, progress)
@@ -109,8 +112,8 @@ def load(performance: FileName, *, settings: Settings | None = None) -> Take:
 
     Raises RisoriusError; UnreadError for settings that would change the curves.
     """
-    settings = _checked(settings)
-    file = read_performance_file(Path(performance))
+    settings = checked(settings)
+    file = read_performance_file(path_of(performance))
     # Its own frame rate is no change.
     compared = replace(settings, fps=Settings().fps) if settings.fps == file.performance.fps else settings
     refuse(compared, PERFORMANCE, Place(str(performance)))
@@ -133,7 +136,7 @@ def play(
     from .ports.formats import format_read
     from .ports.readable import ReadOptions
 
-    settings, path = _checked(settings), Path(capture)
+    settings, path = checked(settings), path_of(capture)
     kind = format_read(path)
     if kind.suffix == ".performance.json":
         take = load(path, settings=settings)
@@ -143,16 +146,23 @@ def play(
         refuse(settings, CAPTURE, Place(str(capture)))
         file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
         take = combine(announced(file.score, settings.fps, progress), settings, file.utterance)
-    return take if audio is None else replace(take, sound=read_recording(audio))
+    return take if audio is None else replace(take, sound=read_recording(path_of(audio)))
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
-    """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top."""
+    """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top.
+
+    Raises RisoriusError.
+    """
+    if not isinstance(targets, Mapping):
+        raise InputError(f"{type(targets).__name__} is not a pose; expected values by name: {{'AU12': 0.7}}")
+    for name, value in targets.items():
+        check_number(str(name), value)
     shown = {display.emotion: display.intensity for display in displays_of(emotion)}
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(pose_curve,), settings=BlendSettings(contact=False))
-    settings = _checked(settings)
+    settings = checked(settings)
     refuse(settings, POSE)
     return combine(score, settings)
 
@@ -177,9 +187,9 @@ def rig(
     from .ports.glb_file import save_glb
     from .ports.rig import animated, check_performable, read_rig, report
 
-    settings = _checked(settings)
+    settings, path = checked(settings), path_of(character)
     refuse(settings, CHARACTER, Place(str(character)))
-    rig = read_rig(Path(character), None if map_file is None else Path(map_file))
+    rig = read_rig(path, None if map_file is None else path_of(map_file))
     if take is not None and output is not None:
         (target,) = check_targets((output,))
         if target.format.suffix not in (".glb", ".rig.glb"):
@@ -193,13 +203,42 @@ def rig(
 
 
 def displays_of(emotion: Emotions) -> Displays:
-    """Return the displays that a user asks for, by name with their intensities or one by one."""
+    """Return the displays that a user asks for; raise InputError for what is none."""
     if isinstance(emotion, Mapping):
-        return tuple(Display(name, intensity) for name, intensity in emotion.items())
-    return tuple(emotion)
+        emotion = [Display(name, intensity) for name, intensity in emotion.items()]
+    elif isinstance(emotion, str):
+        emotion = [emotion]
+    elif not isinstance(emotion, Iterable):
+        raise InputError(_no_emotion(emotion))
+    return tuple(map(_display, emotion))
 
 
-def _checked(settings: Settings | None) -> Settings:
+def _display(emotion: object) -> Display:
+    if isinstance(emotion, str):
+        return parse_display(emotion)
+    if not isinstance(emotion, Display) or not isinstance(emotion.emotion, str):
+        raise InputError(_no_emotion(emotion))
+    check_number(emotion.emotion, emotion.intensity)
+    return emotion
+
+
+def _no_emotion(value: object) -> str:
+    kind = type(value).__name__
+    return f"{kind} is not an emotion; expected {{'happiness': 0.7}}, 'happiness:0.7@1-3' or a Display"
+
+
+def _text_or_file(words: object) -> str | None:
+    """Return a text, or the name of a file; raise InputError for what is neither, and for a missing path."""
+    if words is None or isinstance(words, str):
+        return words
+    if not isinstance(words, PathLike):
+        raise InputError(f"{type(words).__name__} cannot be performed; expected a text, or a file's name")
+    if not is_file(path := path_of(words)):
+        raise InputError("there is no such file", Place(str(path)))
+    return str(path)
+
+
+def checked(settings: Settings | None) -> Settings:
     """Return the settings, by default the usual ones.
 
     Raises InputError for what is none, and for a background that would fail only after all else is done.

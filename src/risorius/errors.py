@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from numbers import Real
 
 LONGEST_LINE = 300  # characters of what the command line prints of an error
 LONGEST_MESSAGE = 280  # of an error with its place
@@ -135,6 +136,12 @@ def warnings_to(receive: Callable[[str], None]) -> Iterator[None]:
         yield
     finally:
         _receiver.reset(token)
+
+
+def check_number(name: str, value: object) -> None:
+    """Raise InputError, with what it is called, for a value that is not a number."""
+    if not isinstance(value, Real):
+        raise InputError(f"{name} = {value!r} is not a number")
 
 
 def _frames_of_ours() -> int:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from functools import partial
 from os import PathLike
@@ -95,6 +95,14 @@ def parse_size(text: str) -> tuple[int, int]:
     return int(match[1]), int(match[2])
 
 
+def _shown(settings: Any) -> str:
+    """Return settings as they are written, without those that are as usual."""
+    usual = type(settings)()
+    values = ((f.name, getattr(settings, f.name)) for f in fields(settings))
+    changed = (f"{name}={value!r}" for name, value in values if value != getattr(usual, name))
+    return f"{type(settings).__name__}({', '.join(changed)})"
+
+
 # fmt: off
 @dataclass(frozen=True, slots=True)
 class Look(metaclass=Named):
@@ -127,6 +135,8 @@ class Look(metaclass=Named):
 
     def __post_init__(self) -> None:
         check(self, "g")
+
+    __repr__ = _shown
 
     @property
     def transparent(self) -> bool:
@@ -169,6 +179,8 @@ class BlendChoices(metaclass=Named):
 
     def __post_init__(self) -> None:
         check(self)
+
+    __repr__ = _shown
 
     def over(self, settings: BlendSettings) -> BlendSettings:
         """Return `settings` with the choices in place of theirs."""
@@ -277,6 +289,8 @@ class Settings(metaclass=Named):
                 raise InputError(f"{name} is {kind}; expected risorius.{choices.__name__}(…)")
         if self.at is not None and self.every is not None:
             raise UnreadError(["at"], "every makes a sheet of the whole clip; expected one of the two")
+
+    __repr__ = _shown
 # fmt: on
 
 

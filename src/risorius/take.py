@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import astuple, dataclass, field, fields, replace
 from functools import cached_property
 from itertools import repeat
+from numbers import Integral
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -21,7 +22,8 @@ from .core.performance import Performance
 from .core.progress import Progress, quiet
 from .core.score import Score
 from .core.utterance import Utterance
-from .settings import Settings
+from .errors import InputError, check_number
+from .settings import Settings, parse_size
 
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally, Trace
@@ -88,6 +90,7 @@ class Take:
         """
         from .blend import explain
 
+        check_number("time", time)
         names = NAMES if parameter is None else [p.name for p in parameters_named(parameter)]
         explanations = (explain(self._plan, time, name) for name in names)
         return tuple(e for e in explanations if parameter is not None or e.winner is not None or e.losers)
@@ -144,6 +147,8 @@ class Take:
         """
         from .face.motion import animate
 
+        if indices is not None:
+            self._check_frames(indices)
         moving, drive = self.settings.dynamics != "static", self._curves_between_frames
         solver = solver or self._solver
         buffers = solver.buffers() if reuse else None
@@ -151,11 +156,17 @@ class Take:
         total = len(self.performance.values if indices is None else indices)
         return faces if progress is quiet else _counted(faces, total, progress)
 
+    def _check_frames(self, indices: Sequence[int]) -> None:
+        frames = len(self.performance.values)
+        for index in indices:
+            if not isinstance(index, Integral) or not 0 <= index < frames:
+                raise InputError(f"frame {index!r} is not in the performance; expected 0 to {frames - 1}")
+
     def _curves_between_frames(self, times: Array) -> Array:
         return self._plan.at(np.minimum(times, self.performance.times[-1]))
 
     def pictures(
-        self, size: Size | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet
+        self, size: Size | str | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet
     ) -> Iterator[ByteArray]:
         """Yield pictures as the settings' look wants them, of all frames or of those in `indices`.
 
@@ -166,6 +177,8 @@ class Take:
         from .render.overlay import Overlays, Subject
 
         chosen = range(len(self.performance.values)) if indices is None else indices
+        self._check_frames(chosen)
+        size = parse_size(size) if isinstance(size, str) else size
         look = self.settings.look
         subject = Subject(self.performance, self.utterance)
         overlays = Overlays(look.overlay, subject, size or self.settings.size)

@@ -56,7 +56,7 @@ def test_only_a_transparent_background_is_transparent():
 def test_what_is_no_colour_is_an_error():
     with pytest.raises(
         InputError,
-        match="background 'blurple' is neither a colour .*; did you mean 'purple'",
+        match=r"background 'blurple' is neither a colour .*; did you mean 'purple'",
     ):
         parse_colour("blurple")
 

@@ -16,7 +16,7 @@ def shown(asked, width=40, height=20):
 def test_what_is_neither_colour_nor_file_is_an_error():
     with pytest.raises(
         InputError,
-        match="background 'blurple' is neither a colour .*; did you mean 'purple'",
+        match=r"background 'blurple' is neither a colour .*; did you mean 'purple'",
     ):
         shown("blurple")
 

@@ -10,7 +10,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ..api import Emotions, displays_of
+from ..api import Emotions, checked, displays_of
 from ..errors import InputError, OutputError, Place, RisoriusError
 from ..settings import Settings
 from .executors import BatchExecutor, InProcess, LocalPool
@@ -133,6 +133,8 @@ def batch(
 
     A line that fails is a result with its `error`. Raises RisoriusError for what concerns all lines.
     """
+    _check_iterable("rows", rows)
+    _check_iterable("outputs", outputs)
     names = (outputs,) if isinstance(outputs, str) else tuple(outputs)
     processes = (os.cpu_count() or 1) if jobs is None else jobs
     part = Shard() if shard is None else Shard.parse(shard)
@@ -140,7 +142,7 @@ def batch(
     plan = BatchPlan(
         rows,
         names,
-        settings or Settings(),
+        checked(settings),
         displays_of(emotion),
         processes,
         timeout,
@@ -167,10 +169,16 @@ def pipe(
     With `as_tuples` the texts are pairs of a text and anything, which comes back beside its take. Raises
     RisoriusError for the first text that cannot be performed.
     """
-    displays, settings = displays_of(emotion), settings or Settings()
+    _check_iterable("texts", texts)
+    displays, settings = displays_of(emotion), checked(settings)
     if not as_tuples:
         return takes(texts, displays, settings, n_process)
     return _with_contexts(texts, displays, settings, n_process)
+
+
+def _check_iterable(what: str, value: object) -> None:
+    if not isinstance(value, Iterable | PathLike):
+        raise InputError(f"{what} are {type(value).__name__}; expected a sequence")
 
 
 def _with_contexts(

@@ -6,13 +6,13 @@ Nothing is stored per frame: an explanation is computed on demand, from the same
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ..core.arrays import Array
 from ..core.lip_rig import LipRig
-from ..core.movement import Cause, LipSegment, Movement
+from ..core.movement import LipSegment, Movement
 from ..core.parameters import INDEX, NEUTRAL, PARAMETERS
 from ..core.score import Score
 from ..errors import InputError, ParameterError, unknown
@@ -20,6 +20,7 @@ from .channels import Channel
 from .concatenate import SIGNED
 from .conflict import Suppressor
 from .curve import Curve, Origin
+from .explanation import Contribution, Explanation
 from .ledger import LedgerEntry
 from .manual import replaced_values
 from .mouth.contact import CONTACTS, SEAL, TUCK
@@ -35,42 +36,6 @@ _LEAST = 1e-9
 _SEEN = 0.002
 # Seconds around a closure in which it is the closure that brings the lips together.
 _NEARBY = 0.2
-
-
-@dataclass(frozen=True, slots=True)
-class Contribution:
-    """What one movement, segment or drawn curve requests of a parameter at a time, and what is applied.
-
-    `label` names it, `cause` says why it exists. `requested` and `applied` are deviations from the
-    parameter's neutral. `reason`: why less is applied than requested, or why it does not show; else "".
-    `on_top`: whether it adds to what the others leave.
-    """
-
-    channel: str
-    layer: str
-    label: str
-    cause: Cause
-    requested: float
-    applied: float
-    reason: str = ""
-    on_top: bool = False
-
-    @property
-    def what(self) -> str:
-        """Its origin, for a sentence: the phone and word, or the mark, or its own label."""
-        return self.cause.trigger or self.label
-
-
-@dataclass(frozen=True, slots=True)
-class Explanation:
-    """A parameter's value at a time: the winning contribution (None at rest), the others, the last steps."""
-
-    time: float
-    parameter: str
-    value: float
-    winner: Contribution | None
-    losers: tuple[Contribution, ...]
-    notes: tuple[str, ...]
 
 
 def explain(source: Score | Plan, time: float, parameter: str) -> Explanation:

@@ -31,6 +31,10 @@ class Audio:
     # Keeps a temporary folder alive as long as the sound is in use.
     keeper: object = None
 
+    def __repr__(self) -> str:
+        """Return one line: how long it is, and where it stands."""
+        return f"<Audio of {self.duration:.2f} s at {self.sample_rate} Hz, {str(self.path)!r}>"
+
     def __reduce__(self) -> tuple[Any, ...]:
         # Pickle the samples: the temporary file is deleted with this process and is not on other machines.
         return _written, (self.read(), self.sample_rate)

@@ -175,6 +175,8 @@ def parameters_named(name: str) -> tuple[Parameter, ...]:
     `name` is in any case, an alias of `ALIASES` or a name of the table, with or without `.left`/`.right`.
     Raises ParameterError for an unknown name or for a side that the parameter does not have.
     """
+    if not isinstance(name, str):
+        raise ParameterError(f"{name!r} is not the name of a muscle or parameter")
     stem, dot, side = name.strip().lower().replace("-", "_").replace(" ", "_").partition(".")
     base = ALIASES.get(stem, stem)
     parameters = BASES.get(base)

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
+from os import PathLike
 from pathlib import Path
+
+from ..errors import InputError
+
+
+def path_of(name: object) -> Path:
+    """Return the path that a user named; raise InputError for what names no file."""
+    if isinstance(name, str | PathLike):
+        return Path(name)
+    raise InputError(f"{type(name).__name__} does not name a file; expected a text or a path")
 
 
 def is_file(path: Path) -> bool:

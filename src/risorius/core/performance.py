@@ -72,6 +72,10 @@ class Performance:
     fps: Fraction
     values: Array
 
+    def __repr__(self) -> str:
+        """Return one line: how long it is, and how many frames it has."""
+        return f"<Performance of {self.duration:.2f} s, {len(self.values)} frames at {self.fps} per second>"
+
     @property
     def times(self) -> Array:
         """Frame times in seconds, shape (frames,)."""

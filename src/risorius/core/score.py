@@ -62,6 +62,12 @@ class Score:
     def __post_init__(self) -> None:
         put_on_ticks(self, "duration")
 
+    def __repr__(self) -> str:
+        """Return one line: how long it is, and how much it holds."""
+        counts = {"movements": self.movements, "lip segments": self.lips, "drawn curves": self.manual}
+        content = ", ".join(f"{len(parts)} {name}" for name, parts in counts.items() if parts)
+        return f"<Score of {self.duration:.2f} s, {content or 'empty'}>"
+
 
 def check_score(score: Score) -> None:
     """Raise InputError or ParameterError, with the movement's name, if a score cannot be performed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from bisect import bisect_left
 from dataclasses import dataclass
 from enum import StrEnum
@@ -225,6 +226,11 @@ class Utterance:
     def __post_init__(self) -> None:
         check_continuous(self.phones, self.audio.duration)
         check_phrases(self.phrases, len(self.words))
+
+    def __repr__(self) -> str:
+        """Return one line: how long it is, and what is said."""
+        words, said = len(self.words), textwrap.shorten(self.text, 60)
+        return f"<Utterance of {self.duration:.2f} s, {words} words, {len(self.phones)} phones, {said!r}>"
 
     @property
     def duration(self) -> float:

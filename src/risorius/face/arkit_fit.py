@@ -61,6 +61,11 @@ class ArkitTrack:
     rms: Array
     worst: Array
 
+    def __repr__(self) -> str:
+        """Return one line: how many frames, and what the weights leave over."""
+        rms, worst = self.residual
+        return f"<ArkitTrack of {len(self.weights)} frames, {rms:.2f} mm off, at worst {worst:.1f} mm>"
+
     @property
     def rotations(self) -> Array:
         """Yaw, pitch and roll of head, left and right eye (frames, 9) in radians."""

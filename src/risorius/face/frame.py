@@ -42,6 +42,10 @@ class FaceFrame:
     wrinkles: Float32Array
     parameters: Array
 
+    def __repr__(self) -> str:
+        """Return one line: the size of its skin."""
+        return f"<FaceFrame of {len(self.skin)} vertices of skin>"
+
     def copy(self) -> FaceFrame:
         """Return a frame with copies of all arrays."""
         arrays = [f.name for f in fields(self) if isinstance(getattr(self, f.name), np.ndarray)]

@@ -104,6 +104,10 @@ class Head:
     identity: Identity = UNNAMED
     ages: AgeShapes | None = None
 
+    def __repr__(self) -> str:
+        """Return one line: its name and age."""
+        return f"<Head {self.name!r} of {self.identity.age:g} years, {len(self.rest)} vertices>"
+
     @property
     def links_file(self) -> Path | None:
         """The head's own table of linked muscles, if it has one."""

@@ -29,6 +29,10 @@ class LiveFrame:
     arkit: Array | None = None
     rotations: Array | None = None
 
+    def __repr__(self) -> str:
+        """Return one line: its number and time, and what is being said."""
+        return f"<LiveFrame {self.index} at {self.time:.3f} s, {self.text!r}>"
+
     @property
     def parameters(self) -> dict[str, float]:
         """The values by the parameters' names."""

@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..api import speak
+from ..api import checked, speak
 from ..channels.eye_head import Angles
 from ..channels.gaze import LISTENER
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
 from ..core.parameters import INDEX
-from ..errors import InputError, ParameterError, UnreadError, unknown
+from ..errors import InputError, ParameterError, UnreadError, check_number, unknown
 from ..pipeline import with_profile
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
@@ -83,7 +83,7 @@ class Live:
         arkit: bool = False,
         perform: PerformSentence = perform_sentence,
     ) -> None:
-        chosen = settings or Settings()
+        chosen = checked(settings)
         if fps is not None:
             chosen = replace(chosen, fps=parse_fps(fps))
         changed = [name for name in ("lead", "tail") if getattr(chosen, name) != getattr(Settings(), name)]
@@ -139,6 +139,8 @@ class Live:
         `flush` ends it; with neither, in a pause or after 6 s. Raises InputError after `close`, if too much
         waits, or for sound and words that cannot be used; then nothing is added.
         """
+        if not isinstance(text, str):
+            raise InputError(f"{type(text).__name__} cannot be said; expected a text")
         with self._lock:
             if self._closed:
                 raise InputError("nothing can be said after close")
@@ -171,6 +173,9 @@ class Live:
         Raises RisoriusError for an unknown emotion or an intensity out of range.
         """
         names = emotion_names()
+        if not isinstance(emotion, str):
+            raise InputError(f"{emotion!r} is not the name of an emotion")
+        check_number(emotion, intensity)
         if emotion.lower() not in names:
             raise InputError(unknown("emotion", emotion, names))
         if not 0 <= intensity <= 1:

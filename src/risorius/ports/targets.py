@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..core.blas import one_thread
+from ..core.paths import path_of
 from ..errors import OutputError, Place
 from .atomic import os_failure, replacing
 from .formats import FORMATS, FileFormat, Need, format_for
@@ -33,7 +34,7 @@ def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Ta
     Raises OutputError for an unknown suffix, a need that is not available, a folder that is missing or
     not writable, and a path that is a folder or a read-only file.
     """
-    file = Path(path)
+    file = path_of(path)
     if "\0" in str(file):
         raise OutputError(f"the name {str(file)!r} contains a null character; expected a file name")
     target = Target(file, format_for(file))

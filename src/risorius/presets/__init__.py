@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cache
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
 from ..core.frozen import FrozenDict
+from ..core.paths import path_of
 from ..core.setting import Row, rows
 from ..core.source_text import SourceText
 from ..core.toml import read_tables, read_text
@@ -22,13 +24,14 @@ _DESCRIPTION = "description"
 _SUFFIX = ".toml"
 
 
-def load_settings(*names: str, **chosen: Any) -> Settings:
+def load_settings(*names: str | PathLike[str], **chosen: Any) -> Settings:
     """Return the settings of presets and of configuration files (`.toml`), each over those before it, and
     over all of them the settings that are `chosen` by name.
 
     Raises RisoriusError for an unknown name, with its place, and for a value that a setting cannot have.
     """
-    return settings_of({**values_of(names), **chosen})
+    texts = tuple(name if isinstance(name, str) else str(path_of(name)) for name in names)
+    return settings_of({**values_of(texts), **chosen})
 
 
 def values_of(names: tuple[str, ...]) -> dict[str, Any]:
