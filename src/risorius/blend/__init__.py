@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from .changes import changed_span, performance_after
-from .explain import Contribution, Explanation, explain
+from .explain import explain
+from .explanation import Contribution, Explanation
 from .plan import Plan, at, combine
 from .summary import Tally, summarize
 from .suppression import suppression

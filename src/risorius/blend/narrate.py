@@ -13,8 +13,8 @@ def narrate(explanations: Iterable[Explanation], time: float) -> Iterator[str]:
     for explanation in explanations:
         base = explanation.parameter.partition(".")[0]
         by_reasons.setdefault((base, *reasons(explanation)), []).append(explanation.parameter)
-    for (base, value, *reasons), names in by_reasons.items():
+    for (base, value, *lines), names in by_reasons.items():
         yield f"{base if len(names) > 1 else names[0]} = {value}"
-        yield from (f"    {reason}" for reason in reasons)
+        yield from (f"    {reason}" for reason in lines)
     if not by_reasons:
         yield f"at {time:g} s nothing moves"
