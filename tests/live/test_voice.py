@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from itertools import islice, pairwise
 from typing import Any
 
@@ -17,7 +16,6 @@ from risorius.core.parameters import INDEX
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError
 from risorius.live.frame import LiveFrame
-from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.voice import LATEST, LONGEST_WAITING, Known, VoiceBuffer
 
 TEXT = "Well, that is a long story. She paid him for it."
@@ -212,105 +210,3 @@ def test_text_after_a_voice_is_spoken_after_it(spoken: Utterance) -> None:
     face.say("Oh.")
     texts = [frame.text for frame in heard(face) if frame.text]
     assert list(dict.fromkeys(texts))[-1] == "Oh."
-
-
-def pieces(spoken: Utterance, seconds: float = 0.4) -> list[tuple[float, float, bytes]]:
-    rate, sound = spoken.audio.sample_rate, samples_of(spoken)
-    step = round(seconds * rate)
-    return [
-        (start / rate, min(start + step, len(sound)) / rate, sound[start : start + step].tobytes())
-        for start in range(0, len(sound), step)
-    ]
-
-
-def elevenlabs(spoken: Utterance, timed: list[tuple[str, float, float]]) -> list[dict[str, Any]]:
-    """Return an answer of `stream-input`, in the format that ElevenLabs publishes."""
-    letters = []
-    for word, start, end in timed:
-        step = (end - start) / len(word)
-        letters += [(c, start + k * step, step) for k, c in enumerate(word)] + [(" ", end, 0.0)]
-    messages: list[dict[str, Any]] = []
-    for start, end, data in pieces(spoken):
-        inside = [(c, at - start, length) for c, at, length in letters if start <= at < end]
-        alignment = {
-            "chars": [c for c, *_ in inside],
-            "charStartTimesMs": [round(1e3 * at) for _, at, _ in inside],
-            "charDurationsMs": [int(1e3 * length) for *_, length in inside],
-        }
-        audio = base64.b64encode(data).decode()
-        messages.append({"audio": audio, "isFinal": None, "alignment": alignment if inside else None})
-    return [*messages, {"audio": None, "isFinal": True}]
-
-
-def cartesia(spoken: Utterance, timed: list[tuple[str, float, float]]) -> list[dict[str, Any]]:
-    """Return an answer of `tts/websocket`, in the format that Cartesia publishes."""
-    common = {"done": False, "status_code": 206, "context_id": "c1"}
-    messages: list[dict[str, Any]] = []
-    for start, end, data in pieces(spoken):
-        messages.append({"type": "chunk", "data": base64.b64encode(data).decode(), **common})
-        words = [w for w in timed if start <= w[1] < end]
-        if words:
-            columns = {"words": [w[0] for w in words], "start": [w[1] for w in words]}
-            times = {**columns, "end": [w[2] for w in words]}
-            messages.append({"type": "timestamps", "word_timestamps": times, **common})
-    return [*messages, {"type": "done", "done": True, "status_code": 206, "context_id": "c1"}]
-
-
-def told(service: str, spoken: Utterance, timed: list[tuple[str, float, float]]) -> list[LiveFrame]:
-    face, rate = Live(Settings(lively=False), fps=30), spoken.audio.sample_rate
-    if service == "azure":
-        voice = AzureVoice(face, rate=rate)
-        for start, end, data in pieces(spoken):
-            for word, first, last in timed:
-                if start <= first < end:
-                    voice.word(word.rstrip(",."), round(first * 1e7), last - first)
-                    if word[-1] in ",.":
-                        voice.word(word[-1], round(last * 1e7), 0.0, "Punctuation")
-            voice.sound(data)
-        voice.end()
-    elif service == "cartesia":
-        for message in cartesia(spoken, timed):
-            CartesiaVoice(face, "pcm_s16le", rate).say(message)
-    else:
-        answer = ElevenLabsVoice(face, f"pcm_{rate}")
-        for message in elevenlabs(spoken, timed):
-            answer.say(message)
-    return heard(face)
-
-
-@pytest.mark.parametrize("service", ["elevenlabs", "cartesia", "azure"])
-def test_the_messages_of_services_say_the_words_when_they_are_said(
-    service: str, spoken: Utterance, timed: list[tuple[str, float, float]]
-) -> None:
-    face = Live(Settings(lively=False), fps=30)
-    face.say(audio=samples_of(spoken), rate=spoken.audio.sample_rate, words=timed)
-    expected = heard(face)
-    found = told(service, spoken, timed)
-    assert [frame.text for frame in found] == [frame.text for frame in expected]
-    np.testing.assert_array_equal(sound_of(found), sound_of(expected))
-    jaw, other = ([frame.values[JAW] for frame in frames] for frames in (found, expected))
-    assert jaw == pytest.approx(other, abs=0.02)
-
-
-@pytest.mark.parametrize(
-    ("make", "message", "fault"),
-    [
-        (lambda face: ElevenLabsVoice(face, "mp3_44100_128"), {}, "unknown output format 'mp3_44100_128'"),
-        (lambda face: ElevenLabsVoice(face, "pcm_16000"), {"audio": "%"}, "not base64"),
-        (
-            lambda face: ElevenLabsVoice(face, "ulaw_8000"),
-            {"audio": "", "alignment": {"chars": ["a"], "charStartTimesMs": [], "charDurationsMs": []}},
-            "do not match",
-        ),
-        (lambda face: CartesiaVoice(face, "mp3", 8_000), {}, "unknown encoding 'mp3'"),
-        (lambda face: CartesiaVoice(face, "pcm_s16le", 8_000), {"type": "timestamps"}, "do not match"),
-        (
-            lambda face: CartesiaVoice(face, "pcm_s16le", 8_000),
-            {"type": "error", "title": "Invalid model"},
-            "the service failed: Invalid model",
-        ),
-    ],
-)
-def test_messages_that_no_service_sends_are_refused(make: Any, message: dict[str, Any], fault: str) -> None:
-    with pytest.raises(InputError, match=fault):
-        make(Live(Settings(lively=False))).say(message)

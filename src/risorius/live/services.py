@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import binascii
 from collections.abc import Mapping, Sequence
+from datetime import timedelta
 from typing import Any
 
 from ..core.pcm import sample_bytes
@@ -19,6 +20,9 @@ Message = Mapping[str, Any]
 TimedWords = list[tuple[str, float, float]]
 # Azure's unit of time, seconds.
 _TICK = 1e-7
+# Both spellings are published.
+_STARTS = ("charStartTimesMs", "charsStartTimesMs")
+_LENGTHS = ("charDurationsMs", "charsDurationsMs")
 _ELEVENLABS = {"pcm": "pcm_s16le", "ulaw": "pcm_mulaw", "alaw": "pcm_alaw"}
 
 
@@ -43,7 +47,7 @@ class ElevenLabsVoice:
     def say(self, message: Message) -> None:
         """Let the face say what a message has; raises InputError for what is no such message."""
         data = _decoded(message.get("audio") or message.get("audio_base64") or "")
-        alignment = message.get("alignment") or {}
+        alignment = message.get("alignment") or message.get("normalizedAlignment") or {}
         words = self._words(alignment)
         is_last = bool(message.get("isFinal"))
         if is_last:
@@ -84,14 +88,17 @@ def _times(alignment: Message) -> tuple[Sequence[str], list[float], list[float]]
             characters = alignment["characters"]
         else:
             characters = alignment.get("chars", ())
-            starts = [s / 1e3 for s in alignment.get("charStartTimesMs", ())]
-            lasting = [s / 1e3 for s in alignment.get("charDurationsMs", ())]
+            starts, lasting = ([s / 1e3 for s in _column(alignment, names)] for names in (_STARTS, _LENGTHS))
             ends = [start + length for start, length in zip(starts, lasting, strict=True)]
         if not len(characters) == len(starts) == len(ends):
             raise ValueError
     except (TypeError, ValueError, KeyError):
         raise InputError("the alignment's characters and times do not match; expected one for each") from None
     return characters, starts, ends
+
+
+def _column(alignment: Message, names: Sequence[str]) -> Sequence[float]:
+    return next((alignment[name] for name in names if name in alignment), ())
 
 
 class CartesiaVoice:
@@ -140,21 +147,26 @@ class AzureVoice:
         self._face, self._encoding, self._rate = face, encoding, rate
         self._word: tuple[str, float, float] | None = None
 
-    def word(self, text: str, audio_offset: int, duration: float, boundary_type: str = "Word") -> None:
+    def word(
+        self, text: str, audio_offset: int, duration: float | timedelta, boundary_type: object = "Word"
+    ) -> None:
         """Take a word boundary: `audio_offset` in ticks, `duration` in seconds, as the SDK has them.
 
-        A punctuation mark belongs to the word before it.
+        A punctuation mark belongs to the word before it; whole sentences are left alone.
         """
-        if boundary_type.lower().startswith("punctuation"):
+        kind = str(getattr(boundary_type, "name", boundary_type)).lower()
+        if kind.startswith("punctuation"):
             if self._word is not None:
                 self._word = (self._word[0] + text, *self._word[1:])
-            return
-        self._send()
-        start = audio_offset * _TICK
-        self._word = text, start, start + duration
+        elif kind.startswith("word"):
+            self._send()
+            start = audio_offset * _TICK
+            seconds = duration.total_seconds() if isinstance(duration, timedelta) else duration
+            self._word = text, start, start + seconds
 
     def sound(self, data: bytes) -> None:
-        """Take a piece of sound."""
+        """Take a piece of sound, after the words that begin in it."""
+        self._send()
         self._face.say(audio=data, rate=self._rate, encoding=self._encoding)
 
     def end(self) -> None:
