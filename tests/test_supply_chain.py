@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import json
 import re
 import tomllib
 from functools import cache
@@ -52,6 +53,16 @@ def test_all_that_is_needed_is_locked_with_digests() -> None:
 
 def test_the_lock_names_no_host() -> None:
     assert not any(re.search(r"://|--\w*-?index|find-links", path.read_text()) for path in FILES.values())
+
+
+def test_the_lock_of_the_page_s_checks_has_digests_and_names_no_host() -> None:
+    packages = json.loads((ROOT / "package-lock.json").read_text())["packages"]
+    asked = json.loads((ROOT / "package.json").read_text())["devDependencies"]
+    assert packages[""]["devDependencies"] == asked
+    assert all(re.fullmatch(r"\d+\.\d+\.\d+", version) for version in asked.values())
+    for name, package in packages.items():
+        assert "resolved" not in package
+        assert not name or (package["integrity"].startswith("sha512-") and package["dev"])
 
 
 @pytest.mark.parametrize("name", sorted(locked("test").keys() - LISTED.keys()))

@@ -1,4 +1,5 @@
 import { adopted, written } from "./drafts.js";
+import { told } from "./parts/dom.js";
 import { changedTake, takeOf } from "./take.js";
 import { Work } from "./work.js";
 
@@ -144,7 +145,7 @@ export class Actions {
     try {
       return await this.#connection.request(verb, fields);
     } catch (error) {
-      this.#notify(error.message);
+      this.#notify(told(error));
       return null;
     }
   }
@@ -158,7 +159,7 @@ export class Actions {
     try {
       return await this.#work.request(verb, fields, busy);
     } catch (error) {
-      if (error.message !== "stopped") this.#notify(error.message);
+      if (told(error) !== "stopped") this.#notify(told(error));
       return null;
     }
   }

@@ -9,6 +9,7 @@ import { mountExample } from "./example.js";
 import { mountHeader } from "./header.js";
 import { listenToKeys } from "./keys.js";
 import { mountPanels } from "./panels/index.js";
+import { there } from "./parts/dom.js";
 import { mountNotice } from "./parts/notice.js";
 import { prepareWhatIsWritten } from "./playing.js";
 import { sessionName, openSession } from "./session.js";
@@ -20,8 +21,6 @@ import { followTheme } from "./theme.js";
 import { TIMELINE_KEYS, mountTimeline } from "./timeline/index.js";
 import { mountTransport } from "./transport.js";
 import { mountViews } from "./views.js";
-
-const element = (id) => document.getElementById(id);
 
 followTheme();
 const store = new Store({
@@ -47,21 +46,22 @@ const store = new Store({
   poses: {},
   tab: "perform",
 });
-const notify = mountNotice(element("notice"));
+const notify = mountNotice(there("notice"));
 const clock = new Clock();
 const connection = new Connection(`ws://${location.host}/ws/${store.get("session")}`);
 const actions = new Actions(store, connection, notify);
-const headPlayers = new HeadPlayers(element("head"), { store, connection, clock, notify });
+const headPlayers = new HeadPlayers(there("head"), { store, connection, clock, notify });
+/** @type {import("./studio.js").Studio} */
 const studio = { store, clock, connection, actions, notify, headPlayers, view: headPlayers.stage.view };
 
-const help = mountHeader(element("tools"), element("state"), studio);
+const help = mountHeader(there("tools"), there("state"), studio);
 help.list([...listenToKeys(studio, help.open), ...TIMELINE_KEYS]);
-mountTransport(element("transport"), studio);
-mountExample(element("stage"), studio);
-mountViews(element("views"), element("empty"), element("views-names"), studio);
-mountSplitter(element("splitter"));
-mountPanels(element("panel"), studio);
-mountTimeline(element("timeline"), { ...studio, explanation: element("explanation") });
+mountTransport(there("transport"), studio);
+mountExample(there("stage"), studio);
+mountViews(there("views"), there("empty"), there("views-names"), studio);
+mountSplitter(there("splitter"));
+mountPanels(there("panel"), studio);
+mountTimeline(there("timeline"), { ...studio, explanation: there("explanation") });
 listenToDrops(studio);
 prepareWhatIsWritten(studio);
 wakeSoundWhenTouched();

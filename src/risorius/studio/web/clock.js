@@ -13,11 +13,13 @@ export class Clock {
   #audio = new Audio();
   #silent = true;
   #asked = 0; // when playing was asked for, where it waits for sound and face
+  /** @type {string | null} */
   #address = null;
   #time = 0;
   #seen = 0;
   #playing = false;
   #rate = 1;
+  /** @type {[number, number] | null} */
   #loop = null;
   #calls = { tick: new Set(), state: new Set() };
 

@@ -17,6 +17,7 @@ export class Disconnected extends Error {}
 
 export class Connection {
   #url;
+  /** @type {WebSocket | null} */
   #socket = null;
   #next = 1;
   #waiting = new Map();
@@ -56,7 +57,7 @@ export class Connection {
     if (!this.up) return Promise.reject(new Disconnected("the studio's server cannot be reached"));
     const id = this.#next++;
     begun(id);
-    this.#socket.send(JSON.stringify({ id, do: verb, ...fields }, withoutNulls));
+    this.#socket?.send(JSON.stringify({ id, do: verb, ...fields }, withoutNulls));
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
   }
 

@@ -1,9 +1,10 @@
 /** Files dropped anywhere on the page: recordings are performed, projects opened. */
 
 import { bringBack, isDraft, putAside } from "./drafts.js";
+import { told } from "./parts/dom.js";
 import { upload } from "./panels/recording.js";
 
-/** @param {object} studio */
+/** @param {import("./studio.js").Studio} studio */
 export function listenToDrops(studio) {
   let depth = 0;
   const over = (by) => {
@@ -18,14 +19,14 @@ export function listenToDrops(studio) {
     if (!files(event)) return;
     event.preventDefault();
     over(0);
-    for (const file of event.dataTransfer.files) {
+    for (const file of event.dataTransfer?.files ?? []) {
       if (/\.json$/i.test(file.name)) openProject(studio, file);
       else upload(studio, file);
     }
   });
 }
 
-/** Open a project's file in place of what the session has. @param {object} studio @param {File} file */
+/** Open a project's file in place of what the session has. @param {import("./studio.js").Studio} studio @param {File} file */
 export async function openProject({ store, connection, notify, actions }, file) {
   const limit = store.get("catalogue")?.limits.project ?? Infinity;
   if (file.size > limit) {
@@ -45,6 +46,6 @@ export async function openProject({ store, connection, notify, actions }, file) 
     }
   } catch (error) {
     if (written) bringBack(store);
-    notify(error.message);
+    notify(told(error));
   }
 }

@@ -14,7 +14,7 @@ const HINTS = [
   ["#explanation", "Why? names the rule behind a movement, what wins at that moment, and what gives way to it."],
 ];
 
-/** A button on the empty stage. @param {HTMLElement} stage @param {object} studio */
+/** A button on the empty stage. @param {HTMLElement} stage @param {import("./studio.js").Studio} studio */
 export function mountExample(stage, studio) {
   const { store } = studio;
   const play = button("Play an example", { id: "example", class: "primary", onclick: begin });
@@ -52,7 +52,7 @@ export function showHints() {
       return;
     }
     at = number;
-    const target = mark(at, true);
+    const target = /** @type {Element} */ (mark(at, true));
     text.textContent = `${at + 1} of ${HINTS.length}: ${HINTS[at][1]}`;
     next.hidden = at === HINTS.length - 1;
     if (next.hidden) close.focus();

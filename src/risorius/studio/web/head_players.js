@@ -3,6 +3,7 @@
  * player that follows the clock.
  */
 
+import { told } from "./parts/dom.js";
 import { Heads } from "./heads.js";
 import { Player } from "./player.js";
 import { KINDS, unpackFaces } from "./stage/faces.js";
@@ -13,12 +14,13 @@ export class HeadPlayers {
   #clock;
   #notify;
   #heads;
+  /** @type {(import("./stage/figure.js").Figure | null)[]} */
   #figures = [null, null];
   #players;
   /** How often another head was wanted at each place: one that comes late must not take the place of another. */
   #casts = [0, 0];
 
-  /** @param {HTMLCanvasElement} canvas @param {object} studio store, connection, clock, notify */
+  /** @param {HTMLCanvasElement} canvas @param {Pick<import("./studio.js").Studio, "store" | "connection" | "clock" | "notify">} studio */
   constructor(canvas, { store, connection, clock, notify }) {
     this.#store = store;
     this.#clock = clock;
@@ -74,7 +76,7 @@ export class HeadPlayers {
       this.stage.figures = this.#figures.filter((found) => found !== null);
       this.#players[place].update();
     } catch (error) {
-      if (this.#casts[place] === cast) this.#notify(`The head cannot be shown: ${error.message}`);
+      if (this.#casts[place] === cast) this.#notify(`The head cannot be shown: ${told(error)}`);
     }
   }
 

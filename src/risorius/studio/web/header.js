@@ -9,7 +9,7 @@ import { liveSwitch } from "./live.js";
 import { switchTheme } from "./theme.js";
 
 /**
- * @param {HTMLElement} tools @param {HTMLElement} state @param {object} studio
+ * @param {HTMLElement} tools @param {HTMLElement} state @param {import("./studio.js").Studio} studio
  * @returns {{open: () => void, list: (keys: {keys: string, does: string}[]) => void}} the help
  */
 export function mountHeader(tools, state, studio) {

@@ -1,17 +1,24 @@
 /** Keys that hold everywhere on the page, except where text is typed; `help` lists them. */
 
+import { there } from "./parts/dom.js";
 import { playOrPause } from "./playing.js";
 import { toggleLoop } from "./transport.js";
 import { toggleFullScreen } from "./views.js";
 import { VIEWS } from "./stage/cameras.js";
 
 /**
- * @param {object} studio clock, actions, view
+ * @param {import("./studio.js").Studio} studio clock, actions, view
  * @param {() => void} help shows the list of keys
  * @returns {{keys: string, does: string}[]} the list
  */
 export function listenToKeys(studio, help) {
   const { clock, actions, view } = studio;
+  const cameras = Object.entries(VIEWS).map(([name, { label }], place) => {
+    /** @type {[string, string, string, () => void]} */
+    const key = [String(place + 1), String(place + 1), `Camera: ${label.toLowerCase()}`, () => view.choose(name)];
+    return key;
+  });
+  /** @type {[string, string | null, string, () => void][]} */
   const shortcuts = [
     [" ", "Space", "Play or pause", () => playOrPause(studio)],
     ["ArrowLeft", "←", "One frame back", () => clock.step(-1)],
@@ -21,17 +28,12 @@ export function listenToKeys(studio, help) {
     ["Home", "Home", "To the start", () => clock.seek(0)],
     ["End", "End", "To the end", () => clock.seek(clock.duration)],
     ["l", "L", "Loop on or off", () => toggleLoop(clock)],
-    ...Object.entries(VIEWS).map(([name, { label }], place) => [
-      String(place + 1),
-      String(place + 1),
-      `Camera: ${label.toLowerCase()}`,
-      () => view.choose(name),
-    ]),
-    ["f", "F", "Full screen", () => toggleFullScreen(document.getElementById("stage"))],
+    ...cameras,
+    ["f", "F", "Full screen", () => toggleFullScreen(there("stage"))],
     ["Ctrl+Enter", "Ctrl Enter", "Perform", () => actions.perform()],
     ["Ctrl+z", "Ctrl Z", "Undo", () => actions.undo()],
     ["Ctrl+Shift+z", "Ctrl Shift Z", "Redo", () => actions.redo()],
-    ["Ctrl+y", null, null, () => actions.redo()],
+    ["Ctrl+y", null, "Redo", () => actions.redo()],
     ["?", "?", "These keys", help],
   ];
   const acts = new Map(shortcuts.map(([key, , , act]) => [key, act]));
@@ -41,7 +43,7 @@ export function listenToKeys(studio, help) {
     event.preventDefault();
     act();
   });
-  return shortcuts.filter(([, keys]) => keys).map(([, keys, does]) => ({ keys, does }));
+  return shortcuts.flatMap(([, keys, does]) => (keys ? [{ keys, does }] : []));
 }
 
 /** @returns {string} such as "Ctrl+Shift+z" */

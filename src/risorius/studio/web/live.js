@@ -1,12 +1,12 @@
 /** The live face: what is typed is said at once, in the voice and on the head that are chosen. */
 
 import { button } from "./parts/fields.js";
-import { make } from "./parts/dom.js";
+import { make, there } from "./parts/dom.js";
 import { glyph } from "./parts/glyphs.js";
 
 /**
  * Return the button that puts a live face over the stage, and takes it away.
- * @param {object} studio
+ * @param {import("./studio.js").Studio} studio
  * @returns {HTMLElement}
  */
 export function liveSwitch({ store, clock }) {
@@ -17,7 +17,7 @@ export function liveSwitch({ store, clock }) {
     frame = frame ? null : shown(store);
     if (frame) {
       clock.pause();
-      document.getElementById("stage").append(frame);
+      there("stage").append(frame);
       frame.addEventListener("load", () => {
         const { documentElement: root } = frame.contentDocument;
         root.style.colorScheme = getComputedStyle(document.documentElement).colorScheme;

@@ -17,8 +17,10 @@ export class Player {
   #connection;
   #clock;
   #show;
+  /** @type {{take: number, frames: number, rate: number} | null} */
   #take = null;
   #faces = new Map();
+  /** @type {{first: number, last: number, arrived: number} | null} */
   #asking = null;
   #retry = 0;
   #scrubbed = -Infinity; // when the time was last set by hand
@@ -55,12 +57,17 @@ export class Player {
 
   /** A face of any frame; null if it cannot be had now. @param {number} frame @returns {Promise<object | null>} */
   async face(frame) {
-    const { take, frames, rate } = this.#take;
+    const { take, frames, rate } = this.#held;
     const held = () => (this.#take?.take === take ? (this.#faces.get(frame) ?? null) : null);
     if (held() || this.#asking || !this.#connection.up) return held();
     const last = Math.min(frame + Math.ceil(rate), frames);
     await this.#connection.request("faces", { take, first: frame, last }).catch(() => {});
     return held();
+  }
+
+  /** The take, where one is known to be there. */
+  get #held() {
+    return /** @type {{take: number, frames: number, rate: number}} */ (this.#take);
   }
 
   /** Whether the face of the clock's time has not come yet. */
@@ -129,7 +136,7 @@ export class Player {
     const [asking, now] = [this.#asking, this.#now()];
     if (!asking || (now >= asking.first && now < asking.last) || !this.#connection.up) return;
     this.#asking = null;
-    this.#connection.request("cancel", { take: this.#take.take }).catch(() => {});
+    this.#connection.request("cancel", { take: this.#held.take }).catch(() => {});
   }
 
   #showNow() {
@@ -146,7 +153,7 @@ export class Player {
   async #glance() {
     if (this.#glancing || !this.#connection.up) return;
     this.#glancing = true;
-    const [{ take, rate }, frame] = [this.#take, this.#now()];
+    const [{ take, rate }, frame] = [this.#held, this.#now()];
     // Faces that are refused come with the others, or their absence is said there.
     await this.#connection.request("face_at", { take, time: frame / rate, still: true }).catch(() => {});
     this.#glancing = false;
@@ -160,12 +167,13 @@ export class Player {
 
   /** The last frame that is not after the clock's time. */
   #now() {
-    return Math.floor(Math.min(this.#clock.time * this.#take.rate, this.#take.frames - 1));
+    return Math.floor(Math.min(this.#clock.time * this.#held.rate, this.#held.frames - 1));
   }
 
   #drop(now) {
-    const [first, last] = [now - BEHIND * this.#take.rate, now + 1.5 * AHEAD * this.#take.rate];
-    if (this.#faces.size < (BEHIND + 2 * AHEAD) * this.#take.rate) return;
+    const { rate } = this.#held;
+    const [first, last] = [now - BEHIND * rate, now + 1.5 * AHEAD * rate];
+    if (this.#faces.size < (BEHIND + 2 * AHEAD) * rate) return;
     for (const frame of this.#faces.keys()) if (frame < first || frame > last) this.#faces.delete(frame);
   }
 
@@ -175,7 +183,7 @@ export class Player {
    */
   #comes(frame, rate) {
     const asking = this.#asking;
-    if (asking?.arrived === asking?.first) return Boolean(asking);
+    if (!asking || asking.arrived === asking.first) return asking !== null;
     return frame >= asking.first && frame < asking.last && frame <= asking.arrived + SOON * rate;
   }
 

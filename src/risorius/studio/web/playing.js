@@ -4,7 +4,7 @@ import { settled } from "./parts/dom.js";
 
 const PAUSE = 350; // ms
 
-/** @param {object} studio store, clock, actions */
+/** @param {import("./studio.js").Studio} studio store, clock, actions */
 export async function playOrPause({ store, clock, actions }) {
   if (clock.playing) {
     clock.pause();
@@ -24,7 +24,7 @@ export function canPlay(store) {
 
 /**
  * Have what is written made ready whenever nobody has written on for a while, so that it plays at once.
- * @param {object} studio store, actions
+ * @param {import("./studio.js").Studio} studio store, actions
  */
 export function prepareWhatIsWritten({ store, actions }) {
   const prepare = settled(() => {

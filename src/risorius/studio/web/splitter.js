@@ -1,5 +1,7 @@
 /** The bar between stage and timeline: it moves by pointer and by arrow keys, and stays where it was left. */
 
+import { there } from "./parts/dom.js";
+
 const KEY = "risorius-timeline";
 const LOWEST = 120; // px of the timeline's height
 const LEFT_ABOVE = 260; // px that the stage keeps
@@ -7,7 +9,7 @@ const STEP = 24;
 
 /** @param {HTMLElement} bar */
 export function mountSplitter(bar) {
-  const timeline = document.getElementById("timeline");
+  const timeline = there("timeline");
   const kept = Number(localStorage.getItem(KEY));
   if (kept) set(kept);
   else tell(timeline.clientHeight);

@@ -17,7 +17,9 @@ export function switchTheme() {
 
 /** @returns {"light" | "dark"} */
 export function theme() {
-  return localStorage.getItem(KEY) ?? (system.matches ? "dark" : "light");
+  const chosen = localStorage.getItem(KEY);
+  if (chosen === "dark" || chosen === "light") return chosen;
+  return system.matches ? "dark" : "light";
 }
 
 function apply() {

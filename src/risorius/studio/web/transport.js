@@ -8,7 +8,7 @@ import { scrubber } from "./parts/scrubber.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5];
 
-/** @param {HTMLElement} element @param {object} studio */
+/** @param {HTMLElement} element @param {import("./studio.js").Studio} studio */
 export function mountTransport(element, studio) {
   const { clock, store } = studio;
   const play = button(glyph("play"), {

@@ -2,14 +2,14 @@
 
 import { VIEWS } from "./stage/cameras.js";
 import { button } from "./parts/fields.js";
-import { fill, make } from "./parts/dom.js";
+import { fill, make, there } from "./parts/dom.js";
 import { glyph } from "./parts/glyphs.js";
 
 const STEP = 8; // degrees a key turns the head by
 const ZOOM = 1.1;
 const PATIENCE = 400; // ms for which a face may be missing before that is said
 
-/** @param {HTMLElement} element @param {HTMLElement} note @param {HTMLElement} names @param {object} studio */
+/** @param {HTMLElement} element @param {HTMLElement} note @param {HTMLElement} names @param {import("./studio.js").Studio} studio */
 export function mountViews(element, note, names, studio) {
   const { store, view } = studio;
   const cameras = Object.entries(VIEWS).map(([name, { label }], place) => {
@@ -21,10 +21,10 @@ export function mountViews(element, note, names, studio) {
     const now = view.name;
     for (const { name, camera } of cameras) camera.setAttribute("aria-pressed", String(name === now));
   };
-  element.append(fullScreen(element.parentElement));
+  element.append(fullScreen(there("stage")));
   view.onmove(showCamera);
   showCamera();
-  document.getElementById("head").addEventListener("keydown", (event) => turnByKeys(event, view));
+  there("head").addEventListener("keydown", (event) => turnByKeys(event, view));
   store.watch(["other", "dial"], () => {
     const other = store.get("other");
     const labels = other ? [store.get("dial") ? "dials" : "this take", other.label] : [];

@@ -461,8 +461,8 @@
  * @property {string} function
  * @property {string} cause
  * @property {string} rule
- * @property {boolean} [editable]
- * @property {boolean} [edited]
+ * @property {boolean} editable
+ * @property {boolean} edited
  */
 /**
  * A parameter's curve drawn by hand: keys [time, value]. `replaces`, `shapes`: as in Keys.
@@ -471,7 +471,7 @@
  * @property {Array<[number, number]>} keys
  * @property {string} cause
  * @property {boolean} replaces
- * @property {Array<KeyShape>} [shapes]
+ * @property {Array<KeyShape>} shapes
  */
 /**
  * The sound's peaks at one zoom: base64 of int8 pairs (lowest, highest), one pair per bucket.
@@ -589,7 +589,7 @@
  * @property {number} asked
  * @property {number} given
  * @property {string} reason
- * @property {string} [movement]
+ * @property {string} movement
  */
 /**
  * Why a parameter has its value: the winner (null at rest), each loser with its reason, later steps.

@@ -24,7 +24,7 @@ const OFFERED = [
 const MOST_LISTED = 8;
 const WAIT = 250;
 
-/** @param {HTMLElement} element @param {object} studio */
+/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountCompare(element, studio) {
   const { store, actions } = studio;
   let other = {}; // what the second take has other than the first

@@ -17,7 +17,7 @@ export function emptyFace() {
 export function groupsOf(catalogue, kind, side) {
   if (kind === "emotions") return [{ title: "", dials: catalogue.emotions.map(emotionDial) }];
   if (kind === "units")
-    return [{ title: "", dials: catalogue.action_units.map((unit) => unitDial(unit, side)) }];
+    {return [{ title: "", dials: catalogue.action_units.map((unit) => unitDial(unit, side)) }];}
   const groups = new Map();
   for (const parameter of catalogue.parameters) {
     const { group, side: own } = parameter;

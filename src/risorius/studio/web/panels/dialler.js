@@ -1,3 +1,5 @@
+import { told } from "../parts/dom.js";
+
 /**
  * Sends the face that dials hold to the server: one request at a time, the newest face when the answer is there,
  * so that a slow machine is never behind by more than one.
@@ -8,7 +10,7 @@ export class Dialler {
   #busy = false;
   #waiting = null;
 
-  /** @param {object} studio @param {(line: string) => void} said hears what could not be shown */
+  /** @param {import("../studio.js").Studio} studio @param {(line: string) => void} said hears what could not be shown */
   constructor(studio, said) {
     this.#studio = studio;
     this.#said = said;
@@ -33,7 +35,7 @@ export class Dialler {
         const { notes } = await this.#studio.connection.request("dial", asked);
         this.#said(notes.join(" · "));
       } catch (error) {
-        this.#said(error.message);
+        this.#said(told(error));
       }
     }
     this.#busy = false;

@@ -10,7 +10,7 @@ import { mountKeeping } from "./keeping.js";
 const KINDS = { muscles: "Muscles", units: "Action units", emotions: "Emotions" };
 const SIDES = { both: "Both sides", left: "Left", right: "Right" };
 
-/** @param {HTMLElement} element @param {object} studio */
+/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountDials(element, studio) {
   new Dials(element, studio);
 }
@@ -19,7 +19,9 @@ class Dials {
   #store;
   #dialler;
   #face = emptyFace();
+  /** @type {"muscles" | "units" | "emotions"} */
   #kind = "muscles";
+  /** @type {"both" | "left" | "right"} */
   #side = "both";
   #live = true;
   #rows = make("div", { class: "stack" });

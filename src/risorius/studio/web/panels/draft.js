@@ -4,7 +4,7 @@ import { PARTS, bringBack, isDraft, putAside } from "../drafts.js";
 import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 
-/** @param {object} studio @returns {HTMLElement} */
+/** @param {import("../studio.js").Studio} studio @returns {HTMLElement} */
 export function mountDraft({ store }) {
   const hint = make("span", { class: "hint" }, "Not performed yet");
   const drop = button("Back to the take", {

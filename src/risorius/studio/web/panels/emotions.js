@@ -8,7 +8,7 @@ import { hueOf } from "./hues.js";
 const INTENSITY = 0.7; // of an emotion that is added
 const WAIT = 250; // ms after the last movement of a slider
 
-/** @param {object} studio @param {ReturnType<typeof import("./script.js").mountScript>} script */
+/** @param {import("../studio.js").Studio} studio @param {ReturnType<typeof import("./script.js").mountScript>} script */
 export function mountEmotions({ store, actions }, script) {
   let shown = null;
   const rows = make("div", { class: "stack tight", id: "emotions" });

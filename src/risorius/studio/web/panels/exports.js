@@ -6,7 +6,7 @@ import { settingRow } from "./choices.js";
 
 const USUAL = [".mp4", ".glb", ".performance.json"];
 
-/** @param {HTMLElement} element @param {object} studio with its catalogue loaded */
+/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio with its catalogue loaded */
 export function mountExports(element, studio) {
   new Exports(element, studio);
 }

@@ -4,7 +4,7 @@ import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { downloadText } from "../parts/download.js";
 
-/** @param {object} studio @param {() => object} face what is dialled now */
+/** @param {import("../studio.js").Studio} studio @param {() => object} face what is dialled now */
 export function mountKeeping(studio, face) {
   const name = make("input", {
     type: "text",
@@ -24,7 +24,7 @@ export function mountKeeping(studio, face) {
     downloadText(file.text, file.file);
     const { store } = studio;
     if (kind === "emotion")
-      store.set({ ownEmotions: [...new Set([...store.get("ownEmotions"), file.name])] });
+      {store.set({ ownEmotions: [...new Set([...store.get("ownEmotions"), file.name])] });}
     else store.set({ poses: { ...store.get("poses"), [file.name]: values } });
   };
   const pose = button("Save pose", { id: "save-pose", onclick: () => keep("pose") });

@@ -10,7 +10,7 @@ import { mountRecording } from "./recording.js";
 import { mountScript } from "./script.js";
 import { mountTags } from "./tags.js";
 
-/** @param {HTMLElement} element @param {object} studio */
+/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountPerform(element, studio) {
   const { store, actions } = studio;
   const script = mountScript(studio);

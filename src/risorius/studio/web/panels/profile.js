@@ -6,7 +6,7 @@ import { downloadText } from "../parts/download.js";
 
 const WAIT = 400;
 
-/** @param {HTMLElement} element @param {object} studio */
+/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountProfile(element, { store, actions }) {
   let numbers = {}; // changed ones by key
   let base = null;

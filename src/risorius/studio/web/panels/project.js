@@ -10,7 +10,7 @@ import { mountSessions } from "./sessions.js";
 const NOTE =
   "Everything is saved automatically. A project file restores this state exactly; it may also be dropped on the page.";
 
-/** @param {HTMLElement} element @param {object} studio */
+/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountProject(element, studio) {
   const { store } = studio;
   const exports = make("section", { class: "stack", id: "exports" });

@@ -1,11 +1,11 @@
 /** A recording in place of a synthesized voice: dropped anywhere on the page, or chosen. */
 
 import { button } from "../parts/fields.js";
-import { fill, make } from "../parts/dom.js";
+import { fill, make, told } from "../parts/dom.js";
 
 const SOUNDS = "audio/*,.wav,.flac,.ogg,.mp3";
 
-/** @param {object} studio */
+/** @param {import("../studio.js").Studio} studio */
 export function mountRecording(studio) {
   const { store } = studio;
   const file = make("input", {
@@ -35,7 +35,7 @@ export function mountRecording(studio) {
   }
 }
 
-/** Send a recording to the session, and take it as what is performed. @param {object} studio @param {File} file */
+/** Send a recording to the session, and take it as what is performed. @param {import("../studio.js").Studio} studio @param {File} file */
 export async function upload({ store, notify, actions }, file) {
   const limit = store.get("catalogue")?.limits.recording ?? Infinity;
   if (file.size > limit) {
@@ -52,7 +52,7 @@ export async function upload({ store, notify, actions }, file) {
     store.set({ source: { ...store.get("source"), recording, format: "text", edges: [] } });
     await actions.perform();
   } catch (error) {
-    if (error.name !== "AbortError") notify(error.message);
+    if (!(error instanceof DOMException && error.name === "AbortError")) notify(told(error));
   }
 }
 

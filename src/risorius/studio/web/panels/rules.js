@@ -4,7 +4,7 @@ import { button } from "../parts/fields.js";
 import { fill, make, spoken } from "../parts/dom.js";
 import { mountProfile } from "./profile.js";
 
-/** @param {HTMLElement} element @param {object} studio */
+/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountRules(element, studio) {
   new Rules(element, studio);
 }

@@ -1,11 +1,11 @@
 /** The sessions of this studio: open, name, copy, delete. */
 
 import { button } from "../parts/fields.js";
-import { fill, make } from "../parts/dom.js";
+import { fill, make, told } from "../parts/dom.js";
 
 const WHEN = { dateStyle: "medium", timeStyle: "short" };
 
-/** @param {object} studio @returns {HTMLElement} */
+/** @param {import("../studio.js").Studio} studio @returns {HTMLElement} */
 export function mountSessions(studio) {
   const { store, notify } = studio;
   const list = make("ul", { class: "sessions" });
@@ -31,7 +31,7 @@ export function mountSessions(studio) {
     if (now !== shown) fill(list, ...sessions.map(row));
     shown = now;
     sessions.forEach(({ changed }, k) => {
-      list.children[k].querySelector(".hint").textContent = new Date(1000 * changed).toLocaleString([], WHEN);
+      list.children[k].querySelector(".hint").textContent = new Date(1000 * changed).toLocaleString([], /** @type {Intl.DateTimeFormatOptions} */ (WHEN));
     });
   }
 
@@ -71,10 +71,15 @@ export function mountSessions(studio) {
 
   async function drop(session, called) {
     if (!(await act(session, "delete"))) return;
-    document.activeElement?.blur();
+    leave();
     show();
     const back = async () => (await act(session, "put-back")) && show();
     notify(`“${called}” is deleted.`, { label: "Put back", act: back });
+  }
+
+  /** The list is shown anew where nothing in it is used. */
+  function leave() {
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
   }
 
   /** @returns {Promise<boolean>} whether it was done */
@@ -82,10 +87,10 @@ export function mountSessions(studio) {
     try {
       const response = await fetch(`/api/session/${session}/${what}`, { method: "POST" });
       if (!response.ok) throw new Error((await response.text()).trim());
-      if (what === "copy") document.activeElement?.blur();
+      if (what === "copy") leave();
       return true;
     } catch (error) {
-      notify(error.message);
+      notify(told(error));
       return false;
     }
   }

@@ -6,6 +6,7 @@ import { movedSpans } from "../parts/text.js";
 
 const TAG = /<\/?[A-Za-z][^<>]*>/;
 const TAGS = new RegExp(TAG, "g");
+/** @type {[RegExp, string][]} */
 const ROOTS = [
   [/^\s*(<\?xml[^>]*>\s*)?<speak\b/i, "ssml"],
   [/^\s*(<\?xml[^>]*>\s*)?<bml\b/i, "bml"],
@@ -23,7 +24,7 @@ export function asMarkup(text) {
   return format ? { script: text, format } : { script: `<speak>${text}</speak>`, format: "ssml" };
 }
 
-/** @param {object} studio @returns {HTMLElement} */
+/** @param {import("../studio.js").Studio} studio @returns {HTMLElement} */
 export function mountTags({ store }) {
   const read = button("Read them as markup", { id: "tags-read", onclick: () => write(asMarkup(text())) });
   const remove = button("Take them out", {

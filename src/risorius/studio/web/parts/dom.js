@@ -22,6 +22,21 @@ export function make(tag, given = {}, ...children) {
 }
 const PROPERTIES = new Set(["value", "checked", "disabled", "hidden", "indeterminate"]);
 
+/** The canvas' pen: every browser has one. @param {HTMLCanvasElement} canvas @param {CanvasRenderingContext2DSettings} [settings] */
+export function contextOf(canvas, settings) {
+  return /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", settings));
+}
+
+/** An element that the page is known to have. @param {string} id @returns {any} */
+export function there(id) {
+  return document.getElementById(id);
+}
+
+/** What was thrown, in a line. @param {unknown} error @returns {string} */
+export function told(error) {
+  return error instanceof Error ? error.message : String(error);
+}
+
 let names = 0;
 /** @returns {string} an id that no other element has */
 export function fresh(prefix = "e") {

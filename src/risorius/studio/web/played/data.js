@@ -5,12 +5,12 @@ import { bytesOf } from "../take.js";
 /** @param {string} name @returns {Uint8Array | null} a block's bytes; null if the page has no such block */
 export function block(name) {
   const element = document.getElementById(`data-${name}`);
-  return element && bytesOf(element.textContent);
+  return element && bytesOf(element.textContent ?? "");
 }
 
 /** @param {string} name @returns {Promise<ArrayBuffer>} a block's bytes, inflated */
 export function inflated(name) {
-  const stream = new Blob([block(name)]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const stream = new Blob([/** @type {any} */ (block(name))]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).arrayBuffer();
 }
 

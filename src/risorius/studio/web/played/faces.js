@@ -7,6 +7,7 @@ const KEPT = 4; // chunks, of a second or so each
 export class PlayedFaces {
   #facts;
   #poses;
+  /** @type {Promise<Int16Array> | null} the points of the first face */
   #base = null;
   #chunks = new Map(); // number -> faces, or null while they are inflated
   #arrived;
@@ -35,8 +36,8 @@ export class PlayedFaces {
   }
 
   async #unpack(number) {
-    this.#base ??= this.#points(0, null).then(([first]) => first);
-    const points = await (number === 0 ? this.#points(0, null) : this.#base.then((base) => this.#points(number, base)));
+    const first = (this.#base ??= this.#points(0, null).then(([face]) => face));
+    const points = await (number === 0 ? this.#points(0, null) : first.then((base) => this.#points(number, base)));
     if (!this.#chunks.has(number)) return;
     this.#chunks.set(number, points.map((own, k) => this.#face(own, number * this.#facts.chunk + k)));
     this.#arrived();

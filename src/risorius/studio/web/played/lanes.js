@@ -27,7 +27,7 @@ export function mountLanes(element, why, facts, clock) {
     clock.pause();
     clock.seek(time);
     element.querySelector(".chosen")?.classList.remove("chosen");
-    const chosen = event.target.closest(".block");
+    const chosen = /** @type {any} */ (event.target).closest(".block");
     chosen?.classList.add("chosen");
     explain(why, facts, time, chosen?.block ?? null);
   });

@@ -10,6 +10,7 @@ import { block, inflated, woven } from "./data.js";
 import { PlayedFaces } from "./faces.js";
 import { mountLanes } from "./lanes.js";
 
+/** @param {string} id @returns {any} */
 const element = (id) => document.getElementById(id);
 
 followTheme();
@@ -40,7 +41,7 @@ clock.on("state", () => {
   stage.playing = clock.playing;
 });
 const sound = block("sound");
-const address = sound && URL.createObjectURL(new Blob([sound], { type: "audio/wav" }));
+const address = sound && URL.createObjectURL(new Blob([/** @type {any} */ (sound)], { type: "audio/wav" }));
 clock.load({ duration: facts.duration, fps, sound: address });
 play.disabled = false;
 
@@ -51,8 +52,8 @@ function frameNow() {
 function show() {
   const frame = frameNow();
   const a = faces.at(frame);
-  const b = faces.at(Math.min(frame + 1, facts.frames - 1)) ?? a;
   if (a) {
+    const b = faces.at(Math.min(frame + 1, facts.frames - 1)) ?? a;
     element("note").textContent = "";
     const share = Math.min(Math.max(clock.time * fps - frame, 0), 1);
     stage.stir();

@@ -40,7 +40,7 @@ export class Backdrop {
 
 /** Red, green and blue of a colour of the style sheet, 0 to 1. */
 function channels(text) {
-  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(1, 1).getContext("2d"));
   context.fillStyle = text;
   context.fillRect(0, 0, 1, 1);
   return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)].map((value) => value / 255);

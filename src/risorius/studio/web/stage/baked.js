@@ -23,6 +23,7 @@ export class Baked {
   #pictures = new Map(); // by frame: a Blob
   #decoded = new Map(); // by frame: an ImageBitmap; null while it is decoded
   #job = 0;
+  /** @type {import("./figure.js").Figure | null} */
   #lender = null;
   #timer = 0;
   #due = -1;
@@ -203,6 +204,6 @@ function order({ frames, now }, most) {
 
 function blobOf(picture) {
   const canvas = new OffscreenCanvas(picture.width, picture.height);
-  canvas.getContext("2d", { willReadFrequently: true }).putImageData(picture, 0, 0);
+  canvas.getContext("2d", { willReadFrequently: true })?.putImageData(picture, 0, 0);
   return canvas.convertToBlob({ type: "image/jpeg", quality: QUALITY });
 }

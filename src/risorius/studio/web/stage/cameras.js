@@ -47,9 +47,9 @@ export class View {
     return name ?? null;
   }
 
-  /** @param {keyof VIEWS} name */
+  /** @param {string} name one of VIEWS */
   choose(name) {
-    this.state = VIEWS[name];
+    this.state = /** @type {Record<string, any>} */ (VIEWS)[name];
   }
 
   /** @param {number} across degrees @param {number} up degrees */
@@ -125,7 +125,7 @@ export class View {
   }
 
   #take({ centre, height, turn, tilt }) {
-    this.#centre.set(...centre);
+    this.#centre.fromArray(centre);
     [this.#height, this.#turn, this.#tilt] = [height, turn, tilt];
   }
 

@@ -34,7 +34,7 @@ const LIGHTER = {
  * @returns {Lighter | null} null where all triangles are drawn
  */
 export function lighterOf(name, mesh, spots) {
-  const { attributes, index } = mesh.geometry;
+  const { attributes, index } = /** @type {any} */ (mesh.geometry);
   const few = LIGHTER[name]?.(attributes.position.array, index.array, spots);
   if (!few) return null;
   const lighter = new Lighter(mesh, few, STRANDS[name]?.wide ?? 1);
@@ -57,7 +57,7 @@ export class Lighter {
     this.#wide = wide;
     this.#order = Uint32Array.from(order);
     const geometry = new THREE.BufferGeometry().setIndex(new THREE.BufferAttribute(index, 1));
-    this.mesh = new THREE.Mesh(geometry, full.material.userData.quick ?? full.material);
+    this.mesh = new THREE.Mesh(geometry, /** @type {any} */ (full.material).userData.quick ?? full.material);
     this.mesh.frustumCulled = false;
     this.mesh.matrixAutoUpdate = false;
     this.mesh.matrix = full.matrix; // where the one is, the other is
@@ -68,12 +68,12 @@ export class Lighter {
   /** Take an attribute of the vertices from the full mesh as it is now. @param {string} name */
   take(name) {
     const { attributes } = this.mesh.geometry;
-    const { array, itemSize, normalized, usage } = this.#full.geometry.attributes[name];
+    const { array, itemSize, normalized, usage } = /** @type {any} */ (this.#full.geometry.attributes[name]);
     if (!attributes[name]) {
       const own = new array.constructor(itemSize * this.#order.length);
       attributes[name] = new THREE.BufferAttribute(own, itemSize, normalized).setUsage(usage);
     }
-    const own = attributes[name].array;
+    const own = /** @type {any} */ (attributes[name].array);
     for (let k = 0, to = 0; k < this.#order.length; k++) {
       for (let from = itemSize * this.#order[k], end = from + itemSize; from < end; ) own[to++] = array[from++];
     }
@@ -84,7 +84,8 @@ export class Lighter {
 }
 
 /** @param {THREE.BufferGeometry} geometry whose normals become those of its vertices where they are now */
-export function shade({ attributes, index }) {
+export function shade(geometry) {
+  const { attributes, index } = /** @type {any} */ (geometry);
   computeNormals(attributes.position.array, index.array, attributes.normal.array);
   attributes.normal.needsUpdate = true;
 }

@@ -6,7 +6,7 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
-import { lighterOf, shade } from "./detail.js";
+import { lighterOf, shade as shadeAnew } from "./detail.js";
 import { MM, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
 import { readGlb } from "./glb.js";
 import { lightBetween, slitsOf } from "./lips.js";
@@ -38,7 +38,9 @@ export class Figure {
   #eyes = [];
   #fine = true;
   #lighter = {};
+  /** @type {{a: import("./faces.js").Face, b: import("./faces.js").Face, share: number} | null} */
   #shown = null;
+  /** @type {import("./faces.js").Face | null} */
   #lent = null;
   #waits = false; // whether the face that is shown is not taken up yet: another may come before it is drawn
   #stale = new Set();
@@ -144,15 +146,16 @@ export class Figure {
     if (HAIRS.includes(name)) asStrands(mesh);
     (name === "skin" ? this.group : this.#head).add(mesh);
     if (translation) {
-      mesh.position.set(...translation).multiplyScalar(MM);
+      mesh.position.fromArray(translation).multiplyScalar(MM);
       this.#eyes.push(mesh);
     }
   }
 
   #takeFace() {
-    if (!this.#waits || !(this.#lent ?? this.#shown)) return;
+    const shown = this.#lent ? { a: this.#lent, b: this.#lent, share: 0 } : this.#shown;
+    if (!this.#waits || !shown) return;
     this.#waits = false;
-    const { a, b, share } = this.#lent ? { a: this.#lent, b: this.#lent, share: 0 } : this.#shown;
+    const { a, b, share } = shown;
     turn(this.#head.quaternion, a.head, b.head, share);
     for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
     this.#lightMouth();
@@ -204,7 +207,7 @@ export class Figure {
     const lighter = this.#fine ? null : this.#lighter[name];
     lighter?.take("position");
     geometry.attributes.position.needsUpdate = !lighter;
-    if (!HAIRS.includes(name)) shade(lighter ? lighter.mesh.geometry : geometry);
+    if (!HAIRS.includes(name)) shadeAnew(lighter ? lighter.mesh.geometry : geometry);
   }
 
   /** Turn the skin with the head by each vertex's share: here and not in the shader, which is slow by software. */

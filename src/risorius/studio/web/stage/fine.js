@@ -16,6 +16,7 @@ const MOST = 20_000; // triangles to a part
 export class Fine {
   #renderer;
   #scene;
+  /** @type {THREE.WebGLRenderTarget | null} */
   #target = null;
 
   /** @param {THREE.WebGLRenderer} renderer @param {THREE.Scene} scene with the heads */
@@ -40,7 +41,7 @@ export class Fine {
       }
     }
     const pixels = new Uint8ClampedArray(4 * width * height);
-    await this.#renderer.readRenderTargetPixelsAsync(this.#target, 0, 0, width, height, pixels);
+    await this.#renderer.readRenderTargetPixelsAsync(this.#sized(width, height), 0, 0, width, height, pixels);
     return wanted() ? upright(pixels, width, height) : null;
   }
 
@@ -72,7 +73,7 @@ export class Fine {
   }
 
   #draw(figure, mesh, start, camera) {
-    const others = this.#scene.children.filter((child) => child.isGroup && child !== figure.group);
+    const others = this.#scene.children.filter((child) => "isGroup" in child && child !== figure.group);
     const hidden = [...others, ...figure.whole.filter((one) => one !== mesh)];
     for (const one of hidden) one.visible = false;
     figure.group.visible = true;
@@ -84,14 +85,15 @@ export class Fine {
 
   /** Colours are the same as on the stage: developed as film, and of the screen. */
   #sized(width, height) {
-    if (this.#target === null) {
-      this.#target = new THREE.WebGLRenderTarget(width, height, { colorSpace: THREE.SRGBColorSpace });
-      this.#target.texture.internalFormat = "RGBA8";
-      this.#target.isXRRenderTarget = true;
-      this.#target.scissorTest = true;
+    let target = this.#target;
+    if (target === null) {
+      target = this.#target = new THREE.WebGLRenderTarget(width, height, { colorSpace: THREE.SRGBColorSpace });
+      target.texture.internalFormat = "RGBA8";
+      /** @type {any} */ (target).isXRRenderTarget = true;
+      target.scissorTest = true;
     }
-    this.#target.setSize(width, height);
-    return this.#target;
+    target.setSize(width, height);
+    return target;
   }
 }
 

@@ -22,6 +22,7 @@ export function readGlb(buffer) {
   const length = view.getUint32(12, true);
   const json = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 20, length)));
   const start = 20 + length + 8;
+  /** @type {Record<string, Mesh>} */
   const meshes = {};
   for (const mesh of json.meshes) meshes[mesh.name] = readMesh(json, buffer, start, mesh.primitives[0]);
   const images = (json.images ?? []).map(({ bufferView, mimeType }) => {
@@ -32,6 +33,7 @@ export function readGlb(buffer) {
 }
 
 function readMesh(json, buffer, start, primitive) {
+  /** @type {Mesh["attributes"]} */
   const attributes = {};
   for (const [name, index] of Object.entries(primitive.attributes)) {
     attributes[name] = readAccessor(json, buffer, start, index);

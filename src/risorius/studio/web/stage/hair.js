@@ -8,6 +8,7 @@ const SOLID = "strand.y * clamp( ( 1.0 - abs( aside ) ) * strand.x, 0.0, 1.0 )";
 
 // Hair is lit from both sides of a strand, and shines along its length where the light grazes it. A strand's edges
 // are a pixel soft; one that is thinner than a pixel is drawn as wide as one, but fainter: else it would glitter.
+/** @type {{vertex: any, fragment: any, light: any}} shader text in place of three's */
 const HAIR = {
   vertex: [
     [

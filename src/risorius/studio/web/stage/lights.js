@@ -17,7 +17,7 @@ export function lightsOf({ lamps, sky, ground }) {
     room,
     ...lamps.map(({ direction, colour }) => {
       const lamp = new THREE.DirectionalLight(new THREE.Color(...colour), Math.PI);
-      lamp.position.set(...direction);
+      lamp.position.fromArray(direction);
       return lamp;
     }),
   ];
@@ -39,7 +39,7 @@ function pane({ direction, colour }) {
   const bright = new THREE.Color(...colour).multiplyScalar(24);
   const material = new THREE.MeshBasicMaterial({ color: bright, side: THREE.DoubleSide });
   const mesh = new THREE.Mesh(new THREE.PlaneGeometry(2 * PANE, 2 * PANE), material);
-  mesh.position.set(...direction).multiplyScalar(FAR);
+  mesh.position.fromArray(direction).multiplyScalar(FAR);
   mesh.lookAt(0, 0, 0);
   return mesh;
 }

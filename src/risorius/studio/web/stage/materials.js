@@ -34,6 +34,7 @@ function hidden(material) {
   patch(material, MOUTH_DIM, { mouth: userData.mouth, lit: userData.lit });
 }
 
+/** @type {Record<string, any>} shader text in place of three's */
 const MOUTH_DIM = {
   vertex: [
     ["#include <common>", "#include <common>\nvarying float depth;"],
@@ -57,6 +58,7 @@ function eyeMaterial({ iris, mirrored }) {
 
 // The lids shade the ball from above and towards its rim; the cornea is bent more than the ball, so that windows
 // are mirrored within the iris. `above` is in the head's frame, `rim` 0..1 from the eye's axis.
+/** @type {Record<string, any>} shader text in place of three's */
 const EYE = {
   vertex: [
     ["#include <common>", "#include <common>\nvarying float above;\nvarying vec3 cornea;"],

@@ -8,7 +8,9 @@ export class Overlay {
     this.#canvas.className = "still";
     this.#canvas.hidden = true;
     this.#canvas.setAttribute("aria-hidden", "true");
-    this.#context = this.#canvas.getContext("2d", { alpha: false, willReadFrequently: true });
+    this.#context = /** @type {CanvasRenderingContext2D} */ (
+      this.#canvas.getContext("2d", { alpha: false, willReadFrequently: true })
+    );
     below.after(this.#canvas);
   }
 

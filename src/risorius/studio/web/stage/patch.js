@@ -6,7 +6,7 @@ export function replaced(text, pairs) {
 }
 
 /**
- * @param {THREE.Material} material
+ * @param {import("three").Material} material
  * @param {{vertex?: [string, string][], fragment?: [string, string][], light?: [string, string][]}} parts `light` is
  *   what is replaced in the fragment shader where light is worked out
  * @param {Record<string, {value: any}>} uniforms

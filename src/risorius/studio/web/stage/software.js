@@ -11,7 +11,7 @@ export function drawnBySoftware() {
 function rendererName() {
   const context = document.createElement("canvas").getContext("webgl2");
   const about = context?.getExtension("WEBGL_debug_renderer_info");
-  const name = about ? context.getParameter(about.UNMASKED_RENDERER_WEBGL) : "";
+  const name = context && about ? context.getParameter(about.UNMASKED_RENDERER_WEBGL) : "";
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return name;
 }

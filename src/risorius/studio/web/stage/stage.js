@@ -25,16 +25,19 @@ export class Stage {
   #figures = [];
   #sharpness;
   #backdrop;
+  /** @type {import("three").Texture | null} */
   #mirrored = null;
   #asked = false;
   #drawing = false;
   #drawn = 0;
+  /** @type {Overlay | null} */
   #overlay = null;
+  /** @type {Still | null} */
   #still = null;
   #coarse = false; // whether the line plays as coarsely as it must: it would be unquiet to change to and fro
   #playing = false;
   #size = "";
-  /** Fine pictures of the line, where no graphics card draws; else null. */
+  /** @type {Baked | null} fine pictures of the line, where no graphics card draws */
   baked = null;
   /** What the heads say, for these pictures. @type {() => import("./baked.js").Line | null} */
   line = () => null;
@@ -62,10 +65,10 @@ export class Stage {
 
   #fineBeside(canvas) {
     const fine = new Fine(this.#renderer, this.#scene);
-    this.#overlay = new Overlay(canvas);
-    this.#still = new Still(fine, this.#overlay);
-    const [line, seen] = [() => this.line(), () => (this.#still.shown && !this.#playing ? this.#seen() : null)];
-    this.baked = new Baked(fine, this.#overlay, { line, seen });
+    const overlay = (this.#overlay = new Overlay(canvas));
+    const still = (this.#still = new Still(fine, overlay));
+    const [line, seen] = [() => this.line(), () => (still.shown && !this.#playing ? this.#seen() : null)];
+    this.baked = new Baked(fine, overlay, { line, seen });
   }
 
   /**
@@ -168,11 +171,11 @@ export class Stage {
   }
 
   async #makeStill() {
-    const seen = this.#seen();
-    if (!seen) return;
-    if (!this.#still.shown && !(await this.#still.make(seen))) return;
-    this.baked.leave();
-    this.baked.later();
+    const [seen, still] = [this.#seen(), this.#still];
+    if (!seen || !still) return;
+    if (!still.shown && !(await still.make(seen))) return;
+    this.baked?.leave();
+    this.baked?.later();
   }
 
   /** The frame whose face is shown, alone; -1 where it is none of a line. */
@@ -220,7 +223,7 @@ export class Stage {
       for (const figure of this.#figures) figure.group.visible = figure === shown;
       shown.ready(this.#sharpness.fine, this.view.camera, height * this.#renderer.getPixelRatio());
       renderer.setViewport(place * each, 0, each, height);
-      this.#backdrop.paint(renderer, place * each, each, height, (...given) => renderer.setScissor(...given));
+      this.#backdrop.paint(renderer, place * each, each, height, (x, y, w, h) => renderer.setScissor(x, y, w, h));
       renderer.setScissor(place * each, 0, each, height);
       renderer.clear(false, true, true);
       renderer.render(this.#scene, this.view.camera);

@@ -79,7 +79,7 @@ export class Order {
   /** @param {THREE.BufferGeometry} geometry of strands */
   constructor(geometry) {
     this.#geometry = geometry;
-    this.#index = geometry.index.array.slice();
+    this.#index = /** @type {any} */ (geometry.index).array.slice();
     this.#strands = strandsOf(this.#index);
     this.#depths = new Float32Array(this.#strands.count);
   }
@@ -88,7 +88,7 @@ export class Order {
   sort(sight) {
     if (sight.dot(this.#sorted) > ALIKE) return;
     this.#sorted.copy(sight);
-    const { index } = this.#geometry;
+    const index = /** @type {any} */ (this.#geometry.index);
     const each = this.#index.length / this.#strands.count;
     let to = 0;
     for (const strand of this.#farthestFirst(sight)) {

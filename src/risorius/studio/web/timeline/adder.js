@@ -41,7 +41,7 @@ const KINDS = {
   blink: {
     title: "Blink",
     channel: "manipulators",
-    options: ({ action_units }) => action_units.filter(({ number }) => number === 45).map(({ name }) => [name, "both eyes"]),
+    options: ({ action_units }) => action_units.filter((unit) => unit.number === 45).map(({ name }) => [name, "both eyes"]),
     targets: (name, amount) => ({ [name]: amount }),
     times: { length: 0.26, onset: 0.08, offset: 0.14 },
   },
@@ -151,6 +151,7 @@ function field(title, input) {
   return h("div", { class: "field" }, h("label", { for: input.id }, title), input);
 }
 
+/** @param {any[]} field */
 function timed([title, input]) {
   return h("label", {}, title, input);
 }

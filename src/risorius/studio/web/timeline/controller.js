@@ -5,20 +5,47 @@ import { moved, pulled, stretchedTogether, timesOf } from "./times.js";
 const PATIENCE = 350; // ms without a key after which what was done by keys is sent
 
 /**
+ * @typedef {import("./model.js").Block} Block
+ * @typedef {Object} Parts
+ * @property {import("./scene.js").Scene} scene
+ * @property {import("./graphs.js").Graphs} graphs
+ * @property {import("./edits.js").Edits} edits
+ * @property {import("./details.js").Details} details
+ * @property {import("../clock.js").Clock} clock
+ * @property {import("../actions.js").Actions} actions
+ * @property {import("../store.js").Store} store
+ * @property {HTMLElement} scroller
+ * @property {() => void} repaint draws anew with the page's next frame
+ * @property {() => void} arrange lays out anew
+ */
+
+/**
  * What can be done on the timeline, by pointer, keys or buttons alike.
  */
 export class TimelineController {
   snaps = true;
   follows = true;
   draws = false; // whether a pointer draws on graphs
-  chosen = null; // the block that was last selected here, and not elsewhere on the page
-  #nudged = null; // the block whose times were changed by keys and not sent yet
-  #nudgedAll = null; // the same of several blocks
+  /** @type {string | null} the block that was last selected here, and not elsewhere on the page */
+  chosen = null;
+  /** @type {Block | null} the block whose times were changed by keys and not sent yet */
+  #nudged = null;
+  /** @type {Block[] | null} the same of several blocks */
+  #nudgedAll = null;
   #timer = 0;
 
-  /** @param {object} parts scene, graphs, edits, details, clock, actions, store, scroller, repaint, arrange */
-  constructor(parts) {
-    Object.assign(this, parts);
+  /** @param {Parts} parts */
+  constructor({ scene, graphs, edits, details, clock, actions, store, scroller, repaint, arrange }) {
+    this.scene = scene;
+    this.graphs = graphs;
+    this.edits = edits;
+    this.details = details;
+    this.clock = clock;
+    this.actions = actions;
+    this.store = store;
+    this.scroller = scroller;
+    this.repaint = repaint;
+    this.arrange = arrange;
   }
 
   /** Select a block (null: none), and explain it at a time within it. */
@@ -59,10 +86,10 @@ export class TimelineController {
     if (lane) this.chooseAll([...lane.spans.items.filter(({ id }) => id !== block.id), block]);
   }
 
-  /** All selected blocks. */
+  /** @returns {Block[]} all selected blocks */
   get blocks() {
     const { group, model } = this.scene;
-    if (group.size > 1) return [...group].map((id) => model.blocks.get(id)).filter(Boolean);
+    if (group.size > 1) return [...group].flatMap((id) => model.blocks.get(id) ?? []);
     return this.block ? [this.block] : [];
   }
 
@@ -79,9 +106,9 @@ export class TimelineController {
     this.actions.select({ time, parameter });
   }
 
-  /** The selected block, or null. */
+  /** @returns {Block | null} the selected block */
   get block() {
-    return this.scene.model?.blocks.get(this.scene.selected) ?? null;
+    return this.scene.model?.blocks.get(this.scene.selected ?? "") ?? null;
   }
 
   /**
@@ -109,7 +136,7 @@ export class TimelineController {
   /** Start and end are those of the selection as a whole, which is stretched; onset and offset those of each. */
   #nudgeAll(blocks, what, delta, duration) {
     const times = blocks.map((block) => timesOf(this.edits.shown(block) ?? block));
-    const [first, last] = spanOf(this.scene);
+    const [first, last] = spanOf(this.scene) ?? [0, 0];
     const after = {
       move: () => movedTogether(times, delta, duration),
       0: () => stretchedTogether(times, last, first, first + delta, duration),
@@ -200,7 +227,7 @@ export class TimelineController {
    */
   async turnLane(state, channel) {
     await this.settle();
-    const { lanes } = this.scene.model.take;
+    const lanes = this.scene.model.states;
     const now = lanes[state];
     const after = now.includes(channel) ? now.filter((name) => name !== channel) : [...now, channel];
     await this.actions.setLanes({ ...lanes, [state]: after });
@@ -208,7 +235,7 @@ export class TimelineController {
 
   /** Whether a lane is locked against changes. */
   locks(channel) {
-    return this.scene.model.take.lanes.locked.includes(channel);
+    return this.scene.model.states.locked.includes(channel);
   }
 
   setMarkers(markers) {

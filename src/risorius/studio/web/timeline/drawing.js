@@ -75,6 +75,7 @@ export class DragTangent {
     const { index, side } = this.#found;
     const [time, value] = this.#keys[index];
     const high = scaleOf(scene.model, this.#row).value(y - scene.headHeight + scene.scroll);
+    /** @type {[number, number]} */
     const handle = [scene.view.time(x) - time, high - value];
     this.#dragging = true;
     edits.holdKeys(this.#names, withHandle(this.#keys, index, side, handle, event.altKey));
@@ -115,7 +116,7 @@ export class DrawKeys {
   get #drawn() {
     const { model } = this.#controller.scene;
     const around = model.around(this.#row.names[0]);
-    if (this.#line.length === 1) return withKey(this.#kept, ...this.#line[0], around);
+    if (this.#line.length === 1) return withKey(this.#kept, this.#line[0][0], this.#line[0][1], around);
     const { least, most } = scaleOf(model, this.#row);
     return withLine(this.#kept, this.#line, FINE * (most - least), around);
   }

@@ -34,6 +34,7 @@ export class DragEdge {
   #controller;
   #phone;
   #x;
+  /** @type {number | null} */
   #time = null;
 
   constructor(controller, x, phone) {
@@ -65,7 +66,10 @@ export class DragEdge {
   }
 }
 
-/** Move the edge nearest to a time by a step. @param {number} steps */
+/**
+ * Move the edge nearest to a time by a step.
+ * @param {import("./controller.js").TimelineController} controller @param {number} time @param {number} steps
+ */
 export function nudgeEdge({ scene: { model }, actions }, time, steps) {
   const phones = model.take.speech?.phones ?? [];
   const all = phones.map((_, k) => k).filter((k) => movable(phones, k, "phones"));

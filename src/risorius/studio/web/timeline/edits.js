@@ -12,7 +12,8 @@ export class Edits {
   #sent = new Map(); // what was sent last for an id or a parameter
   #actions;
   #changed;
-  #model = null;
+  /** @type {import("./model.js").Model} */
+  #model = /** @type {any} */ (null);
   #preview;
 
   /**

@@ -37,6 +37,7 @@ export function fitted({ root, scroller, canvas, frame, depth, status }, control
   const adder = new Adder(root, controller);
   const picker = new Picker(root, controller, graphs);
   const list = new BlockList(root, controller);
+  /** @param {number} [time] @param {string | null} [channel] */
   const add = (time = controller.clock.time, channel = null) => controller.scene.model && adder.open(time, channel);
   const walk = () => list.focus();
   const markers = new MarkerList(root, controller);

@@ -120,10 +120,11 @@ export class DragBlock {
   #pulled(x, reach) {
     const { scene } = this.#controller;
     const { duration, edges } = scene.model;
-    const time = this.#from[this.#handle] + (x - this.#x) / scene.view.scale;
+    const handle = this.#handle ?? 0;
+    const time = this.#from[handle] + (x - this.#x) / scene.view.scale;
     const edge = reach ? nearest(edges, time, reach) : null;
     scene.guide = edge;
-    return pulled(this.#from, this.#handle, edge ?? time, duration);
+    return pulled(this.#from, handle, edge ?? time, duration);
   }
 
   end() {

@@ -5,10 +5,13 @@
 const SHOWN = 5;
 
 export class Graphs {
-  #chosen = null; // bases, once the user has chosen
+  /** @type {string[] | null} bases, once the user has chosen */
+  #chosen = null;
+  /** @type {string[]} */
   #lively = [];
   #sides = new Map();
   #changed;
+  /** @type {import("./model.js").Model | null} */
   #model = null;
 
   /** @param {() => void} changed */
@@ -30,8 +33,9 @@ export class Graphs {
 
   /** What the rows show: the names of the sides asked for, the left first. */
   get rows() {
+    const { bases } = this.#model ?? { bases: new Map() };
     return this.bases.map((base) => {
-      const { names } = this.#model.bases.get(base);
+      const { names } = bases.get(base);
       const side = this.side(base);
       return { base, names: side === "both" ? names : names.filter((name) => name.endsWith(`.${side}`)) };
     });
@@ -67,7 +71,7 @@ export class Graphs {
     return { chosen: this.#chosen, sides: Object.fromEntries(this.#sides) };
   }
 
-  /** Show what `kept` was. @param {import("./model.js").Model} model */
+  /** Show what `kept` was. @param {{chosen?: string[] | null, sides?: Record<string, string>}} kept @param {import("./model.js").Model} model */
   restore({ chosen = null, sides = {} }, model) {
     const known = (base) => model.bases.has(base);
     this.#chosen = Array.isArray(chosen) ? chosen.filter(known) : null;

@@ -40,10 +40,10 @@ export function editsOf(blocks, after) {
   });
 }
 
-/** Start of the first and end of the last of the selected movements as they are shown; null where one or none is. */
+/** Start of the first and end of the last of the selected movements as they are shown; null where one or none is. @returns {[number, number] | null} */
 export function spanOf({ group, model, edits }) {
   if (!model || group.size < 2) return null;
-  const shown = [...group].map((id) => model.blocks.get(id)).filter(Boolean).map((block) => edits.shown(block) ?? block);
+  const shown = [...group].flatMap((id) => model.blocks.get(id) ?? []).map((block) => edits.shown(block) ?? block);
   return [Math.min(...shown.map(({ start }) => start)), Math.max(...shown.map(({ end }) => end))];
 }
 
@@ -74,6 +74,7 @@ export class DragStretch {
   #blocks;
   #from;
   #ends;
+  /** @type {number | null} */
   #time = null;
 
   /** @param {number} end which end is dragged: 0 the first start, 1 the last end */
@@ -81,7 +82,7 @@ export class DragStretch {
     this.#controller = controller;
     this.#blocks = controller.blocks;
     this.#from = this.#blocks.map((one) => timesOf(controller.edits.shown(one) ?? one));
-    const span = spanOf(controller.scene);
+    const span = spanOf(controller.scene) ?? [0, 0];
     this.#ends = [span[1 - end], span[end]];
   }
 
@@ -92,7 +93,7 @@ export class DragStretch {
     const edge = snaps !== event.altKey ? nearest(edges, time, REACH / scene.view.scale) : null;
     scene.guide = edge;
     this.#time = edge ?? time;
-    edits.holdAll(this.#blocks, stretchedTogether(this.#from, ...this.#ends, this.#time, duration));
+    edits.holdAll(this.#blocks, stretchedTogether(this.#from, this.#ends[0], this.#ends[1], this.#time, duration));
   }
 
   end() {

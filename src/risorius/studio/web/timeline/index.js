@@ -17,17 +17,11 @@ export { TIMELINE_KEYS } from "./shortcuts.js";
  * Show the timeline of a take.
  *
  * @param {HTMLElement} element where it is shown; it fills the element, and scrolls within it
- * @param {object} studio
- * @param {import("../store.js").Store} studio.store
- * @param {import("../connection.js").Connection} studio.connection
- * @param {import("../clock.js").Clock} studio.clock
- * @param {import("../actions.js").Actions} studio.actions
- * @param {HTMLElement} studio.explanation where explanations are shown, beside the stage
+ * @param {import("../studio.js").Studio & {explanation: HTMLElement}} studio and where explanations are shown
  * @returns {Timeline} also the element's `timeline`
  */
 export function mountTimeline(element, studio) {
-  element.timeline = new Timeline(element, studio);
-  return element.timeline;
+  return Object.assign(element, { timeline: new Timeline(element, studio) }).timeline;
 }
 
 /** Whether two takes are of the same line, so that what is in sight may stay. */
@@ -44,8 +38,9 @@ class Timeline {
   #details;
   #edits;
   #parts;
-  #frame = 0;
+  #painting = false; // whether the page's next frame draws anew
   #said;
+  /** @type {object | null} */
   #kept = null;
 
   constructor(element, { store, clock, actions, explanation }) {
@@ -79,8 +74,10 @@ class Timeline {
 
   /** Draw anew with the page's next frame. */
   repaint() {
-    this.#frame ||= requestAnimationFrame(() => {
-      this.#frame = 0;
+    if (this.#painting) return;
+    this.#painting = true;
+    requestAnimationFrame(() => {
+      this.#painting = false;
       this.#paint();
     });
   }
@@ -188,7 +185,7 @@ class Timeline {
     this.#scene.selected = this.#scene.model?.blocks.has(movement) ? movement : null;
     this.#scene.marked = parameter && this.#scene.model ? { time, name: this.#scene.model.named(parameter)[0] } : null;
     const key = this.#scene.selectedKey;
-    const there = key?.parameter === parameter && key.index < this.#edits.keys(parameter).length;
+    const there = key !== null && key.parameter === parameter && key.index < this.#edits.keys(parameter).length;
     if (!there) this.#scene.selectedKey = null;
     this.#parts.list.setSelected(this.#scene.selected);
     this.#parts.why.show(selection);

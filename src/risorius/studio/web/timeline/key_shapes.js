@@ -6,7 +6,7 @@
 export const SHAPES = { straight: "Straight", smooth: "Smooth", hold: "Hold" };
 
 /** @param {import("../wire.js").DrawnCurve} curve @returns {any[][]} its keys with their shapes */
-export function keysOf({ keys, shapes }) {
+export function keysOf({ keys, shapes = [] }) {
   return keys.map((key, k) => (isStraight(shapes[k]) ? key : [...key, shapes[k]]));
 }
 
@@ -48,16 +48,18 @@ function smooth(keys, index) {
 
 /**
  * The keys with a handle elsewhere; the other one turns with it, unless it is bent apart.
- * @param {"before" | "after"} side @param {[number, number]} handle seconds and value from the key
+ * @param {any[][]} keys @param {number} index @param {"before" | "after"} side
+ * @param {[number, number]} handle seconds and value from the key @param {boolean} apart
  */
-export function withHandle(keys, index, side, [seconds, amount], apart) {
+export function withHandle(keys, index, side, handle, apart) {
+  const [seconds, amount] = handle;
   const [time, value, shape] = keys[index];
   const forward = side === "after";
-  const handle = [forward ? Math.max(seconds, 0.001) : Math.min(seconds, -0.001), amount];
+  const bent = [forward ? Math.max(seconds, 0.001) : Math.min(seconds, -0.001), amount];
   const opposite = forward ? "before" : "after";
   const other = shape?.[opposite] ?? null;
-  const turned = other && !apart ? [other[0], (other[0] * handle[1]) / handle[0]] : other;
-  return replaced(keys, index, [time, value, { hold: false, [side]: handle, [opposite]: turned }]);
+  const turned = other && !apart ? [other[0], (other[0] * bent[1]) / bent[0]] : other;
+  return replaced(keys, index, [time, value, { hold: false, [side]: bent, [opposite]: turned }]);
 }
 
 /** A handle no longer than the time between two keys, as the server takes it. */

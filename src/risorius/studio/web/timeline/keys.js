@@ -54,7 +54,7 @@ export function simplified(line, tolerance) {
   const parts = [[0, line.length - 1]];
   const chosen = new Set([0, line.length - 1]);
   while (parts.length > 0) {
-    const [first, last] = parts.pop();
+    const [first, last] = /** @type {number[]} */ (parts.pop());
     const far = furthest(line, first, last, tolerance);
     if (far === null) continue;
     chosen.add(far);

@@ -42,6 +42,7 @@ export class DragMarker {
   #index;
   #x;
   #from;
+  /** @type {number | null} */
   #time = null;
 
   constructor(controller, x, index) {

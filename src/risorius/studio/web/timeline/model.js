@@ -4,6 +4,8 @@ import { Spans, stacked } from "./spans.js";
 
 const ALIKE = 1e-4; // what cannot be told apart in a graph
 
+/** @typedef {import("../wire.js").Block & {free: boolean}} Block a movement, and whether it may be changed */
+
 /**
  * A take as the timeline looks at it: a lane for each channel, an order of its blocks, curves to draw.
  *
@@ -12,7 +14,7 @@ const ALIKE = 1e-4; // what cannot be told apart in a graph
 export class Model {
   #pyramids;
   #compared = new WeakMap();
-  /** Curves that a change would make other, by parameter, while it is being made; null where one would rest. */
+  /** @type {Map<string, Float32Array | null>} curves that a change being made would make other; null where one would rest */
   previewed = new Map();
 
   /**
@@ -26,15 +28,23 @@ export class Model {
     this.#pyramids = before ? before.#pyramids : new WeakMap();
     this.parameters = new Map(catalogue.parameters.map((parameter) => [parameter.name, parameter]));
     this.bases = basesOf(catalogue.parameters);
-    const locked = new Set(take.lanes.locked);
+    /** What is muted, solo and locked. @type {Required<import("../wire.js").LaneStates>} */
+    this.states = /** @type {any} */ (take.lanes);
+    const locked = new Set(this.states.locked);
     const blocks = take.blocks.map((block) => ({ ...block, free: block.editable && !locked.has(block.channel) }));
     this.blocks = new Map(blocks.map((block) => [block.id, block]));
     this.lanes = lanesOf(blocks, catalogue.channels);
-    this.silent = silentOf(take.lanes, catalogue.channels);
-    this.markers = take.markers;
+    this.silent = silentOf(this.states, catalogue.channels);
+    /** @type {{time: number, text: string}[]} */
+    this.markers = /** @type {any} */ (take.markers);
     this.drawn = new Map(take.drawn.map((curve) => [curve.parameter, keysOf(curve)]));
-    this.speech = before?.take.speech === take.speech ? before.speech : speechOf(take.speech);
+    this.speech = before?.of(take.speech) ?? speechOf(take.speech);
     this.edges = edgesOf(take);
+  }
+
+  /** What the timeline made of a speech, where that is this take's. @param {object | null} speech */
+  of(speech) {
+    return this.take.speech === speech ? this.speech : null;
   }
 
   get duration() {
@@ -122,6 +132,7 @@ function basesOf(parameters) {
   return bases;
 }
 
+/** @param {Block[]} blocks @param {{name: string, priority: number}[]} channels */
 function lanesOf(blocks, channels) {
   const lanes = [];
   for (const { name, priority } of channels) {

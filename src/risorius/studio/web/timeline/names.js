@@ -45,7 +45,7 @@ export class Names {
   /** Lay out the rows' names anew. */
   show() {
     this.#corner.style.height = `${this.#controller.scene.headHeight * this.#controller.scene.unit}px`;
-    const held = document.activeElement?.dataset?.name;
+    const held = /** @type {HTMLElement | null} */ (document.activeElement)?.dataset.name;
     this.#list.replaceChildren(...this.#controller.scene.body.map((row) => this.#name(row)));
     if (held) this.#list.querySelector(`[data-name="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
     this.scroll();
@@ -73,7 +73,7 @@ export class Names {
 
   /** A button that mutes, solos or locks a lane. */
   #state(channel, { state, sign, verb, title }) {
-    const on = this.#controller.scene.model.take.lanes[state].includes(channel);
+    const on = this.#controller.scene.model.states[state].includes(channel);
     return h("button", {
       class: "tl-state",
       "aria-pressed": String(on),

@@ -11,7 +11,7 @@ export function paintRuler({ context, view, palette, width, count, loop }, row) 
     context.fillStyle = palette.loop;
     context.fillRect(view.x(loop[0]), row.y, Math.max(view.x(loop[1]) - view.x(loop[0]), 1), row.height);
   }
-  const step = STEPS.find((s) => s * view.scale >= LABEL_ROOM) ?? STEPS.at(-1);
+  const step = STEPS.find((s) => s * view.scale >= LABEL_ROOM) ?? STEPS[STEPS.length - 1];
   const minor = step / 5;
   const bottom = row.y + row.height;
   context.fillStyle = palette.rule;

@@ -29,7 +29,7 @@ export function paintLane(scene, row) {
   }
   for (const id of new Set([...edits.held, ...group, selected])) {
     const block = scene.model.blocks.get(id);
-    if (block?.channel === row.lane.channel) paintBlock(scene, row, block, { silent, labels: new Map() });
+    if (block?.channel === row.lane.channel) paintBlock(scene, row, block, { silent, strokes: null, labels: new Map() });
   }
 }
 

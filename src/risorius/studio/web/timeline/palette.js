@@ -7,7 +7,7 @@ const NAMES = [
   "mark", "loop", "curve", "other", "inhibited", "limited", "key", "label",
 ]; // prettier-ignore
 
-/** @param {Element} element within the timeline @param {string[]} channels */
+/** @param {Element} element within the timeline @param {string[]} channels @returns {any} colours by name, those of channels apart */
 export function paletteOf(element, channels) {
   const style = getComputedStyle(element);
   const colour = (name) => style.getPropertyValue(`--tl-${name}`).trim();

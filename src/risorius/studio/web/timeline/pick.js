@@ -10,6 +10,18 @@ import { timesOf } from "./times.js";
 
 /**
  * What lies under a point of the timeline.
+ *
+ * @typedef {Object} Found
+ * @property {string} kind head, grip, marker, edge, handle, block, lane, key, tangent, graph or none
+ * @property {any} [row]
+ * @property {any} [block]
+ * @property {number} [handle] of a block: 0 start, 1 end of onset, 2 start of offset, 3 end
+ * @property {string} [parameter] of a key
+ * @property {any} [index] of a key or a marker
+ * @property {any} [side] of a key's handle
+ * @property {any} [end] of what is selected: 0 its start, 1 its end
+ * @property {any} [phone] whose edge it is
+ * @property {number} time
  */
 
 const NEAR_HANDLE = 6;
@@ -18,8 +30,7 @@ const NEAR_BLOCK = 3; // pixels beside a narrow block that still mean it
 
 /**
  * @param {import("./scene.js").Scene} scene @param {number} x @param {number} y pixels from the top left
- * @returns {{kind: "head" | "grip" | "marker" | "edge" | "handle" | "block" | "lane" | "key" | "tangent" | "graph" | "none", row?: any, block?: any,
- *   handle?: number, parameter?: string, index?: number, time: number}}
+ * @returns {Found}
  */
 export function pick(scene, x, y) {
   const time = scene.view.time(x);

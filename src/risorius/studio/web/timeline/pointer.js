@@ -31,6 +31,7 @@ export function listen(canvas, controller, parts) {
   let gesture = null;
   let down = null;
 
+  /** @returns {[number, number]} */
   const place = (event) => {
     const box = canvas.getBoundingClientRect();
     return [(event.clientX - box.left) / controller.scene.unit, (event.clientY - box.top) / controller.scene.unit];
@@ -117,7 +118,8 @@ function doubled(controller, found, [x, y], { add, note }) {
   if (found.kind === "graph" && !controller.draws) new DrawKeys(controller, found.row, x, y).end();
 }
 
-function hover(canvas, controller, { kind, block, handle, row, time }) {
+function hover(canvas, controller, found) {
+  const { kind, block, handle, row, time } = found;
   const { scene } = controller;
   const hovered = block?.id ?? null;
   if (hovered !== scene.hovered) {

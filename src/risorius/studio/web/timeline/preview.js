@@ -7,7 +7,9 @@ import { curvesOf } from "../take.js";
 export class Preview {
   #actions;
   #changed;
+  /** @type {import("./model.js").Model | null} */
   #model = null;
+  /** @type {{kind: string, fields: object} | null} */
   #wanted = null;
   #busy = false;
   #standing;

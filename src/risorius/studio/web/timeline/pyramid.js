@@ -37,7 +37,7 @@ export class Pyramid {
   #level(samples) {
     let k = 0;
     while (GROUP ** (k + 1) <= samples) k++;
-    while (this.#levels.length <= k) this.#levels.push(coarser(this.#levels.at(-1)));
+    while (this.#levels.length <= k) this.#levels.push(coarser(this.#levels[this.#levels.length - 1]));
     return this.#levels[k];
   }
 }

@@ -4,6 +4,7 @@
  */
 
 export const RULER = 20;
+/** @type {[string, number][]} */
 const SPEECH = [
   ["wave", 34],
   ["words", 16],

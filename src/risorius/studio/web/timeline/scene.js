@@ -1,3 +1,4 @@
+import { contextOf } from "../parts/dom.js";
 import { drawnBySoftware } from "../stage/software.js";
 import { paintSpan } from "./group.js";
 import { paintMarkers } from "./markers.js";
@@ -14,32 +15,54 @@ const TEXT = 16; // size of the page's text for which the scene's pixels are the
  * Only what is in sight is drawn: `count` says how much that was the last time, whatever the take's length.
  */
 export class Scene {
-  model = null;
+  /** @type {import("./model.js").Model} there as soon as a take is: nothing is drawn before */
+  model = /** @type {any} */ (null);
+  /** @type {any[]} */
   head = [];
+  /** @type {any[]} */
   body = [];
+  /** @type {{base: string, names: string[]}[]} */
   graphs = [];
-  folded = new Set(); // channels
+  /** @type {Set<string>} channels */
+  folded = new Set();
   unit = 1; // the page's pixels in one of the scene's: all grows with the page's text
   scroll = 0;
   height = 0;
   time = 0;
-  selected = null; // a block's id
-  group = new Set(); // ids of all selected blocks, where they are several
-  box = null; // {x0, y0, x1, y1} from the top of the body, while blocks are selected by it
+  /** @type {string | null} a block's id */
+  selected = null;
+  /** @type {Set<string>} ids of all selected blocks, where they are several */
+  group = new Set();
+  /** @type {{x0: number, y0: number, x1: number, y1: number} | null} from the top of the body, while blocks are selected by it */
+  box = null;
+  /** @type {string | null} */
   hovered = null;
-  selectedKey = null; // {parameter, index}
+  /** @type {{parameter: string, index: number} | null} */
+  selectedKey = null;
   focused = false; // whether the selected block has the keyboard
-  loop = null; // [from, to] that is repeated
-  guide = null; // time of the edge that a drag has snapped to
-  marked = null; // {time, name} of the parameter that was asked about
+  /** @type {[number, number] | null} what is repeated */
+  loop = null;
+  /** @type {number | null} time of the edge that a drag has snapped to */
+  guide = null;
+  /** @type {{time: number, name: string} | null} the parameter that was asked about */
+  marked = null;
+  /** @type {import("./shape.js").Shapes} */
+  shapes = /** @type {any} */ (null);
+  /** @type {ReturnType<typeof import("./palette.js").paletteOf>} */
+  palette = /** @type {any} */ (null);
   count = nothing();
 
-  /** @param {HTMLCanvasElement} canvas @param {object} parts view, edits, details, shapes, palette */
-  constructor(canvas, parts) {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {{view: import("./viewport.js").Viewport, edits: import("./edits.js").Edits, details: import("./details.js").Details}} parts
+   */
+  constructor(canvas, { view, edits, details }) {
     // Canvas by a graphics card that is none is ten times as slow as without.
-    this.context = canvas.getContext("2d", { willReadFrequently: drawnBySoftware() });
+    this.context = contextOf(canvas, { willReadFrequently: drawnBySoftware() });
     this.canvas = canvas;
-    Object.assign(this, parts);
+    this.view = view;
+    this.edits = edits;
+    this.details = details;
   }
 
   get width() {
@@ -132,10 +155,11 @@ export class Scene {
 
   /** Where an explanation was asked for. */
   #paintMarked() {
-    const row = this.marked && this.body.find((r) => r.kind === "graph" && r.names.includes(this.marked.name));
-    if (!row) return;
+    const { marked } = this;
+    const row = marked && this.body.find((r) => r.kind === "graph" && r.names.includes(marked.name));
+    if (!marked || !row) return;
     this.context.fillStyle = this.palette.mark;
-    this.context.fillRect(this.view.x(this.marked.time) - 0.5, row.y, 1, row.height - 1);
+    this.context.fillRect(this.view.x(marked.time) - 0.5, row.y, 1, row.height - 1);
   }
 
   #paintBox() {

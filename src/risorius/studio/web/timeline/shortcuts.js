@@ -40,7 +40,7 @@ export function shortcuts(root, controller, add) {
     m: () => controller.addMarker(),
     "<": () => controller.goMarker(-1),
     ">": () => controller.goMarker(1),
-    d: () => root.querySelector("#tl-draw").click(),
+    d: () => /** @type {any} */ (root.querySelector("#tl-draw")).click(),
     ArrowLeft: () => controller.clock.step(-1),
     ArrowRight: () => controller.clock.step(1),
     Escape: () => controller.choose(null),
@@ -54,7 +54,7 @@ export function shortcuts(root, controller, add) {
     v: () => controller.paste(),
   };
   root.addEventListener("keydown", (event) => {
-    if (event.altKey || typing(event.target)) return;
+    if (event.altKey || typing(/** @type {any} */ (event.target))) return;
     const held = event.ctrlKey || event.metaKey;
     if (event.shiftKey && (held || !"<>+".includes(event.key))) return;
     const act = (held ? withControl : keys)[event.key];

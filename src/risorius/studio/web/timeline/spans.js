@@ -2,11 +2,14 @@
  * Things with a start and an end, in order of their starts: which of them lie in sight, and how they stack.
  */
 
-/** Finds those of many spans that touch a stretch of time, without looking at all of them. */
+/**
+ * Finds those of many spans that touch a stretch of time, without looking at all of them.
+ * @template {{start: number, end: number}} T
+ */
 export class Spans {
   #reach;
 
-  /** @param {{start: number, end: number}[]} items any order; `items` holds them in order of their starts */
+  /** @param {T[]} items any order; `items` holds them in order of their starts */
   constructor(items) {
     this.items = [...items].sort((a, b) => a.start - b.start);
     let latest = -Infinity;
@@ -24,6 +27,7 @@ export class Spans {
 
   /** The last that has started by `time` and not yet ended, or null. */
   at(time) {
+    /** @type {T | null} */
     let found = null;
     for (const item of this.within(time, time)) if (time < item.end) found = item;
     return found;

@@ -51,6 +51,7 @@ export function editOf(before, after) {
   if ([1, 2, 3].every((k) => Math.abs(after[k] - before[k] - shift) < 1e-6)) {
     return { kind: "move", fields: { start: after[0] } };
   }
+  /** @type {Record<string, number>} */
   const fields = {};
   if (!same(0)) fields.start = after[0];
   if (!same(3)) fields.end = after[3];
@@ -70,7 +71,7 @@ export function stretchedTogether(all, fixed, from, to, duration) {
   return all.map((times) => times.map((time) => fixed + (time - fixed) * share));
 }
 
-/** The fields of the wire's edit that gives a block these times, its onset and offset too. */
+/** The fields of the wire's edit that gives a block these times, its onset and offset too. @returns {{kind: string, fields: Record<string, number>}} */
 export function stretchTo([start, rise, fall, end]) {
   return { kind: "stretch", fields: { start, end, onset: rise - start, offset: end - fall } };
 }

@@ -49,6 +49,7 @@ function button(text, onclick, given = {}) {
   return h("button", { type: "button", onclick, ...given }, text);
 }
 
+/** @param {string | null} [id] */
 function toggle(text, set, on, title, id = null) {
   const made = button(text, () => turn(!(made.getAttribute("aria-pressed") === "true")), { title, id });
   const turn = (pressed) => {

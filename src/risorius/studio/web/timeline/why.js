@@ -13,6 +13,7 @@ const TIMES = ["Start", "Apex from", "Apex to", "End"];
 export class Why {
   #box = h("div", { class: "tl-why" });
   #controller;
+  /** @type {object | null} */
   #asked = null;
   #times = [];
   #keys;
@@ -41,8 +42,8 @@ export class Why {
     if (asked !== this.#asked || answer === null) return;
     const its = answer.reasons.filter((reason) => parameter || concerns(reason, block));
     const reasons = together(its);
-    this.#instead = together(answer.reasons.filter((reason) => !parameter && !its.includes(reason) && aims(block, reason)));
-    const focus = this.#box.contains(document.activeElement) ? document.activeElement.id : "";
+    this.#instead = together(answer.reasons.filter((reason) => !parameter && block && !its.includes(reason) && aims(block, reason)));
+    const focus = this.#box.contains(document.activeElement) ? (document.activeElement?.id ?? "") : "";
     this.#box.replaceChildren(...this.#parts(block, parameter, at, reasons));
     if (focus) this.#box.querySelector(`#${CSS.escape(focus)}`)?.focus();
   }
