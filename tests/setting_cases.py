@@ -14,6 +14,7 @@ CASES: dict[str, object] = {
     "voice": "en-gb",
     "rate": 120,
     "voice_emotion": False,
+    "answers": "Who is it?",
     "lead": 0.25,
     "tail": 0.25,
     "profile": "lively",

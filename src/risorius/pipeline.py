@@ -18,7 +18,7 @@ from .rules.profiles import attitude, profile_of
 from .rules.rule_set import rule_set_of
 from .script import Script
 from .settings import Settings
-from .speech import Input, feelings, hear, read, say
+from .speech import VOICE_SETTINGS, Input, feelings, hear, read, say
 from .take import Take, lip_rig
 from .unread import refuse_unread
 
@@ -51,7 +51,7 @@ def speak(
     if not script.lines:
         return None
     felt = feelings(script, emotions) if settings.voice_emotion else ()
-    voice = {name: getattr(settings, name) for name in ("voice", "language", "rate", "lead", "tail")}
+    voice = {name: getattr(settings, name) for name in VOICE_SETTINGS}
     return say(script, felt=felt, progress=progress, **voice)
 
 

@@ -213,6 +213,10 @@ class Settings(metaclass=Named):
         metavar="WPM", low=80, high=440, step=5, unset="the voice's own")
     voice_emotion: bool = _voice(
         "Emotional voice", True, "Whether emotions change the voice.", metavar="on|off")
+    answers: str | None = _voice(
+        "Answers", None,
+        "The question that the line answers: what is new gets the accents, what is given none.",
+        metavar="QUESTION", unset="no question")
     lead: float = _silence(
         "Silence before, s", 0.5, "Silence before plain text.", metavar="S", low=0.0, high=60.0, step=0.1)
     tail: float = _silence(

@@ -71,13 +71,14 @@ class Sync:
 
 @dataclass(frozen=True, slots=True)
 class Directions:
-    """All directions of a line."""
+    """All directions of a line. `answers`: the question that it answers."""
 
     spans: tuple[DirectedSpan, ...] = ()
     breaks: tuple[Break, ...] = ()
     accents: tuple[ToneMark, ...] = ()
     boundaries: tuple[ToneMark, ...] = ()
     syncs: tuple[Sync, ...] = ()
+    answers: str = ""
 
     def moved(self, characters: int) -> Directions:
         """Return the same directions for a text that begins so many characters later."""
@@ -87,6 +88,7 @@ class Directions:
             tuple(replace(t, at=t.at + characters) for t in self.accents),
             tuple(replace(t, at=t.at + characters) for t in self.boundaries),
             tuple(replace(s, at=s.at + characters) for s in self.syncs),
+            self.answers,
         )
 
     def joined(self, other: Directions) -> Directions:
@@ -97,6 +99,7 @@ class Directions:
             (*self.accents, *other.accents),
             (*self.boundaries, *other.boundaries),
             (*self.syncs, *other.syncs),
+            self.answers or other.answers,
         )
 
     def focused(self, start: int, end: int) -> bool:

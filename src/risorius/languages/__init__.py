@@ -6,12 +6,13 @@ otherwise than it is written, `phones.toml` its phones, `mnemonics.toml` how esp
 language without a folder, is as in `und`, the undetermined language.
 """
 
-from .language import AccentPlaces, Clauses, Language, Nouns, Questions, plain_word
+from .language import AccentPlaces, Clauses, Discourse, Language, Nouns, Questions, plain_word
 from .load import language_of, languages
 
 __all__ = [
     "AccentPlaces",
     "Clauses",
+    "Discourse",
     "Language",
     "Nouns",
     "Questions",

@@ -16,7 +16,8 @@ from ..core.utterance import Ending
 class Candidate:
     """A syllable that might be accented.
 
-    `content`: of a content word. `only`: no word of the phrase is one, and this is its strongest syllable.
+    `content`: of a content word. `contrast`: of a word that is contrasted with another. `only`: no word of
+    the phrase is one, and this is its strongest syllable.
     `nuclear`: the last candidate of its phrase. `focus`, `after_focus`: the word is emphasised, or follows
     one that is. `ends`: how the phrase ends. `lexical_tone`: pitch tells words apart in the language.
     """
@@ -29,6 +30,7 @@ class Candidate:
     ends: Ending
     lexical_tone: bool = False
     deaccented: bool = False
+    contrast: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +44,7 @@ class AccentRule:
     after_focus: bool | None = None
     lexical_tone: bool | None = None
     deaccented: bool | None = None
+    contrast: bool | None = None
     ends: tuple[Ending, ...] = ()
     label: str | None = None
     confidence: Share = 1.0
@@ -60,6 +63,7 @@ class AccentRule:
             (self.after_focus, candidate.after_focus),
             (self.lexical_tone, candidate.lexical_tone),
             (self.deaccented, candidate.deaccented),
+            (self.contrast, candidate.contrast),
         )
         return all(wanted in (None, given) for wanted, given in pairs) and (
             not self.ends or candidate.ends in self.ends

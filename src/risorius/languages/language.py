@@ -17,6 +17,9 @@ from .mnemonics import Mnemonics
 APOSTROPHES = "'\u2019\u02bc"
 _STRAIGHT = str.maketrans(dict.fromkeys(APOSTROPHES, "'"))
 
+# Letters that are left of a word without its ending.
+_SHORTEST_STEM = 3
+
 # How a whole number, written in digits, may be read, in words; none for what is not a number.
 NumberReadings = Callable[[str], tuple[str, ...]]
 
@@ -91,6 +94,22 @@ class AccentPlaces:
 
 
 @dataclass(frozen=True, slots=True)
+class Discourse:
+    """What tells given, new and contrasted words.
+
+    `endings`: what is left out where words are compared ("prefers", "preferred"). `topics`: what stands in a
+    question before what it turns to ("what about"). `negations` and `corrections`: "not tea but coffee".
+    `subjects`: words that ask for a subject ("who").
+    """
+
+    endings: tuple[str, ...] = ()
+    topics: tuple[str, ...] = ()
+    negations: tuple[str, ...] = ()
+    corrections: tuple[str, ...] = ()
+    subjects: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class LanguageTable:
     """The file `language.toml`.
 
@@ -106,6 +125,7 @@ class LanguageTable:
     questions: Questions = Questions()
     clauses: Clauses = Clauses()
     accents: AccentPlaces = AccentPlaces()
+    discourse: Discourse = Discourse()
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,6 +163,7 @@ class Language:
     questions: Questions
     clauses: Clauses
     accents: AccentPlaces
+    discourse: Discourse
     onsets: frozenset[tuple[str, ...]]
     spellings: Mapping[str, str]
     tone_letters: Mapping[str, str]
@@ -158,3 +179,15 @@ class Language:
         return word in self.function_words or (
             "'" in word and all(part in self.function_words for part in word.split("'"))
         )
+
+    def stem(self, text: str) -> str:
+        """Return what the forms of a word have in common: "prefer" of "prefers" and "preferred"."""
+        word = plain_word(text)
+        fitting = (end for end in self.discourse.endings if word.endswith(end))
+        longest = max((end for end in fitting if len(word) - len(end) >= _SHORTEST_STEM), key=len, default="")
+        stem = word.removesuffix(longest)
+        if self.discourse.endings and len(stem) > _SHORTEST_STEM:
+            stem = stem.removesuffix("e")
+            stem = f"{stem[:-1]}y" if stem.endswith("i") else stem
+            stem = stem[:-1] if stem[-1] == stem[-2] else stem
+        return stem

@@ -54,6 +54,7 @@ def _language(code: str) -> Language:
         questions=table.questions,
         clauses=table.clauses,
         accents=table.accents,
+        discourse=table.discourse,
         onsets=frozenset(tuple(cluster.split()) for cluster in phones.onsets),
         spellings=phones.spellings,
         tone_letters=phones.tones,

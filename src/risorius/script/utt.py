@@ -21,7 +21,7 @@ from .notation import Bracket, Item, Tune, Written, has_brackets, read_brackets,
 from .quote import one_line, quoted
 from .speakable import check_length, check_speakable
 
-HEAD = ("emotion", "language")
+HEAD = ("emotion", "language", "answers")
 BODY = ("text", "accents", "phonemes")
 # Seconds of a pause whose duration is not given.
 PAUSE = 0.2
@@ -56,9 +56,12 @@ def parse_utterance(text: str, source: str = "text") -> Script:
     sentences = _sentences(entries)
     if not sentences:
         raise InputError("the script has no words; expected at least one line 'text: …'", Place(source, 1))
-    language = _only(head, "language")
+    language, question = _only(head, "language"), _only(head, "answers")
     line = _joined([_written(sentence) for sentence in sentences], sentences[0].text.place)
     check_length(len(line.text), line.place)
+    if question is not None:
+        check_speakable(question.value, question.place.file, question.place)
+        line = replace(line, directions=replace(line.directions, answers=question.value))
     marks = tuple(chain.from_iterable(_display(entry) for entry in head if entry.key == "emotion"))
     code = language.value if language else None
     return script_of((line,), marks, timed=False, source=source, language=code)

@@ -4,10 +4,11 @@ from .affect import feelings
 from .engines.voices import voices
 from .from_recording import LabelledRecording, Recording, hear
 from .input import Input, read, read_transcript
-from .say import say
+from .say import VOICE_SETTINGS, say
 from .synthesis import synthesize
 
 __all__ = [
+    "VOICE_SETTINGS",
     "Input",
     "LabelledRecording",
     "Recording",

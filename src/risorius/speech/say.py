@@ -29,7 +29,10 @@ from .engines.registry import is_voice_file
 from .engines.voices import find_voice
 from .prosody.measure import pitched
 from .synthesis import synthesize, voice_pitch
+from .text.tokens import is_speakable
 
+VOICE_SETTINGS = ("voice", "language", "rate", "lead", "tail", "answers")
+"""The settings that `say` takes, by name."""
 _SEMITONES = 12.0
 # Seconds between lines where the second has no time of its own.
 LINE_PAUSE = 0.3
@@ -57,17 +60,21 @@ def say(
     rate: int | None = None,
     lead: float = 0.5,
     tail: float = 0.7,
+    answers: str | None = None,
     felt: Sequence[Feeling] = (),
     progress: Progress = quiet,
 ) -> Utterance:
     """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
 
     Without `voice`, `language`, or else the script's, is spoken by its first voice, English where neither is
-    named. `felt`: emotions that change the voice. `progress` is told when the voice is found and speaks,
-    and how much of a long line is spoken, in per cent.
+    named. `answers`: the question that the first line answers, in place of the script's own. `felt`: emotions
+    that change the voice. `progress` is told when the voice is found and speaks, and how much of a long line
+    is spoken, in per cent.
     Raises InputError, with the line's place, where a line starts before the one before it has ended;
     SpeechError if the engine fails.
     """
+    if answers:
+        script = _answering(script, answers)
     spoken = language
     if spoken is None and (voice is None or is_voice_file(voice)):
         spoken = script.language
@@ -91,6 +98,15 @@ def say(
         # The script is at fault only where it names the language itself.
         named = spoken is not None and language is None
         raise error.at(script.lines[0].place) if named else error from None
+
+
+def _answering(script: Script, question: str) -> Script:
+    """Return a script whose first line answers a question; raise InputError if that has no words."""
+    if not is_speakable(question):
+        raise InputError(f"answers = {question!r} has no words; expected a question, e.g. 'Who is it?'")
+    first, *rest = script.lines
+    answer = replace(first, directions=replace(first.directions, answers=question))
+    return replace(script, lines=(answer, *rest))
 
 
 def _tell(progress: Progress, share: float) -> None:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, pairwise
 
 from ..core.audio import AudioWriter
-from ..core.directions import UNDIRECTED, Directions
+from ..core.directions import UNDIRECTED, DirectedSpan, Directions
 from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance
-from ..errors import InputError, ParameterError, SpeechWarning, warn
-from ..languages import language_of
+from ..errors import InputError, ParameterError, Place, SpeechWarning, warn
+from ..languages import Language, language_of
 from .assembly.assemble import SpokenPart, assemble, place, silence
 from .assembly.lengthen import scale_pauses
 from .assembly.retime import is_timed, retime
@@ -19,11 +20,12 @@ from .engines.protocol import SpeechEngine, SpeechRequest, Voice
 from .engines.registry import is_voice_file, load_engine, load_voice_file
 from .engines.voices import find_voice
 from .structure.accents import intone
+from .structure.context import PlacedWord, context_of, raised
 from .structure.pauses import find_pauses
 from .structure.syllables import syllabify
 from .text.normalise import normalise, placed
 from .text.sentences import divide
-from .text.tokens import is_speakable, tokenize, with_words
+from .text.tokens import Token, is_speakable, tokenize, with_words
 
 LONGEST_TEXT = 100_000
 SLOWEST, FASTEST = 80, 440
@@ -59,6 +61,8 @@ def synthesize(
     _check_numbers(rate, pitch, lead, tail)
     engine, chosen = _voice(voice, language, engine)
     tokens = with_words(tokenize(text), language_of(chosen.language).words)
+    if directions.answers and not directions.accents:
+        directions = _answering(text, tokens, directions, language_of(chosen.language))
     request = SpeechRequest("", chosen, rate, pitch, manner=manner)
     parts = _speak(text, request, directions, engine, progress)
     first = next(parts)
@@ -79,6 +83,25 @@ def synthesize(
     pauses = find_pauses(text, phones, words, language_of(chosen.language))
     said = Utterance(text, chosen.language, audio, phones, words, syllables, pauses)
     return intone(said, directions)
+
+
+def _answering(text: str, tokens: Sequence[Token], directions: Directions, language: Language) -> Directions:
+    """Return directions by which the voice raises what is new in an answer and lowers what is given."""
+    if not language.spaces:
+        raise InputError(f"questions are not compared in '{language.code}'; expected a language with blanks")
+    ends = [stretch.end for stretch in divide(text, language) if stretch.ends_sentence]
+    gaps = [text[a.end : b.start].strip() for a, b in pairwise(tokens)]
+    words = [
+        PlacedWord(token.text, bisect_right(ends, token.start), separated=bool(gap))
+        for token, gap in zip(tokens, ["", *gaps], strict=True)
+    ]
+    context = context_of(words, directions.answers, language)
+    pitch = raised(context, words, language)
+    here = Place("text")
+    spans = tuple(
+        DirectedSpan(tokens[i].start, tokens[i].end, here, Manner(pitch=pitch[i])) for i in sorted(pitch)
+    )
+    return replace(directions, spans=(*spans, *directions.spans))
 
 
 def voice_pitch(voice: str | None, language: str | None) -> float | None:

@@ -1,8 +1,8 @@
 """Pitch accents and boundary tones: from the text, by its language's rules, and those written by hand.
 
 Content words are accented on the syllable that the engine stresses, but those that their language passes over
-(`deaccent`); the last accent of a phrase is its nucleus. Measured against the pitch of a voice, either rule
-alone finds accents with an F1 near 0.73.
+(`deaccent`) and those that are given (`context`); the last accent of a phrase is its nucleus. Measured
+against the pitch of a voice, either rule alone finds accents with an F1 near 0.73.
 """
 
 from __future__ import annotations
@@ -15,8 +15,9 @@ from ...core.directions import UNDIRECTED, Directions, ToneMark
 from ...core.utterance import Accent, Boundary, Phrase, Utterance, Word
 from ...languages import Language, language_of, phonesets
 from ...languages.intonation import Candidate
+from .context import THEME, DiscourseContext, PlacedWord, context_of
 from .deaccent import deaccented
-from .phrases import find_phrases
+from .phrases import after_word, find_phrases
 
 PRIMARY = 2
 
@@ -33,10 +34,26 @@ def intone(utterance: Utterance, directions: Directions = UNDIRECTED) -> Utteran
     boundaries: list[Boundary] = []
     language = language_of(utterance.language)
     phrases = find_phrases(utterance, ends, clauses=True)
+    context = context_of(_placed(utterance, phrases), directions.answers, language)
+    if themes := {word: THEME for word in context.themes if word not in ends}:
+        ends = themes | ends
+        phrases = find_phrases(utterance, ends, clauses=True)
     for phrase in phrases:
-        accents += _written(utterance, phrase, tones) or _ruled(utterance, language, phrase, directions)
+        accents += _written(utterance, phrase, tones) or _ruled(
+            utterance, language, phrase, directions, context
+        )
         boundaries += _boundary(utterance, language, phrase, ends)
     return replace(utterance, accents=tuple(accents), boundaries=tuple(boundaries), phrases=phrases)
+
+
+def _placed(utterance: Utterance, phrases: Sequence[Phrase]) -> list[PlacedWord]:
+    sentences = [p.sentence for p in phrases for _ in range(p.first_word, p.last_word)]
+    return [
+        PlacedWord(
+            word.text, sentence, separated=index > 0 and bool(after_word(utterance, index - 1).strip())
+        )
+        for index, (word, sentence) in enumerate(zip(utterance.words, sentences, strict=True))
+    ]
 
 
 def _by_word(words: Sequence[Word], tones: Sequence[ToneMark]) -> dict[int, str]:
@@ -56,9 +73,15 @@ def _written(utterance: Utterance, phrase: Phrase, tones: Mapping[int, str]) -> 
     ]
 
 
-def _ruled(utterance: Utterance, language: Language, phrase: Phrase, directions: Directions) -> list[Accent]:
+def _ruled(
+    utterance: Utterance,
+    language: Language,
+    phrase: Phrase,
+    directions: Directions,
+    context: DiscourseContext,
+) -> list[Accent]:
     """Return the accents that the rules find in a phrase."""
-    candidates = _candidates(utterance, language, phrase, directions)
+    candidates = _candidates(utterance, language, phrase, directions, context)
     judged = [(syllable, language.intonation.accent_of(candidate)) for syllable, candidate in candidates]
     ruled = [(syllable, rule) for syllable, rule in judged if rule is not None]
     return [
@@ -68,17 +91,21 @@ def _ruled(utterance: Utterance, language: Language, phrase: Phrase, directions:
 
 
 def _candidates(
-    utterance: Utterance, language: Language, phrase: Phrase, directions: Directions
+    utterance: Utterance,
+    language: Language,
+    phrase: Phrase,
+    directions: Directions,
+    context: DiscourseContext,
 ) -> list[tuple[int, Candidate]]:
     """Return the syllables of a phrase that might be accented, by their index."""
     words = range(phrase.first_word, phrase.last_word)
-    focused = {w for w in words if directions.focused(*_source(utterance.words[w]))}
+    focused = {w for w in words if w == context.answer or directions.focused(*_source(utterance.words[w]))}
     stressed = _stressed(utterance, language, words, focused)
     only = not stressed
     if only and (strongest := _strongest(utterance, words)) is not None:
         stressed = [strongest]
     word_of = {index: utterance.syllables[index].word for index in stressed}
-    silent = set() if only else deaccented(utterance, language, words, stressed, focused)
+    silent = set() if only else _silent(utterance, language, words, stressed, focused, context)
     last = max((index for index in stressed if index not in silent), default=-1)
     nucleus = max((i for i in stressed if word_of[i] in focused), default=last)
     return [
@@ -93,10 +120,31 @@ def _candidates(
                 ends=phrase.ending,
                 lexical_tone=language.tones,
                 deaccented=index in silent,
+                contrast=word_of[index] in context.contrasted,
             ),
         )
         for index in stressed
     ]
+
+
+def _silent(
+    utterance: Utterance,
+    language: Language,
+    words: range,
+    stressed: Sequence[int],
+    focused: Set[int],
+    context: DiscourseContext,
+) -> set[int]:
+    """Return the syllables that get no accent: by the language's rules, and those of given words.
+
+    A phrase of which nothing else is left is accented as if nothing were given.
+    """
+    kept = focused | context.contrasted
+    given = {i for i in stressed if utterance.syllables[i].word in context.given - kept}
+    left = [i for i in stressed if i not in given]
+    if not left:
+        return deaccented(utterance, language, words, stressed, kept)
+    return given | deaccented(utterance, language, words, left, kept)
 
 
 def _stressed(utterance: Utterance, language: Language, words: range, focused: Set[int]) -> list[int]:

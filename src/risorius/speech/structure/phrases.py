@@ -84,7 +84,7 @@ def _pauses_as_sentences_do(utterance: Utterance, word: int) -> bool:
 
 def _question(utterance: Utterance, first: int, last: int) -> Question:
     """Return how the words from `first` to `last` ask, with which a sentence may end."""
-    if punctuation_kind(_after(utterance, last)) is not PauseKind.QUESTION:
+    if punctuation_kind(after_word(utterance, last)) is not PauseKind.QUESTION:
         return Question.NONE
     words = utterance.words[_opening(utterance, first, last) : last + 1]
     return question_of([word.text for word in words], language_of(utterance.language))
@@ -92,7 +92,7 @@ def _question(utterance: Utterance, first: int, last: int) -> Question:
 
 def _opening(utterance: Utterance, first: int, last: int) -> int:
     """Return the first word of the question among [first, last], which Spanish marks: "Hola, ¿qué tal?"."""
-    marked = (i for i in range(last, first, -1) if _OPENING in _after(utterance, i - 1))
+    marked = (i for i in range(last, first, -1) if _OPENING in after_word(utterance, i - 1))
     return next(marked, first)
 
 
@@ -101,7 +101,7 @@ def _ending(utterance: Utterance, sentence: int, last: int) -> Ending:
     pause = utterance.pause_after(last)
     if pause is not None and pause.kind is PauseKind.HESITATION:
         return Ending.HESITATION
-    kind = punctuation_kind(_after(utterance, last))
+    kind = punctuation_kind(after_word(utterance, last))
     if kind is PauseKind.QUESTION:
         return _QUESTION_ENDINGS.get(_question(utterance, sentence, last), Ending.YES_NO_QUESTION)
     if kind is not None:
@@ -111,7 +111,7 @@ def _ending(utterance: Utterance, sentence: int, last: int) -> Ending:
     return Ending.CLAUSE if pause is None else Ending.PAUSE
 
 
-def _after(utterance: Utterance, index: int) -> str:
+def after_word(utterance: Utterance, index: int) -> str:
     """Return the characters between a word and the next one."""
     following = utterance.words[index + 1 : index + 2]
     stop = following[0].source_start if following else len(utterance.text)
