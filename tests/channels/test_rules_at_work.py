@@ -54,7 +54,7 @@ def test_pauses_are_punctuated_by_their_kind_from_start_to_end(
     found = by_rule(movements(said, "punctuators.brows"), rule)
     assert found[0].end == pytest.approx(pause.end)
     assert pause.start - 0.25 <= found[0].start <= pause.start
-    assert found[0].targets[moved] > 0.0
+    assert found[0].parameters[moved] > 0.0
 
 
 @pytest.mark.parametrize("tail", [0.3, 0.7, 4.0])
@@ -99,7 +99,7 @@ def test_the_type_of_punctuation_depends_on_the_emotion(
 ) -> None:
     said = sentence_of("One two, three four.")
     with_it = movements(said, "punctuators.", emotions=(Display(felt, 0.8),))
-    assert by_rule(with_it, rule)[0].targets[moved] > 0.0
+    assert by_rule(with_it, rule)[0].parameters[moved] > 0.0
     assert not by_rule(movements(said, "punctuators."), rule)
 
 
@@ -148,7 +148,7 @@ def test_related_utterances_share_a_head_pattern(sentence_of: Maker) -> None:
 def test_words_that_the_head_or_brows_say_too(text: str, rule: str, moved: str, sentence_of: Maker) -> None:
     found = by_rule(movements(sentence_of(text), "head.verbal", "signals.shrug"), rule)
     assert found
-    assert all(m.targets[moved] != 0.0 for m in found)
+    assert all(m.parameters[moved] != 0.0 for m in found)
 
 
 def test_beats_pause_while_the_head_says_no(sentence_of: Maker) -> None:
@@ -166,7 +166,7 @@ def test_an_emblem_is_shown_at_the_word_that_refers_to_it(sentence_of: Maker) ->
     assert emblem.start < said.words[3].end
     assert said.words[3].start < emblem.end
     assert emblem.end - emblem.start < 1.5
-    assert all(n.startswith(("frontalis", "triangularis", "mentalis")) for n in emblem.targets)
+    assert all(n.startswith(("frontalis", "triangularis", "mentalis")) for n in emblem.parameters)
 
 
 @pytest.mark.parametrize(("felt", "more"), [("sadness", False), ("fear", True)])
@@ -249,7 +249,7 @@ def test_all_four_sets_of_regulators_are_there(sentence_of: Maker) -> None:
 def test_a_question_that_only_the_voice_asks_raises_the_brows_more(sentence_of: Maker) -> None:
     def size(text: str) -> float:
         found = movements(sentence_of(text), "signals.brows.unmarked", "signals.brows.yes_no")
-        return max((m.targets[INNER] for m in found if m.channel == "signals"), default=0.0)
+        return max((m.parameters[INNER] for m in found if m.channel == "signals"), default=0.0)
 
     assert size("You like it[L*]?") > size("Do you like it[L*]?") > 0.0
     assert size("You like it[H*].") == 0.0
@@ -295,9 +295,9 @@ def test_a_display_shows_less_only_while_another_is_beside_it() -> None:
     found = compose(ChannelInputs(6.0, emotions=(joy, grief), lively=False)).movements
     smile = [m for m in found if m.layer == "1.happiness"]
     assert [m.start for m in smile] == [0.0, 2.0, 3.0]
-    cheeks = [m.targets["orbicularis_oculi_orbitalis.left"] for m in smile]
+    cheeks = [m.parameters["orbicularis_oculi_orbitalis.left"] for m in smile]
     assert cheeks[0] == cheeks[2] > cheeks[1]
-    corners = [m.targets["zygomatic_major.left"] for m in smile]
+    corners = [m.parameters["zygomatic_major.left"] for m in smile]
     assert corners[0] == corners[1] == corners[2]
     apart = compose(
         ChannelInputs(6.0, emotions=(joy, Display("pride", 0.0, 2.0, 3.0)), lively=False)

@@ -147,7 +147,7 @@ def test_a_block_added_and_deleted_leaves_the_score_as_it_was(start, length):
     added = edited(SCORE, Add("signals", start, start + length, {"AU1": 0.5}))
     assert edited(added, Delete("hand.1")) == SCORE
     (found,) = (m for m in added.movements if m.id == "hand.1")
-    assert found.targets == dict.fromkeys(BROWS, 0.5)
+    assert found.parameters == dict.fromkeys(BROWS, 0.5)
     assert found.cause.rule == "by hand"
 
 

@@ -113,11 +113,13 @@ def test_a_faulty_entry_is_refused_with_its_place(entry: dict[str, Any], at: str
     assert str(caught.value).startswith(f"x:1:{column}: {message}")
 
 
-def test_a_name_without_side_means_both_and_units_become_muscles() -> None:
+def test_a_name_without_side_means_both_and_units_stay() -> None:
     targets = {"AU12": 0.5, "jaw_open": 0.25}
     movement = entry_from_json(SMILE | {"targets": targets})
     assert isinstance(movement, Movement)
-    assert movement.targets == {"zygomatic_major.left": 0.5, "zygomatic_major.right": 0.5, "masseter": 0.25}
+    assert movement.targets == {"AU12": 0.5, "masseter": 0.25}
+    muscles = {"zygomatic_major.left": 0.5, "zygomatic_major.right": 0.5, "masseter": 0.25}
+    assert movement.parameters == muscles
 
 
 def test_lips_take_aliases_in_limits_and_dominance() -> None:

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from risorius.core.toml import parse
 from risorius.errors import InputError
 from risorius.rules.emotions import emotions
-from risorius.rules.fuzzy import FuzzyTable, blend_targets, blended, fuzzy_table
+from risorius.rules.fuzzy import FuzzyTable, blend_units, blended, fuzzy_table
 from risorius.rules.fuzzy_sets import check_centres, concluded, memberships
 from risorius.rules.load import DATA
 
@@ -61,9 +61,9 @@ def test_a_blend_rises_with_its_own_emotion_and_falls_with_the_other(
     pair: tuple[str, str], own: float, other: float, step: float
 ) -> None:
     name, rival = pair
-    base = blend_targets(name, {name: own, rival: other})
-    stronger = blend_targets(name, {name: min(own + step, 1.0), rival: other})
-    against = blend_targets(name, {name: own, rival: min(other + step, 1.0)})
+    base = blend_units(name, {name: own, rival: other})
+    stronger = blend_units(name, {name: min(own + step, 1.0), rival: other})
+    against = blend_units(name, {name: own, rival: min(other + step, 1.0)})
     for parameter, value in base.items():
         assert abs(stronger[parameter]) >= abs(value) - 1e-12
         assert abs(against[parameter]) <= abs(value) + 1e-12
@@ -79,10 +79,10 @@ def test_blends_have_no_jumps(pair: tuple[str, str], own: float, other: float, s
 
 @given(st.sampled_from(list(emotions())), INTENSITY)
 def test_alone_or_beside_nothing_an_emotion_is_whole(name: str, intensity: float) -> None:
-    whole = emotions()[name].targets(intensity)
-    assert blend_targets(name, {name: intensity}) == whole
+    whole = emotions()[name].shown_units(intensity)
+    assert blend_units(name, {name: intensity}) == whole
     other = next(n for n in emotions() if n != name)
-    assert blend_targets(name, {name: intensity, other: 0.0}) == pytest.approx(whole)
+    assert blend_units(name, {name: intensity, other: 0.0}) == pytest.approx(whole)
 
 
 def test_happiness_and_sadness_share_the_face() -> None:

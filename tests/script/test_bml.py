@@ -2,6 +2,7 @@
 
 import pytest
 
+from risorius.core.action_units import in_parameters
 from risorius.api import speak
 from risorius.core.movement import Movement
 from risorius.errors import RisoriusError
@@ -110,9 +111,9 @@ def test_behaviours_follow_the_speech(tmp_path) -> None:
     brows, smile = found["brows"], found["smile"]
     assert brows.start == pytest.approx(words[1].start - 0.1, abs=1e-6)
     assert brows.onset == pytest.approx(0.1)
-    assert brows.targets["frontalis_medialis.left"] == 1.0
+    assert in_parameters(brows.targets)["frontalis_medialis.left"] == 1.0
     assert (smile.start, smile.end) == pytest.approx((words[0].start, words[1].end + 0.5), abs=1e-6)
-    assert set(smile.targets) == {"zygomatic_major.left"}
+    assert set(in_parameters(smile.targets)) == {"zygomatic_major.left"}
     assert found["nod"].start < words[1].start < found["nod"].end
 
 

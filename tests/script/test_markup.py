@@ -106,7 +106,7 @@ def test_the_papers_example_as_printed() -> None:
     (mark,) = script.marks
     assert (mark.kind, mark.channel, mark.layer) == (MarkKind.EMOTION, "emotion", "")
     assert (str(mark.start), str(mark.end), mark.onset, mark.offset) == ("0", "2", 0.2, 0.5)
-    assert mark.targets == emotion("surprise").targets(0.7)
+    assert mark.targets == emotion("surprise").shown_units(0.7)
     assert mark.label == 'EMOTIONDISPLAY Surprise="0.7"'
     assert mark.place == Place("paper.xml", 2, 1)
     assert script.lasting((), 0.5) == 2.0
@@ -119,8 +119,8 @@ def test_the_papers_demonstration() -> None:
         '<EMOTIONDISPLAY time="0" duration="2" surprise="1"/>'
         '<EMOTIONDISPLAY time="1" duration="3" happiness="1"/>'
     )
-    assert (first.start, first.end, first.targets) == (0.0, 2.0, emotion("surprise").targets(1.0))
-    assert (second.start, second.end, second.targets) == (1.0, 4.0, emotion("happiness").targets(1.0))
+    assert (first.start, first.end, first.targets) == (0.0, 2.0, emotion("surprise").shown_units(1.0))
+    assert (second.start, second.end, second.targets) == (1.0, 4.0, emotion("happiness").shown_units(1.0))
     assert first.layer == second.layer == ""
 
 

@@ -107,9 +107,10 @@ def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, 
 
 def _without_rivals(movement: Movement, conflict: str) -> Movement:
     """Return a movement whose rivals sum to 1 at most; other systems, which `sum` stands for, leave them."""
-    if conflict == "sum" or not any(rival_pairs(movement.targets)):
+    targets = movement.parameters
+    if conflict == "sum" or not any(rival_pairs(targets)):
         return movement
-    return replace(movement, targets=without_rivals(movement.targets))
+    return replace(movement, targets=without_rivals(targets))
 
 
 Curves = dict[str, list[Curve]]

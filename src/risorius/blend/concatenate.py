@@ -102,7 +102,7 @@ def _resume(steps: list[LayerStep], interrupted: list[LayerStep], before: float)
 def _step(movement: Movement, start: float, function: str | None) -> LayerStep:
     """Return a movement from `start` on; onset and offset shrink in proportion if they do not fit."""
     onset, offset = fitted(movement.onset, movement.offset, movement.end - start)
-    targets = {name: value - NEUTRALS[name] for name, value in movement.targets.items()}
+    targets = {name: value - NEUTRALS[name] for name, value in movement.parameters.items()}
     shape = function or movement.function
     return LayerStep(movement, start, movement.end, onset, offset, shape, targets, movement.end)
 

@@ -38,6 +38,7 @@ from .mouth.speech_mouth import JAW
 from .rounding import Rounding, Surroundings
 from .sides import twins_of
 from .tuning import tune
+from .units import UnitSums
 
 JAW_ROUNDED = 0.06
 """Of the jaw's range: how near to the limit of a closed mouth it turns."""
@@ -72,6 +73,7 @@ class Plan:
         self.limits = SpeechLimits(self.lips.mouth, levels) if self.lips else None
         self.inputs = PolicyInputs(self.channels, self.tuning, self.limits)
         self.policy = policy(self.inputs)
+        self.units = UnitSums(score) if self.policy.join is Join.ADD else None
         limited = self.lips.mouth.limited if self.lips else frozenset()
         contacts = CONTACTS if self.lips else ()
         self.twins = twins_of(self.channels, self.lips)
@@ -217,7 +219,7 @@ class PlanSample:
         total = np.zeros(len(self.times))
         for values in by_channel.values():
             total = total + values if self.plan.sums else np.maximum(total, values)
-        return total
+        return self.plan.units.clipped(ledger, total) if self.plan.units else total
 
     def _raised(self, ledger: Ledger, total: Array) -> Array:
         """Return what all apply together with what is marked to add to it, within the limits of speech."""

@@ -73,7 +73,7 @@ def _spans_of(score: Score, width: float) -> dict[str, Spans]:
     found: dict[str, list[tuple[float, float]]] = defaultdict(list)
     for m in score.movements:
         if (score.settings.onset_function or m.function) in CORNERED or 0.0 in (m.onset, m.offset):
-            _add(found, m.targets, m.start - width, m.end + width)
+            _add(found, m.parameters, m.start - width, m.end + width)
     for curve in score.manual:
         for name, keys in curve.keys.items():
             _add(found, (name,), keys[0][0] - width, keys[-1][0] + width)

@@ -88,4 +88,4 @@ def proposed(inputs: ChannelInputs, seed: int) -> tuple[Event, ...]:
         inputs.rules, inputs.units, Counted(seed), modulations=inputs.modulations, side=inputs.profile.side
     )
     exclusive = [m for m in inputs.marks if CHANNELS.get(m.channel).exclusive]
-    return tuple(resolve(events, [(m.start, m.end, frozenset(m.targets)) for m in exclusive]))
+    return tuple(resolve(events, [(m.start, m.end, frozenset(m.parameters)) for m in exclusive]))

@@ -60,7 +60,7 @@ def _events(others: Sequence[Movement], length: float, *, saccades: bool) -> lis
 
 
 def _is_blink(m: Movement) -> bool:
-    return m.targets.get(LIDS[0], 0.0) >= _SHUT and m.end - m.start <= _LONGEST
+    return m.parameters.get(LIDS[0], 0.0) >= _SHUT and m.end - m.start <= _LONGEST
 
 
 def _is_saccade(m: Movement) -> bool:

@@ -168,18 +168,51 @@ def resolve_targets(targets: Mapping[str, float]) -> dict[str, float]:
     return {p.name: min(max(total[p.name], p.low), p.high) for p in PARAMETERS if p.name in total}
 
 
+def kept_units(targets: Mapping[str, float]) -> dict[str, float]:
+    """Return targets with the action units of the face kept, as `AU12` or `AU12.left`, before the parameters.
+
+    Those of head and eyes are degrees, and become parameters, as muscles and aliases do. Raises as
+    `resolve_targets`.
+    """
+    units: dict[str, float] = {}
+    others: dict[str, float] = {}
+    for name, value in targets.items():
+        unit_and_side = action_unit(name)
+        if unit_and_side is None or any(p.signed for p, _ in _parameters_of(*unit_and_side)):
+            others[name] = value
+            continue
+        unit, side = unit_and_side
+        written = f"AU{unit.number}.{side}" if side else f"AU{unit.number}"
+        units[written] = min(units.get(written, 0.0) + check_intensity(name, value), 1.0)
+    return {**units, **resolve_targets(others)}
+
+
+def unit_weights(name: str) -> dict[str, float]:
+    """Return the weights of the parameters that an action unit, written as `kept_units` does, contracts.
+
+    Empty for the name of a parameter.
+    """
+    unit_and_side = action_unit(name)
+    return {p.name: weight for p, weight in _parameters_of(*unit_and_side)} if unit_and_side else {}
+
+
+def in_parameters(targets: Mapping[str, float]) -> Mapping[str, float]:
+    """Return targets as values of parameters; those that have no action unit as they are."""
+    return resolve_targets(targets) if any(name.startswith("AU") for name in targets) else targets
+
+
 def read_targets(targets: Mapping[str, float]) -> dict[str, float]:
-    """Return what `resolve_targets` does; for the strict reader: MisfitError names the target at fault."""
+    """Return what `kept_units` does; for the strict reader: MisfitError names the target at fault."""
     try:
-        return resolve_targets(targets)
+        return kept_units(targets)
     except ParameterError:
         for name, value in targets.items():
             try:
-                resolve_targets({name: value})
+                kept_units({name: value})
             except ParameterError as error:
                 raise MisfitError(error.message, name, kind=ParameterError) from None
         raise
 
 
 Targets = Annotated[Mapping[str, float], Then(read_targets)]
-"""Targets by action unit, muscle or alias, as files hold them; read, they are those of parameters."""
+"""Targets by action unit, muscle or alias, as files hold them; read, they are as `kept_units` writes them."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..errors import InputError, unknown
-from .action_units import resolve_targets
+from .action_units import kept_units
 from .functions import DEFAULT_FUNCTION
 from .key_shapes import KeyShape
 from .movement import Cause, ManualCurve, Movement
@@ -174,7 +174,7 @@ def _placed(score: Score, m: Movement) -> Movement:
 def _retarget(score: Score, edit: Retarget) -> Score:
     values: dict[str, Any] = {}
     if edit.targets is not None:
-        values["targets"] = resolve_targets(edit.targets)
+        values["targets"] = kept_units(edit.targets)
     if edit.priority is not None:
         values["priority"] = edit.priority
     return _with(score, edit.movement, lambda m: _changed(m, **values))
@@ -194,7 +194,7 @@ def _add(score: Score, edit: Add) -> Score:
         edit.end,
         edit.onset,
         edit.offset,
-        resolve_targets(edit.targets),
+        kept_units(edit.targets),
         id=name,
         layer=name if edit.layer is None else edit.layer,
         function=edit.function or DEFAULT_FUNCTION,

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ..errors import InputError, ParameterError, unknown
-from .action_units import Targets
+from .action_units import Targets, check_intensity, in_parameters, unit_weights
 from .articulators import leader
 from .channels import CHANNELS
 from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS, FunctionName
@@ -34,7 +34,8 @@ class Cause:
 class Movement:
     """An atomic movement (paper A, section 4): targets reached in `onset` and left in `offset` seconds.
 
-    Times in seconds, read to the nearest tick. `targets` maps parameter names to values. `priority` and
+    Times in seconds, read to the nearest tick. `targets` maps action units (`AU12.left`) and parameters to
+    values; `parameters` has all as parameters. `priority` and
     `release_priority` (in the offset phase): None for the priority of the channel. `on_top`: a muscle adds to
     what the others leave of it, x + (1 - x)·F, where else the larger of both counts.
     """
@@ -60,6 +61,11 @@ class Movement:
     def label(self) -> str:
         """A name for messages: the id, or the channel and start."""
         return self.id or f"{self.channel}@{self.start:g}"
+
+    @property
+    def parameters(self) -> Mapping[str, float]:
+        """The targets as values of parameters: units by their muscles, added and clipped (paper B, 6.4)."""
+        return in_parameters(self.targets)
 
 
 def fitted(onset: float, offset: float, length: float) -> tuple[float, float]:
@@ -186,7 +192,10 @@ def check_movement(m: Movement) -> None:
             raise InputError(f"movement '{m.label}': {what} = {value} is out of range; expected {expected}")
     ONSET_FUNCTIONS.get(m.function)
     for name, value in m.targets.items():
-        check_target(name, value)
+        if unit_weights(name):
+            check_intensity(name, value)
+        else:
+            check_target(name, value)
 
 
 def check_span(label: str, start: float, end: float) -> None:

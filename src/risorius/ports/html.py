@@ -95,7 +95,7 @@ def _lanes(score: Score) -> Iterator[dict[str, Any]]:
     """Yield the channels with their movements: label, start, end and what they move."""
     for channel in CHANNELS:
         blocks = [
-            [m.cause.trigger or m.label, m.start, m.end, m.cause.rule, dict(m.targets)]
+            [m.cause.trigger or m.label, m.start, m.end, m.cause.rule, dict(m.parameters)]
             for m in score.movements
             if m.channel == channel
         ]

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, TypeVar
 
-from ..core.action_units import read_targets
+from ..core.action_units import in_parameters, read_targets
 from ..core.articulators import ARTICULATORS, check_lip_target
 from ..core.channels import CHANNELS
 from ..core.functions import DEFAULT_FUNCTION
@@ -70,9 +70,8 @@ def _lip_targets(targets: Mapping[str, float]) -> dict[str, float]:
             check_lip_target(name, value)
         except RisoriusError as error:
             raise MisfitError(error.message, name, kind=type(error)) from None
-    return articulators | read_targets(
-        {name: value for name, value in targets.items() if name not in articulators}
-    )
+    others = {name: value for name, value in targets.items() if name not in articulators}
+    return articulators | dict(in_parameters(read_targets(others)))
 
 
 def _limits(limits: Mapping[str, NumberPair]) -> dict[str, NumberPair]:

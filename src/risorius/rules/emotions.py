@@ -10,7 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated
 
-from ..core.action_units import check_intensity, resolve_targets
+from ..core.action_units import check_intensity, kept_units, resolve_targets
 from ..core.frozen import FrozenDict
 from ..core.hints import Range
 from ..core.rivalry import rival_pairs
@@ -71,25 +71,28 @@ class Emotion:
                 raise ParameterError(unknown("target with degrees", unit, self.units))
 
     def targets(self, intensity: float) -> dict[str, float]:
-        """Return the parameters' values in a display of `intensity` 0..1, by fuzzy rules.
+        """Return the parameters' values in a display of `intensity` 0..1."""
+        return resolve_targets(self.shown_units(intensity))
+
+    def shown_units(self, intensity: float) -> dict[str, float]:
+        """Return the values of action units and muscles in a display of `intensity` 0..1, by fuzzy rules.
 
         They are continuous and never fall as it rises: linear but for units with degrees of their own.
         """
         check_intensity(self.name, intensity)
-        return resolve_targets(
-            {unit: value * self._share(unit, intensity) for unit, value in self.units.items()}
-        )
+        return kept_units({unit: value * self._share(unit, intensity) for unit, value in self.units.items()})
 
     def _share(self, unit: str, intensity: float) -> float:
         return concluded(intensity, INTENSITIES, self.degrees.get(unit, INTENSITIES))
 
     def emblem_targets(self, intensity: float) -> dict[str, float]:
-        """Return the parameters' values in an emblem of `intensity` 0..1; they are linear in it."""
-        return self._scaled(self.emblem.units, intensity)
+        """Return the parameters' values in an emblem of `intensity` 0..1."""
+        return resolve_targets(self.emblem_units(intensity))
 
-    def _scaled(self, units: Mapping[str, float], intensity: float) -> dict[str, float]:
+    def emblem_units(self, intensity: float) -> dict[str, float]:
+        """Return the values of units and muscles in an emblem of `intensity` 0..1; they are linear in it."""
         factor = check_intensity(self.name, intensity)
-        return {name: factor * value for name, value in resolve_targets(units).items()}
+        return {name: factor * value for name, value in kept_units(self.emblem.units).items()}
 
 
 @dataclass(frozen=True, slots=True)

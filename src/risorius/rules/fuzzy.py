@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
+from ..core.action_units import resolve_targets, unit_weights
 from ..core.parameters import INDEX, PARAMETERS
 from ..core.units import Share
 from ..errors import InputError
@@ -69,14 +70,14 @@ def fuzzy_table() -> FuzzyTable:
     return load(FuzzyTable, "fuzzy.toml")
 
 
-def blend_targets(name: str, company: Mapping[str, float]) -> dict[str, float]:
-    """Return what an emotion contracts among emotions with intensities 0..1, itself one of them.
+def blend_units(name: str, company: Mapping[str, float]) -> dict[str, float]:
+    """Return the units and muscles of an emotion among emotions with intensities 0..1, itself one of them.
 
     Of several others the strongest counts. Continuous in all intensities; rising in its own, falling in the
     other's where the rules' shares do.
     """
     own = company[name]
-    targets = emotion(name).targets(own)
+    targets = emotion(name).shown_units(own)
     others = {n: i for n, i in company.items() if n != name}
     if not others:
         return targets
@@ -89,16 +90,23 @@ def _kept(
 ) -> Iterator[tuple[str, float]]:
     keeps = table.keeps(name, other)
     upper, lower = (concluded(difference, table.difference, s) for s in (keeps.upper, keeps.lower))
-    for parameter, value in targets.items():
-        share = upper if PARAMETERS[INDEX[parameter]].group in UPPER else lower
+    for target, value in targets.items():
+        share = upper if _is_upper(target) else lower
         # What is hardly felt takes nothing away.
-        yield parameter, value * (1.0 - strength * (1.0 - share))
+        yield target, value * (1.0 - strength * (1.0 - share))
+
+
+def _is_upper(target: str) -> bool:
+    """Tell whether a parameter, or what a unit contracts most, is in the upper face."""
+    weights = unit_weights(target)
+    name = max(weights, key=weights.__getitem__) if weights else target
+    return PARAMETERS[INDEX[name]].group in UPPER
 
 
 def blended(company: Mapping[str, float]) -> dict[str, float]:
     """Return the values of emotions displayed together: of each parameter the one furthest from rest."""
     total: dict[str, float] = {}
     for name in company:
-        for parameter, value in blend_targets(name, company).items():
+        for parameter, value in resolve_targets(blend_units(name, company)).items():
             total[parameter] = max(total.get(parameter, 0.0), value, key=abs)
     return {p.name: total[p.name] for p in PARAMETERS if p.name in total}

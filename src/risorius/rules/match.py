@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from ..core.action_units import resolve_targets
+from ..core.action_units import in_parameters, kept_units, unit_weights
 from ..core.counted import Counted
 from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
 from ..core.time import TICK
@@ -41,7 +41,7 @@ class Event:
     def moves(self) -> frozenset[str]:
         """The parameters that it moves."""
         effect = self.rule.effect
-        names = set(self.targets)
+        names = set(in_parameters(self.targets))
         if effect.gesture is not None:
             names.add(markup_table().head[effect.gesture].parameter)
         if effect.look is not None:
@@ -161,15 +161,19 @@ def _until_the_end(span: MovementPhases, duration: float) -> MovementPhases:
 def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
     targets = {}
     effect = rule.effect
-    given = resolve_targets(effect.targets)
+    given = kept_units(effect.targets)
     if effect.emblem is not None:
         size = min(size * effect.size, 1.0)
-        given |= emotion(effect.emblem).emblem_targets(1.0)
+        given |= emotion(effect.emblem).emblem_units(1.0)
     for name, value in given.items():
-        parameter = PARAMETERS[INDEX[name]]
         sign = -1.0 if mirrored and name in SIDED else 1.0
-        targets[name] = min(max(sign * size * value, parameter.low), parameter.high)
+        low, high = (0.0, 1.0) if unit_weights(name) else _range(name)
+        targets[name] = min(max(sign * size * value, low), high)
     return targets
+
+
+def _range(parameter: str) -> tuple[float, float]:
+    return PARAMETERS[INDEX[parameter]].low, PARAMETERS[INDEX[parameter]].high
 
 
 def _span(rule: Rule, unit: Unit, place: float) -> MovementPhases:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
+from ..core.action_units import in_parameters
 from .markup import markup_table
 from .match import Event
 from .modulation import is_under
@@ -54,4 +55,6 @@ def _apart(events: Sequence[Event]) -> list[Event]:
 def _weight(event: Event) -> float:
     effect = event.rule.effect
     gesture = markup_table().head[effect.gesture].amplitude * effect.size if effect.gesture else 0.0
-    return math.fsum(abs(v) for v in event.targets.values()) + event.size * (gesture + (effect.blink or 0.0))
+    return math.fsum(abs(v) for v in in_parameters(event.targets).values()) + event.size * (
+        gesture + (effect.blink or 0.0)
+    )

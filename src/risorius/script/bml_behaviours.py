@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from ..core.action_units import resolve_targets
+from ..core.action_units import kept_units
 from ..core.channels import channel_timing
 from ..errors import InputError, RisoriusError
 from ..rules.bml import bml_table
@@ -68,13 +68,13 @@ def _units(node: XmlNode) -> dict[str, float]:
         side = node.choice("side", ("BOTH", "LEFT", "RIGHT"), "BOTH")
         name = f"AU{au.value.strip()}" + ("" if side == "BOTH" else f".{side.lower()}")
         try:
-            return resolve_targets({name: amount})
+            return kept_units({name: amount})
         except RisoriusError as error:
             raise error.at(au.place) from None
     lexemes = bml_table().lexeme
     node.required("lexeme", 'lexeme="RAISE_BROWS"')
     chosen = lexemes[node.choice("lexeme", tuple(lexemes), "")]
-    return resolve_targets({unit: amount * value for unit, value in chosen.items()})
+    return kept_units({unit: amount * value for unit, value in chosen.items()})
 
 
 def _face(node: XmlNode, times: Times, unknowns: Unknowns) -> Iterator[Mark]:

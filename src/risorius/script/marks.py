@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from ..core.action_units import resolve_targets
+from ..core.action_units import in_parameters, kept_units
 from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.parameters import INDEX, PARAMETERS, Kind
@@ -158,7 +158,7 @@ def _timed(mark: Mark, onset: float, offset: float) -> Mark:
 def _signal(attributes: Attributes) -> tuple[Mark, ...]:
     common = _common(attributes)
     table = markup_table()
-    targets = take_targets(attributes) or resolve_targets(table.signal)
+    targets = take_targets(attributes) or kept_units(table.signal)
     return (common.mark(MarkKind.SIGNAL, "signals", targets, common.lasting(table.duration.signal)),)
 
 
@@ -214,7 +214,7 @@ def _blink(attributes: Attributes) -> tuple[Mark, ...]:
     side = attributes.choice("side", ("both", "left", "right"))
     attributes.finish()
     lids = "orbicularis_oculi_palpebralis" + (f".{side}" if side in ("left", "right") else "")
-    targets = resolve_targets({lids: 1.0 if intensity is None else intensity})
+    targets = kept_units({lids: 1.0 if intensity is None else intensity})
     span = common.lasting(markup_table().duration.blink)
     return (common.mark(MarkKind.BLINK, "manipulators", targets, span),)
 
@@ -231,7 +231,7 @@ def _movement(attributes: Attributes) -> tuple[Mark, ...]:
 
 def _channel_of(targets: Mapping[str, float]) -> str:
     """Return the channel of a raw movement: head or eyes alone go to their own."""
-    kinds = {PARAMETERS[INDEX[name]].kind for name in targets}
+    kinds = {PARAMETERS[INDEX[name]].kind for name in in_parameters(targets)}
     if kinds == {Kind.HEAD}:
         return "head"
     return "gaze" if kinds <= {Kind.GAZE, Kind.DISTANCE} else "signals"
@@ -257,7 +257,7 @@ def _attitude(
     common: _Common, kind: MarkKind, attitude: TurnAttitude, span: tuple[Anchor, Anchor]
 ) -> tuple[Mark, ...]:
     """Return two marks: the eyes go to the channel of gaze, so that they leave where they looked before."""
-    face = common.mark(kind, "regulators", resolve_targets(attitude.targets), span)
+    face = common.mark(kind, "regulators", kept_units(attitude.targets), span)
     return face, common.mark(kind, "gaze", attitude.gaze.targets, span)
 
 

@@ -211,7 +211,7 @@ def _mark(written: str, place: Place) -> Mark:
         )
     try:
         emotion = find_emotion(name)
-        targets = emotion.targets(intensity)
+        targets = emotion.shown_units(intensity)
     except ParameterError as error:
         raise error.at(place) from None
     start, end = Anchor(Base.START, 0.0, place=place), Anchor(Base.END, 0.0, place=place)

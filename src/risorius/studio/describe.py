@@ -81,7 +81,7 @@ def _block(m: Movement) -> takes.Block:
         apex_start=m.start + onset,
         apex_end=m.end - offset,
         end=m.end,
-        targets=dict(m.targets),
+        targets=dict(m.parameters),
         priority=priority,
         function=m.function,
         cause=sentence(m.cause),
