@@ -1,4 +1,4 @@
-"""Action units in scores: muscles as the first step of a blend, added and clipped before it by `attenuate`."""
+"""Action units in scores: muscles first in a blend, added and clipped before that by `attenuate`."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_a_side_adds_to_both_sides() -> None:
 
 
 def test_an_attenuated_unit_adds_what_is_left_of_it() -> None:
-    # The smile of lower priority keeps 1 - 0.8 of itself beside the full funneler (07), then adds to the other.
+    # A smile of lower priority keeps 1 - 0.8 of itself beside the full funneler (07), then adds to the other.
     rival = ("manipulators", {"orbicularis_oris_funneler": 1.0})
     channels = (rival, ("emotion", {"AU12": 1.0}), ("signals", {"AU12": 1.0}))
     assert value("zygomatic_major.left", "attenuate", *channels) == pytest.approx(0.4)
@@ -65,5 +65,5 @@ def test_layers_of_a_channel_do_not_add() -> None:
 
 
 def test_a_unit_above_one_is_refused() -> None:
-    with pytest.raises(ParameterError, match="AU12 = 1.5 is out of range"):
+    with pytest.raises(ParameterError, match=r"AU12 = 1\.5 is out of range"):
         value("masseter", "inhibit", ("emotion", {"AU12": 1.5}))

@@ -2,8 +2,8 @@
 
 import pytest
 
-from risorius.core.action_units import in_parameters
 from risorius.api import speak
+from risorius.core.action_units import in_parameters
 from risorius.core.movement import Movement
 from risorius.errors import RisoriusError
 from risorius.script.bml import parse_bml

@@ -208,7 +208,8 @@ def test_targets(text: str, targets: dict[str, float]) -> None:
 
 def test_one_side_leaves_the_other_alone() -> None:
     assert set(only('<BLINK time="0" side="left"/>').targets) == {"orbicularis_oculi_palpebralis.left"}
-    assert set(in_parameters(only('<SIGNAL time="0" AU2.right="1"/>').targets)) == {"frontalis_lateralis.right"}
+    brow = only('<SIGNAL time="0" AU2.right="1"/>')
+    assert set(in_parameters(brow.targets)) == {"frontalis_lateralis.right"}
 
 
 def test_what_a_mark_says_of_itself_is_kept() -> None:
