@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-FILES = {name: ROOT / "requirements" / f"{name}.txt" for name in ("run", "test", "site")}
+FILES = {name: ROOT / "requirements" / f"{name}.txt" for name in ("run", "test", "site", "blender")}
 _ENTRY = re.compile(r"([a-z0-9-]+)==([\w.+!-]+)((?: \\\n    --hash=sha256:[0-9a-f]{64})+)\n")
 _PERMISSIVE = re.compile(
     r"\b(MIT|BSD|Apache|PSF|ISC|0BSD|Zlib|CC0|HPND|free and unencumbered|granted, free of charge)\b",

@@ -2,9 +2,12 @@
 
     pip install --dry-run --ignore-installed --report 311.json ".[test,site]" hatchling editables
     python tools/lock.py 311.json
+    pip install --dry-run --ignore-installed --report bpy.json bpy
+    python tools/lock.py bpy.json
 
 The reports are pip's, one for each platform. `run.txt` is what Risorius needs to run and to be built,
-`test.txt` that and what the tests need, `site.txt` what builds the site of the docs. The files name no host:
+`test.txt` that and what the tests need, `site.txt` what builds the site of the docs; `blender.txt` is the
+program that judges the add-on for Blender, which runs in a process of its own. The files name no host:
 whatever index pip is configured for must have files with these digests.
 """
 
@@ -21,6 +24,7 @@ from typing import Any
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "requirements"
 BUILD = ("hatchling", "editables")
+BLENDER = "bpy"
 _EXTRAS = re.compile(r"[A-Za-z0-9._-]+\s*\[([^\]]*)\]")
 _EXTRA = re.compile(r"extra == [\"']([^\"']*)")
 _NAME = re.compile(r"[A-Za-z0-9._-]+")
@@ -75,6 +79,9 @@ def main(reports: Sequence[str]) -> None:
                 pins[name] = about["version"]
                 needs.setdefault(name, about.get("requires_dist", []))
                 digests.setdefault(name, set()).add(found)
+    if BLENDER in pins:
+        (FOLDER / "blender.txt").write_text(lines(closure([BLENDER], needs), pins, digests))
+        return
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     extras = project["optional-dependencies"]
     run = closure([*project["dependencies"], *BUILD], needs)
