@@ -1,12 +1,17 @@
 /**
  * Time of the performance: the sound's own while it plays, so that picture and sound cannot drift apart.
  *
+ * The time that an audio element tells is that of what is heard: browsers take off what the sound's output tells them of
+ * its latency. Headphones that tell less than they take are made up for by `delay`.
+ *
  * Without a sound, and beyond its end, the page's time runs instead. `on("tick", call)` hears the time on
  * every animation frame on which it may have changed, `on("state", call)` changes of playing, speed and loop.
  */
 
 const JUMP = 0.08; // s by which the sound may differ from the time shown before that jumps to it
 const LONGEST = 1500; // ms for which sound and face are waited for before time runs without them
+const LATEST = 1; // s by which sound may be late
+const KEY = "risorius-sound-delay";
 const PULL = 0.15; // s within which a smaller difference is made up for, but for a third
 
 export class Clock {
@@ -17,6 +22,8 @@ export class Clock {
   #address = null;
   #time = 0;
   #seen = 0;
+  #begun = 0; // where the sound was started: before, nothing was heard
+  #delay = kept();
   #playing = false;
   #rate = 1;
   /** @type {[number, number] | null} */
@@ -48,6 +55,16 @@ export class Clock {
   /** Where the sound is that is heard now, in seconds; null where none is. */
   get sounding() {
     return this.#silent || this.#audio.paused ? null : this.#audio.currentTime;
+  }
+
+  /** Seconds by which the sound is heard later than the browser knows; kept for this browser. */
+  get delay() {
+    return this.#delay;
+  }
+
+  set delay(delay) {
+    this.#delay = Math.min(Math.max(delay, 0), LATEST);
+    localStorage.setItem(KEY, String(this.#delay));
   }
 
   /** Speed, 1 as recorded. */
@@ -172,6 +189,7 @@ export class Clock {
 
   /** Have the sound where the time is: not before it is to be heard, since it takes long in a long line. */
   #cue() {
+    this.#begun = this.#time;
     if (!this.#silent && this.#audio.currentTime !== this.#time) this.#audio.currentTime = this.#time;
   }
 
@@ -206,8 +224,9 @@ export class Clock {
   #heard(guess, elapsed) {
     const audio = this.#audio;
     if (this.#silent || audio.paused || audio.ended || audio.readyState < 3) return guess;
-    const ahead = audio.currentTime - guess;
-    return Math.abs(ahead) > JUMP ? audio.currentTime : guess + ahead * (1 - Math.exp(-elapsed / PULL));
+    const heard = Math.max(audio.currentTime - this.#delay * this.#rate, this.#begun);
+    const ahead = heard - guess;
+    return Math.abs(ahead) > JUMP ? heard : guess + ahead * (1 - Math.exp(-elapsed / PULL));
   }
 
   #reachedEnd(from, to) {
@@ -223,4 +242,9 @@ export class Clock {
   #tell(name) {
     for (const call of [...this.#calls[name]]) call(this);
   }
+}
+
+function kept() {
+  const delay = Number(localStorage.getItem(KEY));
+  return delay > 0 && delay <= LATEST ? delay : 0;
 }

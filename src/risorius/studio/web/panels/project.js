@@ -1,6 +1,6 @@
 /** The project: its file, out and in; and exports. */
 
-import { button } from "../parts/fields.js";
+import { button, field, number } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { download } from "../parts/download.js";
 import { openProject } from "../dropping.js";
@@ -14,7 +14,7 @@ const NOTE =
 export function mountProject(element, studio) {
   const { store } = studio;
   const exports = make("section", { class: "stack", id: "exports" });
-  element.append(projectOf(studio), exports, mountSessions(studio));
+  element.append(projectOf(studio), exports, mountSessions(studio), soundOf(studio));
   store.watch(["catalogue"], () => {
     if (store.get("catalogue") && exports.childElementCount === 0) mountExports(exports, studio);
   });
@@ -53,6 +53,20 @@ function projectOf(studio) {
     file,
     make("p", { class: "hint" }, NOTE),
   );
+}
+
+const LATE =
+  "What the browser knows of the sound's delay is taken into account. Where the lips are still ahead of what you hear, " +
+  "as with some wireless headphones, say by how much.";
+
+function soundOf({ clock }) {
+  const change = (late) => {
+    clock.delay = (late ?? 0) / 1000;
+  };
+  const late = number({ value: Math.round(1000 * clock.delay), low: 0, high: 1000, step: "10", change });
+  late.id = "sound-delay";
+  const hint = make("p", { class: "hint" }, LATE);
+  return make("section", { class: "stack" }, make("h2", {}, "Sound"), field("Late by, ms", late), hint);
 }
 
 function begin() {
