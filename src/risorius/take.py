@@ -126,7 +126,8 @@ class Take:
 
         chosen = self.settings
         transparent = chosen.look.transparent
-        options = WriteOptions(chosen.size, chosen.at, chosen.every, transparent, progress=progress)
+        draft = chosen.look.quality == "draft"
+        options = WriteOptions(chosen.size, chosen.at, chosen.every, transparent, draft, progress=progress)
         write_targets(self, check_targets(paths), options)
 
     def faces(

@@ -68,13 +68,14 @@ class WriteOptions:
 
     `size`: width and height of pictures in pixels. `at`: the time in seconds of a single picture, None for
     the middle; `every`: a contact sheet of every so many frames instead. `alpha`: pictures have an alpha
-    channel. `voice`: the sound file that a score refers to, None if there is none. `progress` is called as
-    the frames are made.
+    channel; `draft`: films should rather be made soon than be small. `voice`: the sound file that a score
+    refers to, None if there is none. `progress` is called as the frames are made.
     """
 
     size: Size = (720, 720)
     at: float | None = None
     every: int | None = None
     alpha: bool = False
+    draft: bool = False
     voice: Path | None = None
     progress: Progress = quiet

@@ -244,5 +244,5 @@ print(*sorted(name for name in sys.modules if name.split(".")[0] in ("risorius",
         text=True,
         check=True,
     )
-    video = [f"risorius.ports.video.{name}" for name in ("codecs", "messages", "worker")]
+    video = [f"risorius.ports.video.{name}" for name in ("codecs", "messages", "slots", "worker")]
     assert done.stdout.split() == ["risorius", "risorius.ports", "risorius.ports.video", *video]

@@ -11,9 +11,10 @@ from types import MappingProxyType
 class Codec:
     """How pictures and sound are encoded, in the names of FFmpeg.
 
-    `container`; `video` with its `options`; `pixels` of opaque pictures and `alpha_pixels` of those with an
-    alpha channel, None where it cannot be kept; `sound`, and the rates it knows (any, where there are none):
-    other sounds are resampled to the next one that loses nothing.
+    `container`; `video` with its `options`, of which those in `draft_options` are others for drafts; `pixels`
+    of opaque pictures and `alpha_pixels` of those with an alpha channel, None where it cannot be kept;
+    `sound`, and the rates it knows (any, where there are none): other sounds are resampled to the next one
+    that loses nothing.
     """
 
     container: str
@@ -24,6 +25,7 @@ class Codec:
     sound: str
     rates: tuple[int, ...] = ()
     container_options: Mapping[str, str] = field(default_factory=dict)
+    draft_options: Mapping[str, str] = field(default_factory=dict)
 
 
 CODECS: Mapping[str, Codec] = MappingProxyType(
@@ -39,6 +41,8 @@ CODECS: Mapping[str, Codec] = MappingProxyType(
             sound="aac",
             rates=(8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000, 64000, 88200, 96000),
             container_options={"movflags": "+faststart"},
+            # Less than half of the work for three times as many bytes.
+            draft_options={"preset": "ultrafast"},
         ),
         # VP9 keeps alpha only without its hidden reference pictures.
         "webm": Codec(

@@ -25,6 +25,7 @@ from ...errors import OutputError
 from ...render.yuv import planes
 from . import messages
 from .codecs import CODECS
+from .slots import Slots
 
 # Seconds without progress after which the worker is given up.
 PATIENCE = 60.0
@@ -53,15 +54,18 @@ class VideoEncoder:
         *,
         codec: str = "mp4",
         channels: int = 3,
+        draft: bool = False,
     ) -> None:
         self._shape = (size[1], size[0], channels)
         width, height = size[0] + size[0] % 2, size[1] + size[1] % 2
         pixels = "rgba" if channels == 4 else "rgb24"
-        self._planes: ByteArray | None = None
-        if channels == 3 and CODECS[codec].pixels == "yuv420p":
-            pixels, self._planes = "yuv420p", np.empty(width * height * 3 // 2, np.uint8)
+        self._as_planes = channels == 3 and CODECS[codec].pixels == "yuv420p"
+        if self._as_planes:
+            pixels = "yuv420p"
+        size_in_bytes = width * height * 3 // 2 if self._as_planes else width * height * channels
+        self._slots, self._pictures, self._taken = Slots(messages.SLOTS, size_in_bytes), 0, 0
         self._patience = patience
-        self._silence = ""
+        self._silence, self._begun = "", b""
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
         self._process = processes.start(
             "risorius.ports.video.worker",
@@ -74,8 +78,9 @@ class VideoEncoder:
         self._input = cast(io.FileIO, self._process.stdin)
         self._answer = cast(io.FileIO, self._process.stdout)
         _widen(self._input.fileno())
+        place, memory = str(path.absolute()), str(self._slots.path)
         self._setup = messages.Setup(
-            str(path.absolute()), width, height, str(fps), sample_rate, codec, pixels
+            place, width, height, str(fps), sample_rate, codec, pixels, memory, draft
         )
 
     @property
@@ -87,11 +92,15 @@ class VideoEncoder:
         """Add the next picture, uint8 of shape (height, width, channels); it may be changed afterwards."""
         if rgb.shape != self._shape or rgb.dtype != np.uint8:
             raise ValueError(f"a picture is {rgb.dtype}{rgb.shape}; expected uint8{self._shape}")
-        numbers = np.ascontiguousarray(_even(rgb))
-        if self._planes is not None:
-            planes(numbers, self._planes)
-            numbers = self._planes
-        self._send(messages.PICTURE, numbers.data.cast("B"))
+        self._wait_for_slot()
+        number = self._pictures % messages.SLOTS
+        slot, numbers = np.frombuffer(self._slots.slot(number), np.uint8), np.ascontiguousarray(_even(rgb))
+        if self._as_planes:
+            planes(numbers, slot)
+        else:
+            slot[:] = numbers.reshape(-1)
+        self._pictures += 1
+        self._send(messages.PICTURE, bytes([number]))
 
     def sound(self, samples: Int16Array) -> None:
         """Add int16 samples, shape (n,)."""
@@ -105,6 +114,16 @@ class VideoEncoder:
         if answer is None or "error" in answer:
             raise self._failure(answer)
 
+    def _wait_for_slot(self) -> None:
+        """Wait until the worker has copied the picture in the slot that is next."""
+        while self._pictures - self._taken >= messages.SLOTS:
+            with self._limit():
+                answer = self._answer.read(1)
+            if answer != messages.TAKEN:
+                self._begun = answer
+                raise self._failure(self._read_answer())
+            self._taken += 1
+
     def _send(self, kind: bytes, payload: messages.Buffer = b"") -> None:
         try:
             with self._limit():
@@ -115,7 +134,7 @@ class VideoEncoder:
     def _read_answer(self) -> dict[str, object] | None:
         """Wait for the worker's end and return its answer, None if it gave none."""
         with self._limit():
-            text = self._answer.read()
+            text = (self._begun + self._answer.read()).lstrip(messages.TAKEN)
             self._process.wait()
         return json.loads(text) if text else None
 
@@ -158,6 +177,7 @@ class VideoEncoder:
     def _stop(self) -> None:
         self._process.kill()
         self._process.wait()
+        self._slots.close()
         for pipe in (self._input, self._answer, self._complaints):
             with suppress(OSError):
                 pipe.close()

@@ -37,7 +37,15 @@ def _encode(take: WritableTake, path: Path, options: WriteOptions, codec: str) -
     frames = range(len(performance.values))
     rate = None if audio is None else audio.sample_rate
     channels = 4 if options.alpha else 3
-    with VideoEncoder(path, options.size, performance.fps, rate, codec=codec, channels=channels) as encoder:
+    with VideoEncoder(
+        path,
+        options.size,
+        performance.fps,
+        rate,
+        codec=codec,
+        channels=channels,
+        draft=options.draft,
+    ) as encoder:
         sound = _Sound(audio)
         for index, picture in zip(frames, take.pictures(options.size, frames, options.progress), strict=True):
             encoder.picture(picture)

@@ -1,7 +1,9 @@
 """Messages between the program and the video worker: a kind, a length, the bytes.
 
-The program sends one SETUP, then PICTURE and SOUND as they come, then END. The worker answers once, when it
-has finished or failed, with a JSON object: `{}`, or `{"error": text, "errno": number or null}`.
+The program sends one SETUP, then PICTURE and SOUND as they come, then END. A picture's bytes stand in memory
+that both share (`slots`), and its message is the number of its slot. The worker answers TAKEN when it has
+copied a picture, whose slot may then be filled again, in the order of the pictures. When it has finished or
+failed, it answers with a JSON object: `{}`, or `{"error": text, "errno": number or null}`.
 """
 
 from __future__ import annotations
@@ -15,6 +17,9 @@ SETUP = b"S"
 PICTURE = b"P"
 SOUND = b"A"
 END = b"E"
+TAKEN = b"."
+SLOTS = 4
+"""Pictures waiting for the encoder; more only cost memory."""
 
 Buffer = bytes | bytearray | memoryview
 _HEADER = struct.Struct("<cI")
@@ -25,8 +30,9 @@ class Setup:
     """What the worker needs to begin.
 
     `fps` as "24000/1001"; `sample_rate` None for a silent film; `codec` is a name of `codecs.CODECS`;
-    `pixels` says how the numbers of a picture come: rgb24, rgba or yuv420p. Width and height are even, as
-    most formats want them.
+    `pixels` says how the numbers of a picture come: rgb24, rgba or yuv420p; `memory` is the path of the
+    slots; `draft` is true for a film that should rather be made soon than be small. Width and height are
+    even, as most formats want them.
     """
 
     path: str
@@ -36,6 +42,8 @@ class Setup:
     sample_rate: int | None
     codec: str = "mp4"
     pixels: str = "rgb24"
+    memory: str = ""
+    draft: bool = False
 
     def encode(self) -> bytes:
         """Return the payload of a SETUP message."""

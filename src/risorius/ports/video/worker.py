@@ -10,10 +10,9 @@ from __future__ import annotations
 import io
 import json
 import os
-import queue
 import signal
 import sys
-import threading
+from collections.abc import Callable
 from contextlib import suppress
 from fractions import Fraction
 from pathlib import Path
@@ -25,11 +24,10 @@ from av.video.reformatter import VideoReformatter
 
 from . import messages
 from .codecs import CODECS, Codec
+from .slots import map_slots
 
 # The same number on every machine: the encoder's output depends on it.
 THREADS = 4
-# Pictures waiting for the encoder; more only cost memory.
-WAITING = 4
 BT709 = 1
 LIMITED_RANGE = 1
 BITS_PER_SECOND = 96_000
@@ -38,10 +36,16 @@ Bytes = npt.NDArray[np.uint8]
 
 
 class Film:
-    """A film in the making: pictures at k/fps, sound from t = 0."""
+    """A film in the making: pictures at k/fps, sound from t = 0.
 
-    def __init__(self, setup: messages.Setup) -> None:
+    `taken` is called when a picture has been copied from its slot.
+    """
+
+    def __init__(self, setup: messages.Setup, taken: Callable[[], object]) -> None:
         self._codec = codec = CODECS[setup.codec]
+        self._options = {**codec.options, **(codec.draft_options if setup.draft else {})}
+        self._slots = np.frombuffer(map_slots(setup.memory), np.uint8).reshape(messages.SLOTS, -1)
+        self._taken = taken
         self._size = (setup.width, setup.height)
         self._given = setup.pixels
         alpha = codec.alpha_pixels if setup.pixels == "rgba" else None
@@ -56,9 +60,7 @@ class Film:
         self._sound = None if setup.sample_rate is None else Sound(self._container, setup.sample_rate, codec)
 
     def _video_stream(self) -> av.VideoStream:
-        stream = self._container.add_stream(
-            self._codec.video, rate=self._fps, options=dict(self._codec.options)
-        )
+        stream = self._container.add_stream(self._codec.video, rate=self._fps, options=self._options)
         stream.width, stream.height = self._size
         stream.pix_fmt = self._pixels
         context = stream.codec_context
@@ -69,8 +71,9 @@ class Film:
         return stream
 
     def picture(self, data: bytearray) -> None:
-        """Add the next picture."""
-        frame = self._in_form(np.frombuffer(data, np.uint8))
+        """Add the next picture, which stands in the slot of that number."""
+        frame = self._in_form(self._slots[data[0]])
+        self._taken()
         # ProRes writes what each picture says of itself.
         frame.color_primaries = frame.color_trc = BT709
         frame.pts = self._pictures
@@ -136,41 +139,17 @@ class Sound:
         self._container.mux(self._stream.encode(None))
 
 
-class Inbox:
-    """Messages read ahead by a thread, so that the program need not wait for the encoder."""
-
-    def __init__(self, pipe: io.RawIOBase) -> None:
-        self._queue: queue.Queue[tuple[bytes, bytearray] | EOFError] = queue.Queue(WAITING)
-        threading.Thread(target=self._read, args=(pipe,), daemon=True).start()
-
-    def _read(self, pipe: io.RawIOBase) -> None:
-        kind = b""
-        try:
-            while kind != messages.END:
-                kind, payload = messages.receive(pipe)
-                self._queue.put((kind, payload))
-        except EOFError as error:
-            self._queue.put(error)
-
-    def next(self) -> tuple[bytes, bytearray]:
-        """Return the next message; raise EOFError if the program is gone."""
-        item = self._queue.get()
-        if isinstance(item, EOFError):
-            raise item
-        return item
-
-
-def encode(inbox: Inbox) -> None:
+def encode(pipe: io.RawIOBase, taken: Callable[[], object]) -> None:
     """Encode one film, from its setup to its end."""
-    _, payload = inbox.next()
+    _, payload = messages.receive(pipe)
     setup = messages.Setup.decode(payload)
     try:
-        film = Film(setup)
+        film = Film(setup, taken)
         handle = {messages.PICTURE: film.picture, messages.SOUND: film.sound}
-        kind, payload = inbox.next()
+        kind, payload = messages.receive(pipe)
         while kind != messages.END:
             handle[kind](payload)
-            kind, payload = inbox.next()
+            kind, payload = messages.receive(pipe)
         film.finish()
     except EOFError:
         # The program died, and so cannot remove what is half written.
@@ -192,7 +171,7 @@ def main() -> int:
     os.dup2(2, 1)
     try:
         with open(0, "rb", buffering=0) as pipe:
-            encode(Inbox(pipe))
+            encode(pipe, lambda: os.write(answer, messages.TAKEN))
     except EOFError:
         return 1
     except Exception as error:
