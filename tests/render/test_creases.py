@@ -35,7 +35,7 @@ def surprised(head):
 
 @pytest.fixture(scope="module")
 def renderer(head):
-    return SoftwareRenderer(head_model(head), (SIDE, SIDE), "draft")
+    return SoftwareRenderer(head_model(head), (SIDE, SIDE))
 
 
 def picture(renderer, frame):
@@ -91,7 +91,7 @@ def test_shading_grows_gradually_with_height(renderer, surprised):
 def test_folds_finer_than_pixels_fade_instead_of_flickering(head, renderer, surprised):
     bare = replace(surprised, wrinkles=np.zeros_like(surprised.wrinkles))
     forehead = replace(bare, wrinkles=surprised.wrinkles * (np.arange(len(region_names())) == 0))
-    small = SoftwareRenderer(head_model(head), (SIDE // 6, SIDE // 6), "draft")
+    small = SoftwareRenderer(head_model(head), (SIDE // 6, SIDE // 6))
     near, far = (np.abs(picture(r, forehead) - picture(r, bare)).max() for r in (renderer, small))
     assert near > 12
     assert far < 0.5 * near

@@ -189,3 +189,28 @@ def test_a_row_has_room_for_a_patch_in_every_sample(head, model, face):
     pixels = shown.reshape(120, 2, 120, 2).transpose(0, 2, 1, 3).reshape(120, 120, 4)
     patches = max(sum(len(set(pixel[pixel >= 0])) for pixel in row) for row in pixels)
     assert 2 * 120 < patches <= len(renderer._batch.column)
+
+
+def test_a_draft_shows_what_other_pictures_show(model, face):
+    """Light at vertices is that between them: no vertex of a visible triangle is left without."""
+    frame = face(masseter=0.4, AU12=0.8, head_yaw=20.0)
+    draft, normal = (SoftwareRenderer(model, (240, 240), q) for q in ("draft", "normal"))
+    error = np.abs(draft.render(frame).astype(int) - normal.render(frame))
+    skin = (surfaces(draft) == SKIN)[:, :, None]
+    assert error.mean() < 3.0
+    assert np.percentile(error[np.broadcast_to(skin, error.shape)], 99) < 40
+
+
+def test_a_draft_is_the_same_whatever_was_drawn_before(model, face):
+    fresh, used = (SoftwareRenderer(model, (160, 160), "draft") for _ in range(2))
+    used.render(face(masseter=0.9, head_yaw=-30.0))
+    frame = face(head_yaw=15.0)
+    assert np.array_equal(used.render(frame), fresh.render(frame))
+
+
+def test_drafts_have_fewer_hairs_and_no_folds(model, face):
+    frame = face()
+    draft = SoftwareRenderer(model, (160, 160), "draft")
+    assert draft.scene.hairs < 0.5 * SoftwareRenderer(model, (160, 160)).scene.hairs
+    folded = replace(frame, wrinkles=np.full_like(frame.wrinkles, 2.0))
+    assert np.array_equal(draft.render(frame).copy(), draft.render(folded))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..core.arrays import Array
 from ..face.head import Head
@@ -14,7 +14,7 @@ from .hair_styles import grow_hair
 from .lashes import grow_lashes
 from .parts import Part, eye_parts, hair_part, skin_part, skin_surface, teeth_part, tongue_part
 from .srgb import linear
-from .strands import Strands
+from .strands import Strands, thinned
 from .surface import Surface
 
 
@@ -67,3 +67,9 @@ def head_model(head: Head, looks: Looks | None = None) -> HeadModel:
         hairs["hair"] = strands
     by_name = {part.name: part for part in solids}
     return HeadModel(head, looks, anatomy, surface, by_name, hairs, linear(looks.cloth))
+
+
+def thin_hair(model: HeadModel, number: int) -> HeadModel:
+    """Return a model with one in `number` of the hairs on the head, and all of its brows and lashes."""
+    thin = {name: thinned(hairs, number) for name, hairs in model.hairs.items() if name == "hair"}
+    return replace(model, hairs={**model.hairs, **thin})

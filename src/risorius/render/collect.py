@@ -31,7 +31,7 @@ def _collect(y: int, side: int, screen: Screen, mesh: PosedMesh, batch: Batch) -
         if uniform:
             if t >= 0:
                 u, v = f4(x * side) + middle, f4(y * side) + middle
-                _put(n, x, side * side, u, v, t, mesh, batch)
+                put_patch(n, x, side * side, u, v, t, mesh, batch)
                 n += 1
             continue
         while waiting:
@@ -82,22 +82,22 @@ def _gather(
     share = f4(1) / f4(count)
     u = f4(x * side) + f4(sum_x) * share + f4(0.5)
     v = f4(y * side) + f4(sum_y) * share + f4(0.5)
-    _put(n, x, count, u, v, t, mesh, batch)
+    put_patch(n, x, count, u, v, t, mesh, batch)
     return members
 
 
 @fast_inlined
-def _put(n: int, x: int, count: int, u: float, v: float, t: int, mesh: PosedMesh, batch: Batch) -> None:
+def put_patch(n: int, x: int, count: int, u: float, v: float, t: int, mesh: PosedMesh, batch: Batch) -> None:
     """Write patch n: `count` samples of pixel x that show triangle t, their middle at (u, v) in samples."""
     batch.triangle[n] = t
     batch.column[n] = x
     batch.samples[n] = count
-    a, b, c = _weights(u, v, t, mesh.triangles, mesh.xy, mesh.key)
+    a, b, c = weights_at(u, v, t, mesh.triangles, mesh.xy, mesh.key)
     batch.weights[n, 0], batch.weights[n, 1], batch.weights[n, 2] = a, b, c
 
 
 @fast_device
-def _weights(x: float, y: float, t: int, triangles: Int32Array, xy: Int32Array, key: Float32Array) -> Vec:
+def weights_at(x: float, y: float, t: int, triangles: Int32Array, xy: Int32Array, key: Float32Array) -> Vec:
     """Return the weights of a place (x, y) in samples in triangle t, clipped to it, in true perspective."""
     a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
     # In double precision: the area is a difference of large products.

@@ -15,8 +15,9 @@ class PosedMesh(NamedTuple):
 
     `attributes` (n, ATTRIBUTES) are those of `looks.attributes`. `rest` (n, 3) are positions at rest. `reach`
     (n, LAMPS or more) is the share of each lamp that the head at rest does not block; `shadow`, for the
-    skin's vertices, is the share of the key lamp that reaches them in this frame. `hair_light` (n, 3) is the
-    light of hairs, computed before the picture is shaded; `crease_…` are those of `creases.Creases`.
+    skin's vertices, is the share of the key lamp that reaches them in this frame. `vertex_light` (n, 3) is
+    the light of hairs and, in drafts, of skin, computed before the picture is shaded, `cloth_light` that of
+    cloth; `crease_…` are those of `creases.Creases`.
     """
 
     xy: Int32Array
@@ -27,7 +28,8 @@ class PosedMesh(NamedTuple):
     rest: Float32Array
     reach: Float32Array
     shadow: Float32Array
-    hair_light: Float32Array
+    vertex_light: Float32Array
+    cloth_light: Float32Array
     triangles: Int32Array
     surfaces: Int32Array
     crease_raised: Int32Array
@@ -108,6 +110,9 @@ class Paint(NamedTuple):
 class Screen(NamedTuple):
     """The visibility buffer, samples per pixel and side, camera's place (3,), mm per pixel, background.
 
+    `detail` is the least width in mm of what is shaded on the skin: a pixel, or in drafts, in which skin and
+    cloth are lit at their vertices alone, more.
+
     `rows` and `chunks` are those of `visibility.Visibility`, whose `ids` and `depth` are drawn with the
     picture; `empty` (height, width, 3) uint8 is the picture of the background alone.
     """
@@ -119,6 +124,7 @@ class Screen(NamedTuple):
     samples: int
     eye: Float32Array
     pixel: float
+    detail: float
     background: Float32Array
     empty: ByteArray
 

@@ -40,8 +40,8 @@ class HeadScene:
     belongs to. `pose` writes `positions` (n, 3) and `normals` (n, 3), float32 in the world.
     """
 
-    def __init__(self, model: HeadModel, lamps: Float32Array) -> None:
-        """Make the scene of a head that `lamps` (n, 7) light."""
+    def __init__(self, model: HeadModel, lamps: Float32Array, *, creased: bool = True) -> None:
+        """Make the scene of a head that `lamps` (n, 7) light; its skin has creases if `creased` is true."""
         self.model, self.head, self.anatomy = model, model.head, model.anatomy
         self._hairs = list(model.hairs.values())
         self._offset = cloth_offset(neckline(self.anatomy), model.skin.normals).astype(np.float32)
@@ -49,7 +49,7 @@ class HeadScene:
         parts = list(model.solids.values())
         self._starts = np.concatenate([[0], np.cumsum([len(part.points) for part in parts])])
         self._gather(parts)
-        self.creases = lay_creases(self.head, len(self.triangles))
+        self.creases, self._creased = lay_creases(self.head, len(self.triangles)), creased
         self._bake(lamps)
 
     def _gather(self, parts: list[Part]) -> None:
@@ -84,7 +84,7 @@ class HeadScene:
         self.rest[: self.mesh_vertices] = self._local
         self.positions: Float32Array = self.rest.copy()
         self.normals: Float32Array = np.zeros((first, 3), np.float32)
-        self.hair_light: Float32Array = np.zeros((first, 3), np.float32)
+        self.vertex_light: Float32Array = np.zeros((first, 3), np.float32)
         self._weight: Float32Array = np.ones(self.mesh_vertices, np.float32)
         self._weight[: len(self._offset)] = self.head.skin.matrix @ self.head.neck_weight
 
@@ -106,6 +106,7 @@ class HeadScene:
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast
         self.shadow: Float32Array = np.ones(count, np.float32)
+        self.cloth_light: Float32Array = np.zeros((count, 3), np.float32)
         self.attributes[:count, OCCLUSION] *= 1.0 - around
 
     def clone(self) -> HeadScene:
@@ -114,7 +115,8 @@ class HeadScene:
         other._normals = self._normals.clone()
         other._local = self._local.copy()
         other.positions, other.normals = self.positions.copy(), self.normals.copy()
-        other.hair_light, other.shadow = self.hair_light.copy(), self.shadow.copy()
+        other.vertex_light, other.shadow = self.vertex_light.copy(), self.shadow.copy()
+        other.cloth_light = self.cloth_light.copy()
         other.creases = self.creases._replace(
             height=self.creases.height.copy(), raised=self.creases.raised.copy()
         )
@@ -175,7 +177,8 @@ class HeadScene:
         """Copy the vertices that move within the head: skin, lower teeth, tongue."""
         starts = self._starts
         np.add(frame.skin, self._offset, out=self._local[: starts[1]])
-        raise_creases(self.creases, self.triangles[: self.solid], frame.wrinkles)
+        if self._creased:
+            raise_creases(self.creases, self.triangles[: self.solid], frame.wrinkles)
         self._local[starts[4] : starts[5]] = frame.teeth_lower
         self._local[starts[5] : starts[6]] = frame.tongue
 

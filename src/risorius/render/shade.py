@@ -9,6 +9,7 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..core.kernels.jit import f4, fast_device, fast_kernel, index
 from .collect import collect
+from .draft import light_vertices, shade_row, write_patches
 from .inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
@@ -30,15 +31,24 @@ def shade(
     out: ByteArray,
 ) -> None:
     """Write the picture (height, width, 3) of sRGB bytes."""
+    draft = screen.detail > screen.pixel
+    if draft:
+        light_vertices(batch, mesh, screen, light, pose, tables)
     for y in range(out.shape[0]):
         uncover(y, screen, mesh)
-        n = collect(y, screen, mesh, batch)
-        shade_skin(n, batch, mesh, screen, light, pose, tables)
-        shade_cloth(n, batch, mesh, screen, light, tables)
-        shade_hairs(n, batch, mesh)
+        if draft:
+            n = shade_row(y, screen, mesh, batch, tables, out)
+        else:
+            n = collect(y, screen, mesh, batch)
+            shade_skin(n, batch, mesh, screen, light, pose, tables)
+            shade_cloth(n, batch, mesh, screen, light, tables)
+            shade_hairs(n, batch, mesh)
         shade_eyes(n, batch, mesh, screen, light, pose, tables)
         shade_mouth(n, batch, mesh, screen, light, pose)
-        resolve(y, n, screen, batch, tables, out)
+        if draft:
+            write_patches(y, n, batch, tables, out)
+        else:
+            resolve(y, n, screen, batch, tables, out)
 
 
 @fast_device

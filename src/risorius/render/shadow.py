@@ -10,16 +10,16 @@ from ..core.kernels.vec import Vec, at
 from .camera import snap
 from .visibility import Visibility
 
-SIZE = 384
+SIZE, DRAFT_SIZE = 384, 192
 REACH = 2  # taps on each side
 _TAPS = 2 * REACH + 2  # six: `find_bounds` and `_tent` are written for so many
 _RAMP = f4(0.5)  # 1/mm: depths are compared over 2 mm, which hides the steps of the map
 
 
 class ShadowMap:
-    """A map of SIZE² texels over a sphere that holds the scene.
+    """A map of `size`² texels over a sphere that holds the scene.
 
-    `low` and `high` (SIZE, SIZE) float32 are the least and the greatest depth among the taps that start at a
+    `low` and `high` (size, size) float32 are the least and the greatest depth among the taps that start at a
     texel. Most places are fully lit or fully in the shade, and these two decide them.
     """
 
@@ -30,17 +30,18 @@ class ShadowMap:
         radius: float,
         vertices: int,
         triangles: int,
+        size: int = SIZE,
     ) -> None:
-        self.matrix = light_matrix(direction, centre, radius, SIZE)
-        self.bias = 3.2 * radius / SIZE  # mm: the depth that a texel spans on a slanted surface
+        self.matrix = light_matrix(direction, centre, radius, size)
+        self.bias = 3.2 * radius / size  # mm: the depth that a texel spans on a slanted surface
         self._xy: Int32Array = np.zeros((vertices, 2), np.int32)
         self._key: Float32Array = np.zeros(vertices, np.float32)
-        self.low, self.high, self._rows = (np.zeros((SIZE, SIZE), np.float32) for _ in range(3))
-        self._buffer = Visibility(SIZE, SIZE, triangles, keep_ids=False)
+        self.low, self.high, self._rows = (np.zeros((size, size), np.float32) for _ in range(3))
+        self._buffer = Visibility(size, size, triangles, keep_ids=False)
 
     @property
     def depth(self) -> Float32Array:
-        """The map (SIZE, SIZE) float32: mm towards the lamp from the sphere's far side, 0 where empty."""
+        """The map (size, size) float32: mm towards the lamp from the sphere's far side, 0 where empty."""
         return self._buffer.depth
 
     def update(self, points: Float32Array, triangles: Int32Array, two_sided: ByteArray) -> None:

@@ -13,7 +13,7 @@ from ..core.look import QUALITIES, STYLES, Size
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
 from ..looks.eyeball import iris_image
-from ..looks.head_model import HeadModel
+from ..looks.head_model import HeadModel, thin_hair
 from ..looks.noise import noise_tile
 from .backdrop import gradient
 from .camera import Camera, project
@@ -28,12 +28,16 @@ from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
 from .scene import HeadScene
 from .shade import shade
-from .shadow import ShadowMap
+from .shadow import DRAFT_SIZE, SIZE, ShadowMap
 from .subsurface import diffuse_table
 from .tone import film_table, to_bytes, tone_table
 from .visibility import Visibility
 
 SMALLEST, LARGEST = 16, 4096
+_DRAFT_HAIRS = 3
+"""One in so many hairs is drawn in a draft, so many times as wide."""
+_DRAFT_DETAIL = f4(30)
+"""Millimetres: skin and cloth of drafts have no pores, and are lit so far beyond the neckline."""
 
 
 class SoftwareRenderer:
@@ -66,9 +70,12 @@ class SoftwareRenderer:
                 raise InputError(unknown(kind, name, known))
         self.size = (width, height)
         self._lights = lights.lighting()
-        self.scene = HeadScene(model, self._lights.lamps)
-        self.camera = camera or frame_head(model.anatomy, width / height)
         self._samples = QUALITIES[quality]
+        self._draft = quality == "draft" and style == "realistic"
+        if self._draft:
+            model = thin_hair(model, _DRAFT_HAIRS)
+        self.scene = HeadScene(model, self._lights.lamps, creased=not self._draft)
+        self.camera = camera or frame_head(model.anatomy, width / height)
         if alpha:
             background = np.zeros((height, width, 3), np.float32)
         elif background is None:
@@ -84,7 +91,8 @@ class SoftwareRenderer:
         tones = (film_table(), tone_table(), to_bytes(film_table()))
         cloth = model.cloth.astype(np.float32)
         iris = iris_image(*model.looks.iris)
-        self._tables = Tables(diffuse_table(), noise_tile(), iris, cloth, *tones)
+        grain = np.zeros_like(noise_tile()) if self._draft else noise_tile()
+        self._tables = Tables(diffuse_table(), grain, iris, cloth, *tones)
         self._least = 0.9 * self.camera.millimetres_per_sample(height * self._samples)
         views = HairViews(self.scene, math.dist(self.camera.eye, self.camera.target), self._least)
         self._hair_views = views if views.reliable else None
@@ -97,9 +105,11 @@ class SoftwareRenderer:
         self._buffer = Visibility(width * samples, height * samples, len(scene.triangles))
         self._xy: Int32Array = np.zeros((len(scene.positions), 2), np.int32)
         self._key: Float32Array = np.zeros(len(scene.positions), np.float32)
-        self._batch = empty_batch(width * samples * samples)
+        self._batch = empty_batch(max(width * samples * samples, scene.skin_vertices if self._draft else 0))
         centre, radius = scene.anatomy.sphere()
-        self._shadow = ShadowMap(self._lights.lamps[0, :3], centre, radius, len(scene.positions), scene.solid)
+        texels = DRAFT_SIZE if self._draft else SIZE
+        direction, vertices = self._lights.lamps[0, :3], len(scene.positions)
+        self._shadow = ShadowMap(direction, centre, radius, vertices, scene.solid, texels)
 
     def clone(self) -> SoftwareRenderer:
         """Return a renderer of the same pictures that another thread can use at the same time."""
@@ -173,7 +183,8 @@ class SoftwareRenderer:
             scene.rest,
             scene.reach,
             scene.shadow,
-            scene.hair_light,
+            scene.vertex_light,
+            scene.cloth_light,
             scene.triangles,
             scene.surfaces,
             *scene.creases[1:],
@@ -188,7 +199,8 @@ class SoftwareRenderer:
             f4(shadow.bias),
             f4(self._lights.pupil),
         )
-        cast_shadows(scene.positions, light, scene.shadow)
+        if not self._draft:
+            cast_shadows(scene.positions, light, scene.shadow)
         light_hairs(mesh, light, self._eye, scene.mesh_vertices)
         pixel = f4(self.camera.millimetres_per_sample(self.size[1]))
         buffer = self._buffer
@@ -200,6 +212,7 @@ class SoftwareRenderer:
             samples,
             self._eye,
             pixel,
+            _DRAFT_DETAIL if self._draft else pixel,
             self._background,
             self._empty,
         )

@@ -36,6 +36,26 @@ def shade_cloth(
             put(batch.colour, k, mix(at(batch.colour, k), woven, share) if share < f4(1) else woven)
 
 
+@fast_device
+def light_cloth(
+    n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, tables: Tables
+) -> None:
+    """Write the light of plain cloth at the first n patches, vertices, into `mesh.cloth_light`."""
+    for k in range(n):
+        corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
+        if weigh(mesh.attributes, corners, weights, CURVATURE)[2] >= -screen.detail:
+            woven = _cloth(mesh, screen, light, tables, corners, weights, COLLAR + _SEAM)
+            put(mesh.cloth_light, batch.column[k], woven)
+
+
+@fast_device
+def collar_shade(depth: float) -> float:
+    """Return how much of its light plain cloth reflects at a place `depth` mm within the neckline."""
+    seam = depth - COLLAR
+    worn = f4(0.93) if seam < f4(0) else f4(1)
+    return worn * (f4(1) - f4(0.35) * math.exp(-seam * seam * f4(0.6)))
+
+
 @fast_inlined
 def _cloth(
     mesh: PosedMesh,

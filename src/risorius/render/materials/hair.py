@@ -18,7 +18,7 @@ from .patch import corners_of, put, weights_of
 
 @fast_kernel
 def light_hairs(mesh: PosedMesh, light: SceneLight, eye: Float32Array, first: int) -> None:
-    """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.hair_light`."""
+    """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.vertex_light`."""
     camera = (eye[0], eye[1], eye[2])
     for i in range(first, len(mesh.positions), 2):
         direction = at(mesh.normals, i)
@@ -27,7 +27,7 @@ def light_hairs(mesh: PosedMesh, light: SceneLight, eye: Float32Array, first: in
         p = scale(add(at(mesh.positions, i), at(mesh.positions, i + 1)), f4(0.5))
         colour = _fibre(mesh, light, i, p, direction, unit(sub(camera, p)))
         for row in range(i, i + 2):
-            mesh.hair_light[row, 0], mesh.hair_light[row, 1], mesh.hair_light[row, 2] = colour
+            mesh.vertex_light[row, 0], mesh.vertex_light[row, 1], mesh.vertex_light[row, 2] = colour
 
 
 @fast_device
@@ -39,7 +39,7 @@ def shade_hairs(n: int, batch: Batch, mesh: PosedMesh) -> None:
             put(
                 batch.colour,
                 k,
-                weigh(mesh.hair_light, corners_of(mesh.triangles, t), weights_of(batch.weights, k), 0),
+                weigh(mesh.vertex_light, corners_of(mesh.triangles, t), weights_of(batch.weights, k), 0),
             )
 
 

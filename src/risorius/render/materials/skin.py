@@ -56,7 +56,7 @@ def shade_skin(
     """Colour the patches of bare skin among the first n of a row."""
     count = i8(0)
     for k in range(n):
-        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, light, screen.pixel):
+        if mesh.surfaces[batch.triangle[k]] == SKIN and _read(k, count, batch, mesh, light, screen.detail):
             count += 1
             if count == LANES:
                 _shade_block(count, batch, mesh, screen, light, pose, tables)
@@ -72,8 +72,8 @@ def _shade_block(
     block = batch.block
     face(block, (screen.eye[0], screen.eye[1], screen.eye[2]))
     _find_grain(count, block, tables.grain)
-    _roughen(block, pose, screen.pixel)
-    _fold(count, batch, mesh, pose, tables, screen.pixel)
+    _roughen(block, pose, screen.detail)
+    _fold(count, batch, mesh, pose, tables, screen.detail)
     _shadow(count, block, pose)
     _fill(block, light)
     for lamp in range(len(light.lamps)):
