@@ -47,7 +47,7 @@ def test_surprise_gives_way_to_the_smile_without_a_jump(demo: risorius.Take) -> 
     for name in ("frontalis_medialis.left", SMILE, "masseter"):
         steps = [np.abs(np.diff(take.curves[name])).max() for take in (demo, fine)]
         assert steps[1] < 0.35 * steps[0]
-    assert demo.curves["frontalis_medialis.left"][30] == pytest.approx(1.0, abs=1e-4)
+    assert demo.curves["frontalis_medialis.left"][30] == pytest.approx(1.0, abs=1e-3)
     assert demo.curves[SMILE][10] < 0.1
     assert demo.curves[SMILE][45] > 0.5
 

@@ -1,5 +1,6 @@
 import itertools
 import math
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -83,7 +84,7 @@ def test_unknown_emotions_are_refused(name: str, message: str) -> None:
         ("joy:much", "emotion 'joy:much' is not understood"),
         ("joy:nan", "emotion 'joy:nan' is not understood"),
         ("joy:-1", "emotion 'joy:-1' is not understood"),
-        ("joy:1@2", "emotion 'joy:1@2' is not understood"),
+        ("joy:1@2-", "emotion 'joy:1@2-' is not understood"),
         ("joy:1/", "emotion 'joy:1/' is not understood"),
         ("joy:1/99999", "emotion 'joy:1/99999' is not understood"),
         ("joy:1/high", "emotion 'joy:1/high' is not understood"),
@@ -237,3 +238,40 @@ def test_an_emotion_set_by_hand_is_a_file_that_shows_it(tmp_path):
     }
     with pytest.raises(ParameterError, match="AU99"):
         emotion_text("grin", {"AU99": 1.0})
+
+
+def test_a_display_with_a_start_alone_lasts_as_long_as_its_emotion_does() -> None:
+    surprise, sadness = (parse_display(f"{name}:0.7@1.5") for name in ("surprise", "sadness"))
+    shown = emotion("surprise")
+    assert surprise.end == pytest.approx(1.5 + shown.onset + shown.apex + shown.offset)
+    assert sadness.end > surprise.end + 3.0
+    assert parse_display("surprise:0.7@1.5/80").priority == 80.0
+
+
+def test_a_startle_rises_in_a_fifth_of_a_second_and_in_a_manner_of_its_own() -> None:
+    assert (emotion("surprise").onset, emotion("surprise").function) == (0.2, "saccade")
+    assert emotion("surprise").apex < min(e.apex for n, e in emotions().items() if n != "surprise")
+    assert emotion("sadness").function == "minimum_jerk"
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_strong_emotion_outdoes_regulators_but_neither_blinks_nor_the_lips(name: str) -> None:
+    shown = emotion(name)
+    levels = [shown.priority_at(step / 20) for step in range(21)]
+    if name in SIX:
+        assert levels[0] == 10.0
+        assert levels == sorted(levels)
+        assert 25.0 < levels[-1] < 30.0
+    else:
+        assert set(levels) == {None}
+
+
+def test_a_file_says_how_an_emotion_appears_and_when_it_is_too_strong_to_speak(tmp_path: Path) -> None:
+    text = emotion_text("glee", {"AU12": 1.0}).replace(
+        "offset = 0.75", 'offset = 0.75\napex = 1.5\nfunction = "linear"\npriority = [10, 10, 10, 30, 80]', 1
+    )
+    path = tmp_path / "glee.toml"
+    path.write_text(text)
+    glee = emotion(str(path))
+    assert (glee.apex, glee.function) == (1.5, "linear")
+    assert [glee.priority_at(i) for i in (0.5, 0.75, 0.875, 1.0)] == [10.0, 30.0, 55.0, 80.0]

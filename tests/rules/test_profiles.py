@@ -84,7 +84,7 @@ def test_an_emotion_may_be_a_file(tmp_path: Path) -> None:
         (DATA / "emotions" / "pride.toml")
         .read_text()
         .replace('"pride"', '"glee"')
-        .replace("AU12 = 0.4", "AU12 = 0.9")
+        .replace("AU12 = 0.5", "AU12 = 0.9")
     )
     file = tmp_path / "glee.toml"
     file.write_text(text)

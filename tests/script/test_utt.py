@@ -88,7 +88,7 @@ def test_julia_is_spoken_as_written() -> None:
 
 def test_an_emotion_at_the_head_may_have_a_priority() -> None:
     marks = read_script_text("emotion: sadness 1/80, fear 0.2\n").marks
-    assert [mark.priority for mark in marks] == [80.0, None]
+    assert [mark.priority for mark in marks] == [80.0, 10.0]
 
 
 def test_the_emotion_at_the_head_changes_the_voice() -> None:

@@ -53,7 +53,8 @@ def _placed(display: Display, duration: float) -> Display:
             f"emotion {found.name}: from {start:g} to {end:g} s is not a span; expected 0 <= start < end"
         )
     intensity = check_intensity(found.name, display.intensity)
-    return Display(emotion_key(display.emotion), intensity, start, end, display.priority)
+    priority = found.priority_at(intensity) if display.priority is None else display.priority
+    return Display(emotion_key(display.emotion), intensity, start, end, priority)
 
 
 def _movements(
@@ -78,7 +79,7 @@ def _movements(
             id=f"emotion.{number}.{found.name}" + (f"@{start:.3f}" if start > first else ""),
             layer=f"{number}.{found.name}",
             priority=display.priority,
-            function=channel_timing("emotion").function,
+            function=found.function,
             cause=Cause("emotion.display", f"{found.name} {display.intensity:g}", "option"),
         )
 

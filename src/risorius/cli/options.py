@@ -207,7 +207,7 @@ emotion_option = option(
     "emotions",
     group="Input",
     multiple=True,
-    metavar="NAME:INTENSITY[@START-END][/PRIORITY]",
+    metavar="NAME:INTENSITY[@START[-END]][/PRIORITY]",
     type=Named(Names(path="rules.emotions:emotions"), after=":"),
     help="Show an emotion, 0 to 1: happiness:0.7, or anger:1@0.5-2 from 0.5 to 2 s. A priority above 60, "
     "that of the lips, lets it win over speech. May be given several times.",

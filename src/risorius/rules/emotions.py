@@ -12,10 +12,11 @@ from typing import Annotated
 
 from ..core.action_units import check_intensity, kept_units, resolve_targets
 from ..core.frozen import FrozenDict
+from ..core.functions import FunctionName
 from ..core.hints import Range
 from ..core.rivalry import rival_pairs
 from ..core.toml import written
-from ..core.units import MAX_SECONDS, RiseSeconds, Share
+from ..core.units import MAX_SECONDS, RiseSeconds, Seconds, Share
 from ..errors import InputError, ParameterError, unknown
 from .fuzzy_sets import concluded
 from .load import load_file, load_folder
@@ -23,8 +24,11 @@ from .modulation import Modulation
 
 # What share of its full contraction belongs to each of five intensities.
 Degrees = tuple[Share, Share, Share, Share, Share]
+PriorityLevel = Annotated[float, Range(0.0, 9999.0)]
+# Priorities over other channels at the same five intensities.
+Priorities = tuple[PriorityLevel, PriorityLevel, PriorityLevel, PriorityLevel, PriorityLevel]
 # Seconds, as emotions of the package rise and fall.
-HAND_ONSET, HAND_OFFSET = 0.45, 0.75
+HAND_ONSET, HAND_APEX, HAND_OFFSET = 0.45, 2.0, 0.75
 INTENSITIES = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
@@ -45,6 +49,9 @@ class Emblem:
 class Emotion:
     """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds.
 
+    `apex`: how long a display that has a start and no end stays at its height. `function`: how it rises and
+    falls, an onset function. `priority`: over other channels at no, low, medium, high and full intensity
+    (paper A, section 1: "too happy to speak"); the channel's if None.
     `degrees`: for units that do not grow with the intensity in proportion, their shares of full contraction
     at no, low, medium, high and full intensity. `modulation`: what one who feels it does more or less of.
     """
@@ -59,6 +66,9 @@ class Emotion:
     emblem: Emblem
     modulation: Modulation = field(default_factory=Modulation)
     degrees: Mapping[str, Degrees] = field(default_factory=FrozenDict)
+    apex: Seconds = HAND_APEX
+    function: FunctionName = "minimum_jerk"
+    priority: Priorities | None = None
 
     def __post_init__(self) -> None:
         for units in (self.units, self.emblem.units):
@@ -81,6 +91,15 @@ class Emotion:
         """
         check_intensity(self.name, intensity)
         return kept_units({unit: value * self._share(unit, intensity) for unit, value in self.units.items()})
+
+    @property
+    def seconds(self) -> float:
+        """How long a display lasts that has a start and no end."""
+        return self.onset + self.apex + self.offset
+
+    def priority_at(self, intensity: float) -> float | None:
+        """Return the priority of a display of `intensity` 0..1, None for its channel's."""
+        return None if self.priority is None else concluded(intensity, INTENSITIES, self.priority)
 
     def _share(self, unit: str, intensity: float) -> float:
         return concluded(intensity, INTENSITIES, self.degrees.get(unit, INTENSITIES))
@@ -160,7 +179,7 @@ _NUMBER = r"(?:\d++(?:\.\d*+)?|\.\d++)"
 _LEVEL = r"\d{1,4}(?:\.\d{1,6})?"
 _FILE = ".toml"
 _NAME = re.compile(r"[\w -]++", re.ASCII)
-_INTENSITY = re.compile(rf":({_NUMBER})(?:@({_NUMBER})-({_NUMBER}))?(?:/({_LEVEL}))?\Z", re.ASCII)
+_INTENSITY = re.compile(rf":({_NUMBER})(?:@({_NUMBER})(?:-({_NUMBER}))?)?(?:/({_LEVEL}))?\Z", re.ASCII)
 
 
 def emotion_text(name: str, units: Mapping[str, float]) -> str:
@@ -187,6 +206,7 @@ def emotion_text(name: str, units: Mapping[str, float]) -> str:
 def parse_display(text: str) -> Display:
     """Return the display that an option such as `joy:0.7`, `fear:1@0.5-2/80` or `mine.toml:1` asks for.
 
+    One with a start alone, `surprise:1@0.5`, lasts as long as its emotion does.
     Raises InputError if it is not of that form, ParameterError for an unknown emotion or intensity above 1.
     """
     match = _INTENSITY.search(text.strip())
@@ -199,7 +219,8 @@ def parse_display(text: str) -> Display:
     priority = None if match[4] is None else float(match[4])
     if match[2] is None:
         return Display(key, intensity, priority=priority)
-    start, end = float(match[2]), float(match[3])
+    start = float(match[2])
+    end = start + found.seconds if match[3] is None else float(match[3])
     if not start < end <= MAX_SECONDS:
         raise InputError(
             f"emotion {found.name}: from {start:g} to {end:g} s is not a span; "

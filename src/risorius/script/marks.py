@@ -134,7 +134,12 @@ def _emotion(attributes: Attributes) -> tuple[Mark, ...]:
         raise attributes.error('no emotion is given; expected e.g. surprise="0.7"')
     mark = common.mark(MarkKind.EMOTION, "emotion", targets, common.to_the_end())
     mark = replace(mark, emotions=intensities)
-    return (_timed(mark, strongest.onset, strongest.offset) if strongest else mark,)
+    if strongest is None:
+        return (mark,)
+    if mark.priority is None:
+        mark = replace(mark, priority=strongest.priority_at(intensities[strongest.name]))
+    mark = replace(mark, function=mark.function or strongest.function)
+    return (_timed(mark, strongest.onset, strongest.offset),)
 
 
 def _emblem(attributes: Attributes) -> tuple[Mark, ...]:

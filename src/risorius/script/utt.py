@@ -216,7 +216,8 @@ def _mark(written: str, place: Place) -> Mark:
         raise error.at(place) from None
     start, end = Anchor(Base.START, 0.0, place=place), Anchor(Base.END, 0.0, place=place)
     label = f"emotion: {emotion.name} {intensity:g}"
+    priority = emotion.priority_at(intensity) if priority is None else priority
     return Mark(
         MarkKind.EMOTION, "emotion", start, end, targets, label, place, emotion.onset, emotion.offset,
-        layer=emotion.name, emotions={emotion.name: intensity}, priority=priority,
+        layer=emotion.name, emotions={emotion.name: intensity}, priority=priority, function=emotion.function,
     )  # fmt: skip
