@@ -56,7 +56,7 @@ def test_hair_grows_from_the_scalp_and_stays_off_the_skull(anatomy, surface):
 
 
 def test_brows_are_mirrored_and_lie_over_the_eyes(anatomy, surface):
-    brows = grow_brows(anatomy, surface, BROWN, count=100)
+    brows = grow_brows(anatomy, surface, BROWN, SKIN, count=100)
     curves = curves_in_head(surface, brows)
     left, right = curves[:100], curves[100:]
     assert left * [-1, 1, 1] == pytest.approx(right, abs=0.6)

@@ -34,8 +34,12 @@ def brow_shade(anatomy: Anatomy) -> Array:
     return across * ends * (anatomy.skin[:, 2] > 0)
 
 
-def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 360) -> Strands:
-    """Return `count` hairs of linear albedo `colour` (3,) on each side, mirrored."""
+def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, count: int = 360) -> Strands:
+    """Return `count` hairs of linear albedo `colour` (3,) on each side, mirrored, over that of `skin` (3,).
+
+    Hairs at the head and along the edges are fine: they take more of the skin's colour, so that a brow has
+    no outline.
+    """
     rng = np.random.default_rng(_SEED)
     t = rng.beta(1.25, 1.15, count)
     x, centre, half = brow_line(anatomy, t)
@@ -50,14 +54,14 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, count: int = 3
         * (0.5 + 0.5 * smoothstep(0.0, 0.3, t))
         * anatomy.unit
     )
-    shade = 1.4 + 1.2 * rng.random(count)
+    shade = (1.2 + 0.9 * rng.random(count))[:, None] * colour
+    faint = 0.10 + 0.42 * np.abs(offset) ** 1.5 + 0.40 * (1.0 - smoothstep(0.0, 0.28, t))
+    shade += np.clip(faint, 0.0, 0.8)[:, None] * (skin - shade)
     bend = rng.normal(-14, 8, count)
     sides = []
     for side in (1.0, -1.0):
         place = np.stack([side * x, centre + offset * half], axis=1)
-        sides.append(
-            _side(surface, place, side, np.radians(angle), np.radians(bend), length, shade[:, None] * colour)
-        )
+        sides.append(_side(surface, place, side, np.radians(angle), np.radians(bend), length, shade))
     return join(sides)
 
 

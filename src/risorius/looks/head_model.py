@@ -60,7 +60,7 @@ def head_model(head: Head, looks: Looks | None = None) -> HeadModel:
         tongue_part(head),
     ]
     hairs = {
-        "brows": grow_brows(anatomy, surface, brows, looks.brow_hairs),
+        "brows": grow_brows(anatomy, surface, brows, linear(looks.skin), looks.brow_hairs),
         "lashes": grow_lashes(head, surface, 0.35 * hair, linear(looks.skin)),
     }
     for strands in grow_hair(anatomy, surface, hair, looks):

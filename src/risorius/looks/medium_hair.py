@@ -15,14 +15,14 @@ from .scalp import LAYERS, HairRoots, grow_layers, hair_density, inside_hairline
 from .strands import Strands
 from .surface import Surface, flat, unit
 
-POINTS = 11
+POINTS = 9
 _STEPS = 28  # steps of a hair's path, from which its points are chosen
 _SEED = 45
-_SHARE = 0.54  # longer hairs are drawn wider and in smaller number
+_SHARE = 0.45  # longer hairs are drawn wider and in smaller number
 _PARTING = -24.0  # mm: x of the parting
 _AXIS = -72.0  # mm: z of the axis around which hair is turned off the face
 # Heights over the eyes in mm, and the angle from the front within which no hair hangs at that height.
-_FACE = ((-20.0, 10.0, 30.0, 46.0, 56.0, 61.0), (64.0, 68.0, 62.0, 54.0, 44.0, 0.0))
+_FACE = ((-45.0, -12.0, 10.0, 30.0, 46.0, 56.0, 61.0), (48.0, 52.0, 55.0, 55.0, 51.0, 44.0, 0.0))
 
 
 def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
@@ -31,7 +31,7 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     # Hairs alone on the forehead would look like scratches.
-    density = density * (1.0 + 0.8 * front) * smoothstep(4.0, 12.0, inside_hairline(anatomy, surface.points))
+    density = density * (1.0 + 1.1 * front) * smoothstep(3.0, 12.0, inside_hairline(anatomy, surface.points))
     each = round(_SHARE * count) // LAYERS
     triangles, weights = grow_layers(anatomy, surface, density, each, _SEED)
     count = len(triangles)
@@ -68,14 +68,16 @@ def _hang(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.G
     smooth = Surface(surface.points[skull], surface.normals[skull], surface.triangles)
     tree = cKDTree(smooth.points)
     stray = rng.normal(0.0, 0.05, origin.shape)
-    volume = (5.0 + 11.0 * layer) * anatomy.unit * (0.35 + 0.65 * smoothstep(0.0, 20.0, length))
+    volume = (7.0 + 9.0 * layer) * anatomy.unit * (0.35 + 0.65 * smoothstep(0.0, 20.0, length))
+    # Hair lies flat at the parting and rises away from it.
+    volume *= 0.5 + 0.5 * smoothstep(0.0, 34.0, np.abs(origin[:, 0] - _PARTING * anatomy.unit))
     volume *= 0.5 + 0.5 * smoothstep(-2.0, 16.0, inside_hairline(anatomy, origin))
     curves, step = [origin], (length / _STEPS)[:, None]
     for k in range(1, _STEPS + 1):
         way = k / _STEPS
         place = curves[-1] + step * unit(_ahead(anatomy, curves[-1], normal) + stray)
         above, normal = height_over_skin(tree, smooth, place)
-        wanted = volume * np.sin(np.pi / 2 * min(1.0, 3.2 * way)) + 0.3
+        wanted = volume * np.sin(np.pi / 2 * min(1.0, 3.2 * way)) + 0.3 + _over_ears(anatomy, place)
         lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)
         # Hair never enters the head, and does not stand off it where it lies on the skull.
         shift = np.maximum(wanted - above, 0.0) + lying * np.minimum(wanted - above, 0.0)
@@ -92,8 +94,25 @@ def _ahead(anatomy: Anatomy, place: Array, normal: Array) -> Array:
     back = 1.0 - smoothstep(-40.0 * u, 10.0 * u, place[:, 2])
     combed = np.stack([aside * high, -1.1 * (1.0 - high), -0.4 * high * back - 0.06], axis=1)
     combed = unit(combed) + 0.06 * wave
+    combed += _turned_in(anatomy, place)
     lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)[:, None]
     return unit(lying * flat(combed, normal) + (1.0 - lying) * combed)
+
+
+def _over_ears(anatomy: Anatomy, place: Array) -> Array:
+    """Return by how many mm (S,) hair at places (S, 3) stands further off the skull, where the ears are."""
+    u = anatomy.unit
+    ears = anatomy.skin[anatomy.masks["ears"] > 0.5, 2].mean()
+    beside = np.exp(-(((place[:, 2] - ears + 6.0 * u) / (24.0 * u)) ** 2))
+    return np.asarray(9.0 * u * beside * smoothstep(26.0 * u, 2.0 * u, place[:, 1] - anatomy.eye_height))
+
+
+def _turned_in(anatomy: Anatomy, place: Array) -> Array:
+    """Return what directions (S, 3) of hair at places (S, 3) gain towards the neck: ends curl in below the jaw."""
+    u = anatomy.unit
+    low = smoothstep(float(anatomy.mouth[1]) + 22.0 * u, anatomy.chin + 4.0 * u, place[:, 1])
+    inwards = np.stack([-place[:, 0], np.zeros(len(place)), _AXIS * u - place[:, 2]], axis=1)
+    return 0.55 * low[:, None] * unit(inwards)
 
 
 def _off_face(anatomy: Anatomy, place: Array) -> Array:

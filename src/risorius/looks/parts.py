@@ -90,7 +90,7 @@ def skin_part(
     attributes = paint_skin(anatomy, looks, inside, curvature)
     under = attributes[:, ALBEDO : ALBEDO + 3]
     for shade, colour in (
-        (0.5 * brow_shade(anatomy), brows),
+        (0.58 * brow_shade(anatomy), brows),
         (scalp_shade(anatomy, looks.hair_style), hair),
     ):
         under += shade[:, None].astype(np.float32) * (1.3 * colour.astype(np.float32) - under)

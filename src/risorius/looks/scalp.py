@@ -20,6 +20,8 @@ LAYERS = 4
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
 # How much the scalp is darkened under each style of hair.
 _UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.62, "bald": 0.0}
+# The power of the density by which that shade rises: long hair lies thick at once, short hair grows thicker.
+_SOFT = {"short": 1.2, "medium": 1.0, "shaved": 1.5, "bald": 1.5}
 
 
 def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
@@ -39,7 +41,8 @@ def hair_density(anatomy: Anatomy, points: Array, ears: Array) -> Array:
 def scalp_shade(anatomy: Anatomy, style: str) -> Array:
     """Return by how much, 0..1, each skin vertex (N1,) is darkened by hairs too fine to be drawn."""
     strength = _UNDER[style]
-    return np.asarray(strength * hair_density(anatomy, anatomy.skin, anatomy.masks["ears"]) ** 1.5)
+    density = hair_density(anatomy, anatomy.skin, anatomy.masks["ears"])
+    return np.asarray(strength * density ** _SOFT[style])
 
 
 def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray) -> tuple[Array, Array, Array]:
