@@ -28,6 +28,7 @@ CASES: dict[str, object] = {
     "head": "mei",
     "age": 70.0,
     "shape": {"nose_width": 1.0},
+    "muscles": "lines",
     "wrinkles": {"nasolabial": 2.0},
     "dynamics": "biphasic",
     "seed": 4,

@@ -74,6 +74,7 @@ else:
 LARGEST_SIDE = 4096
 BY_VOICE = "core.setting:later"  # to look a voice up starts the speech engine
 DYNAMICS = ("springs", "biphasic", "static")
+MUSCLE_MODES = ("fields", "lines")
 
 _voice = partial(setting, Stage.VOICE, Group.VOICE)
 _silence = partial(setting, Stage.VOICE, Group.TIME)
@@ -257,6 +258,11 @@ class Settings(metaclass=Named):
         "`list sliders` names them.",
         metavar="NAME:VALUE", low=-1.0, high=1.0, names="face.sliders:slider_names", what="slider",
         read="face.sliders:parse_slider", on_page=False)
+    muscles: str = _shape(
+        "Muscles", "fields",
+        "How muscles act: fields (calibrated on sculpts and scans), or lines (forces of six types along the "
+        "lines and within the zones of the head's muscles.toml).",
+        names=MUSCLE_MODES, what="manner of muscles", on_page=False)
     wrinkles: Mapping[str, float] = _skin(
         "Wrinkles", {}, "Factors 0 to 2 by region: less or more wrinkled than other faces of that age.",
         flag=None, low=0.0, high=2.0, on_page=False)

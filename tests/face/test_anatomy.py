@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 
 import numpy as np
@@ -9,9 +10,10 @@ import pytest
 
 from risorius.errors import HeadError
 from risorius.face.anatomy import FILE, Skin, anatomical_fields, from_line, load_pulls
-from risorius.face.head import load_head, required_fields
+from risorius.face.head import load_head, required_fields, shipped_heads
 from risorius.face.muscle_table import load_muscles
 from risorius.face.solve import FaceSolver
+from tests.profiles import everyday
 
 from .conftest import EMOTIONS, values_of
 
@@ -106,6 +108,38 @@ def test_a_head_without_sculpts_performs(head, tmp_path):
     for targets in EMOTIONS.values():
         wanted, found = (s.solve(values_of(targets)).skin - rest for s in (one, other))
         assert ((wanted - found) ** 2).sum() < 0.1 * (wanted**2).sum()
+
+
+@pytest.mark.parametrize("name", everyday(shipped_heads(), ["standard", "olaf"]))
+def test_every_head_can_be_moved_by_lines_of_pull(name):
+    sculpted, pulled = load_head(name), load_head(name, muscles="lines")
+    smile = dense(sculpted, sculpted.fields["zygomatic_major.left"])
+    found = dense(pulled, pulled.fields["zygomatic_major.left"])
+    assert (smile * found).sum() > 0.9 * np.linalg.norm(smile) * np.linalg.norm(found)
+    assert np.abs(smile - found).max() > 0.01
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('type = "linear"\nline = [[50.0, -30.0, -8.0]', 'type = "sheet"\nline = [[50.0, -30.0, -8.0]'),
+        ("line = [[50.0, -30.0, -8.0]", "line = [[50.0, -10.0, -8.0]"),
+        ("[23.0, -64.0, 15.0]]\nzone = 30.0", "[23.0, -64.0, 15.0]]\nzone = 6.0"),
+    ],
+)
+def test_types_lines_and_zones_of_a_table_act(head, tmp_path, old, new):
+    for file in head.folder.glob("*.*"):
+        if file.name in {"head.npz", "muscles.toml", "identity.toml"}:
+            shutil.copy(file, tmp_path)
+    table = tmp_path / "muscles.toml"
+    text = table.read_text()
+    assert text.count(old) == 1
+    table.write_text(text.replace(old, new))
+    usual, changed = load_head(muscles="lines"), load_head(tmp_path, muscles="lines")
+    before, after = (dense(h, h.fields["zygomatic_major.left"]) for h in (usual, changed))
+    assert np.linalg.norm(after - before, axis=1).max() > 0.5
+    same = (dense(h, h.fields["mentalis.left"]) for h in (usual, changed))
+    np.testing.assert_array_equal(*same)
 
 
 def test_a_head_that_lacks_one_field_only_is_refused(head, tmp_path):

@@ -72,6 +72,7 @@ class Skin:
     def displaced(self, muscle: Muscle, pull: Pull) -> Array:
         """Return the displacement (N, 3) in mm of the left muscle (or the only one) at activation 1."""
         share = influence(self.places, pull.places) @ pull.weights
+        share *= _within(muscle, self.rest)[:, None]
         force = np.einsum("nd,ndc->nc", share, directions(muscle, self.rest, self.normals))
         return np.asarray(self.network.solve(force))
 
@@ -107,6 +108,12 @@ def from_line(muscle: Muscle, points: Array) -> Array:
     start, end = (np.array(p) for p in muscle.line)
     share = np.clip((points - start) @ (end - start) / ((end - start) @ (end - start)), 0.0, 1.0)
     return np.asarray(np.linalg.norm(points - start - share[:, None] * (end - start), axis=1))
+
+
+def _within(muscle: Muscle, points: Array) -> Array:
+    """Return by how much (n,), 0..1, a muscle's zone holds `points` (n, 3): it ends over twice `REACH`."""
+    beyond = from_line(muscle, points) - muscle.zone - REACH
+    return np.clip(1.0 - beyond / (2.0 * REACH), 0.0, 1.0)
 
 
 def anatomical_fields(

@@ -203,19 +203,21 @@ def load_head(
     *,
     age: float | None = None,
     shape: Mapping[str, float] | None = None,
+    muscles: str = "fields",
 ) -> Head:
     """Load a head that comes with Risorius by its name, or any head from its folder or `.npz` file.
 
     `age` in years, 0 to 100, changes its shape as `Head.aged` does; None is the age it was made at; `shape`
-    changes it as `Head.shaped` does. The same unchanged files return the same object. Raises HeadError if
-    there is no such head, or if a file in its folder lacks an array or a muscle or holds an array of the
+    changes it as `Head.shaped` does. `muscles`: "fields", those calibrated on sculpts and scans, or "lines",
+    the anatomical mode of `muscles.toml`. The same unchanged files return the same object. Raises HeadError
+    if there is no such head, or if a file in its folder lacks an array or a muscle or holds an array of the
     wrong shape or range; raises as `Head.aged` and `Head.shaped`, too.
     """
     path = head_file(name_or_path)
-    beside = [path, *(path.with_name(name) for name in (identity_file.FILE, age_file.FILE))]
+    beside = [path, *(path.with_name(name) for name in (identity_file.FILE, age_file.FILE, MUSCLE_TABLE))]
     changed = tuple(file.stat().st_mtime_ns if file.is_file() else 0 for file in beside)
     amounts = tuple(sorted((shape or {}).items()))
-    return _load_shaped(path, changed, None if age is None else float(age), amounts)
+    return _load_shaped(path, changed, None if age is None else float(age), amounts, muscles == "lines")
 
 
 class HeadChoice(Protocol):
@@ -233,10 +235,14 @@ class HeadChoice(Protocol):
     def shape(self) -> Mapping[str, float]:
         """Amounts of sliders by name, -1 to 1."""
 
+    @property
+    def muscles(self) -> str:
+        """ "fields" or "lines"; see `load_head`."""
+
 
 def head_of(choice: HeadChoice) -> Head:
     """Load the head that settings choose, with its age and shape. Raises HeadError as `load_head`."""
-    return load_head(choice.head, age=choice.age, shape=choice.shape)
+    return load_head(choice.head, age=choice.age, shape=choice.shape, muscles=choice.muscles)
 
 
 def head_titles() -> dict[str, str]:
@@ -248,16 +254,29 @@ def head_titles() -> dict[str, str]:
 
 @lru_cache(maxsize=4)
 def _load_shaped(
-    path: Path, changed: tuple[int, ...], age: float | None, shape: tuple[tuple[str, float], ...]
+    path: Path,
+    changed: tuple[int, ...],
+    age: float | None,
+    shape: tuple[tuple[str, float], ...],
+    lines: bool,
 ) -> Head:
-    head = _load(path, changed)
+    head = _pulled(path, changed) if lines else _load(path, changed)
     return (head if age is None else head.aged(age)).shaped(dict(shape))
+
+
+@lru_cache(maxsize=4)
+def _pulled(path: Path, changed: tuple[int, ...]) -> Head:
+    """Return the head with its muscles in the anatomical mode."""
+    head = _load(path, changed)
+    return replace(
+        head, fields=_line_fields(path.parent, head.rest, head.quads, head.jaw_weight, head.mirror)
+    )
 
 
 @lru_cache(maxsize=8)
 def _load(path: Path, changed: tuple[int, ...]) -> Head:
     head = _read(path)
-    _, has_identity, has_ages = changed
+    _, has_identity, has_ages, _ = changed
     if has_identity:
         head = replace(head, identity=read_identity(path.with_name(identity_file.FILE)))
     if has_ages:
@@ -308,11 +327,19 @@ def _muscle_fields(file: HeadFile, rest: Array, quads: Int32Array) -> Mapping[st
     """Return the calibrated fields, or those of the anatomical mode if the file has none."""
     if any(name.startswith("field/") for name in file.arrays):
         return _fields(file, "field", required_fields(), len(rest))
-    table = file.path.parent if (file.path.parent / MUSCLE_TABLE).is_file() else _standard()
-    skin = Skin(rest, quads, file.array("jaw_weight", (len(rest),), low=0.0, high=1.0))
+    jaw_weight = file.array("jaw_weight", (len(rest),), low=0.0, high=1.0)
+    mirror = file.indices("mirror", (len(rest),), len(rest))
+    return _line_fields(file.path.parent, rest, quads, jaw_weight, mirror)
+
+
+def _line_fields(
+    folder: Path, rest: Array, quads: Int32Array, jaw_weight: Array, mirror: Int32Array
+) -> Mapping[str, Field]:
+    """Return the fields of the anatomical mode, by the table in `folder` or else the standard head's."""
+    table = folder if (folder / MUSCLE_TABLE).is_file() else _standard()
+    skin = Skin(rest, quads, jaw_weight)
     bases = tuple(dict.fromkeys(name.partition(".")[0] for name in required_fields()))
     pulls = load_pulls(_standard(), bases)
-    mirror = file.indices("mirror", (len(rest),), len(rest))
     fields = anatomical_fields(skin, mirror, load_muscles(table), pulls, required_fields())
     return MappingProxyType({name: Field(*field) for name, field in fields.items()})
 

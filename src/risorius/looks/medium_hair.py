@@ -108,7 +108,7 @@ def _over_ears(anatomy: Anatomy, place: Array) -> Array:
 
 
 def _turned_in(anatomy: Anatomy, place: Array) -> Array:
-    """Return what directions (S, 3) of hair at places (S, 3) gain towards the neck: ends curl in below the jaw."""
+    """Return what directions (S, 3) of hair at places (S, 3) gain towards the neck: ends turn in."""
     u = anatomy.unit
     low = smoothstep(float(anatomy.mouth[1]) + 22.0 * u, anatomy.chin + 4.0 * u, place[:, 1])
     inwards = np.stack([-place[:, 0], np.zeros(len(place)), _AXIS * u - place[:, 2]], axis=1)
