@@ -21,6 +21,7 @@ from .ports.score_json import read_score_file
 from .ports.targets import check_targets
 from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
+from .rules.rule_set import emotions_of
 from .settings import BlendChoices, Settings
 from .speech import Input, Recording, hear, read_transcript
 from .speech.recordings.recording import read_recording
@@ -54,7 +55,9 @@ def speak(
     these, it is recognized, which is less exact. `emotion`: intensities 0..1 by name, or "happiness:0.7@1-3"
     as on the command line, or displays. Raises RisoriusError with one line on what is wrong and where.
     """
-    settings, displays = checked(settings), displays_of(emotion)
+    settings = checked(settings)
+    with emotions_of(settings.rules):
+        displays = displays_of(emotion)
     script, transcript = _text_or_file(script), _text_or_file(transcript)
     audio = None if audio is None else path_of(audio)
     if script is not None and script.lower().endswith(".json") and not text:

@@ -15,7 +15,7 @@ from .core.score import Score
 from .core.utterance import Utterance
 from .rules.emotions import Displays
 from .rules.profiles import attitude, profile_of
-from .rules.rule_set import rule_set_of
+from .rules.rule_set import emotions_of, rule_set_of
 from .script import Script
 from .settings import Settings
 from .speech import VOICE_SETTINGS, Input, feelings, hear, read, say
@@ -25,15 +25,15 @@ from .unread import refuse_unread
 
 def perform(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
     """Perform a text, a script or a recording, showing `emotions` beside those that it marks."""
-    source = read(given)
-    refuse_unread(source, settings)
-    settings = with_profile(settings)
-    rule_set_of(settings.rules)  # a fault in it is told before anything is spoken
-    if isinstance(source, Script):
-        script, utterance = source, speak(source, emotions, settings, progress)
-    else:
-        script, utterance = hear(source, progress)
-    score = compose(script, utterance, emotions, settings)
+    with emotions_of(settings.rules):  # a fault in it is told before anything is spoken
+        source = read(given)
+        refuse_unread(source, settings)
+        settings = with_profile(settings)
+        if isinstance(source, Script):
+            script, utterance = source, speak(source, emotions, settings, progress)
+        else:
+            script, utterance = hear(source, progress)
+        score = compose(script, utterance, emotions, settings)
     return combine(announced(score, settings.fps, progress), settings, utterance)
 
 

@@ -309,7 +309,7 @@ class HeadCache:
     def solver(self, settings: Settings) -> FaceSolver:
         """Return a solver as `make_solver` does, as the newest entry; the oldest beyond `most` go."""
         shape, wrinkles = (tuple(sorted(amounts.items())) for amounts in (settings.shape, settings.wrinkles))
-        key = settings.head, settings.age, settings.dynamics, shape, wrinkles
+        key = settings.head, settings.age, settings.dynamics, shape, wrinkles, settings.rules
         solver = self._solvers.pop(key, None) or make_solver(settings)
         self._solvers[key] = solver
         while len(self._solvers) > self._most:
@@ -327,11 +327,14 @@ def _counted(faces: Iterator[FaceFrame], total: int, progress: Progress) -> Iter
 def make_solver(settings: Settings) -> FaceSolver:
     """Return a solver for the head, wrinkles and skin that settings choose; HeadError as `head_of`."""
     from .face.head import head_of
+    from .face.links import Links, link_rows
     from .face.solve import FaceSolver
+    from .rules.rule_set import rule_set_of
 
     head = head_of(settings)
     phases: Literal["linear", "biphasic"] = "biphasic" if settings.dynamics == "biphasic" else "linear"
-    return FaceSolver(head, phases=phases, age=head.identity.age, wrinkles=settings.wrinkles)
+    links = Links.of(rule_set_of(settings.rules).tables.links(link_rows(head.links_file)))
+    return FaceSolver(head, links, phases, age=head.identity.age, wrinkles=settings.wrinkles)
 
 
 def lip_rig(score: Score, head: str) -> LipRig | None:

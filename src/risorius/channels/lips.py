@@ -15,7 +15,7 @@ from ..core.movement import Cause, LipSegment, silent_dominance
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet
 from ..rules.articulation import is_known, sounds
-from ..rules.lips import OPENING, LipTable, PhoneShape, lip_table
+from ..rules.lips import OPENING, LipTable, PhoneShape
 from .anticipation import TargetsHeld, anticipated, coming_vowels
 from .inputs import ChannelInputs, Context
 from .registry import register
@@ -30,10 +30,12 @@ def lips(inputs: ChannelInputs, context: Context) -> Iterator[LipSegment]:
     """Yield the segments of all phones and pauses in order, the in-breath before speech included."""
     if inputs.utterance is None:
         return
-    table = lip_table()
+    table = inputs.rules.tables.lips()
     shaper = _Shaper(table, inputs.utterance, table.factors(inputs.manner, inputs.articulation))
     released = inputs.utterance.duration
     for index, phone in enumerate(inputs.utterance.phones):
+        if phone.symbol in table.silent:
+            continue
         if phone.symbol != SILENCE:
             for segment in shaper.spoken(index, phone):
                 yield _from_release(segment, released)
@@ -107,6 +109,8 @@ class _Shaper:
 
     def _sounds(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
         """Return a phone's sounds; of one that no table has, those of the class of sounds it looks like."""
+        if symbol in self.table.phones or symbol in self.table.diphthongs:
+            return self.table.shapes(symbol)
         if is_known(symbol):
             return sounds(symbol)
         return tuple(sound for part in to_arpabet(symbol) for sound in self.table.shapes(part))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InputError, UnreadError
-from .options import F, displays, emotion_option, option
+from .options import F, emotion_option, option
 
 if TYPE_CHECKING:
     from ..core.progress import Progress
@@ -45,7 +45,7 @@ class Spoken:
             transcript=self.transcript,
             text=self.is_text or name == "stdin",
             source=name,
-            emotion=displays(self.emotions),
+            emotion=self.emotions,
             settings=settings,
             progress=progress,
         )

@@ -1,4 +1,4 @@
-"""The doctor: rules and habits that hold no error, yet can do nothing or not what they say."""
+"""The doctor: rules, habits and entries that hold no error, yet can do nothing or not what they say."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from .habits import Habit
 from .modulation import is_under
 from .rule import NOTHING_FELT, Level, Rule
 from .rule_set import RuleEntry, RuleSet, shipped
+from .tables import TableEntry
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +40,26 @@ def examine(rule_set: RuleSet) -> tuple[Finding, ...]:
         for index, (habit, place) in enumerate(zip(changed, rule_set.habit_places, strict=True))
         for message in _problems_of_habit(habit, changed[index + 1 :], rule_set)
     )
-    return (*of_rules, *of_habits)
+    entries = rule_set.tables.changed
+    of_tables = (
+        Finding(place, f"entry '{entry.id}' {message}")
+        for index, (entry, place) in enumerate(zip(entries, rule_set.table_places, strict=True))
+        for message in _problems_of_entry(entry, entries[index + 1 :], rule_set)
+    )
+    return (*of_rules, *of_habits, *of_tables)
+
+
+def _problems_of_entry(entry: TableEntry, later: Sequence[TableEntry], rule_set: RuleSet) -> Iterator[str]:
+    """Yield what is wrong with an entry of a table that others may follow."""
+    if any(is_under(entry.id, prefix) for prefix in rule_set.tables.deleted):
+        yield "is changed and deleted; expected one of both"
+    if not entry.values:
+        yield "changes nothing: it has no values"
+    for key in entry.values:
+        if any(other.id == entry.id and key in other.values for other in later):
+            yield f"gives '{key}' twice; the last one holds"
+    if not entry.source.strip():
+        yield "lacks a source"
 
 
 def _problems_of_habit(habit: Habit, later: Sequence[Habit], rule_set: RuleSet) -> Iterator[str]:

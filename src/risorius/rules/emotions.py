@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
-from typing import Annotated
+from typing import Annotated, Any
 
 from ..core.action_units import check_intensity, kept_units, resolve_targets
 from ..core.frozen import FrozenDict
 from ..core.functions import FunctionName
 from ..core.hints import Range
 from ..core.rivalry import rival_pairs
-from ..core.toml import written
+from ..core.toml import read_tables, written
 from ..core.units import MAX_SECONDS, RiseSeconds, Seconds, Share
 from ..errors import InputError, ParameterError, unknown
 from .fuzzy_sets import concluded
-from .load import load_file, load_folder
+from .load import DATA, load_file, load_folder
 from .modulation import Modulation
 
 # What share of its full contraction belongs to each of five intensities.
@@ -131,9 +133,48 @@ class Display:
 Displays = tuple[Display, ...]
 
 
-@cache
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """Emotions by name, and the name for every name and alias."""
+
+    emotions: Mapping[str, Emotion]
+    names: Mapping[str, str]
+
+
+_IN_FORCE: ContextVar[_Known | None] = ContextVar("emotions", default=None)
+
+
+@contextmanager
+def emotions_in_force(changed: Mapping[str, Emotion] | None) -> Iterator[None]:
+    """Let other emotions be in force in place of the package's; those in force stay if it is None.
+
+    Raises InputError if one alias names two.
+    """
+    if changed is None:
+        yield
+        return
+    token = _IN_FORCE.set(_Known(changed, _by_any_name(changed)))
+    try:
+        yield
+    finally:
+        _IN_FORCE.reset(token)
+
+
+def emotion_tables() -> dict[str, dict[str, Any]]:
+    """Return the package's tables as TOML has them, by the emotion's name."""
+    files = sorted(f.name for f in (DATA / "emotions").iterdir() if f.name.endswith(".toml"))
+    tables = (read_tables((DATA / "emotions" / f).read_text(encoding="utf-8"), f) for f in files)
+    return {table["name"]: table for table in tables}
+
+
 def emotions() -> Mapping[str, Emotion]:
     """Return all emotions by name, in alphabetical order."""
+    known = _IN_FORCE.get()
+    return _shipped() if known is None else known.emotions
+
+
+@cache
+def _shipped() -> Mapping[str, Emotion]:
     found: dict[str, Emotion] = {}
     for emotion_ in load_folder(Emotion, "emotions").values():
         found[emotion_.name] = emotion_
@@ -141,10 +182,15 @@ def emotions() -> Mapping[str, Emotion]:
     return MappingProxyType(found)
 
 
-@cache
 def emotion_names() -> Mapping[str, str]:
     """Return the emotion's name for every name and alias, in lower case."""
-    return MappingProxyType(_by_any_name(emotions()))
+    known = _IN_FORCE.get()
+    return _shipped_names() if known is None else known.names
+
+
+@cache
+def _shipped_names() -> Mapping[str, str]:
+    return MappingProxyType(_by_any_name(_shipped()))
 
 
 def emotion(name: str) -> Emotion:

@@ -5,20 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Annotated
+from typing import Annotated, Any
 
 from ..core.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
 from ..core.frozen import FrozenDict
 from ..core.hints import Range
 from ..core.movement import Dominance
 from ..core.parameters import INDEX, parameters_named
+from ..core.schema import build
+from ..core.source_text import SourceText
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
-from .load import load
+from .load import DATA, load
 
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]
 LipTargets = Mapping[str, float]
 EVERYTHING = "*"
+LIPS_FILE = "lips.toml"
+NAMED_TABLES = ("class", "phone", "diphthong", "onset", "manner")
+"""The tables of the file whose entries have names."""
 OPENING = (JAW, APERTURE)
 
 
@@ -126,7 +131,8 @@ class Holding:
 class LipTable:
     """The lips' rules, ready for use: phones by ARPAbet symbol, classes by name.
 
-    `onsets`: the allophones at the start of a word or of a stressed syllable.
+    `onsets`: the allophones at the start of a word or of a stressed syllable. `silent`: phones that move no
+    lips.
     """
 
     holdings: Mapping[str, Holding]
@@ -137,6 +143,7 @@ class LipTable:
     pausing: Pausing
     articulation: Mapping[str, float]
     manners: Mapping[str, LipManner]
+    silent: frozenset[str] = frozenset()
     rest: PhoneShape = field(default_factory=lambda: PhoneShape("silence", FrozenDict()))
 
     def shape(self, symbol: str) -> PhoneShape:
@@ -181,7 +188,20 @@ def manners() -> tuple[str, ...]:
 @lru_cache(maxsize=1)
 def lip_table() -> LipTable:
     """Return the package's table; raise InputError if its names do not fit together."""
-    raw = load(_File, "lips.toml")
+    return _compiled(load(_File, LIPS_FILE))
+
+
+def lip_table_text() -> str:
+    """Return the package's file."""
+    return (DATA / LIPS_FILE).read_text(encoding="utf-8")
+
+
+def lip_table_of(tables: Mapping[str, Any]) -> LipTable:
+    """Return the table of a file as TOML has it, or the package's if it is empty; raise as `lip_table`."""
+    return _compiled(build(_File, tables, SourceText(LIPS_FILE, ""))) if tables else lip_table()
+
+
+def _compiled(raw: _File) -> LipTable:
     _check_names(raw)
     holdings = {name: _holding(lip_class) for name, lip_class in raw.classes.items()}
     return LipTable(

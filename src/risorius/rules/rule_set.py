@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
 from ..core.frozen import FrozenDict
 from ..core.source_text import SourceText
-from ..core.toml import parse, read_text
+from ..core.toml import parse, read_tables, read_text
 from ..errors import ParameterError, Place, RisoriusError, unknown
 from .habits import HABITS, Habit, HabitChanges, deleted_by, with_habits
 from .load import DATA
 from .modulation import is_under
 from .profiles import NEUTRAL, profile
 from .rule import Rule
+from .tables import TableChanges, TableEntry, check, deleted_entries
 
 FOLDER = "rules"
 _RULE = re.compile(r"^\[\[\s*rule\s*\]\][^\n]*\n", re.MULTILINE)
@@ -24,12 +26,13 @@ _RULE = re.compile(r"^\[\[\s*rule\s*\]\][^\n]*\n", re.MULTILINE)
 
 @dataclass(frozen=True, slots=True)
 class RuleFile:
-    """A file of rules. `habit`: numbers of habits. `delete`: ids, or their beginnings up to a dot, of rules
-    and habits that do not hold.
+    """A file of rules. `habit`: numbers of habits. `entry`: entries of tables. `delete`: ids, or their
+    beginnings up to a dot, of rules, habits and entries that do not hold.
     """
 
     rule: tuple[Rule, ...] = ()
     habit: tuple[Habit, ...] = ()
+    entry: tuple[TableEntry, ...] = ()
     delete: tuple[str, ...] = ()
 
 
@@ -46,12 +49,14 @@ class RuleEntry:
 class RuleSet:
     """The rules that hold, by id, in the order of their files, and what the files change in habits.
 
-    `habit_places`: where each of the changed habits stands.
+    `habit_places`: where each of the changed habits stands; `tables`, `table_places`: likewise of tables.
     """
 
     entries: Mapping[str, RuleEntry] = field(default_factory=FrozenDict)
     habits: HabitChanges = field(default_factory=HabitChanges)
     habit_places: tuple[Place, ...] = ()
+    tables: TableChanges = field(default_factory=TableChanges)
+    table_places: tuple[Place, ...] = ()
 
     def __iter__(self) -> Iterator[Rule]:
         return (entry.rule for entry in self.entries.values())
@@ -83,6 +88,11 @@ def rule_set_of(path: Path | None) -> RuleSet:
     return shipped() if path is None else extended(shipped(), read_text(path), str(path))
 
 
+def emotions_of(path: Path | None) -> AbstractContextManager[None]:
+    """Return a context in which the emotions are as a user's file changes them; raise as `rule_set_of`."""
+    return nullcontext() if path is None else rule_set_of(path).tables.emotions_in_force()
+
+
 def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
     """Return a set with the rules of TOML `text`, from the file `name`, added.
 
@@ -91,11 +101,12 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
     replace or delete, and replacements that go round in a circle.
     """
     source = SourceText(name, text)
-    file = parse(RuleFile, text, name)
+    with _emotions_of(text, name):
+        file = parse(RuleFile, text, name)
     entries = dict(rule_set.entries)
     for index, prefix in enumerate(file.delete):
         found = [known for known in entries if is_under(known, prefix)]
-        if not found and not deleted_by([prefix]):
+        if not found and not deleted_by([prefix]) and not deleted_entries([prefix]):
             raise source.error(("delete", index), unknown("rule", prefix, (*entries, *HABITS)))
         for known in found:
             del entries[known]
@@ -109,7 +120,41 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
     habits = HabitChanges((*before.changed, *file.habit), before.deleted | deleted_by(file.delete))
     _check_habits(file, source)
     places = tuple(source.place(("habit", index)) for index in range(len(file.habit)))
-    return RuleSet(entries, habits, (*rule_set.habit_places, *places))
+    tables = _tables(file, rule_set.tables, source)
+    table_places = tuple(source.place(("entry", index)) for index in range(len(file.entry)))
+    return RuleSet(
+        entries,
+        habits,
+        (*rule_set.habit_places, *places),
+        tables,
+        (*rule_set.table_places, *table_places),
+    )
+
+
+def _emotions_of(text: str, name: str) -> AbstractContextManager[None]:
+    """Return a context in which a file's own emotions are known to its rules, if its entries are right."""
+    known = {"id", "values", "source", "comment"}
+    rows = [row for row in read_tables(text, name).get("entry", ()) if isinstance(row, dict)]
+    try:
+        named = tuple(TableEntry(**row) for row in rows if known >= row.keys() >= {"id", "values", "source"})
+        changes = TableChanges(named)
+        check(changes)
+        return changes.emotions_in_force()
+    except (RisoriusError, AttributeError):
+        return nullcontext()  # the strict reader tells what is wrong
+
+
+def _tables(file: RuleFile, before: TableChanges, source: SourceText) -> TableChanges:
+    """Return the changes of tables; raise InputError, with its place, for an entry that does not fit."""
+    deleted = before.deleted | deleted_entries(file.delete)
+    tables = before
+    for index, entry in enumerate(file.entry):
+        tables = TableChanges((*tables.changed, entry), deleted)
+        try:
+            check(tables)
+        except RisoriusError as error:
+            raise source.error(("entry", index, "values"), f"{entry.id}: {error.message}") from None
+    return TableChanges(tables.changed, deleted)
 
 
 def _check_habits(file: RuleFile, source: SourceText) -> None:
