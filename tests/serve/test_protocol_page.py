@@ -18,5 +18,7 @@ def test_the_printed_client_hears_a_face(capsys: pytest.CaptureFixture[str]) -> 
     with running() as server:
         exec(compile(short.replace(":8766/", f":{server.port}/"), str(PAGE), "exec"), {})
     rows = [line.split() for line in capsys.readouterr().out.splitlines()]
-    assert [float(time) for time, _, _ in rows] == pytest.approx([k / 30 for k in range(len(rows))], abs=1e-5)
+    # A machine that does other work may drop some, never their order.
+    indices = [30 * float(time) for time, _, _ in rows]
+    assert indices == pytest.approx(sorted({round(index) for index in indices}), abs=1e-3)
     assert max(float(weight) for _, weight, _ in rows) > 0.1

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import socket as sockets
+import time
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import islice
@@ -20,6 +21,8 @@ from risorius import Live, Settings, Take, speak
 from risorius.core.arkit import ROTATIONS, SHAPES
 from risorius.core.parameters import NAMES
 from risorius.errors import InputError, SpeechError
+from risorius.live import hearing
+from risorius.live.voice import VoicedPhrase
 from risorius.ports.glb_file import GlbFile
 from risorius.ports.rig import Rig
 from risorius.serve import limits
@@ -314,6 +317,39 @@ def test_a_voice_made_elsewhere_is_played_and_looks_are_obeyed(client: Client) -
     np.testing.assert_array_equal(heard[first : first + len(sound)], sound)
     last = np.degrees(frames[-1]["rotations"])
     assert last[0] + 0.5 * (last[3] + last[6]) == pytest.approx(20.0, abs=0.1)
+
+
+def test_a_face_lives_on_while_a_voice_is_heard(client: Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    hear = hearing.hear_phrase
+
+    def slowly(phrase: VoicedPhrase, language: str) -> hearing.HeardPhrase:
+        time.sleep(0.6)
+        return hear(phrase, language)
+
+    monkeypatch.setattr(hearing, "hear_phrase", slowly)
+    client.start(fps=30, ahead=0.0)
+    before = client.until("frame")["index"]
+    silence = base64.b64encode(bytes(16_000)).decode()
+    client.send("say", audio=silence, rate=16_000, text="")
+    client.send("close")
+    frames = client.frames()
+    assert [frame["dropped"] for frame in frames] == [0] * len(frames)
+    assert frames[-1]["index"] - before > 30 * (0.5 + 0.6)
+
+
+def test_the_last_frame_comes_with_its_sound_however_late(
+    client: Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(limits, "LATE", -10.0)
+    client.start(fps=30, outputs=["arkit"])
+    client.send("say", text=SAID)
+    client.send("close")
+    (frame,) = client.frames()
+    take = speak(SAID, text=True)
+    assert take.audio is not None
+    assert frame["dropped"] == frame["index"] > 10
+    assert len(sound_of(frame)) > 0.8 * len(take.audio.read()) - 1.0 * frame["rate"]
+    assert np.abs(sound_of(frame)).max() > 1_000
 
 
 @pytest.mark.parametrize(

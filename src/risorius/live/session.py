@@ -98,6 +98,8 @@ class Live:
         self._faults: deque[str] = deque()
         self._lock = Lock()
         self._closed = self._interrupted = False
+        # Whether frames wait for what is being heard.
+        self._waits = True
         self._next = self._turns = self._idles = self._last_text = 0
         self._sample_rate = _SAMPLE_RATE
         self._stretch: LiveStretch | None = None
@@ -217,12 +219,14 @@ class Live:
             self._waiting.end()
             self._closed = True
 
-    def frames(self, *, paced: bool = False) -> Iterator[LiveFrame]:
+    def frames(self, *, paced: bool = False, waits: bool = True) -> Iterator[LiveFrame]:
         """Yield frame after frame, idle ones too, until `close` and the end of what is being said.
 
-        With `paced` each is yielded when its time has come, counted from the first. An error in a sentence
-        (RisoriusError) is raised once; `frames`, called again, goes on after it.
+        With `paced` each is yielded when its time has come, counted from the first. Unless it `waits`, and
+        if it is paced, the face lives on while the words of a voice are found, and the clock takes part. An
+        error in a sentence (RisoriusError) is raised once; `frames`, called again, goes on after it.
         """
+        self._waits = waits and not paced
         pace = Pace(self._settings.fps, time.monotonic)
         while (frame := self._frame()) is not None:
             if paced and (wait := pace.wait(frame.index)):
@@ -231,6 +235,7 @@ class Live:
 
     async def aframes(self) -> AsyncIterator[LiveFrame]:
         """Yield what `frames` does, paced; sentences are performed in another thread meanwhile."""
+        self._waits = False
         pace = Pace(self._settings.fps, time.monotonic)
         while (frame := await asyncio.to_thread(self._frame)) is not None:
             if wait := pace.wait(frame.index):
@@ -277,10 +282,10 @@ class Live:
                 sentences: tuple[LiveSentence, ...] = ()
                 feelings = playing.feelings
             else:
-                sentences = tuple(self._waiting.take(None, FEW_SENTENCES, FIRST_CHARACTERS))
-                self._beginning = sentences
+                few = FEW_SENTENCES, FIRST_CHARACTERS
+                sentences = self._beginning = self._waiting.take(None, *few, heard=not self._waits)
                 feelings = sentences[0].feelings if sentences else self._waiting.felt
-                if not sentences and self._closed:
+                if not sentences and self._closed and not len(self._waiting):
                     return None
         if self._joining is not None:
             self._join(self._joining)
@@ -297,7 +302,7 @@ class Live:
         plan = self._plan
         if self._joining is None and plan is not None and self._next <= playing.last_call(plan.settings.fps):
             most = room(len(playing.sentences), len(self._waiting))
-            new = tuple(self._waiting.take(playing.sentences[0], most))
+            new = self._waiting.take(playing.sentences[0], most, heard=not self._waits)
             if new:
                 self._joining = join_later(playing, new, plan, self._next)
         return self._joining is not None and self._next >= self._joining.at

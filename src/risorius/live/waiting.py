@@ -35,6 +35,11 @@ class LiveSentence:
         """Return the text, with the blanks after it."""
         return self.text if self.voice is None else texts_of([self.voice.result()])[0]
 
+    @property
+    def is_heard(self) -> bool:
+        """Whether it is known what it says when."""
+        return self.voice is None or self.voice.done()
+
     def joins(self, first: LiveSentence) -> bool:
         """Tell whether it can be performed together with what a turn began with."""
         return self.feelings == first.feelings and self.rate == first.rate
@@ -93,16 +98,25 @@ class WaitingSentences:
         self._queue(self._text.flush())
         self._hear(self._voice.flush())
 
-    def take(self, first: LiveSentence | None, most: int, characters: float = math.inf) -> list[LiveSentence]:
+    def take(
+        self,
+        first: LiveSentence | None,
+        most: int,
+        characters: float = math.inf,
+        *,
+        heard: bool = False,
+    ) -> tuple[LiveSentence, ...]:
         """Take at most so many that can be performed together with the first, or else with each other; none
-        more once there are so many characters."""
+        more once there are so many characters. With `heard`, those that are not heard yet wait on."""
         taken: list[LiveSentence] = []
-        while self._whole and len(taken) < most and (first is None or self._whole[0].joins(first)):
-            if sum(len(sentence.text) for sentence in taken) >= characters:
+        while self._whole and len(taken) < most:
+            following = self._whole[0]
+            enough = sum(len(sentence.text) for sentence in taken) >= characters
+            if enough or (heard and not following.is_heard) or not (first is None or following.joins(first)):
                 break
             taken.append(self._whole.popleft())
-            first = first or taken[0]
-        return taken
+            first = first or following
+        return tuple(taken)
 
     def put_back(self, sentences: Iterable[LiveSentence]) -> None:
         """Let sentences wait again, before all others."""

@@ -14,6 +14,7 @@ from math import ceil
 from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
 from ..errors import InputError, RisoriusError
+from ..live.frame import LiveFrame
 from ..live.pace import Pace
 from ..live.session import Live
 from ..live.weights import LiveWeights
@@ -154,30 +155,38 @@ class LiveClient:
         return self._gate.face(settings), LiveWeights(settings) if layout.fits else None
 
     async def _play(self, face: Live, weights: LiveWeights | None, ahead: float) -> None:
-        """Put frames into the mailbox when their time has come."""
-        frames, sentence = face.frames(), ""
+        """Put frames into the mailbox when their time has come; the last one however late it is."""
+        frames, sentence = face.frames(waits=False), ""
         pace = Pace(face.fps, time.monotonic)
+        late: LiveFrame | None = None
         while True:
             try:
                 frame = await asyncio.to_thread(next, frames, None)
             except RisoriusError as error:
                 self._mailbox.tell(written("error", message=str(error)))
-                frames = face.frames()
+                frames = face.frames(waits=False)
                 continue
             if frame is None:
                 break
+            if late is not None:
+                self._mailbox.drop(late)
+                late = None
             if frame.text != sentence:
                 sentence = frame.text
                 self._mailbox.tell(written("sentence", text=sentence, index=frame.index))
             if (wait := pace.wait(frame.index) - ahead) > 0:
                 await asyncio.sleep(wait)
             if pace.late(frame.index) > limits.LATE:
-                self._mailbox.drop(frame)
+                late = frame
             else:
-                self._mailbox.put(frame if weights is None else await asyncio.to_thread(weights.added, frame))
-        self._mailbox.tell(written("ended"))
+                await self._put(frame, weights)
+        if late is not None:
+            await self._put(late, weights)
         self._mailbox.end()
         await asyncio.Event().wait()
+
+    async def _put(self, frame: LiveFrame, weights: LiveWeights | None) -> None:
+        self._mailbox.put(frame if weights is None else await asyncio.to_thread(weights.added, frame))
 
     async def _write(self, layout: FrameLayout, start: StartFace) -> None:
         while (item := await self._mailbox.take()) is not None:
@@ -187,6 +196,8 @@ class LiveClient:
                     await self._send(message)
             except TimeoutError:
                 raise GoodbyeError(f"nothing was read for {limits.UNREAD:g} s") from None
+        # After the frames, which other events overtake.
+        await self._send(written("ended"))
 
     async def _send(self, message: str | bytes) -> None:
         if isinstance(message, str):

@@ -54,7 +54,7 @@ def _frames(face: Live, paced: bool, progress: Progress) -> Iterator[LiveFrame]:
     """Yield the frames of a face, whatever cannot be said."""
     while True:
         try:
-            yield from face.frames(paced=paced)
+            yield from face.frames(paced=paced, waits=False)
         except RisoriusError as error:
             progress(str(error))
         else:

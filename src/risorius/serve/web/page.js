@@ -6,6 +6,7 @@ import * as THREE from "/web/vendor/three/three.module.min.js";
 import { LiveFace, driving, nodeOf } from "./risorius-live.js";
 
 const $ = (id) => document.getElementById(id);
+const LIVE = "Live: type the next line while it speaks.";
 document.body.classList.toggle("embedded", new URLSearchParams(location.search).has("embedded"));
 // After the address's "#": a token, and settings as JSON, those of a studio that shows this page among them.
 const given = new URLSearchParams(location.hash.slice(1));
@@ -81,7 +82,7 @@ async function connected() {
     face = null;
     throw fault;
   }
-  tell("Live: type the next line while it speaks.");
+  tell(LIVE);
   return made;
 }
 
@@ -94,6 +95,7 @@ $("form").addEventListener("submit", async (event) => {
     const speaker = await connected();
     speaker.say(`${text} `);
     speaker.flush();
+    tell(LIVE);
   } catch (fault) {
     $("text").value = text;
     tell(fault.message, true);
