@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from risorius.serve.server import warm_up
+
 from .running import running
 
 PAGE = Path(__file__).parents[2] / "docs" / "serve.md"
@@ -14,7 +16,8 @@ PAGE = Path(__file__).parents[2] / "docs" / "serve.md"
 
 def test_the_printed_client_hears_a_face(capsys: pytest.CaptureFixture[str]) -> None:
     ((code,),) = (re.findall(r"^```py\n(.*?)^```", PAGE.read_text(), re.DOTALL | re.MULTILINE),)
-    short = code.replace("Hello there. How are you?", "Oh.")
+    short = code.replace("Hello there. How are you?", "Oh, wow.")
+    warm_up()
     with running() as server:
         exec(compile(short.replace(":8766/", f":{server.port}/"), str(PAGE), "exec"), {})
     rows = [line.split() for line in capsys.readouterr().out.splitlines()]
