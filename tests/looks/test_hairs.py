@@ -65,6 +65,27 @@ def test_brows_are_mirrored_and_lie_over_the_eyes(anatomy, surface):
     assert left[:, 0, 1].max() < anatomy.eye_height + 35
 
 
+def test_brows_fade_at_their_heads_and_edges(anatomy, surface):
+    brows = grow_brows(anatomy, surface, BROWN, SKIN, count=400)
+    x = np.abs(curves_in_head(surface, brows)[:, 0, 0]) / anatomy.unit
+    light = brows.colours.mean(axis=1)
+    assert light[x < 14].mean() > 1.4 * light[(x > 24) & (x < 40)].mean()
+    assert light.max() < SKIN.mean()
+
+
+def test_chin_length_hair_covers_the_ears_and_turns_in_at_its_ends(anatomy, surface):
+    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hair_style="medium", hairs=3000))
+    curves = curves_in_head(surface, hairs)
+    out = np.hypot(curves[..., 0], curves[..., 2] + 72.0 * anatomy.unit)
+    hanging = curves[:, -1, 1] < anatomy.mouth[1] - 20.0
+    assert hanging.mean() > 0.3
+    assert (out[hanging, -1] < out[hanging].max(axis=1) - 2.0).mean() > 0.8
+    ears = anatomy.skin[anatomy.masks["ears"] > 0.9]
+    points = curves.reshape(-1, 3)
+    beside = points[(np.abs(points[:, 1:] - ears[:, 1:].mean(axis=0)) < 12.0).all(axis=1)]
+    assert np.percentile(np.abs(beside[:, 0]), 80) > np.percentile(np.abs(ears[:, 0]), 80)
+
+
 def test_skin_is_darkened_under_the_brows_alone(anatomy):
     shade = brow_shade(anatomy)
     assert shade.max() > 0.5
