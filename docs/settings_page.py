@@ -14,8 +14,13 @@ HEAD = """# Settings
 Written by `docs/settings_page.py` from the table in `settings.py`: do not edit.
 
 In the library a setting is a field of `Settings`, or of its `look` (a `Look`) or `blend` (a `BlendChoices`).
-Each is read by one stage. What does not go through that stage refuses the setting by name; a setting that
-equals its default is never refused.
+`risorius list` prints the names that a value can have, and `risorius speak --help` the options.
+"""
+
+REFUSED = """
+## Which inputs take which settings
+Each setting is read by one stage. An input that does not go through that stage refuses the setting by name; a
+setting that equals its default is never refused.
 
 | input | refuses settings of | because |
 |---|---|---|
@@ -33,7 +38,7 @@ On the command line, a setting that changes none of the outputs is refused as we
 def page() -> str:
     """Return the page."""
     needs = "".join(f"| {need} | {', '.join(stages)} |\n" for need, stages in NEEDED.items())
-    return "".join((HEAD, *map(_refusal, INPUTS), WRITTEN, needs, *map(_section, Group)))
+    return "".join((HEAD, *map(_section, Group), REFUSED, *map(_refusal, INPUTS), WRITTEN, needs))
 
 
 def _refusal(source: InputKind) -> str:

@@ -12,6 +12,7 @@ import tempfile
 from collections.abc import Iterator
 from inspect import isclass, isfunction, ismodule
 from pathlib import Path
+from textwrap import indent
 from typing import Any
 
 import click
@@ -96,7 +97,7 @@ def _commands() -> Iterator[str]:
         inner = command.commands if isinstance(command, click.Group) else {"": command}
         for sub, leaf in inner.items():
             title = f"risorius {name} {sub}".strip()
-            context = click.Context(leaf, info_name=title, max_content_width=100, terminal_width=100)
+            context = click.Context(leaf, info_name=title, max_content_width=78, terminal_width=78)
             yield f"## {title}\n```\n{leaf.get_help(context)}\n```\n"
 
 
@@ -117,7 +118,10 @@ def _rule_files() -> Iterator[str]:
         head = re.match(r"(?:#.*\n)*", text)
         said = [line.lstrip("# ").rstrip() for line in head[0].splitlines()] if head else []
         tables = list(dict.fromkeys(re.findall(r"^\[+([\w.-]+)", text, re.MULTILINE)))
-        yield f"## {file.relative_to(RULES).as_posix()}\n{' '.join(said)}\n"
+        described = re.search(r'^description = "(.*)"$', text, re.MULTILINE)
+        words = " ".join([*([f"{described[1]} "] if described else []), *said])
+        yield f"## {file.relative_to(RULES).as_posix()}\n{words}\n"
         if tables:
             names = ", ".join(f"`{table}`" for table in tables[:_MOST_TABLES])
             yield f"Tables: {names}{' …' if len(tables) > _MOST_TABLES else ''}\n"
+        yield f'??? note "The whole file"\n    ```toml\n{indent(text, "    ")}\n    ```\n'

@@ -71,7 +71,7 @@ def changes_output(settings: Settings, formats: list[FileFormat]) -> bool:
     return True
 
 
-DRAWN = {"formats.md", "looks.md", "recordings.md"}
+DRAWN = {"formats.md", "looks.md", "recordings.md", "start.md"}
 """Pages whose many commands draw and fit; what they name is tested daily where it is made."""
 
 
@@ -104,6 +104,14 @@ def test_scripts_and_scores_perform(page: Path, language: str, suffix: str, fold
         source = folder / f"{number}{suffix}"
         source.write_text(text)
         assert run(["speak", str(source), "-o", "x.muscles.csv"]) == 0
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
+def test_rules_are_rules_and_the_doctor_finds_them_well(page: Path, folder: Path) -> None:
+    for number, text in enumerate(block for block in blocks(page, "toml") if "[[rule]]" in block):
+        file = folder / f"{number}.toml"
+        file.write_text(text)
+        assert run(["rules", "doctor", "--rules", str(file)]) == 0
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)

@@ -20,7 +20,7 @@ bl_info = {
     "name": "Risorius Performance",
     "author": "The Risorius project",
     "version": (0, 1, 0),
-    "blender": (4, 2, 0),
+    "blender": (4, 5, 0),
     "location": "File > Import > Risorius Performance",
     "description": "Imports facial performances to shape keys, with head and sound",
     "category": "Import-Export",

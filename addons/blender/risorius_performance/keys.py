@@ -62,9 +62,8 @@ def insert_rotation(track: Track, item, first: float) -> bool:
 def add_sound(path: Path, first: float):
     """Add a sound to the scene's sequencer; return its strip."""
     editor = bpy.context.scene.sequence_editor_create()
-    strips = editor.strips if hasattr(editor, "strips") else editor.sequences  # before Blender 4.4
-    channel = 1 + max((strip.channel for strip in strips), default=0)
-    return strips.new_sound(path.stem, str(path), channel, round(first))
+    channel = 1 + max((strip.channel for strip in editor.strips), default=0)
+    return editor.strips.new_sound(path.stem, str(path), channel, round(first))
 
 
 def fit_scene(track: Track, first: float) -> None:
@@ -89,10 +88,7 @@ def _new_action(data):
 
 def _write(action, data, path: str, index: int, values: list[float], track: Track, first: float) -> None:
     """Write one curve, a key for each time of the track."""
-    if hasattr(action, "fcurve_ensure_for_datablock"):
-        curve = action.fcurve_ensure_for_datablock(data, path, index=index)
-    else:  # before Blender 5
-        curve = action.fcurves.find(path, index=index) or action.fcurves.new(path, index=index)
+    curve = action.fcurve_ensure_for_datablock(data, path, index=index)
     curve.keyframe_points.clear()
     curve.keyframe_points.add(len(values))
     rate = _rate(bpy.context.scene)
