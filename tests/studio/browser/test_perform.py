@@ -44,7 +44,7 @@ def test_a_line_is_heard_and_seen(performed: Page) -> None:
 
 
 # Plays a part of the line, and looks at each picture that is drawn, with the sound's own time; then draws the
-# pictures of known times, and finds the nearest of them: by how much what was seen differs from what was heard.
+# pictures of known times, and finds the nearest: by how much what was seen differs from what was heard.
 SEEN_AND_HEARD = """
   const [from, to, delay] = arguments;
   const { clock, headPlayers: { stage } } = studio;
