@@ -8,7 +8,7 @@ const BROWSER = [
   "clearTimeout", "clearInterval", "console", "createImageBitmap", "crypto", "devicePixelRatio", "document", "fetch",
   "getComputedStyle", "history", "innerHeight", "innerWidth", "localStorage", "location", "matchMedia", "navigator",
   "performance", "requestAnimationFrame", "requestIdleCallback", "sessionStorage", "setInterval", "setTimeout", "window",
-  "AudioBufferSourceNode", "AudioContext", "EventTarget", "Option", "btoa", "structuredClone", "CanvasRenderingContext2D", "queueMicrotask", "confirm",
+  "AudioBufferSourceNode", "AudioContext", "EventTarget", "File", "MediaRecorder", "Option", "btoa", "structuredClone", "CanvasRenderingContext2D", "queueMicrotask", "confirm",
 ]; // prettier-ignore
 
 export default [

@@ -82,3 +82,20 @@ def test_what_is_too_large_is_refused(server, monkeypatch):
         assert "longer than" in page.refused("perform", source={"script": "x" * (limits.SCRIPT + 1)})
         with pytest.raises(ConnectionClosed):
             page.ask("perform", source={"script": "x" * (limits.MESSAGE + 1)})
+
+
+def test_no_line_to_the_page_tells_where_the_files_of_the_session_lie(server):
+    folder = str(server.studio.folder)
+    with server.page("told") as page:
+        sound = fetched(server, page.perform("I like it.")["speech"]["sound"])[1]
+        _, answer = fetched(server, "/api/session/told/recording?name=a.wav", sound)
+        name = json.loads(answer)["recording"]
+        take = page.ask("perform", source={"script": "", "recording": name})
+        assert any(name in line for line in take["warnings"])
+        assert not any(folder in line for line in take["warnings"])
+        refused = page.refused(
+            "perform", source={"script": "Quite other words than these. " * 9, "recording": name}
+        )
+        assert folder not in refused
+        choices = {"rules_off": ["../../x"]}
+        assert folder not in page.refused("perform", source={"script": "Hm."}, choices=choices)

@@ -89,7 +89,7 @@ class Connection:
         except BadRequestError as error:
             reply = refusal(error.id, error.message)
         except RisoriusError as error:
-            reply = refusal(number, str(error))
+            reply = refusal(number, self._shared.session.files.told(str(error)))
         except Exception:
             # An error of ours: the page gets one line, the terminal the traceback.
             LOG.exception("a request failed")

@@ -56,8 +56,9 @@ class Performer:
             said = time.perf_counter()
             progress("Planning …")
             score = identified(compose(script, utterance, displays, settings))
+        warnings = tuple(self._files.told(line) for line in odd)
         spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (time.perf_counter() - said)}
-        return Version(inputs, score, score, settings, utterance, warnings=tuple(odd), milliseconds=spent)
+        return Version(inputs, score, score, settings, utterance, warnings=warnings, milliseconds=spent)
 
     def adopted(self, inputs: TakeInputs) -> TakeInputs:
         """Return a request to perform a score with the score's own settings in its choices."""

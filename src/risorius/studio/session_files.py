@@ -33,6 +33,10 @@ class SessionFiles:
         self._emotions: dict[str, str] = _table(folder / "emotions.json")
         self._poses: dict[str, dict[str, float]] = _table(folder / "poses.json")
 
+    def told(self, text: str) -> str:
+        """Return a line for the page: files of the session by their names, without the folder they lie in."""
+        return re.sub(rf"{re.escape(str(self.folder))}/(?:recordings/)?", "", text)
+
     def recordings(self) -> tuple[str, ...]:
         """Return the names of the recordings, in alphabetical order."""
         folder = self.folder / "recordings"

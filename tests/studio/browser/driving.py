@@ -26,6 +26,8 @@ _FLAGS = (
     "--use-angle=swiftshader-webgl",  # for WebGL alone: the page itself is drawn for less
     "--enable-unsafe-swiftshader",
     "--autoplay-policy=no-user-gesture-required",
+    "--use-fake-device-for-media-stream",  # a microphone that beeps
+    "--use-fake-ui-for-media-stream",
 )
 
 

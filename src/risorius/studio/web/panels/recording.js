@@ -1,7 +1,8 @@
 /** A recording in place of a synthesized voice: dropped anywhere on the page, or chosen. */
 
 import { button } from "../parts/fields.js";
-import { fill, make, told } from "../parts/dom.js";
+import { fill, make, there, told } from "../parts/dom.js";
+import { recordButton } from "./microphone.js";
 
 const SOUNDS = "audio/*,.wav,.flac,.ogg,.mp3";
 
@@ -18,21 +19,40 @@ export function mountRecording(studio) {
     onchange: () => file.files[0] && upload(studio, file.files[0]),
   });
   const element = make("div", { class: "recording" });
-  store.watch(["source"], show);
+  const record = recordButton(studio, (sound) => upload(studio, sound));
+  const write = () => store.set({ source: { ...store.get("source"), script: recognized(store) } });
+  const correct = button("Correct the words", {
+    id: "recognized",
+    title: "Write the words that were recognized as the transcript, to be corrected",
+    onclick: () => {
+      write();
+      there("script").focus();
+    },
+  });
+  store.watch(["source", "take"], show);
   return make("div", {}, file, element);
 
   function show() {
     const { recording } = store.get("source");
     if (recording === null) {
       const choose = button("Recording …", { onclick: () => file.click() });
-      fill(element, choose, make("span", { class: "hint" }, "or drop one here"));
+      fill(element, choose, record, make("span", { class: "hint" }, "or drop one here"));
       return;
     }
     const remove = button("Remove", {
       onclick: () => store.set({ source: { ...store.get("source"), recording: null, edges: [] } }),
     });
-    fill(element, make("span", { class: "name", title: recording }, plainName(recording)), remove);
+    const name = make("span", { class: "name", title: recording }, plainName(recording));
+    fill(element, name, remove, recognized(store) ? correct : null);
   }
+}
+
+/** The words that were recognized in the recording where no transcript is written; "" where there is one. @returns {string} */
+function recognized(store) {
+  const { script, recording } = store.get("source");
+  const take = store.get("take");
+  const heard = script.trim() === "" && take?.made.source.recording === recording && take.made.source.script.trim() === "";
+  return heard ? (take.speech?.text ?? "") : "";
 }
 
 /** Send a recording to the session, and take it as what is performed. @param {import("../studio.js").Studio} studio @param {File} file */
