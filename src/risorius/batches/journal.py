@@ -6,7 +6,6 @@ beside each other, and each run reads them all.
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 from collections.abc import Iterator, Mapping
@@ -14,6 +13,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import IO
 
+from ..core.file_lock import lock
 from ..errors import OutputError, Place
 from ..ports.atomic import os_failure
 from .fingerprint import FileRecord
@@ -116,7 +116,7 @@ def _locked(path: Path, *, shared: bool = False) -> IO[bytes]:
     """Open a file to read and to append to it, and lock it until it is closed or this process ends."""
     file = path.open("a+b")
     try:
-        fcntl.flock(file, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
+        lock(file, shared=shared)
     except BlockingIOError:
         file.close()
         raise OutputError(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
@@ -136,7 +137,7 @@ def batch(
     _check_iterable("rows", rows)
     _check_iterable("outputs", outputs)
     names = (outputs,) if isinstance(outputs, str) else tuple(outputs)
-    processes = (os.cpu_count() or 1) if jobs is None else jobs
+    processes = usual_processes() if jobs is None else jobs
     part = Shard() if shard is None else Shard.parse(shard)
     folder = None if journal is None else Path(journal)
     plan = BatchPlan(
@@ -174,6 +175,13 @@ def pipe(
     if not as_tuples:
         return takes(texts, displays, settings, n_process)
     return _with_contexts(texts, displays, settings, n_process)
+
+
+def usual_processes() -> int:
+    """Return how many processes perform lines: one a core; none beside this one on Windows, where a worker
+    cannot be given its connection.
+    """
+    return 0 if sys.platform == "win32" else os.cpu_count() or 1
 
 
 def _check_iterable(what: str, value: object) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -96,12 +95,12 @@ def batch(
     A run that ended before its time goes on where it was when it is started again: lines that are whole and
     unchanged are not made again. Exit code 1 if a line failed; errors.jsonl has them.
     """
-    from ..batches.library import BatchPlan
+    from ..batches.library import BatchPlan, usual_processes
     from ..batches.run import Shard
 
     plan = BatchPlan(
         manifest, outputs, settings_from(chosen), displays(emotions),
-        (os.cpu_count() or 1) if jobs is None else jobs, timeout, ray,
+        usual_processes() if jobs is None else jobs, timeout, ray,
         Shard() if shard is None else Shard.parse(shard), journal, ignore, sheets,
     )  # fmt: skip
     with Console() as console:
