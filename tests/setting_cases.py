@@ -19,6 +19,7 @@ CASES: dict[str, object] = {
     "tail": 0.25,
     "profile": "lively",
     "attitudes": ("ironic",),
+    "expression": "posed",
     "blinks": "none",
     "lively": False,
     "manner": "whisper",

@@ -76,7 +76,7 @@ def test_by_default_the_smile_gives_way_by_degrees_and_returns() -> None:
     assert smile[roundest] == pytest.approx(speech[0, INDEX[SMILE]], abs=0.01 * level)
     assert np.abs(np.diff(smile)).max() < 0.2
     love = next(w for w in take.utterance.words if w.text == "love")  # type: ignore[union-attr]
-    assert smile[(take.times > love.start) & (take.times < love.end)].max() > 0.9 * level
+    assert smile[(take.times > love.start) & (take.times < love.end)].max() > 0.85 * level
 
 
 def test_both_eyes_blink(demo: risorius.Take) -> None:

@@ -56,7 +56,7 @@ def speak(
     as on the command line, or displays. Raises RisoriusError with one line on what is wrong and where.
     """
     settings = checked(settings)
-    with emotions_of(settings.rules):
+    with emotions_of(settings.rules, settings.expression):
         displays = displays_of(emotion)
     script, transcript = _text_or_file(script), _text_or_file(transcript)
     audio = None if audio is None else path_of(audio)

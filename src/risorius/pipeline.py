@@ -25,7 +25,7 @@ from .unread import refuse_unread
 
 def perform(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
     """Perform a text, a script or a recording, showing `emotions` beside those that it marks."""
-    with emotions_of(settings.rules):  # a fault in it is told before anything is spoken
+    with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
         source = read(given)
         refuse_unread(source, settings)
         settings = with_profile(settings)
@@ -51,23 +51,23 @@ def speak(
     if not script.lines:
         return None
     felt = feelings(script, emotions) if settings.voice_emotion else ()
-    voice = {name: getattr(settings, name) for name in VOICE_SETTINGS}
-    return say(script, felt=felt, progress=progress, **voice)
+    return say(script, felt=felt, progress=progress, **{n: getattr(settings, n) for n in VOICE_SETTINGS})
 
 
 def compose(script: Script, utterance: Utterance | None, emotions: Displays, settings: Settings) -> Score:
     """Derive the movements of all channels from what is said, if anything is, and marked."""
-    inputs = replace(
-        channels.inputs_of(script, utterance, emotions),
-        articulation=settings.articulation,
-        manner=settings.manner,
-        lively=settings.lively,
-        profile=profile_of(settings.profile, settings.blinks),
-        attitudes=tuple(attitude(name) for name in settings.attitudes),
-        rules=rule_set_of(settings.rules),
-    )
-    blend = settings.blend.planned()
-    return channels.compose(inputs, seed=settings.seed, without=settings.without, settings=blend)
+    with emotions_of(settings.rules, settings.expression):
+        inputs = replace(
+            channels.inputs_of(script, utterance, emotions),
+            articulation=settings.articulation,
+            manner=settings.manner,
+            lively=settings.lively,
+            profile=profile_of(settings.profile, settings.blinks),
+            attitudes=tuple(attitude(name) for name in settings.attitudes),
+            rules=rule_set_of(settings.rules),
+        )
+        blend = settings.blend.planned()
+        return channels.compose(inputs, seed=settings.seed, without=settings.without, settings=blend)
 
 
 def combine(

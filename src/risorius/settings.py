@@ -229,6 +229,10 @@ class Settings(metaclass=Named):
         "Attitudes", (), "Attitude of the speaker, added to the profile. May be given several times.",
         flag="--attitude", names="rules.profiles:attitudes",
         find="rules.profiles:attitude")
+    expression: str = _manner(
+        "Emotions are", "felt",
+        "Whether emotions are felt, or posed: faster, less smooth, and without effect on all else.",
+        names="rules.expressions:expressions")
     blinks: str | None = _manner(
         "Blinks", None, "How blinks are timed: natural, itti, pelachaud or none.",
         names="rules.profiles:BLINK_MODELS", what="model of blinks", unset="the profile's own")

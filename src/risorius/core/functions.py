@@ -60,8 +60,9 @@ def saccade(x: Array) -> Array:
     """Speed in proportion to 1 - |2x - 1|^1.5, whose peak is 1.67 times its mean.
 
     With this profile the duration of 25 ms + 2.4 ms a degree gives the measured peak speed,
-    473(1 - e^(-A/7.8)) degrees a second, within 7 % from 1 to 20 degrees (facts: science/03, sections 3.2 and
-    3.3), and as curves are rounded and sampled within 5 % in the mean; a triangle of speed, 2 times its mean, would be a fifth too fast.
+    473(1 - e^(-A/7.8)) degrees a second, within 7 % from 1 to 20 degrees, and within 5 % in the mean where
+    curves are rounded (facts: science/03, sections 3.2 and 3.3); a triangle of speed, 2 times its mean, would
+    be a fifth too fast.
     """
     u = 2.0 * np.asarray(x, dtype=np.float64) - 1.0
     return np.asarray(0.5 + 0.5 * u * ((_FALL + 1.0) - np.abs(u) ** _FALL) / _FALL)

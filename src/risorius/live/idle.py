@@ -7,7 +7,7 @@ from ..channels.inputs import ChannelInputs
 from ..pipeline import combine
 from ..rules.emotions import Displays
 from ..rules.profiles import attitude, profile_of
-from ..rules.rule_set import rule_set_of
+from ..rules.rule_set import emotions_of, rule_set_of
 from ..settings import Settings
 from ..take import Take
 
@@ -26,5 +26,6 @@ def idle_take(seconds: float, feelings: Displays, settings: Settings) -> Take:
         rules=rule_set_of(settings.rules),
     )
     blend = settings.blend.planned()
-    score = channels.compose(inputs, seed=settings.seed, without=settings.without, settings=blend)
+    with emotions_of(settings.rules, settings.expression):
+        score = channels.compose(inputs, seed=settings.seed, without=settings.without, settings=blend)
     return combine(score, settings)

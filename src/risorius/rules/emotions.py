@@ -145,14 +145,8 @@ _IN_FORCE: ContextVar[_Known | None] = ContextVar("emotions", default=None)
 
 
 @contextmanager
-def emotions_in_force(changed: Mapping[str, Emotion] | None) -> Iterator[None]:
-    """Let other emotions be in force in place of the package's; those in force stay if it is None.
-
-    Raises InputError if one alias names two.
-    """
-    if changed is None:
-        yield
-        return
+def emotions_in_force(changed: Mapping[str, Emotion]) -> Iterator[None]:
+    """Let other emotions be in force in place of the package's; InputError if one alias names two."""
     token = _IN_FORCE.set(_Known(changed, _by_any_name(changed)))
     try:
         yield
@@ -170,11 +164,12 @@ def emotion_tables() -> dict[str, dict[str, Any]]:
 def emotions() -> Mapping[str, Emotion]:
     """Return all emotions by name, in alphabetical order."""
     known = _IN_FORCE.get()
-    return _shipped() if known is None else known.emotions
+    return shipped_emotions() if known is None else known.emotions
 
 
 @cache
-def _shipped() -> Mapping[str, Emotion]:
+def shipped_emotions() -> Mapping[str, Emotion]:
+    """Return the emotions of the package by name, in alphabetical order."""
     found: dict[str, Emotion] = {}
     for emotion_ in load_folder(Emotion, "emotions").values():
         found[emotion_.name] = emotion_
@@ -190,7 +185,7 @@ def emotion_names() -> Mapping[str, str]:
 
 @cache
 def _shipped_names() -> Mapping[str, str]:
-    return MappingProxyType(_by_any_name(_shipped()))
+    return MappingProxyType(_by_any_name(shipped_emotions()))
 
 
 def emotion(name: str) -> Emotion:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -13,6 +13,8 @@ from ..core.frozen import FrozenDict
 from ..core.source_text import SourceText
 from ..core.toml import parse, read_tables, read_text
 from ..errors import ParameterError, Place, RisoriusError, unknown
+from .emotions import emotions_in_force
+from .expressions import FELT, expressed
 from .habits import HABITS, Habit, HabitChanges, deleted_by, with_habits
 from .load import DATA
 from .modulation import is_under
@@ -88,9 +90,11 @@ def rule_set_of(path: Path | None) -> RuleSet:
     return shipped() if path is None else extended(shipped(), read_text(path), str(path))
 
 
-def emotions_of(path: Path | None) -> AbstractContextManager[None]:
-    """Return a context in which the emotions are as a user's file changes them; raise as `rule_set_of`."""
-    return nullcontext() if path is None else rule_set_of(path).tables.emotions_in_force()
+@contextmanager
+def emotions_of(path: Path | None, expression: str = FELT) -> Iterator[None]:
+    """Let the emotions be as a user's file changes them, felt or posed; raises as `rule_set_of`."""
+    with emotions_in_force(expressed(rule_set_of(path).tables.emotions(), expression)):
+        yield
 
 
 def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
@@ -139,7 +143,7 @@ def _emotions_of(text: str, name: str) -> AbstractContextManager[None]:
         named = tuple(TableEntry(**row) for row in rows if known >= row.keys() >= {"id", "values", "source"})
         changes = TableChanges(named)
         check(changes)
-        return changes.emotions_in_force()
+        return emotions_in_force(changes.emotions())
     except (RisoriusError, AttributeError):
         return nullcontext()  # the strict reader tells what is wrong
 

@@ -8,7 +8,6 @@ that the package lacks is a new entry. A deleted phone moves no lips.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import AbstractContextManager
 from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
@@ -19,7 +18,7 @@ from ..core.schema import build
 from ..core.source_text import SourceText
 from ..core.toml import read_tables
 from ..errors import InputError, ParameterError, unknown
-from .emotions import HAND_OFFSET, HAND_ONSET, Emotion, emotion_tables, emotions_in_force
+from .emotions import HAND_OFFSET, HAND_ONSET, Emotion, emotion_tables, emotions_in_force, shipped_emotions
 from .fuzzy import fuzzy_table
 from .lips import LIPS_FILE, NAMED_TABLES, LipTable, lip_table_of, lip_table_text
 from .modulation import is_under
@@ -56,10 +55,10 @@ class TableChanges:
         gone = frozenset(name for name in self.deleted if name.startswith(f"{LIPS}."))
         return lip_table_of({}) if not entries and not gone else _lips(self)
 
-    def emotions_in_force(self) -> AbstractContextManager[None]:
-        """Return a context in which the emotions are as changed; raise InputError if one does not fit."""
+    def emotions(self) -> Mapping[str, Emotion]:
+        """Return the emotions as changed; raise InputError if one does not fit."""
         fuzzy_table()  # its pairs name the package's emotions
-        return emotions_in_force(_emotions(self) if self.touches(EMOTIONS) else None)
+        return _emotions(self) if self.touches(EMOTIONS) else shipped_emotions()
 
     def links(self, rows: Sequence[Link]) -> tuple[Link, ...]:
         """Return a head's rows of links with their changes; raise RisoriusError for one that cannot be."""
@@ -105,7 +104,7 @@ def deleted_entries(prefixes: Iterable[str]) -> frozenset[str]:
 def check(changes: TableChanges) -> None:
     """Raise RisoriusError if a table as it is changed does not fit."""
     changes.lips()
-    with changes.emotions_in_force():
+    with emotions_in_force(changes.emotions()):
         pass
     for entry in changes._of(LINKS):
         _link(entry)

@@ -14,6 +14,7 @@ from ..errors import InputError, warnings_to
 from ..pipeline import compose, speak, with_profile
 from ..ports.readable import ScoreFile
 from ..rules.emotions import Display, Displays
+from ..rules.rule_set import emotions_of
 from ..script import Script, parse_script, read_script
 from ..settings import Settings
 from ..speech import LabelledRecording, Recording, hear
@@ -51,7 +52,7 @@ class Performer:
             return self._scored(inputs, settings)
         begun = time.perf_counter()
         odd: list[str] = []
-        with warnings_to(odd.append):
+        with warnings_to(odd.append), emotions_of(settings.rules, settings.expression):
             script, utterance, displays = self._said(inputs.source, spans, settings, progress)
             said = time.perf_counter()
             progress("Planning …")

@@ -1,0 +1,63 @@
+"""Felt and posed expressions: two rows of one table (`expressions.toml`; paper A, section 7)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Annotated
+
+from ..core.frozen import FrozenDict
+from ..core.functions import FunctionName
+from ..core.hints import Range
+from ..errors import ParameterError, unknown
+from .emotions import Emotion
+from .load import load
+from .modulation import Modulation
+
+TimeFactor = Annotated[float, Range(0.05, 5.0)]
+FELT = "felt"
+
+
+@dataclass(frozen=True, slots=True)
+class ExpressionKind:
+    """Factors on an emotion's onset and offset, its onset function (None: its own), and whether it modulates
+    what the speaker does else.
+    """
+
+    onset: TimeFactor
+    offset: TimeFactor
+    modulates: bool
+    function: FunctionName | None = None
+
+    def of(self, emotion: Emotion) -> Emotion:
+        """Return an emotion that comes and goes so."""
+        return replace(
+            emotion,
+            onset=round(emotion.onset * self.onset, 6),
+            offset=round(emotion.offset * self.offset, 6),
+            function=self.function or emotion.function,
+            modulation=emotion.modulation if self.modulates else Modulation(),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class _Table:
+    felt: ExpressionKind
+    posed: ExpressionKind
+
+
+@cache
+def expressions() -> Mapping[str, ExpressionKind]:
+    """Return the rows of the table by name."""
+    table = load(_Table, "expressions.toml")
+    return FrozenDict({FELT: table.felt, "posed": table.posed})
+
+
+def expressed(emotions: Mapping[str, Emotion], name: str) -> Mapping[str, Emotion]:
+    """Return emotions that come and go as the expression `name` does; ParameterError for an unknown one."""
+    if name not in expressions():
+        raise ParameterError(unknown("expression", name, expressions()))
+    if name == FELT:
+        return emotions
+    return {key: expressions()[name].of(emotion) for key, emotion in emotions.items()}
