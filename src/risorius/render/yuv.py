@@ -30,33 +30,34 @@ def planes(rgb: ByteArray, out: ByteArray) -> None:
     """
     height, width, _ = rgb.shape
     pixels = height * width
-    _brightness(rgb, out[:pixels].reshape(height, width))
+    _brightness(rgb.reshape(-1), out[:pixels])
     halves = out[pixels:].reshape(2, height // 2, width // 2)
-    _colour(rgb, halves[0], halves[1])
+    _colour(rgb.reshape(height, -1), halves[0], halves[1])
 
 
+# Arrays of few dimensions: only so does the compiler turn these loops into vector code.
 @lean_kernel
 def _brightness(rgb: ByteArray, out: ByteArray) -> None:
-    for y in range(out.shape[0]):
-        for x in range(out.shape[1]):
-            out[y, x] = _weighed(i4(rgb[y, x, 0]), i4(rgb[y, x, 1]), i4(rgb[y, x, 2]), _Y, _LOWEST, _BITS)
+    """Write the brightness (n,) of pixels (3 n,)."""
+    for i in range(len(out)):
+        out[i] = _weighed(i4(rgb[3 * i]), i4(rgb[3 * i + 1]), i4(rgb[3 * i + 2]), _Y, _LOWEST, _BITS)
 
 
 @lean_kernel
 def _colour(rgb: ByteArray, blue: ByteArray, red: ByteArray) -> None:
+    """Write the colours (h, w) of pixels (2 h, 6 w)."""
     for y in range(blue.shape[0]):
         for x in range(blue.shape[1]):
-            r, g, b = _four(rgb, y, x, 0), _four(rgb, y, x, 1), _four(rgb, y, x, 2)
+            r, g, b = _four(rgb, y, 6 * x), _four(rgb, y, 6 * x + 1), _four(rgb, y, 6 * x + 2)
             blue[y, x] = _weighed(r, g, b, _CB, _GREY, _BITS + 2)
             red[y, x] = _weighed(r, g, b, _CR, _GREY, _BITS + 2)
 
 
 @lean_device
-def _four(rgb: ByteArray, y: int, x: int, channel: int) -> int:
-    """Return the sum of the four numbers of a channel at place (y, x) of a plane of half the size."""
-    top, left = 2 * y, 2 * x
-    upper = i4(rgb[top, left, channel]) + i4(rgb[top, left + 1, channel])
-    return i4(upper + i4(rgb[top + 1, left, channel]) + i4(rgb[top + 1, left + 1, channel]))
+def _four(rgb: ByteArray, y: int, column: int) -> int:
+    """Return the sum of a channel over four pixels, the first of which stands in row 2 y."""
+    upper = i4(rgb[2 * y, column]) + i4(rgb[2 * y, column + 3])
+    return i4(upper + i4(rgb[2 * y + 1, column]) + i4(rgb[2 * y + 1, column + 3]))
 
 
 @lean_device
