@@ -4,7 +4,11 @@ import pytest
 from risorius.errors import InputError, SpeechError
 from risorius.script import read_script
 from risorius.script.markup import parse_markup
+from risorius.script.anchor import parse_anchor
 from risorius.speech import say
+from risorius.speech.affect import Feeling
+from risorius.speech.engines.protocol import Rendition, SpeechEngine, SpeechRequest
+from risorius.speech.engines.registry import load_engine
 
 
 def test_a_line_may_not_start_before_the_one_before_it_ends() -> None:
@@ -74,3 +78,20 @@ def test_syllables_of_a_spoken_text_know_how_high_they_are_in_their_voice(voice:
     assert abs(heights.mean()) < 0.6
     assert heights.std() == pytest.approx(1.0, abs=0.2)
     assert heights[:2].argmax() == heights.argmax() == 1
+
+
+def test_what_an_emotion_does_not_colour_is_spoken_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    engine, asked = load_engine(), []
+    speak = type(engine).speak
+
+    def counted(self: SpeechEngine, request: SpeechRequest) -> Rendition:
+        asked.append(request.text)
+        return speak(self, request)
+
+    monkeypatch.setattr(type(engine), "speak", counted)
+    script = read_script("The first is plain. The second is sad. The third is plain.", text=True)
+    sad = Feeling({"sadness": 0.9}, parse_anchor("start", "word:5"), parse_anchor("end", "word:6"))
+    said = say(script, felt=[sad])
+    plain, coloured = ["The first is plain.", "The second is sad.", "The third is plain."], "The second is sad."
+    assert [text.strip() for text in asked] == [*plain, coloured]
+    assert said.words[7].end != pytest.approx(say(script).words[7].end, abs=1e-3)

@@ -90,6 +90,8 @@ def say(
         if manner is not None:
             said = _speak(script, partial(speak, manner=manner))
         else:
+            # Where the words are is known once they are spoken; only what is coloured is spoken again.
+            speak = partial(speak, spoken={})
             said = _speak(coloured(script, felt, _speak(script, speak)), speak)
         hertz = voice_pitch(voice, spoken)
         raised = 0.0 if manner is None else manner.pitch

@@ -16,7 +16,7 @@ from ..languages import Language, language_of
 from .assembly.assemble import SpokenPart, assemble, place, silence
 from .assembly.lengthen import scale_pauses
 from .assembly.retime import is_timed, retime
-from .engines.protocol import SpeechEngine, SpeechRequest, Voice
+from .engines.protocol import Rendition, SpeechEngine, SpeechRequest, Voice
 from .engines.registry import is_voice_file, load_engine, load_voice_file
 from .engines.voices import find_voice
 from .structure.accents import intone
@@ -27,6 +27,8 @@ from .text.normalise import normalise, placed
 from .text.sentences import divide
 from .text.tokens import Token, is_speakable, tokenize, with_words
 
+Renditions = dict[SpeechRequest, Rendition]
+"""What a voice has spoken, by what it was asked for."""
 LONGEST_TEXT = 100_000
 SLOWEST, FASTEST = 80, 440
 LONGEST_SILENCE = 600
@@ -46,12 +48,14 @@ def synthesize(
     directions: Directions = UNDIRECTED,
     engine: SpeechEngine | None = None,
     progress: Callable[[float], None] | None = None,
+    spoken: Renditions | None = None,
 ) -> Utterance:
     """Speak `text` and return the utterance, with `lead` and `tail` seconds of silence around it.
 
     `voice` is a name from `voices` (default `en-us`) or a voice's file; with `language` alone its first
     voice speaks. `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own.
     `manner` changes the whole, `directions` parts of it. `progress` is told the share (0..1) that is done.
+    What is in `spoken` is not spoken again; what is spoken is added to it.
     Same arguments, same bytes.
 
     Raises InputError for text that is empty, has nothing to speak or is longer than 100,000 characters,
@@ -64,7 +68,7 @@ def synthesize(
     if directions.answers and not directions.accents:
         directions = _answering(text, tokens, directions, language_of(chosen.language))
     request = SpeechRequest("", chosen, rate, pitch, manner=manner)
-    parts = _speak(text, request, directions, engine, progress)
+    parts = _speak(text, request, directions, engine, progress, spoken)
     first = next(parts)
     with AudioWriter(first.rendition.sample_rate) as writer:
         segments = silence(writer, lead)
@@ -131,6 +135,7 @@ def _speak(
     directions: Directions,
     engine: SpeechEngine,
     progress: Callable[[float], None] | None,
+    known: Renditions | None,
 ) -> Iterator[SpokenPart]:
     """Speak the stretches of `text` in the manner of `request`; warn of sounds that had to be guessed."""
     language = language_of(request.voice.language)
@@ -145,7 +150,8 @@ def _speak(
             end_pause=stretch.ends_sentence and not last,
             directions=tuple(placed(directions, spoken, stretch.start, stretch.end, last=last)),
         )
-        part = SpokenPart(stretch, spoken, scale_pauses(engine.speak(stretch_request), request.manner.pauses))
+        rendition = _rendition(engine, stretch_request, known)
+        part = SpokenPart(stretch, spoken, scale_pauses(rendition, request.manner.pauses))
         guessed.update(dict.fromkeys(part.rendition.guessed))
         yield part
         if progress is not None:
@@ -153,6 +159,15 @@ def _speak(
     if guessed:
         names = ", ".join(f"'{name}'" for name in guessed)
         warn(f"unknown phones are shown as the nearest class of phones: {names}", SpeechWarning)
+
+
+def _rendition(engine: SpeechEngine, request: SpeechRequest, known: Renditions | None) -> Rendition:
+    """Return what is `known` of a request, or let the engine speak it and add it there."""
+    if known is None:
+        return engine.speak(request)
+    if request not in known:
+        known[request] = engine.speak(request)
+    return known[request]
 
 
 def _check_text(text: str) -> None:
