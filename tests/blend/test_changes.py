@@ -104,3 +104,18 @@ def test_what_cannot_be_told_is_not():
     )
     for score in others:
         assert changed_span(plan, Plan(score, like=plan)) is None
+
+
+def test_layers_of_the_same_movements_are_shared_and_no_others():
+    plan = Plan(a_score("graded"))
+    block = next(m for m in plan.score.movements if m.channel == "emotion")
+    rest = tuple(m for m in plan.score.movements if m is not block)
+    moved = Plan(replace(plan.score, movements=(*rest, replace(block, end=block.end - 0.05))), like=plan)
+    channels = {movement.channel for movement in plan.score.movements}
+    assert len(channels) > 1
+    for channel in channels:
+        for key, layer in plan.layers.of(channel).items():
+            changed = (channel, key) == ("emotion", (block.on_top, block.layer))
+            assert (moved.layers.of(channel)[key] is layer) is not changed
+    other = replace(plan.score, settings=replace(plan.score.settings, onset_function="linear"))
+    assert Plan(other, like=plan).layers.of("emotion").values() != plan.layers.of("emotion").values()

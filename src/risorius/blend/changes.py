@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 import numpy as np
 
 from ..core.performance import Performance
 from .channels import Channel
+from .curve import Curve
 from .intervals import Extent
 from .knots import STEEPEST
 from .plan import Plan
@@ -60,9 +61,18 @@ def _ranked_alike(one: Channel, two: Channel) -> bool:
 def _spans(one: Channel | None, two: Channel | None) -> Iterator[TimeSpan]:
     """Yield the start and end of every part of a curve that only one of the two channels has."""
     for name in {name for channel in (one, two) if channel is not None for name in channel.curves}:
+        if one is not None and two is not None and _shared(one.curves.get(name), two.curves.get(name)):
+            continue
         before, after = (_extents(channel, name) for channel in (one, two))
         for start, end, _ in before ^ after:
             yield start, end
+
+
+def _shared(one: Sequence[Curve] | None, two: Sequence[Curve] | None) -> bool:
+    """Tell whether two plans have the very same curves."""
+    if one is None or two is None or len(one) != len(two):
+        return False
+    return all(a is b for a, b in zip(one, two, strict=True))
 
 
 def _extents(channel: Channel | None, name: str) -> frozenset[Extent]:

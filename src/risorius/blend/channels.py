@@ -10,12 +10,11 @@ import numpy as np
 
 from ..core.arrays import Array, IndexArray
 from ..core.channels import CHANNELS
-from ..core.movement import Movement
-from ..core.rivalry import rival_pairs, without_rivals
 from ..core.score import Score
-from .concatenate import LayerCurves, concatenate
+from .concatenate import LayerCurves
 from .curve import Curve
 from .intervals import Spans, union
+from .layers import CompiledLayers
 from .levels import Levels, PriorityClaim, levels_of
 from .manual import Replaced, key_curves, replaced_spans
 from .mouth.lips import CompiledLips, LipCurve
@@ -73,21 +72,17 @@ def _highest(sampled: Iterable[tuple[IndexArray, Array]], count: int) -> Array:
     return dense
 
 
-def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, ...]:
-    """Return the channels that the score uses, highest default priority first."""
-    movements: dict[str, dict[tuple[bool, str], list[Movement]]] = defaultdict(lambda: defaultdict(list))
-    order: dict[int, int] = {}
-    for number, movement in enumerate(_without_rivals(m, score.settings.conflict) for m in score.movements):
-        movements[movement.channel][movement.on_top, movement.layer].append(movement)
-        order[id(movement)] = number
-    function = score.settings.onset_function
+def compile_channels(
+    score: Score, lips: CompiledLips | None, compiled: CompiledLayers
+) -> tuple[Channel, ...]:
+    """Return the channels that the score uses, highest default priority first; `compiled` are its layers."""
     drawn = {name: list[Curve](curves) for name, curves in key_curves(score.manual).items()}
     replaced = replaced_spans(score.manual)
     channels = []
     for name in CHANNELS:
-        layers = {key: concatenate(in_layer, function) for key, in_layer in sorted(movements[name].items())}
+        layers = compiled.of(name)
         levels = levels_of(_claims(name, layers.values(), lips), CHANNELS.get(name).priority)
-        strata = strata_of(layers, levels, order)
+        strata = strata_of(layers, levels, compiled.order)
         parts: list[Channel] = []
         for on_top in (False, True):
             together = [layer for key, layer in layers.items() if key[0] is on_top and key not in strata]
@@ -103,14 +98,6 @@ def compile_channels(score: Score, lips: CompiledLips | None) -> tuple[Channel, 
             if curves:
                 channels.append(replace(part, curves=dict(sorted(curves.items()))))
     return tuple(channels)
-
-
-def _without_rivals(movement: Movement, conflict: str) -> Movement:
-    """Return a movement whose rivals sum to 1 at most; other systems, which `sum` stands for, leave them."""
-    targets = movement.parameters
-    if conflict == "sum" or not any(rival_pairs(targets)):
-        return movement
-    return replace(movement, targets=without_rivals(targets))
 
 
 Curves = dict[str, list[Curve]]

@@ -26,6 +26,7 @@ from .concatenate import SIGNED
 from .conflict import POLICIES, Join, PolicyInputs
 from .directions import combine_directions
 from .knots import BLOCK
+from .layers import CompiledLayers
 from .ledger import DirectionEntry, Ledger, direction_entries
 from .levels import steady
 from .mouth.approach import MouthGaps, smooth_minimum
@@ -50,12 +51,15 @@ class Plan:
     """A compiled score: its curves at any times, on the head whose `rig` performs the lips' articulators.
 
     `like` is the plan of a score with other movements: if lips and settings are equal, its compiled lips are
-    used again. Raises as `check_score` and `tune` do, and InputError if the lips need a rig and there is
-    none.
+    used again, and so are layers whose movements are the same. Raises as `check_score` and `tune` do, and
+    InputError if the lips need a rig and there is none.
     """
 
+    score: Score
+    layers: CompiledLayers
+
     def __init__(self, score: Score, rig: LipRig | None = None, like: Plan | None = None) -> None:
-        check_score(score)
+        check_score(score, like.score if like else None)
         policy = POLICIES.get(score.settings.conflict)
         LIP_MODELS.get(score.settings.lips)
         self.score, self.rig = score, rig
@@ -66,7 +70,8 @@ class Plan:
             self.lips = like.lips
         else:
             self.lips = CompiledLips(score, self.tuning, rig) if score.lips else None
-        self.channels = compile_channels(score, self.lips)
+        self.layers = CompiledLayers(score, like.layers if like else None)
+        self.channels = compile_channels(score, self.lips, self.layers)
         levels = next(
             (c.levels for c in self.channels if c.name == LIPS), steady(CHANNELS.get(LIPS).priority)
         )

@@ -69,13 +69,18 @@ class Score:
         return f"<Score of {self.duration:.2f} s, {content or 'empty'}>"
 
 
-def check_score(score: Score) -> None:
-    """Raise InputError or ParameterError, with the movement's name, if a score cannot be performed."""
+def check_score(score: Score, like: Score | None = None) -> None:
+    """Raise InputError or ParameterError, with the movement's name, if a score cannot be performed.
+
+    Movements that it shares with `like`, which has been checked, are not checked again one by one.
+    """
     if not 0.0 < score.duration <= MAX_SECONDS:
         expected = f"more than 0 and at most {MAX_SECONDS:g} seconds"
         raise InputError(f"duration = {score.duration} is out of range; expected {expected}")
+    known = set() if like is None else {id(m) for m in like.movements}
     for m in score.movements:
-        check_movement(m)
+        if id(m) not in known:
+            check_movement(m)
     check_sequence(score.movements)
     # Segments of one phone share their mappings.
     checked: set[int] = set()
