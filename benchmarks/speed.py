@@ -34,8 +34,8 @@ ROWS = Path(__file__).with_name("speed.toml")
 class Row:
     """What is measured, from `speed.toml`.
 
-    `program` prints a number, unless `seconds` is true: then its processor time counts. `asked` is the least,
-    of seconds the most, that is asked for. `fresh`: with an empty cache.
+    `program` prints a number, unless `seconds` is true: then its processor time counts. `asked` is the least
+    that is asked for; of seconds, and where `low` is true, the most. `fresh`: with an empty cache.
     """
 
     name: str
@@ -44,15 +44,21 @@ class Row:
     asked: float
     beside: str = ""
     seconds: bool = False
+    low: bool = False
     fresh: bool = False
+
+    @property
+    def wanted_low(self) -> bool:
+        """Whether less is better."""
+        return self.seconds or self.low
 
     def better(self, values: Sequence[float]) -> float:
         """Return the best of some values."""
-        return min(values) if self.seconds else max(values)
+        return min(values) if self.wanted_low else max(values)
 
     def gain(self, before: float, after: float) -> float:
         """Return how many times as fast `after` is."""
-        return before / after if self.seconds else after / before
+        return before / after if self.wanted_low else after / before
 
 
 def rows() -> dict[str, Row]:
@@ -107,7 +113,7 @@ def main() -> int:
     written = "not written" if sys.dont_write_bytecode else "written"
     print(f"Bytecode is {written}; Python {sys.version.split()[0]}, {os.cpu_count()} processors\n")
     print("| what | before | now | gain | asked | beside |\n|---|---|---|---|---|---|")
-    fallen = []
+    fallen, missed = [], []
     with checked_out(asked.before) as trees:
         for row in chosen:
             values = _in_turn(row, trees, asked.runs)
@@ -115,9 +121,13 @@ def main() -> int:
             gain = 1.0 if before is None else row.gain(before, now)
             if gain < 1.0 - asked.fall:
                 fallen.append(row.name)
-            sign, compared = "≤" if row.seconds else "≥", "" if before is None else f"{gain:.2f}"
+            if row.better([now, row.asked]) != now:
+                missed.append(row.name)
+            sign, compared = "≤" if row.wanted_low else "≥", "" if before is None else f"{gain:.2f}"
             cells = row.what, _number(before), _number(now), compared, f"{sign} {row.asked:g}", row.beside
             print(f"| {' | '.join(cells)} |", flush=True)
+    if missed:
+        print(f"\nNot yet as asked: {', '.join(missed)}")
     if fallen:
         print(f"\nFallen by more than {asked.fall:.0%}: {', '.join(fallen)}")
     return int(bool(fallen))

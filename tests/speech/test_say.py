@@ -3,8 +3,8 @@ import pytest
 
 from risorius.errors import InputError, SpeechError
 from risorius.script import read_script
-from risorius.script.markup import parse_markup
 from risorius.script.anchor import parse_anchor
+from risorius.script.markup import parse_markup
 from risorius.speech import say
 from risorius.speech.affect import Feeling
 from risorius.speech.engines.protocol import Rendition, SpeechEngine, SpeechRequest
@@ -92,6 +92,9 @@ def test_what_an_emotion_does_not_colour_is_spoken_once(monkeypatch: pytest.Monk
     script = read_script("The first is plain. The second is sad. The third is plain.", text=True)
     sad = Feeling({"sadness": 0.9}, parse_anchor("start", "word:5"), parse_anchor("end", "word:6"))
     said = say(script, felt=[sad])
-    plain, coloured = ["The first is plain.", "The second is sad.", "The third is plain."], "The second is sad."
+    plain, coloured = (
+        ["The first is plain.", "The second is sad.", "The third is plain."],
+        "The second is sad.",
+    )
     assert [text.strip() for text in asked] == [*plain, coloured]
     assert said.words[7].end != pytest.approx(say(script).words[7].end, abs=1e-3)

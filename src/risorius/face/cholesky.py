@@ -57,7 +57,7 @@ def sparing_order(matrix: sp.csc_matrix) -> IndexArray:
 
 @summing_kernel
 def solve(start: UInt32Array, row: UInt32Array, weight: Array, inverse: Array, points: Array) -> None:
-    """Solve L D Lᵀ x = b for x, y and z of `points` (n, 4) in place; the first four arguments as in `Factor`."""
+    """Solve L D Lᵀ x = b for x, y and z of `points` (n, 4); the first four arguments as in `Factor`."""
     count = len(inverse)
     for j in range(count):
         a, b, c = points[j, 0], points[j, 1], points[j, 2]
