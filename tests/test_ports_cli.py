@@ -89,7 +89,7 @@ def test_what_the_weights_leave_over_is_said(capsys: pytest.CaptureFixture[str],
     told = [
         line
         for line in capsys.readouterr().err.splitlines()
-        if line.startswith("ARKit weights miss the face by 0.")
+        if line.startswith("ARKit weights differ from the face by 0.")
     ]
     assert len(told) == 1
-    assert told[0].endswith(" mm at worst")
+    assert told[0].endswith(" mm at most")

@@ -44,8 +44,8 @@ if TYPE_CHECKING:
     from .face.head import Head as Head
     from .live.frame import LiveFrame as LiveFrame
     from .live.session import Live as Live
+    from .ports.rig import MuscleCoverage as MuscleCoverage
     from .ports.rig import Rig as Rig
-    from .ports.rig import Shown as Shown
     from .presets import load_settings as load_settings
     from .rules.emotions import Display as Display
     from .settings import BlendChoices as BlendChoices
@@ -78,7 +78,7 @@ __all__ = [
     "RisoriusWarning",
     "Score",
     "Settings",
-    "Shown",
+    "MuscleCoverage",
     "SpeechError",
     "SpeechWarning",
     "Take",
@@ -127,7 +127,7 @@ _MODULES = {
     "face.head": ("Head",),
     "live.frame": ("LiveFrame",),
     "live.session": ("Live",),
-    "ports.rig": ("Rig", "Shown"),
+    "ports.rig": ("Rig", "MuscleCoverage"),
     "presets": ("load_settings",),
     "rules.emotions": ("Display",),
     "settings": ("BlendChoices", "Look", "Settings"),

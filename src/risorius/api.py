@@ -29,7 +29,7 @@ from .take import Take
 from .unread import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, refuse
 
 if TYPE_CHECKING:
-    from .ports.rig import Rig, Shown
+    from .ports.rig import MuscleCoverage, Rig
 
 FileName = str | PathLike[str]
 Emotions = Mapping[str, float] | str | Iterable[Display | str]
@@ -177,7 +177,7 @@ def rig(
     take: Take | Callable[[], Take] | None = None,
     output: FileName | None = None,
     settings: Settings | None = None,
-) -> tuple[Rig, list[Shown]]:
+) -> tuple[Rig, list[MuscleCoverage]]:
     """Return what a character (`.glb` with blend shapes) has and how well it shows each of our muscles.
 
     With `take` (or what makes it, once the files are known to be right) and `output`, a `.glb`, the character

@@ -281,7 +281,9 @@ class Take:
         fitted = "arkit" in vars(self)
         rms, worst = self.arkit.residual
         if not fitted:
-            progress(f"ARKit weights miss the face by {rms:.2f} mm root mean square, {worst:.1f} mm at worst")
+            progress(
+                f"ARKit weights differ from the face by {rms:.2f} mm root mean square, {worst:.1f} mm at most"
+            )
         return self.arkit
 
     @cached_property

@@ -55,7 +55,7 @@ def test_a_shell_completes_values(words: tuple[str, ...], expected: list[str]) -
 def test_what_the_page_offers_is_offered() -> None:
     page = (Path(__file__).parents[2] / "docs" / "completion.md").read_text()
     rows = re.findall(r"^\| `risorius ([^`]*)` \| (.*) \|$", page, re.MULTILINE)
-    assert len(rows) == 5
+    assert len(rows) == 6
     for typed, offered in rows:
         assert completed(*typed.split()) == re.findall(r"`([^`]*)`", offered)
 

@@ -29,7 +29,7 @@ FLAGS = (
     *("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--window-size=500,620"),
 )
 ROUNDED = 0.35  # mm: the neck's shares of the head's turn are bytes
-Shown = dict[str, Any]
+MuscleCoverage = dict[str, Any]
 
 
 @pytest.fixture(scope="module")
@@ -86,7 +86,7 @@ def browser(served: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[A
 
 
 @pytest.fixture(scope="module", params=["x.glb", "x.rig.glb"])
-def at(request: pytest.FixtureRequest, browser: Any, clip: Take) -> Callable[[int, str], Shown]:
+def at(request: pytest.FixtureRequest, browser: Any, clip: Take) -> Callable[[int, str], MuscleCoverage]:
     """A function from a frame's number and a mesh's name to what three.js shows; `at.name` is the file's."""
     tell = "window.load(arguments[0]).then(arguments[1], (e) => arguments[1]({error: String(e.stack)}))"
     loaded = browser.execute_async_script(tell, request.param)
@@ -94,7 +94,7 @@ def at(request: pytest.FixtureRequest, browser: Any, clip: Take) -> Callable[[in
     assert loaded["clips"] == pytest.approx([clip.times[-1]], abs=1e-5)
     assert {"skin", "tongue", "teeth_lower", "eye_left", "hair"} <= set(loaded["meshes"])
 
-    def shown(frame: int, mesh: str) -> Shown:
+    def shown(frame: int, mesh: str) -> MuscleCoverage:
         found = browser.execute_script("return window.at(...arguments)", float(clip.times[frame]), mesh)
         return {**found, "places": np.reshape(found["places"], (-1, 3))}
 

@@ -10,7 +10,7 @@ from .messages import table
 
 if TYPE_CHECKING:
     from ..blend import Tally
-    from ..ports.rig import Rig, Shown
+    from ..ports.rig import MuscleCoverage, Rig
 
 
 def tell(summary: Mapping[str, Tally]) -> Iterator[str]:
@@ -24,7 +24,7 @@ def tell(summary: Mapping[str, Tally]) -> Iterator[str]:
     yield from table(header, rows)
 
 
-def tell_rig(rig: Rig, rows: Sequence[Shown], *, guessed: bool) -> Iterator[str]:
+def tell_rig(rig: Rig, rows: Sequence[MuscleCoverage], *, guessed: bool) -> Iterator[str]:
     """Yield lines on what a character can show; a guessed map is shown as TOML, to correct and give back."""
     yield f"# {len(rig.shapes)} of 52 ARKit shapes{' by name; correct wrong ones' if guessed else ''}"
     yield "[shapes]"

@@ -105,5 +105,5 @@ def _checked_origin(text: str) -> str:
     except ValueError:
         site = ""
     if site != text.rstrip("/") or parts.scheme not in ("http", "https") or not parts.netloc:
-        raise InputError(f"--origin '{text}' is no site; expected e.g. https://example.org")
+        raise InputError(f"--origin '{text}' is not a site; expected e.g. https://example.org")
     return site

@@ -38,7 +38,7 @@ def direction_of(target: str | Angles) -> Angles:
     try:
         pitch, yaw = (float(angle) for angle in target)
     except (TypeError, ValueError):
-        message = f"{target!r} is no direction; expected a name, or pitch and yaw in degrees"
+        message = f"{target!r} is not a direction; expected a name, or pitch and yaw in degrees"
         raise InputError(message) from None
     for name, angle, limit in zip(("pitch", "yaw"), (pitch, yaw), FARTHEST, strict=True):
         if not abs(angle) <= limit:

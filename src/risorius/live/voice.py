@@ -209,6 +209,6 @@ def _timed_word(word: Sequence[object]) -> TimedWord:
         text, start, end = word
         timed = TimedWord(str(text), float(start), float(end))  # type: ignore[arg-type]
     except (TypeError, ValueError):
-        message = f"{word!r} is no word with its times; expected (word, start, end) in seconds"
+        message = f"{word!r} is not a word with its times; expected (word, start, end) in seconds"
         raise InputError(message) from None
     return timed

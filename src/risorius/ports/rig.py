@@ -37,7 +37,7 @@ class ShapeMap:
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class MuscleCoverage:
     """How well the character shows one of our parameters.
 
     `left_over`: the share 0..1 of its movement that the available shapes do not make, and `rms` that in mm,
@@ -138,7 +138,7 @@ def guess_map(names: Sequence[str]) -> dict[str, str]:
 
 
 @one_thread()
-def report(rig: Rig, head: Head) -> list[Shown]:
+def report(rig: Rig, head: Head) -> list[MuscleCoverage]:
     """Return how well the character shows each of our muscles, measured by `head`'s own sculpted shapes."""
     every, some = ArkitFit.of(head), ArkitFit(head, rig.shapes)
     solver = FaceSolver(head)
@@ -150,7 +150,7 @@ def report(rig: Rig, head: Head) -> list[Shown]:
         moved = float(np.sqrt((some.displacement(frame.skin).reshape(-1, 3) ** 2).sum(axis=1).mean()))
         left = [fit.residual(frame, fit.weights(frame))[0] for fit in (some, every)]
         share = [min(rms / max(moved, 1e-9), 1.0) for rms in left]
-        rows.append(Shown(name, share[0], share[1], left[0]))
+        rows.append(MuscleCoverage(name, share[0], share[1], left[0]))
     return rows
 
 
