@@ -1,7 +1,7 @@
 /** The example page: a text box, a face, and what drives it. */
 
 import { GLTFLoader } from "/web/vendor/three/GLTFLoader.js";
-import { drawnBySoftware } from "/web/stage/software.js";
+import { drawnBySoftware, draws3d, NO_3D } from "/web/stage/software.js";
 import * as THREE from "/web/vendor/three/three.module.min.js";
 import { LiveFace, driving, nodeOf } from "./risorius-live.js";
 
@@ -14,6 +14,10 @@ const token = given.get("token") ?? undefined;
 const { settings: known, heads } = await (await fetch("about.json")).json();
 const asked = Object.entries(JSON.parse(given.get("settings") ?? "{}"));
 const settings = Object.fromEntries(asked.filter(([name]) => known.includes(name)));
+if (!draws3d()) {
+  $("status").textContent = NO_3D;
+  throw new Error(NO_3D);
+}
 const renderer = new THREE.WebGLRenderer({ canvas: $("stage"), antialias: true, alpha: true });
 const camera = new THREE.PerspectiveCamera(20, 1, 0.01, 20);
 const scene = new THREE.Scene();

@@ -2,6 +2,7 @@
 
 import { Clock } from "../clock.js";
 import { buildFigure } from "../stage/figure.js";
+import { draws3d, NO_3D } from "../stage/software.js";
 import { Stage } from "../stage/stage.js";
 import { rateOf } from "../take.js";
 import { followTheme } from "../theme.js";
@@ -14,6 +15,10 @@ import { mountLanes } from "./lanes.js";
 const element = (id) => document.getElementById(id);
 
 followTheme();
+if (!draws3d()) {
+  element("note").textContent = NO_3D;
+  throw new Error(NO_3D);
+}
 const facts = JSON.parse(new TextDecoder().decode(await inflated("facts")));
 const fps = rateOf(facts.fps);
 const clock = new Clock();

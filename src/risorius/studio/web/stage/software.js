@@ -15,3 +15,12 @@ function rendererName() {
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return name;
 }
+
+export const NO_3D = "This browser cannot draw in 3D here: it has no WebGL 2. Another browser may.";
+
+/** Whether the browser can draw in 3D at all. */
+export function draws3d() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return context !== null;
+}
