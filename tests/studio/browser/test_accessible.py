@@ -79,3 +79,24 @@ def test_a_movement_that_moves_nothing_says_why(performed: Page) -> None:
     """)
     performed.wait(f"{said}.includes('It keeps gaze at rest')")
     assert "gaze yaw" in performed.get(said)
+
+
+def test_forced_colours_and_reduced_motion_are_taken_up(performed: Page) -> None:
+    def emulate(**features: str) -> None:
+        wanted = [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]
+        performed.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": wanted})
+
+    palette = "document.getElementById('timeline').timeline.scene.palette.ground"
+    snap = (
+        "[...document.querySelectorAll('.tl-tools button')].map((it) => getComputedStyle(it).backgroundColor)"
+    )
+    try:
+        emulate(forced_colors="active", prefers_reduced_motion="reduce")
+        performed.wait(f"{palette} === 'Canvas'")
+        assert len(set(performed.get(snap))) > 1, "what is pressed looks like what is not"
+        performed.run("document.getElementById('stop').hidden = false")
+        assert performed.get("getComputedStyle(document.getElementById('stop')).animationName") == "none"
+    finally:
+        performed.run("document.getElementById('stop').hidden = true")
+        emulate(forced_colors="none", prefers_reduced_motion="no-preference")
+    performed.wait(f"{palette} !== 'Canvas'")

@@ -47,7 +47,7 @@ def test_a_line_is_heard_and_seen(performed: Page) -> None:
 # pictures of known times, and finds the nearest: by how much what was seen differs from what was heard.
 SEEN_AND_HEARD = """
   const [from, to, delay] = arguments;
-  const { clock, headPlayers: { stage } } = studio;
+  const { clock, headPlayers: { stage, players: [player] } } = studio;
   const pen = new OffscreenCanvas(48, 48).getContext("2d", { willReadFrequently: true });
   const canvas = document.getElementById("head");
   const look = () => {
@@ -63,24 +63,26 @@ SEEN_AND_HEARD = """
   const end = clock.on("tick", () => {
     if (stage.drawn === drawn) return;
     drawn = stage.drawn;
-    if (sound && !sound.paused) seen.push([sound.currentTime, look()]);
+    if (sound && !sound.paused && !player.behind) seen.push([sound.currentTime, look()]);
   });
   clock.delay = delay;
-  clock.seek(from);
-  clock.play();
-  while (clock.playing && clock.time < to) await new Promise((go) => setTimeout(go, 20));
-  clock.pause();
+  for (let tries = 0; tries < 5 && seen.length < 12; tries++) {
+    clock.seek(from);
+    clock.play();
+    while (clock.playing && clock.time < to) await new Promise((go) => setTimeout(go, 20));
+    clock.pause();
+  }
   end();
   clock.delay = 0;
   HTMLMediaElement.prototype.play = play;
   stage.playing = true; // drawn as coarsely as what plays
   const known = [];
   for (let time = from - 0.3; time < to + 0.3; time += 1 / 30) {
-    for (let tries = 0; tries < 40; tries++) {
+    for (let tries = 0; tries < 200; tries++) {
       const before = stage.drawn;
       clock.seek(time);
       stage.invalidate();
-      if (stage.drawn !== before) {
+      if (stage.drawn !== before && !player.behind) {
         known.push([time, look()]);
         break;
       }
@@ -101,7 +103,7 @@ SEEN_AND_HEARD = """
 def test_what_is_seen_is_what_is_heard(performed: Page, delay: float) -> None:
     resize(performed, 640, 400)
     performed.run("studio.clock.seek(0.2)")
-    performed.wait(f"{SHOWN} && !studio.headPlayers.players[0].behind")
+    performed.wait(SHOWN)
     offsets = sorted(performed.run(SEEN_AND_HEARD, 0.5, 2.3, delay))
     resize(performed, *SIZE)
     assert len(offsets) > 3

@@ -192,7 +192,7 @@ export class Actions {
   #take(answer, asked) {
     const before = this.#store.get("take");
     const whole = answer.duration !== undefined || answer.whole;
-    const take = answer.duration === undefined ? changedTake(before, answer) : takeOf(answer);
+    const take = answer.duration === undefined ? changedTake(/** @type {import("./store.js").Take} */ (before), answer) : takeOf(answer);
     const [first, last] = whole ? [0, take.frames] : [answer.from_frame, answer.to_frame];
     const made = adopted(this.#store, before?.made, take.made, asked);
     this.#store.set({ take, faces: { take: take.take, first, last }, dial: null, ...made });

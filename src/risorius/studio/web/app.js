@@ -24,12 +24,12 @@ import { mountViews } from "./views.js";
 
 followTheme();
 const store = new Store({
-  catalogue: null,
+  catalogue: /** @type {any} */ (null), // until it is loaded
   session: sessionName(),
   link: "down",
   saved: "saved",
   ...NOTHING,
-  choices: null,
+  choices: /** @type {any} */ (null), // until the catalogue is loaded
   draft: "saved",
   aside: null,
   take: null,

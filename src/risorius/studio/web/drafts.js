@@ -5,9 +5,10 @@
 
 import { settled } from "./parts/dom.js";
 
+/** @type {("source" | "choices" | "emotions")[]} */
 export const PARTS = ["source", "choices", "emotions"];
 
-/** What is written before anything is. */
+/** What is written before anything is. @type {Pick<import("./store.js").Parts, "source" | "emotions">} */
 export const NOTHING = { source: { script: "", format: "text", recording: null, edges: [] }, emotions: [] };
 
 const WAIT = 600; // ms after the last letter at which the server is told

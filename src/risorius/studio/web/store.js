@@ -4,47 +4,50 @@
  * Parts are never changed in place: `store.set({take})` replaces, and calls everyone who watches `take`
  * once, after all parts of the same `set` are in place.
  *
- * Parts:
- *   catalogue   tables of the server (GET /api/catalogue); null until loaded
- *   session     the session's id; "" until open
- *   link        "up" | "down"
- *   saved       "saved" | "saving" | a line that says why it failed
- *   source      {script, format, recording}: what is to be performed (`Source` of the wire)
- *   choices     `Choices` of the wire: the settings of the next performance
- *   emotions    `EmotionSpan`s of the wire
- *   draft       "saved" | "saving": whether the server has what is written but not performed
- *   aside       what was written and was put aside for what is performed; null if nothing
- *   take        the current take (`take.js`); null before the first
- *   faces       {take, first, last}: frames whose faces are other than before, set with each new take
- *   busy        a sentence on what is being waited for; "" when nothing is
- *   stoppable   whether what is being waited for can be stopped
- *   selection   {time, parameter, movement}: what was last pointed at in timeline or rules; each may be null
- *   other       the second take of a comparison; null without one
- *   preview     whether the timeline shows a change that is not made yet
- *   dial        what dials hold, as `Dial` of the wire; null while the take is shown
- *   recordings  names of the recordings that the session has
- *   ownEmotions names of emotions saved in the session
- *   poses       {name: {parameter: value}}: poses saved in the session
- *   graphs      which muscles' graphs the timeline shows, and which lanes are folded; null until chosen
- *   tab         name of the panel that is open
+ * @typedef {ReturnType<typeof import("./take.js").takeOf>} Take
+ * @typedef {Object} Parts
+ * @property {import("./wire.js").Catalogue} catalogue tables of the server (GET /api/catalogue); null until loaded
+ * @property {string} session the session's id; "" until open
+ * @property {"up" | "down"} link
+ * @property {string} saved "saved", "saving", or a line that says why it failed
+ * @property {Required<import("./wire.js").Source>} source what is to be performed
+ * @property {import("./wire.js").Choices} choices the settings of the next performance
+ * @property {Required<import("./wire.js").EmotionSpan>[]} emotions
+ * @property {"saved" | "saving"} draft whether the server has what is written but not performed
+ * @property {Pick<Parts, "source" | "choices" | "emotions"> | null} aside what was written and put aside for what is performed
+ * @property {Take | null} take the current take; null before the first
+ * @property {{take: number, first: number, last: number} | null} faces frames whose faces are other than before
+ * @property {string} busy a sentence on what is being waited for; "" when nothing is
+ * @property {boolean} stoppable whether what is being waited for can be stopped
+ * @property {{time: number | null, parameter: string | null, movement: string | null}} selection what was last pointed at
+ * @property {(Take & {label: string}) | null} other the second take of a comparison
+ * @property {boolean} preview whether the timeline shows a change that is not made yet
+ * @property {any} dial what dials hold, as `Dial` of the wire; null while the take is shown
+ * @property {string[]} recordings names of the recordings that the session has
+ * @property {string[]} ownEmotions names of emotions saved in the session
+ * @property {Record<string, Record<string, number>>} poses poses saved in the session
+ * @property {any} graphs which muscles' graphs the timeline shows, and which lanes are folded; null until chosen
+ * @property {string} tab name of the panel that is open
  */
 export class Store {
   #parts;
+  /** @type {Set<{names: (keyof Parts)[], call: (store: Store) => void}>} */
   #watchers = new Set();
 
-  /** @param {Record<string, any>} parts the state to begin with */
+  /** @param {Parts} parts the state to begin with */
   constructor(parts) {
     this.#parts = { ...parts };
   }
 
-  /** @param {string} name @returns {any} the part's value now */
+  /** @template {keyof Parts} N @param {N} name @returns {Parts[N]} the part's value now */
   get(name) {
     return this.#parts[name];
   }
 
-  /** Replace parts; those that are the same as before are not announced. @param {Record<string, any>} parts */
+  /** Replace parts; those that are the same as before are not announced. @param {Partial<Parts>} parts */
   set(parts) {
-    const changed = Object.keys(parts).filter((name) => this.#parts[name] !== parts[name]);
+    const given = /** @type {(keyof Parts)[]} */ (Object.keys(parts));
+    const changed = given.filter((name) => this.#parts[name] !== parts[name]);
     Object.assign(this.#parts, parts);
     for (const { names, call } of [...this.#watchers]) {
       if (names.some((name) => changed.includes(name))) call(this);
@@ -53,7 +56,7 @@ export class Store {
 
   /**
    * Call `call(store)` now and after each change of one of the parts.
-   * @param {string[]} names @param {(store: Store) => void} call
+   * @param {(keyof Parts)[]} names @param {(store: Store) => void} call
    * @returns {() => void} ends it
    */
   watch(names, call) {

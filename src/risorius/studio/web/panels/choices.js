@@ -28,7 +28,7 @@ export function mountChoices(form, { store, actions }) {
     slow(parts);
   };
   const rows = choiceRows(form, store.get("catalogue"), store.get("choices"), set);
-  form.append(newSeed(() => set("seed", (store.get("choices").seed + 1) % 2 ** 31)));
+  form.append(newSeed(() => set("seed", ((store.get("choices").seed ?? 0) + 1) % 2 ** 31)));
   store.watch(["choices"], () => rows.show(store.get("choices")));
 }
 

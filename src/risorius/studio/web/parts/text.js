@@ -13,7 +13,8 @@ export function unitAt(text, character) {
 /**
  * Spans over characters after an edit of the text: they keep to their words, grow with what is typed within,
  * and go when all that they stood on is gone.
- * @param {{first: number | null, last: number | null}[]} spans
+ * @template {{first: number | null, last: number | null}} T
+ * @param {T[]} spans
  * @param {string} before @param {string} after
  */
 export function movedSpans(spans, before, after) {
@@ -31,5 +32,5 @@ export function movedSpans(spans, before, after) {
     .map((span) =>
       span.first === null ? span : { ...span, first: moved(span.first, false), last: moved(span.last, true) },
     )
-    .filter((span) => span.first === null || span.last > span.first);
+    .filter((span) => span.first === null || (span.last ?? 0) > span.first);
 }

@@ -151,7 +151,15 @@ function speechOf(speech) {
     pauses: new Spans(speech.pauses.filter(({ kind }) => kind)),
     tones: new Spans(speech.tones.map((tone) => ({ ...tone, start: tone.time, end: tone.time }))),
     waves: speech.waves,
+    loudest: loudestOf(speech.waves[0]?.peaks ?? []),
   };
+}
+
+const QUIET = 12; // of 127: what is quieter is not shown louder
+
+/** The greatest peak of a sound: the outline of a quiet recording is as high as any. @param {ArrayLike<number>} peaks */
+function loudestOf(peaks) {
+  return Array.from(peaks).reduce((most, peak) => Math.max(most, Math.abs(peak)), QUIET);
 }
 
 /** Times that an edit snaps to: where phones begin and end, markers, and the take's own ends. */

@@ -55,11 +55,11 @@ export function paintWave(scene, row) {
 
 function outline({ context, view, palette, width, count, model }, row, { peaks, seconds_per_bucket: size }) {
   const middle = row.y + row.height / 2;
-  const scale = (row.height / 2 - 1) / 127;
+  const scale = (row.height / 2 - 1) / model.speech.loudest;
   const left = Math.max(0, view.x(0));
   const right = Math.min(width, view.x(model.duration));
   context.fillStyle = palette.wave;
-  for (let x = Math.floor(left); x < right; x++) {
+  for (let x = Math.floor(left + 1e-6); x < right; x++) {
     const first = Math.max(0, Math.floor(view.time(x) / size));
     const last = Math.min(peaks.length / 2, Math.max(first + 1, Math.ceil(view.time(x + 1) / size)));
     let [low, high] = [0, 0];
