@@ -156,3 +156,25 @@ def test_the_frames_are_those_of_speak() -> None:
         face.say(piece)
     face.close()
     close_to(list(face.frames()), take)
+
+
+@pytest.mark.parametrize("frame", [9, 16, 24, 33, 41, 50])
+def test_who_is_interrupted_shuts_the_mouth_and_looks_at_the_listener(frame: int) -> None:
+    face = talking()
+    face.say(FIRST + SECOND)
+    face.flush()
+    iterator = face.frames()
+    before = list(islice(iterator, frame))
+    unsaid = face.interrupt()
+    after = list(islice(iterator, 45))
+    assert unsaid
+    assert (FIRST + SECOND).strip().endswith(unsaid)
+    assert not any(f.sound.any() for f in after)
+    opening = [INDEX[name] for name in ("masseter", "depressor_labii.left", "levator_labii_superioris.left")]
+    jaw = np.array([f.values[opening] for f in [before[-1], *after]])
+    # Within .2 s: by the sixth frame at 30 a second.
+    assert jaw[6:].max() < 0.02
+    assert np.abs(np.diff(jaw, axis=0)).max() < 0.5
+    for angle in ("pitch", "yaw"):
+        gaze = [f.parameters[f"gaze_{angle}"] + f.parameters[f"head_{angle}"] for f in after[15:]]
+        assert np.abs(gaze).max() < 4.0
