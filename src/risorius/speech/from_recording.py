@@ -74,6 +74,9 @@ def _hear_script(
     directions = Directions()
     for line in script.lines:
         directions = directions.joined(line.directions.moved(line.source_offset))
+    if directions.answers:
+        message = "answers is not read with a recording, whose accents are those of its sound"
+        warn(f"{script.lines[0].place}: {message}", SpeechWarning)
     if is_timed(directions):
         return measured(utterance_dictated(read_recording(audio), script.text, directions))
     dictated = next((span for span in directions.spans if span.phones), None)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+import risorius
 from risorius.core.directions import Directions
-from risorius.errors import InputError
+from risorius.errors import InputError, SpeechWarning
 from risorius.languages import language_of
 from risorius.script import parse_script
 from risorius.speech import say
@@ -139,6 +142,14 @@ def test_an_utterance_file_names_the_question() -> None:
     assert script.lines[0].directions.answers == "What does Julia prefer?"
     said = say(script)
     assert [said.words[a.word].text for a in said.accents] == ["popcorn"]
+
+
+def test_with_a_recording_the_question_of_a_file_is_not_read(tmp_path: Path) -> None:
+    file, sound = tmp_path / "julia.utt", tmp_path / "julia.wav"
+    file.write_text("answers: Who prefers popcorn?\ntext: Julia prefers popcorn\n")
+    risorius.speak(file).write(sound)
+    with pytest.warns(SpeechWarning, match="answers is not read with a recording"):
+        risorius.speak(file, audio=sound)
 
 
 def test_what_is_no_question_is_refused() -> None:
