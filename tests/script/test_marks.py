@@ -3,7 +3,7 @@ from dataclasses import replace
 
 import pytest
 
-from risorius.core.action_units import in_parameters
+from risorius.core.action_units import in_parameters, resolve_targets
 from risorius.core.movement import Movement
 from risorius.errors import InputError
 from risorius.rules.emotions import emotion
@@ -187,8 +187,13 @@ def test_channels(text: str, channel: str) -> None:
     ("text", "targets"),
     [
         (
+            '<EMOTIONDISPLAY joy="0.5" AU27="0.4"/>',
+            {"masseter": 0.32 + JOY["masseter"], "zygomatic_major.left": JOY["zygomatic_major.left"]},
+        ),
+        # Units add and are clipped before they become muscles.
+        (
             '<EMOTIONDISPLAY joy="0.5" AU26="1"/>',
-            {"masseter": 0.35 + JOY["masseter"], "zygomatic_major.left": JOY["zygomatic_major.left"]},
+            resolve_targets({**emotion("joy").shown_units(0.5), "AU26": 1.0}),
         ),
         ('<EMOTIONDISPLAY fear="1" surprise="1"/>', {"frontalis_medialis.left": 1.0}),
         ('<SIGNAL time="0"/>', {"frontalis_medialis.left": 0.6, "frontalis_lateralis.right": 0.6}),
