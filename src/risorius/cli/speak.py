@@ -32,7 +32,8 @@ def speak(
 ) -> None:
     """Perform INPUT: a text, a file, or - for standard input.
 
-    Files: .txt, .xml, .utt, .ssml, .bml, .TextGrid, .score.json.
+    Files: .txt, .xml, .utt, .ssml, .bml, .TextGrid, .score.json. Without -o the video performance.mp4 is
+    written here.
 
     With --audio a recorded voice is performed. It says INPUT or the transcript, or is labelled by INPUT (a
     .TextGrid); without these its words are guessed.

@@ -15,6 +15,7 @@ from .shown_take import ShownTake, liveliest
 _WIDE, _HIGH, _FOOT = 640, 180, 46
 _LONGEST_SOUND = 120.0  # s; a page holds 44 kB a second
 _MOST_POINTS = 600
+_NAMES = f"font:12px sans-serif;width:{_WIDE}px;display:flex;flex-wrap:wrap"
 _COLOURS = ("#0b8c82", "#d1495b", "#5b6fb5", "#c98a2c", "#7a5ca0", "#469654", "#a0604c", "#608094")
 
 
@@ -62,7 +63,7 @@ def _curves(take: ShownTake) -> str:
         f'<svg width="{_WIDE}" height="{_HIGH + _FOOT}" viewBox="0 0 {_WIDE} {_HIGH + _FOOT}"'
         f' font-size="12" font-family="sans-serif" fill="currentColor">{"".join(lines)}{"".join(words)}</svg>'
     )
-    return f'{drawing}<div style="font-size:12px;width:{_WIDE}px">{"".join(names)}</div>'
+    return f'{drawing}<div style="{_NAMES}">{"".join(names)}</div>'
 
 
 def _points(curve: Array) -> str:
