@@ -295,6 +295,8 @@ class Settings(metaclass=Named):
     def __post_init__(self) -> None:
         object.__setattr__(self, "fps", parse_fps(self.fps))
         if self.rules is not None:
+            if not isinstance(self.rules, str | PathLike):
+                raise InputError(f"rules is {type(self.rules).__name__}; expected the name of a file")
             object.__setattr__(self, "rules", Path(self.rules))
         check(self)
         for name, choices in (("look", Look), ("blend", BlendChoices)):

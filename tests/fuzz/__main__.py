@@ -24,7 +24,7 @@ import pytest
 
 from .cases import spoilt
 from .guard import one_line_or_done
-from .readers import READERS
+from .kinds import READERS
 
 _SHOWN = 5  # failures of a kind that are kept
 

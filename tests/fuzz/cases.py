@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 
 from .mutation import MUTATIONS
-from .readers import READERS
+from .registry import READERS
 from .structure import STRUCTURED
 
 MOST = 1_500_000  # bytes of a case

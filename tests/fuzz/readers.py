@@ -1,12 +1,10 @@
-"""All that reads foreign bytes, by the kind of file: a new reader is one line here."""
+"""All that reads files of others, by the kind of file: a new reader is one line here."""
 
 from __future__ import annotations
 
 import io
-import json
 import wave
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -43,39 +41,12 @@ from risorius.speech.recordings.recording import read_recording
 from risorius.stream.receiver_socket import parse_address
 from risorius.studio.messages import decode
 
+from .registry import register
+from .scores import MINIMAL, SCORE, as_json
+
 ROOT = Path(__file__).parents[2]
 EXAMPLES, PACKAGE = ROOT / "examples", ROOT / "src" / "risorius"
 COARSE = Settings(fps=Fraction(2))
-
-
-@dataclass(frozen=True, slots=True)
-class FuzzedReader:
-    """What reads a file: its name's ending, right contents, and the strict tables that are read from it."""
-
-    suffix: str
-    read: Callable[[Path], object]
-    samples: Callable[[], tuple[bytes, ...]]
-    tables: tuple[str, ...] = ()
-
-
-READERS: dict[str, FuzzedReader] = {}
-
-
-def register(
-    suffix: str,
-    read: Callable[[Path], object],
-    *samples: bytes | Path | Callable[[], bytes],
-    tables: str = "",
-) -> None:
-    """Register a reader of files; a sample may be made when it is first needed."""
-
-    @cache
-    def contents() -> tuple[bytes, ...]:
-        return tuple(
-            s if isinstance(s, bytes) else s.read_bytes() if isinstance(s, Path) else s() for s in samples
-        )
-
-    READERS[suffix] = FuzzedReader(suffix, read, contents, tuple(tables.split()))
 
 
 def _script(path: Path) -> object:
@@ -162,44 +133,11 @@ def _glb() -> bytes:
         return path.read_bytes()
 
 
-MOVEMENTS = [
-    {"channel": "emotion", "start": 0.2, "end": 1.5, "onset": 0.3, "offset": 0.4, "targets": {"AU12": 0.7}},
-    {"channel": "head", "start": 0.5, "end": 1.0, "onset": 0.1, "offset": 0.1, "targets": {"head_yaw": 9.0}}
-    | {"priority": 20, "function": "linear", "cause": {"rule": "a.b.c", "trigger": "x", "place": "y:1"}},
-    {"channel": "manual", "keys": {"jaw_open": [[0.0, 0.1], [1.0, 0.5], [1.7, 0.0]]}, "replaces": True},
-    {"channel": "lips", "phone": "M", "start": 0.4, "end": 0.5, "targets": {"lip_seal": 1.0}}
-    | {
-        "limits": {"jaw_open": [0.0, 0.2]},
-        "dominance": {"*": {"magnitude": 0.9, "before": 0.05, "after": 0.05}},
-    },
-]
-SPEECH = {
-    "language": "en-us",
-    "phones": [
-        {"symbol": "", "start": 0, "end": 0.4},
-        {"symbol": "M", "start": 0.4, "end": 0.5, "word": 0},
-        {"symbol": "", "start": 0.5, "end": 2.0},
-    ],
-    "words": [{"text": "m", "start": 0.4, "end": 0.5, "first_phone": 1, "last_phone": 2}
-              | {"source_start": 0, "source_end": 1}],
-    "pauses": [{"start": 0.5, "end": 2.0, "kind": "final"}],
-}  # fmt: skip
-SCORE = {
-    "risorius": 1, "duration": 2.0, "text": "m", "seed": 3, "speech": SPEECH, "movements": MOVEMENTS,
-    "settings": {"conflict": "graded", "activation_threshold": 0.1, "min_onset": 0.12, "lips": "dominance"},
-}  # fmt: skip
-MINIMAL = {"risorius": 1, "duration": 2.0, "movements": MOVEMENTS[:1]}
-
-
-def _json(data: object) -> bytes:
-    return json.dumps(data).encode()
-
-
 def _performance() -> bytes:
     import tempfile
 
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "a.score.json").write_bytes(_json(MINIMAL))
+        (Path(folder) / "a.score.json").write_bytes(as_json(MINIMAL))
         mix(Path(folder) / "a.score.json", settings=COARSE).write(Path(folder) / "a.performance.json")
         return (Path(folder) / "a.performance.json").read_bytes()
 
@@ -252,8 +190,10 @@ register(".utt", _script, EXAMPLES / "01-julia.utt", EXAMPLES / "05-timed.utt")
 register(".ssml", _script, EXAMPLES / "02-news.ssml")
 register(".bml", _script, EXAMPLES / "03-agent.bml", BML)
 register(".TextGrid", _labels, GRID)
-register(".score.json", lambda path: mix(path, settings=COARSE), lambda: _json(SCORE), lambda: _json(MINIMAL))
-register(".json", lambda path: mix(path, settings=COARSE), lambda: _json(SCORE))
+register(
+    ".score.json", lambda path: mix(path, settings=COARSE), lambda: as_json(SCORE), lambda: as_json(MINIMAL)
+)
+register(".json", lambda path: mix(path, settings=COARSE), lambda: as_json(SCORE))
 register(".performance.json", load, _performance)
 register(".arkit.csv", read_arkit_csv, ARKIT.encode())
 register(".csv", read_arkit_csv, ARKIT.encode())

@@ -10,7 +10,7 @@ import struct
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from .readers import READERS
+from .registry import READERS
 
 VALUES: tuple[Any, ...] = (
     None, True, False, 0, -1, 1, 1e308, -1e308, 2**64, 1e-320, -0.0, 21601, "", "x" * 5000, [], {}, [[]],

@@ -1,7 +1,7 @@
 """Spoilt files of every kind: read, or refused in one line, within bounds of time and memory.
 
-Every day 300 of each, a few of them hypothesis's; under `--full` it tries 20,000, and others in each run;
-RISORIUS_FUZZ sets another number. `python -m tests.fuzz` reads many more in the same time.
+Every day 300 of each, fewer of those that are slow, a few of them hypothesis's; under `--full` 20,000 of
+each. RISORIUS_FUZZ sets another number of hypothesis's. `python -m tests.fuzz` reads many more in a time.
 """
 
 from __future__ import annotations
@@ -19,22 +19,25 @@ from types import ModuleType
 
 import pytest
 from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 import risorius
 from risorius.core.schema import MisfitError, converter
+from risorius.core.setting import rows
 from risorius.errors import RisoriusError
 from risorius.ports.formats import FORMATS
 from risorius.script.read import READERS as SCRIPTS
+from risorius.settings import Settings, settings_of
 
 from ..profiles import samples
 from .cases import spoilt
 from .guard import bounded, one_line_or_done
+from .kinds import READERS
 from .mutation import mutated
-from .readers import PACKAGE, READERS
+from .readers import PACKAGE
+from .registry import FuzzedReader
 
-CASES = int(os.environ.get("RISORIUS_FUZZ", samples(20_000, 12)))
-COUNTED = samples(2000, 288)
+CASES = int(os.environ.get("RISORIUS_FUZZ", samples(2000, 12)))
+COUNTED = samples(18_000, 288)
 PACKAGE_TABLES = {
     "Articulation", "Attitude", "BmlTable", "Bulge", "EdgeTable", "Expression", "FuzzyTable", "MarkupTable",
     "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "Tradeoffs", "Viseme",
@@ -70,29 +73,39 @@ def test_a_right_file_is_read(suffix: str, tmp_path: Path) -> None:
 
 @pytest.mark.filterwarnings("ignore::risorius.errors.RisoriusWarning")
 @pytest.mark.parametrize("suffix", READERS)
-@settings(max_examples=CASES, suppress_health_check=list(HealthCheck), deadline=None)
-@given(data=st.data())
-def test_a_spoilt_file_is_read_or_refused(
-    suffix: str, data: st.DataObject, tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    reader = READERS[suffix]
-    path = tmp_path_factory.getbasetemp() / f"spoilt{suffix}"
-    path.write_bytes(data.draw(mutated(reader.samples())))
-    with one_line_or_done():
-        reader.read(path)
+def test_a_spoilt_file_is_read_or_refused(suffix: str, tmp_path: Path) -> None:
+    reader, path = READERS[suffix], tmp_path / f"spoilt{suffix}"
+
+    @settings(
+        max_examples=_cases(CASES, reader),
+        suppress_health_check=list(HealthCheck),
+        deadline=None,
+        database=None,
+    )
+    @given(data=mutated(reader.samples()))
+    def read(data: bytes) -> None:
+        path.write_bytes(data)
+        with one_line_or_done():
+            reader.read(path)
+
+    read()
 
 
 @pytest.mark.filterwarnings("ignore::risorius.errors.RisoriusWarning")
 @pytest.mark.parametrize("suffix", READERS)
 def test_counted_spoilt_files_are_read_or_refused(suffix: str, tmp_path: Path) -> None:
-    path = tmp_path / f"spoilt{suffix}"
-    for number in range(COUNTED):
+    reader, path = READERS[suffix], tmp_path / f"spoilt{suffix}"
+    for number in range(_cases(COUNTED, reader)):
         path.write_bytes(spoilt(suffix, number))
         try:
             with one_line_or_done():
-                READERS[suffix].read(path)
+                reader.read(path)
         except (pytest.fail.Exception, AssertionError) as error:
             raise AssertionError(f"spoilt({suffix!r}, {number}): {error}") from error
+
+
+def _cases(most: int, reader: FuzzedReader) -> int:
+    return max(1, round(most * samples(1.0, reader.share)))
 
 
 NOT_NUMBERS = (float("inf"), float("-inf"), float("nan"), True, "1", None, [], {})
@@ -139,6 +152,19 @@ def _fault(read: Callable[[object], object], value: object) -> str:
     except Exception as error:
         return f"{type(error).__name__}: {error}"
     return ""
+
+
+ODD = (10**5000, -(10**5000), "", "x" * 5000, "\ud800", "9" * 5000, "1e400", ";", ":", b"x", object(), int)
+
+
+@pytest.mark.parametrize("name", rows(Settings))
+def test_every_setting_takes_torture(name: str) -> None:
+    """Whatever a setting is given, alone, in a list or by name: it is taken, or refused in one line."""
+    for value in (*TORTURE, *ODD):
+        members = [{value: 1.0}] if isinstance(value, int | str) else []
+        for choice in (value, [value], (value, value), {"x": value}, {"nose_width": value}, *members):
+            with one_line_or_done():
+                settings_of({name: choice})
 
 
 def _hints(schema: type) -> dict[str, typing.Any]:

@@ -10,13 +10,19 @@ from typing import Any
 
 import pytest
 from PIL import Image
+from starlette.datastructures import Headers
 
 from risorius.api import mix, play
+from risorius.batches.journal import NAME as JOURNAL
+from risorius.batches.journal import Journal
+from risorius.core.json_text import parse_json
 from risorius.core.performance import frame_count
 from risorius.core.toml import read_tables
 from risorius.errors import InputError, RisoriusError
 from risorius.face.head import load_head
 from risorius.languages import language_of
+from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
+from risorius.live.session import Live
 from risorius.ports.glb_file import read_glb
 from risorius.render.backdrop import backdrop
 from risorius.rules.emotions import parse_display
@@ -30,6 +36,8 @@ from risorius.speech.engines.protocol import SpeechRequest, Voice
 from risorius.speech.recordings.labelled import utterance_of_labels
 from risorius.stream.receiver_socket import parse_address
 from risorius.studio.messages import decode
+from risorius.studio.session_files import SessionFiles
+from risorius.web.guard import Guard
 
 from .guard import one_line_or_done
 
@@ -248,3 +256,88 @@ def test_many_elements_take_a_time_that_grows_with_their_number(name: str) -> No
     suffix, text = QUADRATIC[name]
     with one_line_or_done(seconds=3.0):
         parse_script(text, suffix)
+
+
+DOTTED = {
+    "40,000 names in a key": "a." * 40_000 + "b = 1",
+    "40,000 names in a header": "[" + "a." * 40_000 + "b]",
+    "40,000 names in an inline table": "x = {" + "'a' . " * 40_000 + "b = 1}",
+    "33 names in a key": "a." * 32 + "b = 1",
+    "strings that do not end": "." * 40 + '"\\' * 40_000,
+}
+
+
+@pytest.mark.parametrize("text", DOTTED.values(), ids=DOTTED)
+def test_long_dotted_keys_take_no_time(text: str) -> None:
+    with one_line_or_done(), pytest.raises(InputError):
+        read_tables(text, "x.toml")
+
+
+@pytest.mark.parametrize("text", ["x = '" + "a." * 99 + "'", "# " + "a." * 99, '"' + "a." * 99 + '" = 1'])
+def test_dots_that_are_no_keys_are_read(text: str) -> None:
+    read_tables(text, "x.toml")
+
+
+def test_half_a_character_is_refused_with_its_place() -> None:
+    text = r'{"a": "\\ud800",' + "\n" + r' "b": "\ud83d\ude00\udc00"}'
+    with pytest.raises(InputError, match=r"^x:2:20: holds an escape of half a character"):
+        parse_json(text, "x")
+    with pytest.raises(RisoriusError, match="half a character"):
+        decode(r'{"id": 1, "do": "perform", "source": {"script": "\ud800"}}')
+    assert parse_json(r'["\ud83d\ude00", "\\ud800"]', "x").data == ["\U0001f600", r"\ud800"]
+
+
+@pytest.mark.parametrize("origin", ["http://[", "http://[::1", "//[/", "http://[x]]"])
+def test_an_origin_with_a_broken_bracket_is_refused(origin: str) -> None:
+    headers = Headers({"host": "127.0.0.1:8000", "origin": origin})
+    assert not Guard(None)._allowed(headers)  # type: ignore[arg-type]
+
+
+SERVICES: dict[str, Callable[[Live], object]] = {
+    "a message that is a list": lambda face: ElevenLabsVoice(face, "pcm_16000").say([]),  # type: ignore[arg-type]
+    "characters that are numbers": lambda face: ElevenLabsVoice(face, "pcm_16000").say(
+        {"alignment": {"chars": [1], "charStartTimesMs": [0], "charDurationsMs": [0]}}
+    ),
+    "an alignment that is a text": lambda face: ElevenLabsVoice(face, "pcm_16000").say({"alignment": "x"}),
+    "a rate in superscript": lambda face: ElevenLabsVoice(face, "pcm_\u00b2"),
+    "a rate of 5,000 digits": lambda face: ElevenLabsVoice(face, "pcm_" + BIG),
+    "a word's time of 400 digits": lambda face: CartesiaVoice(face, "pcm_s16le", 16_000).say(
+        {"type": "timestamps", "word_timestamps": {"words": ["a"], "start": [10**400], "end": [1]}}
+    ),
+    "a message that is a text": lambda face: CartesiaVoice(face, "pcm_s16le", 16_000).say("x"),  # type: ignore[arg-type]
+    "a boundary that is a list": lambda face: AzureVoice(face).word("a", 0, 0, []),  # type: ignore[arg-type]
+    "an offset that is a text": lambda face: AzureVoice(face).word("a", "x", 0),  # type: ignore[arg-type]
+    "a word without an end": lambda face: face.say(audio=b"", rate=16_000, words=[("a", 0)]),  # type: ignore[list-item]
+    "a time beyond floats": lambda face: face.say(audio=b"", rate=16_000, words=[("a", 10**400, 1)]),
+    "a time beyond digits": lambda face: face.say(audio=b"", rate=16_000, words=[("a", 10**5000, 1)]),
+    "a word that is a number": lambda face: face.say(audio=b"", rate=16_000, words=[(5, 0.0, 1.0)]),  # type: ignore[list-item]
+}
+
+
+@pytest.mark.parametrize("say", SERVICES.values(), ids=SERVICES)
+def test_what_no_service_sends_is_refused(say: Callable[[Live], object]) -> None:
+    with one_line_or_done(), pytest.raises(InputError):
+        say(Live())
+
+
+@pytest.mark.parametrize("text", ["[]", '{"a": 5}', '{"a": "../../x"}', "[" * 9999, '{"a": {"b": "c"}}'])
+def test_a_damaged_table_of_a_session_is_empty_or_stays_in_its_folder(text: str, tmp_path: Path) -> None:
+    for name in ("emotions.json", "poses.json"):
+        (tmp_path / name).write_text(text)
+    files = SessionFiles(tmp_path)
+    assert files.poses() == {}
+    assert all(Path(files.emotion(name)).parent == tmp_path for name in files.emotions())
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        '{"id": "\\ud800", "digest": "1"}',
+        '{"id": "a", "digest": "1", "files": {"x": 5}}',
+        '{"id": "a", "x": 1}',
+    ],
+)
+def test_a_damaged_line_of_a_journal_is_passed_over(line: str, tmp_path: Path) -> None:
+    (tmp_path / f"{JOURNAL}.jsonl").write_text(line + "\n")
+    with Journal(tmp_path) as journal:
+        assert journal.entry("a") is None

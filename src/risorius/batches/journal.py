@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import IO
 
 from ..core.file_lock import lock
-from ..errors import OutputError, Place
+from ..core.json_text import parse_json
+from ..errors import InputError, OutputError, Place
 from ..ports.atomic import os_failure
 from .fingerprint import FileRecord
 from .outcome import Outcome
@@ -41,10 +42,8 @@ class JournalEntry:
     def read(cls, text: str) -> JournalEntry | None:
         """Return the entry in a line of JSON; None for what is none, as when it is torn."""
         try:
-            data = json.loads(text)
-            outcome = Outcome.read(data.pop("outcome"))
-            return cls(**data, outcome=outcome)
-        except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+            return parse_json(text, NAME).read(cls)
+        except InputError:
             return None
 
 
@@ -108,7 +107,7 @@ def _ids(lines: IO[bytes]) -> Iterator[tuple[str, str]]:
     for line in lines:
         text = line.decode("utf-8", "replace")
         entry = JournalEntry.read(text)
-        if entry is not None and isinstance(entry.id, str):
+        if entry is not None:
             yield entry.id, text
 
 

@@ -18,9 +18,11 @@ def parse_fps(text: str | float | Fraction) -> Fraction:
         if isinstance(text, str) and not _RATE.fullmatch(text.strip()):
             raise ValueError
         fps = Fraction(text) if not isinstance(text, float) else Fraction(text).limit_denominator(100_000)
-    except (ValueError, ZeroDivisionError, OverflowError):
-        shown = str(text)[:40]
+    except (TypeError, ValueError, ZeroDivisionError, OverflowError):
+        shown = text[:40] if isinstance(text, str) else type(text).__name__
         raise InputError(f"fps '{shown}' is not a number; expected e.g. 30, 25 or 24000/1001") from None
     if not 0 < fps <= MAX_FPS:
-        raise InputError(f"fps = {text} is out of range; expected more than 0 and at most {MAX_FPS}")
+        # A whole number may have more digits than Python writes.
+        given = text if abs(fps) < 10**40 else "a number of many digits"
+        raise InputError(f"fps = {given} is out of range; expected more than 0 and at most {MAX_FPS}")
     return fps

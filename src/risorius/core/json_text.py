@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +18,10 @@ from .source_text import SourceText, Syntax, read_file
 JsonObject = dict[str, Any]
 T = TypeVar("T")
 MAX_BYTES = 200_000_000
+# Escapes of two halves of a character, or of one (the group); a backslash before another one is no escape.
+_HALVES = re.compile(
+    r"(?<!\\)(?:\\\\)*(?:\\u[dD][89abAB][0-9a-fA-F]{2}\\u[dD][c-fC-F][0-9a-fA-F]{2}|(\\u[dD][89a-fA-F][0-9a-fA-F]{2}))"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +65,33 @@ def parse_json(text: str, name: str) -> JsonDocument:
         raise InputError("holds a number with too many digits; expected fewer", place) from None
     if is_too_deep(data):
         raise InputError(TOO_DEEP, place)
+    if not is_unicode(data, text):
+        raise InputError(HALF_A_CHARACTER, _place_of_half(text, name))
     return JsonDocument(data, SourceText(name, text, Syntax.JSON))
+
+
+HALF_A_CHARACTER = "holds an escape of half a character (\\ud800 to \\udfff); expected both halves"
+
+
+def is_unicode(data: object, text: str) -> bool:
+    """Whether all texts in data, which was read from JSON, can be written: an escape may be half a character.
+
+    Python takes such a text for one until it is written to a file, a program or a database.
+    """
+    if "\\u" not in text:
+        return True
+    try:
+        json.dumps(data, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _place_of_half(text: str, name: str) -> Place:
+    at = next((halves.start(1) for halves in _HALVES.finditer(text) if halves[1]), -1)
+    if at < 0:
+        return Place(name)
+    return Place(name, text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at))
 
 
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

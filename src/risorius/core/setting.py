@@ -15,6 +15,7 @@ from enum import StrEnum
 from fractions import Fraction
 from functools import cache
 from importlib import import_module
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -281,6 +282,8 @@ class Row:
             if text not in SWITCHED:
                 raise InputError(unknown(self.called, text, SWITCHED))
             return SWITCHED[text]
+        if self.kind is ValueKind.AMOUNTS:
+            raise InputError(f"{self.called} '{text}' is a text; expected numbers by name")
         return Path(text) if self.kind is ValueKind.FILE else text
 
     def text(self, value: Any) -> str:
@@ -344,7 +347,7 @@ def _check_kind(row: Row, value: Any) -> None:
     types, what = _TYPES.get(row.kind, (object, ""))
     fits = _FITS.get(row.kind)
     if not isinstance(value, types) or (fits is not None and not fits(value)):
-        raise InputError(f"{row.name} = {value!r} is not {what}")
+        raise InputError(f"{row.name} = {_shown(value)} is not {what}")
 
 
 def _are_texts(values: Any) -> bool:
@@ -366,7 +369,8 @@ def _check_names(row: Row, value: Any) -> None:
         if find is not None:
             find(name)
         elif name not in (known := names.known or [choice.name for choice in names.choices()]):
-            raise InputError(unknown(row.called, str(name), known))
+            text = name if isinstance(name, str) else _shown(name)
+            raise InputError(unknown(row.called, text, known))
 
 
 def _check_range(row: Row, value: Any, spec: str) -> None:
@@ -374,16 +378,28 @@ def _check_range(row: Row, value: Any, spec: str) -> None:
     if low is None or high is None:
         return
     for name, number in _numbers(row, value):
-        if isinstance(number, str) or not hasattr(number, "__float__"):
-            raise InputError(f"{name} = {number!r} is not a number; expected {low:g} to {high:g}")
+        is_number = isinstance(number, Real)
+        if not is_number:
+            raise InputError(f"{name} = {_shown(number)} is not a number; expected {low:g} to {high:g}")
         if not low <= number <= high:
-            raise InputError(f"{name} = {number:{spec}} is out of range; expected {low:g} to {high:g}")
+            raise InputError(f"{name} = {_shown(number, spec)} is out of range; expected {low:g} to {high:g}")
+
+
+def _shown(value: Any, spec: str = "") -> str:
+    """Return a value as messages show it: Python writes no number of thousands of digits."""
+    try:
+        return format(value, spec) if isinstance(value, int | float) else repr(value)
+    except (ValueError, OverflowError):
+        return "a number of many digits"
 
 
 def _numbers(row: Row, value: Any) -> Iterable[tuple[str, Any]]:
     """Return the numbers of a setting with their names in messages."""
     if row.kind is ValueKind.AMOUNTS:
-        return [(f"{row.name} {name}", number) for name, number in value.items()]
+        return [
+            (f"{row.name} {name if isinstance(name, str) else _shown(name)}", number)
+            for name, number in value.items()
+        ]
     if row.kind is ValueKind.SIZE:
         return [(f"the {side} of {row.name}", n) for side, n in zip(("width", "height"), value, strict=True)]
     return [(row.name, value)]

@@ -11,12 +11,23 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..errors import InputError, Place
-from .depth import TOO_DEEP, is_too_deep
+from .depth import MAX_DEPTH, TOO_DEEP, is_too_deep
 from .schema import build
 from .source_text import SourceText, Syntax, read_file
 
 T = TypeVar("T")
 MAX_BYTES = 4_000_000
+# A name or a string, and what stands in a text of TOML, each piece read once: a string of several lines, a
+# comment, a key (or values with dots between them), anything else. Strings need not end.
+_NAME = r"""(?>[\w-]++|"(?:\\.|[^"\\\n])*+"?|'[^'\n]*+'?)"""
+_PART = re.compile(_NAME, re.DOTALL)
+_PIECE = re.compile(
+    r'"""(?:\\.|[^\\])*?(?:"""|\Z)'
+    r"|'''.*?(?:'''|\Z)"
+    r"|#[^\n]*+"
+    rf"|(?P<key>{_NAME}(?:[ \t]*+\.[ \t]*+{_NAME})*+)|.",
+    re.DOTALL,
+)
 _TOML_POSITION = re.compile(r"(?:line (\d{1,9}), column (\d{1,9})|end of document)\)")
 
 
@@ -52,6 +63,7 @@ def parse(cls: type[T], text: str, name: str) -> T:
 
 def read_tables(text: str, name: str) -> dict[str, Any]:
     """Return what TOML text says; raise InputError, with its place in file `name`, if it is not TOML."""
+    _check_keys(text, name)
     try:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -65,6 +77,17 @@ def read_tables(text: str, name: str) -> dict[str, Any]:
         if is_too_deep({key: value}):
             raise SourceText(name, text).error((key,), TOO_DEEP)
     return tables
+
+
+def _check_keys(text: str, name: str) -> None:
+    """Raise InputError for a key of more parts than tables may be nested: it takes Python quadratic time."""
+    if all(line.count(".") < MAX_DEPTH for line in text.split("\n")):
+        return
+    for piece in _PIECE.finditer(text):
+        key, at = piece["key"], piece.start()
+        if key is not None and key.count(".") >= MAX_DEPTH and len(_PART.findall(key)) > MAX_DEPTH:
+            place = Place(name, text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at))
+            raise InputError(TOO_DEEP, place)
 
 
 def _toml_error(message: str, name: str) -> InputError:

@@ -10,19 +10,25 @@ import base64
 import binascii
 from collections.abc import Mapping, Sequence
 from datetime import timedelta
-from typing import Any
+from typing import Any, TypeVar
 
 from ..core.pcm import sample_bytes
+from ..core.schema import build
+from ..core.source_text import SourceText, Syntax
 from ..errors import InputError, unknown
 from .session import Live
 
+T = TypeVar("T")
 Message = Mapping[str, Any]
+Object = dict[str, Any]
+Texts, Times = tuple[str, ...], tuple[float, ...]
 TimedWords = list[tuple[str, float, float]]
 # Azure's unit of time, seconds.
 _TICK = 1e-7
 # Both spellings are published.
 _STARTS = ("charStartTimesMs", "charsStartTimesMs")
 _LENGTHS = ("charDurationsMs", "charsDurationsMs")
+_LONGEST_RATE = 7
 _ELEVENLABS = {"pcm": "pcm_s16le", "ulaw": "pcm_mulaw", "alaw": "pcm_alaw"}
 
 
@@ -36,7 +42,7 @@ class ElevenLabsVoice:
     def __init__(self, face: Live, output_format: str) -> None:
         """Raise InputError for a format that is not plain samples."""
         kind, _, rate = output_format.partition("_")
-        if kind not in _ELEVENLABS or not rate.isdigit():
+        if kind not in _ELEVENLABS or not (rate.isdecimal() and len(rate) < _LONGEST_RATE):
             message = unknown("output format", output_format, ("pcm_16000", "pcm_24000", "ulaw_8000"))
             raise InputError(message)
         self._face, self._encoding, self._rate = face, _ELEVENLABS[kind], int(rate)
@@ -46,10 +52,11 @@ class ElevenLabsVoice:
 
     def say(self, message: Message) -> None:
         """Let the face say what a message has; raises InputError for what is no such message."""
-        data = _decoded(message.get("audio") or message.get("audio_base64") or "")
-        alignment = message.get("alignment") or message.get("normalizedAlignment") or {}
-        words = self._words(alignment)
-        is_last = bool(message.get("isFinal"))
+        content = _part(Object, message)
+        data = _decoded(content.get("audio") or content.get("audio_base64") or "")
+        alignment = content.get("alignment") or content.get("normalizedAlignment") or {}
+        words = self._words(_part(Object, alignment, "alignment"))
+        is_last = bool(content.get("isFinal"))
         if is_last:
             words += self._ended()
         self._seconds += len(data) / sample_bytes(self._encoding) / self._rate
@@ -59,7 +66,7 @@ class ElevenLabsVoice:
             self._face.flush()
             self._seconds = 0.0
 
-    def _words(self, alignment: Message) -> TimedWords:
+    def _words(self, alignment: Object) -> TimedWords:
         characters, starts, ends = _times(alignment)
         words: TimedWords = []
         for character, start, end in zip(characters, starts, ends, strict=True):
@@ -79,26 +86,21 @@ class ElevenLabsVoice:
         return [word]
 
 
-def _times(alignment: Message) -> tuple[Sequence[str], list[float], list[float]]:
+def _times(alignment: Object) -> tuple[Sequence[str], Sequence[float], Sequence[float]]:
     """Return characters with start and end in seconds, as the WebSocket or the other interface names them."""
-    try:
-        if "characters" in alignment:
-            starts = [float(s) for s in alignment["character_start_times_seconds"]]
-            ends = [float(s) for s in alignment["character_end_times_seconds"]]
-            characters = alignment["characters"]
-        else:
-            characters = alignment.get("chars", ())
-            starts, lasting = ([s / 1e3 for s in _column(alignment, names)] for names in (_STARTS, _LENGTHS))
-            ends = [start + length for start, length in zip(starts, lasting, strict=True)]
-        if not len(characters) == len(starts) == len(ends):
-            raise ValueError
-    except (TypeError, ValueError, KeyError):
-        raise InputError("the alignment's characters and times do not match; expected one for each") from None
+    if "characters" in alignment:
+        characters = _member(Texts, alignment, "characters")
+        starts = _member(Times, alignment, "character_start_times_seconds")
+        ends = _member(Times, alignment, "character_end_times_seconds")
+    else:
+        characters = _member(Texts, alignment, "chars")
+        starts, lasting = (
+            tuple(ms / 1e3 for ms in _member(Times, alignment, *names)) for names in (_STARTS, _LENGTHS)
+        )
+        ends = tuple(start + length for start, length in zip(starts, lasting, strict=False))
+    if not len(characters) == len(starts) == len(ends):
+        raise InputError("the alignment's characters and times do not match; expected one for each")
     return characters, starts, ends
-
-
-def _column(alignment: Message, names: Sequence[str]) -> Sequence[float]:
-    return next((alignment[name] for name in names if name in alignment), ())
 
 
 class CartesiaVoice:
@@ -115,20 +117,21 @@ class CartesiaVoice:
 
     def say(self, message: Message) -> None:
         """Let the face say what a message has; raises InputError for what is no such message."""
-        kind = message.get("type")
+        content = _part(Object, message)
+        kind = content.get("type")
         if kind == "chunk":
-            self._add(_decoded(message.get("data", "")), [])
+            self._add(_decoded(content.get("data", "")), [])
         elif kind == "timestamps":
-            times = message.get("word_timestamps") or {}
-            try:
-                words = list(zip(times["words"], times["start"], times["end"], strict=True))
-            except (KeyError, TypeError, ValueError):
-                raise InputError("word_timestamps do not match; expected words, start and end") from None
-            self._add(b"", words)
+            times = _part(Object, content.get("word_timestamps") or {}, "word_timestamps")
+            words, starts = _member(Texts, times, "words"), _member(Times, times, "start")
+            ends = _member(Times, times, "end")
+            if "words" not in times or not len(words) == len(starts) == len(ends):
+                raise InputError("word_timestamps do not match; expected words, start and end")
+            self._add(b"", list(zip(words, starts, ends, strict=True)))
         elif kind == "done":
             self._face.flush()
         elif kind == "error":
-            raise InputError(f"the service failed: {message.get('title') or message.get('error')}")
+            raise InputError(f"the service failed: {content.get('title') or content.get('error')}")
 
     def _add(self, data: bytes, words: TimedWords) -> None:
         self._face.say(audio=data, rate=self._rate, encoding=self._encoding, words=words)
@@ -154,15 +157,16 @@ class AzureVoice:
 
         A punctuation mark belongs to the word before it; whole sentences are left alone.
         """
+        text = _part(str, text, "text")
         kind = str(getattr(boundary_type, "name", boundary_type)).lower()
         if kind.startswith("punctuation"):
             if self._word is not None:
                 self._word = (self._word[0] + text, *self._word[1:])
         elif kind.startswith("word"):
             self._send()
-            start = audio_offset * _TICK
+            start = _part(float, audio_offset, "audio_offset") * _TICK
             seconds = duration.total_seconds() if isinstance(duration, timedelta) else duration
-            self._word = text, start, start + seconds
+            self._word = text, start, start + _part(float, seconds, "duration")
 
     def sound(self, data: bytes) -> None:
         """Take a piece of sound, after the words that begin in it."""
@@ -180,8 +184,22 @@ class AzureVoice:
             self._face.say(audio=b"", rate=self._rate, encoding=self._encoding, words=[word])
 
 
+def _part(kind: type[T], value: object, name: str = "") -> T:
+    """Return a message, or the part of it of that name, as a type; raises InputError if it is another."""
+    return build(kind, value, SourceText("the message", syntax=Syntax.JSON), (name,) if name else ())
+
+
+def _member(kind: type[T], part: Object, *names: str) -> T:
+    """Return a list in a part of a message, under one of its names; empty if it is not there.
+
+    Raises InputError as `_part`.
+    """
+    name = next((name for name in names if name in part), names[0])
+    return _part(kind, part.get(name, []), name)
+
+
 def _decoded(text: object) -> bytes:
     try:
-        return base64.b64decode(str(text), validate=True)
+        return base64.b64decode(_part(str, text, "audio"), validate=True)
     except (binascii.Error, ValueError):
         raise InputError("the message's sound is not base64; expected samples in it") from None

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
+from numbers import Real
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.audio import Samples
+from ..core.hints import shown
 from ..core.pcm import PcmDecoder, check_rate, samples_of
+from ..core.source_text import Syntax
 from ..errors import InputError
 from ..speech.alignment.timed_words import TimedWord, check_times, written
 from ..speech.recordings.recording import HIGHEST_RATE, LOWEST_RATE
@@ -207,8 +210,12 @@ def _timed_word(word: Sequence[object]) -> TimedWord:
     """Return a word and its times; raise InputError for anything else."""
     try:
         text, start, end = word
-        timed = TimedWord(str(text), float(start), float(end))  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        message = f"{word!r} is not a word with its times; expected (word, start, end) in seconds"
-        raise InputError(message) from None
-    return timed
+        times = start, end
+        if isinstance(text, str) and all(isinstance(t, Real) and not isinstance(t, bool) for t in times):
+            return TimedWord(text, float(start), float(end))  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        pass
+    message = (
+        f"{shown(word, Syntax.JSON)} is not a word with its times; expected (word, start, end) in seconds"
+    )
+    raise InputError(message)

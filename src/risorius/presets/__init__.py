@@ -13,11 +13,12 @@ from pathlib import Path
 from typing import Any
 
 from ..core.frozen import FrozenDict
+from ..core.hints import shown
 from ..core.paths import path_of
 from ..core.setting import Row, rows
 from ..core.source_text import SourceText
 from ..core.toml import read_tables, read_text
-from ..errors import InputError, ParameterError, RisoriusError, unknown
+from ..errors import ParameterError, RisoriusError, unknown
 from ..settings import Settings, settings_of
 
 _DESCRIPTION = "description"
@@ -74,8 +75,9 @@ def _read(text: str, name: str) -> dict[str, Any]:
             settings_of({row.name: values[row.name]})
         except RisoriusError as error:
             raise source.error((key,), error.message, type(error)) from None
-        except (AttributeError, TypeError, ValueError):
-            raise source.error((key,), f"{value!r} is not a {row.kind}", InputError) from None
+        except (AttributeError, TypeError, ValueError, OverflowError):
+            message = f"{shown(value, source.syntax)} is not a {row.kind}"
+            raise source.error((key,), message) from None
     return values
 
 

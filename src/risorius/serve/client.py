@@ -214,7 +214,7 @@ class LiveClient:
                     unsaid = await asyncio.to_thread(face.interrupt)
                     self._mailbox.tell(written("interrupted", unsaid=unsaid))
                 else:
-                    self._do(face, message)
+                    follow(face, message)
             except RisoriusError as error:
                 self._mailbox.tell(written("error", message=error.message))
 
@@ -234,30 +234,31 @@ class LiveClient:
             raise InputError("the message is not text; expected JSON")
         return str(text)
 
-    def _do(self, face: Live, message: ClientMessage) -> None:
-        """Do what a message asks for; raises RisoriusError."""
-        match message:
-            case Say():
-                sound = message.sound
-                face.say(
-                    message.text or "",
-                    audio=sound,
-                    rate=message.rate,
-                    encoding=message.encoding,
-                    words=message.words,
-                )
-            case LookAt():
-                face.look(message.direction)
-            case Feel():
-                face.feel(message.emotion, message.intensity)
-            case Listen():
-                face.listen(message.samples, message.rate)
-            case Flush():
-                face.flush()
-            case Close():
-                face.close()
-            case StartFace():
-                raise InputError("the face is there already; expected 'start' once")
+
+def follow(face: Live, message: ClientMessage) -> None:
+    """Do what a message asks for; raises RisoriusError."""
+    match message:
+        case Say():
+            sound = message.sound
+            face.say(
+                message.text or "",
+                audio=sound,
+                rate=message.rate,
+                encoding=message.encoding,
+                words=message.words,
+            )
+        case LookAt():
+            face.look(message.direction)
+        case Feel():
+            face.feel(message.emotion, message.intensity)
+        case Listen():
+            face.listen(message.samples, message.rate)
+        case Flush():
+            face.flush()
+        case Close():
+            face.close()
+        case StartFace():
+            raise InputError("the face is there already; expected 'start' once")
 
 
 def _started(layout: FrameLayout, settings: Settings) -> str:

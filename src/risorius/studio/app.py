@@ -265,11 +265,12 @@ async def shading(request: Request) -> Response:
 
 
 async def _of_head(request: Request, make: Callable[..., bytes], kind: str) -> Response:
-    data = await run_in_threadpool(make, *_looks(request))
+    data = await run_in_threadpool(make, *looks_of(request))
     return Response(data, media_type=kind, headers=SAME_FOR_AN_HOUR)
 
 
-def _looks(request: Request) -> tuple[str, float | None, str | None, float | None]:
+def looks_of(request: Request) -> tuple[str, float | None, str | None, float | None]:
+    """Return which head a request wants and how it looks; raise InputError for a head that there is not."""
     query = request.query_params
     name = query.get("head", "standard")
     if name not in shipped_heads():

@@ -12,15 +12,17 @@ import re
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 from ..core.action_units import resolve_targets
-from ..errors import InputError, unknown
+from ..core.json_text import load_json
+from ..errors import InputError, RisoriusError, unknown
 from ..ports.atomic import replacing
 from ..rules.emotions import emotion, emotion_key, emotion_names, emotion_text
 from ..script.read import RECORDING_SUFFIXES
 from ..speech.recordings.recording import read_recording
 
+T = TypeVar("T")
 _NAME = re.compile(r"[\w][\w -]{0,59}")
 _MOST = 200
 
@@ -30,8 +32,8 @@ class SessionFiles:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self._emotions: dict[str, str] = _table(folder / "emotions.json")
-        self._poses: dict[str, dict[str, float]] = _table(folder / "poses.json")
+        self._emotions = _table(folder / "emotions.json", dict[str, str])
+        self._poses = _table(folder / "poses.json", dict[str, dict[str, float]])
 
     def told(self, text: str) -> str:
         """Return a line for the page: files of the session by their names, without the folder they lie in."""
@@ -82,7 +84,7 @@ class SessionFiles:
     def emotion(self, name: str) -> str:
         """Return by what the library finds an emotion: its name, or the file of one that was saved."""
         if name in self._emotions:
-            return str(self.folder / self._emotions[name])
+            return str(self.folder / Path(self._emotions[name]).name)
         if name.strip().lower() not in emotion_names():
             raise InputError(unknown("emotion", name, (*self._emotions, *emotion_names())))
         return emotion_key(name)
@@ -138,10 +140,9 @@ def kept_table(text: str, kind: str, folder: Path) -> Path:
     return path
 
 
-def _table(path: Path) -> dict[str, Any]:
+def _table(path: Path, cls: type[T]) -> T:
     """Return the object in a JSON file of ours; empty if the file is missing or damaged."""
     try:
-        entries = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
-    return entries if isinstance(entries, dict) else {}
+        return load_json(path).read(cls)
+    except RisoriusError:
+        return cls()

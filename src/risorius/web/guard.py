@@ -55,10 +55,16 @@ class Guard:
         if not origins:
             # Browsers name the origin of every socket and of every request that changes something.
             return headers.get("sec-fetch-site", "same-origin") in ("same-origin", "none")
-        if len(origins) != 1:
-            return False
-        parts = urlsplit(origins[0])
-        return origins[0] in self._origins or (parts.scheme == "http" and parts.netloc == hosts[0])
+        return len(origins) == 1 and (origins[0] in self._origins or _is_of(origins[0], hosts[0]))
+
+
+def _is_of(origin: str, host: str) -> bool:
+    """Whether an Origin header is that of the server's own pages."""
+    try:
+        parts = urlsplit(origin)
+    except ValueError:
+        return False  # a bracket that is not closed
+    return parts.scheme == "http" and parts.netloc == host
 
 
 def _name(host: str) -> str:

@@ -6,6 +6,7 @@ import json
 from typing import Any
 
 from ..core.depth import TOO_DEEP, is_too_deep
+from ..core.json_text import HALF_A_CHARACTER, is_unicode
 from ..errors import InputError
 
 
@@ -19,6 +20,8 @@ def json_object(text: str) -> dict[str, Any]:
         raise InputError("the message is not an object {…}")
     if is_too_deep(data):
         raise InputError(f"the message {TOO_DEEP}")
+    if not is_unicode(data, text):
+        raise InputError(f"the message {HALF_A_CHARACTER}")
     return data
 
 

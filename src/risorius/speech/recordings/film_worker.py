@@ -22,6 +22,10 @@ class NoSoundError(Exception):
     """The file has no sound."""
 
 
+class UnknownSoundError(Exception):
+    """The file's sound is of a kind that the library does not know."""
+
+
 def decode(file: IO[bytes], container: str, out: IO[bytes]) -> None:
     """Write the first sound of a file of a container (`mov`, `matroska` …) as messages.
 
@@ -32,6 +36,8 @@ def decode(file: IO[bytes], container: str, out: IO[bytes]) -> None:
         if not film.streams.audio:
             raise NoSoundError("has no sound")
         stream = film.streams.audio[0]
+        if stream.codec_context is None:
+            raise UnknownSoundError("its sound is of an unknown kind")
         _say(out, {"rate": stream.rate})
         resampler = av.AudioResampler(format="fltp", rate=stream.rate)
         for frame in film.decode(stream):
