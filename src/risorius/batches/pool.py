@@ -10,6 +10,7 @@ import contextlib
 import os
 import socket
 import subprocess
+import threading
 import time
 from collections import deque
 from collections.abc import Iterator
@@ -17,7 +18,7 @@ from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
-from ..core.processes import start
+from ..core.processes import LOOK, SilentError, Watch, start
 from ..errors import RisoriusError
 from .worker import READY
 
@@ -57,14 +58,27 @@ class _Worker:
                 pass_fds=[theirs.fileno()],
             )
         self.connection = Connection(ours.detach())
+        self._watch, self._looked = Watch(self.process.pid), time.monotonic()
         self.request: _Request | None = None
         self.ready = False
         self.since = time.monotonic()
 
     def send(self, request: _Request) -> None:
         self.request, self.since = request, time.monotonic()
-        with contextlib.suppress(OSError):  # that it has ended is noticed when it is waited for
-            self.connection.send(request.arguments)
+        # A process that stands still takes nothing: nobody waits for it here.
+        threading.Thread(target=self._send, args=(request.arguments,), daemon=True).start()
+
+    def _send(self, arguments: tuple[Any, ...]) -> None:
+        # That it has ended, or was closed meanwhile, is noticed when it is waited for.
+        with contextlib.suppress(OSError, TypeError):
+            self.connection.send(arguments)
+
+    def look(self) -> None:
+        """Look at times whether it stands still; raise SilentError if it does."""
+        now = time.monotonic()
+        if now - self._looked >= LOOK:
+            self._looked = now
+            self._watch.look()
 
     def end(self, patience: float = 0.0) -> str:
         """End the process, unless it does within seconds of `patience`; return how it ended."""
@@ -154,9 +168,9 @@ class WorkerPool:
             idle.send(self._waiting.popleft())
 
     def _patience(self) -> float:
-        """Return the seconds until the next process has taken too long."""
+        """Return the seconds until the next process has taken too long, or is to be looked at."""
         ends = [worker.since + self._limit(worker) for worker in self._workers if worker.request is not None]
-        return max(0.0, min(ends, default=0.0) - time.monotonic())
+        return max(0.0, min(LOOK, min(ends, default=0.0) - time.monotonic()))
 
     def _limit(self, worker: _Worker) -> float:
         return self._seconds if worker.ready else self._seconds + STARTING
@@ -185,6 +199,12 @@ class WorkerPool:
             if now - worker.since > self._limit(worker):
                 worker.end()
                 yield from self._replace(worker, f"took longer than {self._seconds:g} s", again=False)
+                continue
+            try:
+                worker.look()
+            except SilentError as error:
+                worker.end()
+                yield from self._replace(worker, f"its process {error}", again=True)
 
     def _finished(self, worker: _Worker) -> Any:
         assert worker.request is not None

@@ -18,7 +18,7 @@ from typing import IO, Any
 
 from .frozen import FrozenDict
 
-_LOOK = 0.5  # s between two looks at a process that does not answer
+LOOK = 0.5  # s between two looks at a process that does not answer
 _STOPPED = 4  # looks at which it stands still in succession: then nobody continues it
 _LAST_WORDS = 4_000  # bytes of what a program complains of that are read
 
@@ -58,15 +58,26 @@ def patience(pid: int, seconds: float) -> Iterator[float]:
 
     Time in which this process itself was stopped does not count.
     """
-    waited, still = 0.0, 0
+    waited, watch = 0.0, Watch(pid)
     while waited < seconds:
-        step = min(_LOOK, seconds - waited)
+        step = min(LOOK, seconds - waited)
         yield step
         waited += step
-        still = still + 1 if is_stopped(pid) else 0
-        if still == _STOPPED:
-            raise SilentError("was stopped by a signal and does not go on")
+        watch.look()
     raise SilentError(f"gave no answer within {seconds:g} s")
+
+
+class Watch:
+    """Looks now and then whether a process stands still."""
+
+    def __init__(self, pid: int) -> None:
+        self._pid, self._still = pid, 0
+
+    def look(self) -> None:
+        """Look, `LOOK` seconds after the last time; raise SilentError if it stands still for long."""
+        self._still = self._still + 1 if is_stopped(self._pid) else 0
+        if self._still == _STOPPED:
+            raise SilentError("was stopped by a signal and does not go on")
 
 
 def is_stopped(pid: int) -> bool:

@@ -54,11 +54,12 @@ def test_a_worker_that_fails_once_is_replaced_and_the_request_repeated(misbehavi
     assert worker.starts == 2
 
 
-def test_a_worker_killed_midway_is_replaced() -> None:
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_worker_that_is_killed_or_stopped_is_replaced(number: int) -> None:
     with EspeakEngine() as engine:
         first = engine.speak(HELLO)
         pid = engine._worker.pid
-        os.kill(pid, signal.SIGKILL)
+        os.kill(pid, number)
         assert_same(engine.speak(HELLO), first)
         assert engine._worker.pid != pid
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import signal
+import sys
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import av
 import numpy as np
 import pytest
 
+from risorius.core import processes
 from risorius.errors import InputError, Place
 from risorius.speech.recordings import film_sound
 from risorius.speech.recordings.film_sound import FilmSound, container_of
@@ -106,3 +110,18 @@ def test_a_decoder_that_dies_is_told(tmp_path: Path) -> None:
         sound._process.kill()
         with pytest.raises(InputError, match=r"x\.m4a: cannot be .*the decoder died, exit status -9"):
             list(sound.blocks())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs Linux")
+def test_a_decoder_that_stands_still_is_told_in_seconds(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, start = film(tmp_path / "x.m4a", "aac"), processes.start
+
+    def stopped(*arguments: Any, **options: Any) -> Any:
+        process = start(*arguments, **options)
+        process.send_signal(signal.SIGSTOP)
+        return process
+
+    monkeypatch.setattr(processes, "start", stopped)
+    assert "was stopped by a signal and does not go on" in refusal(path)
