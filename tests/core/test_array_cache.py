@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -77,6 +78,16 @@ def test_another_source_is_another_file(find: Finder, monkeypatch: pytest.Monkey
     monkeypatch.setattr(module.compile_cache, "sources", lambda: "changed")
     cached_arrays("x", GIVEN, find)
     assert find.times == 2
+
+
+def test_what_a_killed_process_left_is_removed(find: Finder, tmp_path: Path) -> None:
+    cached_arrays("x", [np.array(1)], find)
+    old, young = (files(tmp_path)[0].with_name(name) for name in ("old.part", "young.part"))
+    for left in (old, young):
+        left.touch()
+    os.utime(old, (0, 0))
+    cached_arrays("x", [np.array(2)], find)
+    assert (old.exists(), young.exists()) == (False, True)
 
 
 def test_old_files_make_room(find: Finder, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

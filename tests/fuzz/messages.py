@@ -214,6 +214,7 @@ def _lines_of(*messages: Any) -> bytes:
     return "\n".join(map(json.dumps, messages)).encode()
 
 
+SOURCE = {"script": as_json(SCORE).decode(), "format": "score"}
 WORDS = {"words": ["Hi", "there."], "start": [0.0, 0.002], "end": [0.002, 0.003]}
 LETTERS = {"chars": ["H", "i", " "], "charStartTimesMs": [0, 1, 2], "charDurationsMs": [1, 1, 1]}
 register(
@@ -299,6 +300,24 @@ register(
         {"do": "undo"},
         {"do": "redo"},
         {"do": "choose", "choices": {"conflict": "inhibit"}},
+    ),
+    lambda: _messages(
+        {"do": "perform", "source": SOURCE, "choices": {"fps": "2"}},
+        {"do": "prepare", "source": SOURCE},
+        {"do": "draft", "source": SOURCE, "emotions": [{"emotion": "joy", "intensity": 0.5, "first": 0}]},
+        {"do": "edit", "kind": "keys", "parameter": "head_yaw", "keys": [[0, 0.1]]},
+        {"do": "edit", "kind": "clear_keys", "parameter": "head_yaw"},
+        {"do": "edit", "kind": "delete", "movement": "emotion@0.200"},
+        {"do": "compare", "choices": {"conflict": "graded"}},
+        {"do": "let_go"},
+        {"do": "stop", "request": 3},
+        {"do": "faces", "take": 1, "first": 0, "last": 5, "pace": 30},
+        {"do": "face_at", "take": 1, "time": 0.5, "still": True},
+        {"do": "cancel", "take": 1},
+        {"do": "dial", "values": {"AU12": 0.5}, "emotions": {"joy": 0.5}, "age": 40},
+        {"do": "export", "take": 1, "suffixes": [".muscles.csv"]},
+        {"do": "cancel_export", "job": 1},
+        {"do": "project"},
     ),
     share=0.1,
 )

@@ -238,6 +238,8 @@ register(
     _text(decode),
     b'{"id": 7, "do": "perform", "source": {"script": "Hi."}, "choices": {"fps": "30", "seed": 3}}',
     b'{"id": 8, "do": "edit", "kind": "stretch", "movement": "a", "start": 0.5, "end": 1.5}',
+    b'{"id": 9, "do": "relabel", "phone": 1, "start": 0.45}',
+    b'{"id": 10, "do": "bring_back", "number": 0}',
 )
 register(
     ".answer",

@@ -26,7 +26,10 @@ from risorius.core.setting import rows
 from risorius.errors import RisoriusError
 from risorius.ports.formats import FORMATS
 from risorius.script.read import READERS as SCRIPTS
+from risorius.script.read import RECORDING_SUFFIXES
+from risorius.serve.messages import KINDS
 from risorius.settings import Settings, settings_of
+from risorius.studio.wire.requests import EDITS, VERBS
 
 from ..profiles import samples
 from .cases import spoilt
@@ -44,12 +47,76 @@ PACKAGE_TABLES = {
     "VoiceEmotions",
 }  # fmt: skip
 """Tables that only the package's own files hold."""
+PARSERS = {
+    "batches/manifest": ".manifest.csv .jsonl",
+    "core/json_text": ".json .journal.jsonl .performance.json .glb",
+    "core/npz": ".npz .head.npz",
+    "core/toml": ".rules.toml .config.toml",
+    "live/services": ".elevenlabs .cartesia .azure",
+    "ports/capture": ".au.csv .arkit.csv",
+    "ports/fap": ".fap",
+    "ports/speech_json": ".score.json",
+    "render/backdrop": ".png",
+    "script/elements": ".xml .ssml .bml",
+    "serve/messages": ".client",
+    "speech/engines/program": ".answer",
+    "speech/recordings/film_worker": ".m4a .mp4 .mov .webm .mkv .aac",
+    "speech/recordings/recording": ".wav .flac .ogg .mp3",
+    "studio/project": ".project.json",
+    "studio/session_list": ".saved.json",
+    "web/json_object": ".message .page",
+}
+"""Modules that parse what others wrote, and the kinds with which they are fuzzed."""
+OURS = {
+    "batches/report": "its own database",
+    "core/audio": "sound that we wrote",
+    "core/pcm": "samples, of which all bytes are right",
+    "core/positions": "keys that were parsed before",
+    "core/worker_process": "answers of our workers",
+    "ports/html": "bytes that it writes",
+    "ports/npz": "writes",
+    "ports/video/encoder": "answers of our encoder",
+    "ports/video/messages": "messages to our encoder",
+    "ports/video/worker": "messages from us",
+    "ports/wav": "sound that we wrote",
+    "speech/alignment/aligner_worker": "requests of ours",
+    "speech/engines/espeak": "answers of our worker",
+    "speech/engines/piper": "sound of a program that the user names",
+    "speech/engines/worker": "requests of ours",
+    "speech/recordings/film_sound": "answers of our decoder",
+    "studio/exports": "writes",
+}
+"""Modules that parse what only Risorius wrote, or what is trusted."""
+_PARSES = re.compile(
+    r"\b(json\.loads?|tomllib\.loads?|csv\.reader|wave\.open|ZipFile|np\.load|b64decode|Image\.open"
+    r"|soundfile\.(?:SoundFile|read)|av\.open|ElementTree|ParserCreate|frombuffer)\b"
+)
 _TABLE_READER = re.compile(r"\b(?:(?:load|parse)(?:_file|_folder|_rows)?|build)\(([A-Z][a-z]\w+)")
 
 
 def test_every_format_has_a_fuzzed_reader() -> None:
     read = {suffix for name in FORMATS for suffix in FORMATS.get(name).read_suffixes}
     assert not {*read, *SCRIPTS} - READERS.keys()
+
+
+def test_every_recording_and_message_has_a_fuzzed_reader() -> None:
+    decoded = {".m4v", ".3gp", ".opus"}  # containers of other names
+    assert not set(RECORDING_SUFFIXES) - READERS.keys() - decoded
+    live = "".join(READERS[".client"].samples()[0].decode())
+    assert all(f'"do": "{kind}"' in live for kind in KINDS)
+    page = "".join(sample.decode() for kind in (".page", ".message") for sample in READERS[kind].samples())
+    assert all(f'"{verb}"' in page for verb in (*VERBS, *EDITS))
+
+
+def test_every_module_that_parses_is_fuzzed_or_reads_what_is_ours() -> None:
+    folder = Path(risorius.__path__[0])
+    parsing = {
+        path.relative_to(folder).with_suffix("").as_posix()
+        for path in folder.rglob("*.py")
+        if _PARSES.search(path.read_text())
+    }
+    assert parsing == PARSERS.keys() | OURS.keys()
+    assert {kind for kinds in PARSERS.values() for kind in kinds.split()} <= READERS.keys()
 
 
 def test_every_table_has_a_fuzzed_reader() -> None:

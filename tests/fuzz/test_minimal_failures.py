@@ -341,3 +341,20 @@ def test_a_damaged_line_of_a_journal_is_passed_over(line: str, tmp_path: Path) -
     (tmp_path / f"{JOURNAL}.jsonl").write_text(line + "\n")
     with Journal(tmp_path) as journal:
         assert journal.entry("a") is None
+
+
+@pytest.mark.parametrize("content", [b"", b"glTF" + bytes(8), bytes(4_000)])
+def test_a_glb_is_read_no_further_than_its_header(content: bytes, tmp_path: Path) -> None:
+    (tmp_path / "a.glb").write_bytes(content)
+    for path in (tmp_path / "a.glb", Path("/dev/zero")):
+        with one_line_or_done(), pytest.raises(InputError, match="is not binary glTF"):
+            read_glb(path)
+
+
+def test_half_a_character_in_a_glb_is_refused(tmp_path: Path) -> None:
+    text = rb'{"asset": {"version": "2.0"}, "x": "\ud800"} '
+    text += b" " * (-len(text) % 4)
+    head = b"glTF" + (2).to_bytes(4, "little") + (20 + len(text)).to_bytes(4, "little")
+    (tmp_path / "a.glb").write_bytes(head + len(text).to_bytes(4, "little") + b"JSON" + text)
+    with pytest.raises(InputError, match="half a character"):
+        read_glb(tmp_path / "a.glb")

@@ -38,7 +38,7 @@ def character(path: Path, names: list[str], *, named: bool = True) -> Path:
         (b"glTF" + struct.pack("<II", 2, 12), "is not binary glTF"),
         (
             b"glTF" + struct.pack("<II", 2, 24) + struct.pack("<I4s", 4, b"JSON") + b"{no}",
-            "is not binary glTF",
+            "is not JSON: expecting property name",
         ),
         (b"glTF" + struct.pack("<II", 2, 24) + struct.pack("<I4s", 4, b"JSON") + b"[]  ", "no glTF document"),
     ],

@@ -6,6 +6,7 @@ import contextlib
 import hashlib
 import os
 import tempfile
+import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from .npz import read_arrays
 
 MOST_FILES = 64  # a head at one age needs five
 _LARGEST = 2_000_000_000  # bytes
+_TEMPORARY, _OLD = ".part", 86_400.0  # of a file that is written, and s after which nobody writes it any more
 
 
 def cached_arrays(
@@ -62,7 +64,7 @@ def _read(path: Path) -> tuple[AnyArray, ...] | None:
 def _write(path: Path, arrays: tuple[AnyArray, ...]) -> None:
     """Write beside, then rename: another process may look for the same file."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    number, beside = tempfile.mkstemp(suffix=".part", dir=path.parent)
+    number, beside = tempfile.mkstemp(suffix=_TEMPORARY, dir=path.parent)
     try:
         with os.fdopen(number, "wb") as file:
             np.savez(file, *arrays)
@@ -73,7 +75,10 @@ def _write(path: Path, arrays: tuple[AnyArray, ...]) -> None:
 
 
 def _thin_out(folder: Path) -> None:
-    """Remove the files that were written longest ago, beyond `MOST_FILES`."""
+    """Remove the files that were written longest ago, beyond `MOST_FILES`, and what killed processes left."""
+    for left in folder.glob(f"*{_TEMPORARY}"):
+        if time.time() - left.stat().st_mtime > _OLD:
+            left.unlink(missing_ok=True)
     files = sorted(folder.glob("*.npz"), key=lambda path: path.stat().st_mtime)
     for path in files[: max(0, len(files) - MOST_FILES)]:
         path.unlink(missing_ok=True)

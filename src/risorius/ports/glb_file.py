@@ -6,12 +6,13 @@ import json
 import struct
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
-from ..core.depth import TOO_DEEP, is_too_deep
+from ..core.json_text import parse_json
 from ..errors import InputError, Place
 
 LARGEST = 1_000_000_000  # bytes
+_NOT_BINARY = "is not binary glTF 2.0; expected a .glb file"
 _HEADER, _CHUNK = struct.Struct("<4sII"), struct.Struct("<I4s")
 
 
@@ -84,26 +85,36 @@ def read_glb(path: Path) -> GlbFile:
     """Read a binary glTF 2.0 file; raise InputError if it is not one, is cut off or over 1 GB."""
     place = Place(str(path))
     try:
-        if path.stat().st_size > LARGEST:
-            raise InputError(f"is larger than {LARGEST // 1_000_000} MB; expected less", place)
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", place) from None
+        with path.open("rb") as file:
+            data = _read(file, place)
+    except (OSError, ValueError) as error:
+        raise InputError(f"cannot be read: {getattr(error, 'strerror', None) or error}", place) from None
     try:
-        magic, version, length = _HEADER.unpack_from(data)
-        if magic != b"glTF" or version != 2:
-            raise InputError("is not binary glTF 2.0; expected a .glb file", place)
-        if length != len(data):
-            raise InputError(f"has {len(data)} bytes, but its header says {length}: it is cut off", place)
         chunks = _chunks(data)
-        document = json.loads(chunks[b"JSON"])
-    except (struct.error, KeyError, ValueError, RecursionError):
-        raise InputError("is not binary glTF 2.0; expected a .glb file", place) from None
+        text = chunks[b"JSON"].decode()
+    except (struct.error, KeyError, ValueError):
+        raise InputError(_NOT_BINARY, place) from None
+    document = parse_json(text, str(path)).data
     if not isinstance(document, dict):
         raise InputError("has no glTF document", place)
-    if is_too_deep(document):
-        raise InputError(TOO_DEEP, place)
     return GlbFile(path, document, chunks.get(b"BIN\0", b""))
+
+
+def _read(file: IO[bytes], place: Place) -> bytes:
+    """Return all of a file, read no further than its header says; raise InputError if that is wrong."""
+    header = file.read(_HEADER.size)
+    if len(header) < _HEADER.size:
+        raise InputError(_NOT_BINARY, place)
+    magic, version, length = _HEADER.unpack(header)
+    if magic != b"glTF" or version != 2:
+        raise InputError(_NOT_BINARY, place)
+    if length > LARGEST:
+        raise InputError(f"is larger than {LARGEST // 1_000_000} MB; expected less", place)
+    data = header + file.read(length - len(header) + 1) if length > len(header) else header
+    if length != len(data):
+        count = f"more than {length}" if len(data) > length else len(data)
+        raise InputError(f"has {count} bytes, but its header says {length}: it is cut off", place)
+    return data
 
 
 def _chunks(data: bytes) -> dict[bytes, bytes]:

@@ -7,16 +7,18 @@ warped onto the sound.
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import tempfile
 import wave
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from ...core import processes
+from ...core.json_text import load_json
+from ...core.paths import is_file
 from ...errors import InputError, Place, SpeechError
 from .program import LONGEST_ANSWER, ProgramEngine, referred
 from .protocol import Rendition, SpeechEngine, SpeechRequest
@@ -81,12 +83,13 @@ def piper_voice(path: Path, language: str | None) -> SpeechEngine:
 def _language(path: Path) -> str:
     """Return the language of a model, as espeak-ng calls it, from the file beside it."""
     beside = path.with_name(path.name + ".json")
+    if not is_file(beside):
+        message = "cannot be read: there is no such file; expected it beside the model"
+        raise InputError(message, Place(str(beside)))
+    about: Any = load_json(beside).data
     try:
-        voice = json.loads(beside.read_text("utf-8"))["espeak"]["voice"]
-    except OSError as error:
-        message = f"cannot be read: {error.strerror}; expected it beside the model"
-        raise InputError(message, Place(str(beside))) from None
-    except (ValueError, KeyError, TypeError):
+        voice = about["espeak"]["voice"]
+    except (KeyError, TypeError):
         message = "has no espeak.voice; expected the file that comes with the model"
         raise InputError(message, Place(str(beside))) from None
     return str(voice).lower()
