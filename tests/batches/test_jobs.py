@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.batches.jobs import JobMaker, check_job
-from risorius.batches.manifest import ManifestRow
+from risorius.batches.manifest import Manifest, ManifestRow
 from risorius.batches.patterns import OutputPattern, checked_part
 from risorius.core.setting import rows
 from risorius.errors import InputError, OutputError, Place, RisoriusError
@@ -35,6 +35,7 @@ def maker(tmp_path: Path, *patterns: str) -> JobMaker:
         ({"id": "a", "text": "Hi", "still": "yes"}, "unknown value 'yes'; expected one of on, off"),
         ({"id": "a", "text": "Hi", "still": "on", "lively": "on"}, "chooses lively in two columns"),
         ({"id": "a", "text": "Hi", "every": "3"}, "every has no effect"),
+        ({"id": "a", "audio": "\udcff.wav", "transcript": "Hi"}, "is not UTF-8"),
     ],
 )
 def test_a_row_that_cannot_be_performed_says_why(cells: dict[str, str], message: str, tmp_path: Path) -> None:
@@ -120,3 +121,10 @@ def test_scripts_are_checked_beforehand(tmp_path: Path) -> None:
     job = maker(tmp_path).job(ManifestRow(PLACE, {"id": "a", "script": "x.xml"}))
     with pytest.raises(InputError, match=r"m\.csv:2: .*x\.xml:2.*SIGNL"):
         check_job(job)
+
+
+def test_names_that_are_not_utf_8_are_refused_before_anything_is_performed(tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match="is not UTF-8"):
+        OutputPattern("out\udcff/{id}.wav")
+    with pytest.raises(InputError, match="is not named in UTF-8"):
+        Manifest(tmp_path / "\udcff.csv")

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from ..core.paths import is_utf8
 from ..errors import InputError, Place, RisoriusError, UnreadError
 from ..pipeline import with_profile
 from ..ports.targets import Target, check_alpha
@@ -70,6 +71,11 @@ class JobMaker:
         cells = row.cells
         elsewhere = {*self.ignore, *(name for pattern in self.patterns for name in pattern.columns)}
         check_columns(cells.keys(), elsewhere, row.place)
+        for column, cell in cells.items():
+            if not is_utf8(cell):
+                raise InputError(
+                    f"{column} '{cell[:60]}' is not UTF-8; expected a text that can be written down"
+                )
         if "id" not in cells:
             raise InputError("has no id; expected one")
         name = checked_part("id", cells["id"].strip())

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from ..core.json_text import parse_json
-from ..core.paths import exists
+from ..core.paths import exists, is_utf8
 from ..errors import InputError, Place, RisoriusError
 from ..script.read import RECORDING_SUFFIXES
 
@@ -43,6 +43,8 @@ class Manifest:
     path: Path
 
     def __post_init__(self) -> None:
+        if not is_utf8(str(self.path)):
+            raise InputError("is not named in UTF-8; expected a name that can be written down", self._place)
         if not exists(self.path):
             raise InputError(
                 "there is no such manifest; expected a .csv or .jsonl file, or a folder", self._place

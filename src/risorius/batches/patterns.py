@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from ..core.paths import is_utf8
 from ..errors import InputError, OutputError, Place
 from ..ports.formats import FileFormat, format_for
 from .places import local_path
@@ -22,6 +23,8 @@ class OutputPattern:
     text: str
 
     def __post_init__(self) -> None:
+        if not is_utf8(self.text):
+            raise OutputError("is not UTF-8; expected a name that can be written down", Place(self.text))
         rest = _COLUMN.sub("", self.text)
         if "{" in rest or "}" in rest or "" in self.columns:
             raise OutputError("has a brace without a column; expected e.g. out/{id}.mp4", Place(self.text))

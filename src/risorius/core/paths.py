@@ -31,6 +31,15 @@ def exists(path: Path) -> bool:
         return False
 
 
+def is_utf8(name: str) -> bool:
+    """Whether a name can be written down: Linux allows others, which Python reads as half characters."""
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
 def is_folder(path: Path) -> bool:
     """Whether there is a folder of that name."""
     try:
