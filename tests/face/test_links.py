@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.core.links import Link
 from risorius.core.parameters import INDEX, MUSCLES, NEUTRAL, RIVALS
 from risorius.errors import InputError, ParameterError
-from risorius.core.links import Link
 from risorius.face.links import NO_LINKS, Links, load_links
 from risorius.face.solve import FaceSolver
 from tests.profiles import examples

@@ -310,6 +310,8 @@ register(
         {"do": "edit", "kind": "delete", "movement": "emotion@0.200"},
         {"do": "compare", "choices": {"conflict": "graded"}},
         {"do": "let_go"},
+        {"do": "markers", "markers": [{"time": 0.5, "text": "here"}]},
+        {"do": "lanes", "lanes": {"muted": ["gaze"], "solo": [], "locked": ["head"]}},
         {"do": "stop", "request": 3},
         {"do": "faces", "take": 1, "first": 0, "last": 5, "pace": 30},
         {"do": "face_at", "take": 1, "time": 0.5, "still": True},
