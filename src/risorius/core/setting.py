@@ -356,6 +356,7 @@ def _are_texts(values: Any) -> bool:
 
 _FITS: Mapping[ValueKind, Callable[[Any], bool]] = {
     ValueKind.SEVERAL: _are_texts,
+    ValueKind.AMOUNTS: _are_texts,
     ValueKind.SIZE: lambda size: len(size) == 2,
 }
 
@@ -369,8 +370,7 @@ def _check_names(row: Row, value: Any) -> None:
         if find is not None:
             find(name)
         elif name not in (known := names.known or [choice.name for choice in names.choices()]):
-            text = name if isinstance(name, str) else _shown(name)
-            raise InputError(unknown(row.called, text, known))
+            raise InputError(unknown(row.called, name, known))
 
 
 def _check_range(row: Row, value: Any, spec: str) -> None:
@@ -396,10 +396,7 @@ def _shown(value: Any, spec: str = "") -> str:
 def _numbers(row: Row, value: Any) -> Iterable[tuple[str, Any]]:
     """Return the numbers of a setting with their names in messages."""
     if row.kind is ValueKind.AMOUNTS:
-        return [
-            (f"{row.name} {name if isinstance(name, str) else _shown(name)}", number)
-            for name, number in value.items()
-        ]
+        return [(f"{row.name} {name}", number) for name, number in value.items()]
     if row.kind is ValueKind.SIZE:
         return [(f"the {side} of {row.name}", n) for side, n in zip(("width", "height"), value, strict=True)]
     return [(row.name, value)]
