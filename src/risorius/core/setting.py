@@ -378,8 +378,7 @@ def _check_range(row: Row, value: Any, spec: str) -> None:
     if low is None or high is None:
         return
     for name, number in _numbers(row, value):
-        is_number = isinstance(number, Real)
-        if not is_number:
+        if not issubclass(type(number), Real):
             raise InputError(f"{name} = {_shown(number)} is not a number; expected {low:g} to {high:g}")
         if not low <= number <= high:
             raise InputError(f"{name} = {_shown(number, spec)} is out of range; expected {low:g} to {high:g}")
