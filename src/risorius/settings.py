@@ -361,6 +361,8 @@ def _parts(table: Mapping[str, Row], row: Row, value: Any) -> list[tuple[Row, An
         return [(row, value)]
     if row.several:
         values = [row.read(text.strip()) for text in value.split(";") if text.strip()]
+        if row.kind is ValueKind.AMOUNTS and row.entry.read is None:
+            raise InputError(f"{row.name} '{value}' is a text; expected numbers by name")
         return [(row, dict(values) if row.kind is ValueKind.AMOUNTS else tuple(values))]
     names = row.entry.fills
     if not names:

@@ -282,8 +282,6 @@ class Row:
             if text not in SWITCHED:
                 raise InputError(unknown(self.called, text, SWITCHED))
             return SWITCHED[text]
-        if self.kind is ValueKind.AMOUNTS:
-            raise InputError(f"{self.called} '{text}' is a text; expected numbers by name")
         return Path(text) if self.kind is ValueKind.FILE else text
 
     def text(self, value: Any) -> str:
