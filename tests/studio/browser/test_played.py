@@ -49,3 +49,10 @@ def test_the_page_plays_from_a_file_and_a_click_explains(played: Page, written: 
     fetched = played.get("performance.getEntriesByType('resource').map((entry) => entry.name)")
     assert all(name.startswith(("data:", "blob:")) for name in fetched)
     assert played.complaints() == []
+
+
+def test_what_is_drawn_finely_lies_over_the_head_alone(played: Page) -> None:
+    played.wait("document.querySelector('.still')?.hidden === false")
+    rect = "document.querySelector('{}').getBoundingClientRect().toJSON()"
+    head, fine = (played.get(rect.format(one)) for one in ("#head", ".still"))
+    assert fine == pytest.approx(head)
