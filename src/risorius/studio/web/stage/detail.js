@@ -16,7 +16,7 @@ const [LID, EDGE] = [15.3, 0.8]; // mm from an eye's centre up to which lids hav
 const STRANDS = {
   brows: { share: 0.35, wide: 3 },
   lashes: { share: 1, wide: 1 },
-  hair: { share: 0.16, wide: 3.2 },
+  hair: { share: 0.28, wide: 2.9 },
 };
 
 const LIGHTER = {
