@@ -110,6 +110,7 @@ def fails(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
         (["speak", "Hello.", "--age", "old", "-o", "x.png"], "age 'old' is not a number; expected 0 to 100"),
         (["pose", "AU1=1", "--background", "trnsparent", "-o", "x.png"], "did you mean 'transparent'?"),
         (["pose", "AU1=1", "--size", "5x720", "-o", "x.png"], "the width of size = 5 is out of range"),
+        (["pose", "happiness=0.8", "-o", "x.png"], "expected --emotion happiness:0.8"),
         (["pose", "zygomat=1", "-o", "x.png"], "did you mean 'zygomatic_m"),
         (["rules", "show", "contrast"], "did you mean 'signals.brows.contrast'"),
         (["stream", "Hello.", "--protocol", "vcm"], "unknown protocol 'vcm'; did you mean 'vmc'"),

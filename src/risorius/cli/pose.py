@@ -51,9 +51,14 @@ def pose(
 
 
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
+    from ..core.parameters import ALIASES
+    from ..rules.emotions import emotion_names
+
     values: dict[str, float] = {}
     for text in targets:
         name, equals, value = text.partition("=")
+        if name.lower() in emotion_names() and name.lower() not in ALIASES:
+            raise InputError(f"'{name}' is an emotion; expected --emotion {name}:{value or 0.7}")
         try:
             if not equals:
                 raise ValueError
