@@ -4,7 +4,7 @@ import js from "@eslint/js";
 const BROWSER = [
   "AbortController", "Audio", "Blob", "CSS", "CustomEvent", "DOMException", "DataView", "DecompressionStream", "Event",
   "HTMLElement", "HTMLMediaElement", "ImageData", "Intl", "MutationObserver", "OffscreenCanvas", "ResizeObserver",
-  "Response", "TextDecoder", "URL", "URLSearchParams", "WebSocket", "Worker", "atob", "cancelAnimationFrame",
+  "Response", "TextDecoder", "URL", "URLSearchParams", "WebSocket", "Worker", "addEventListener", "atob", "cancelAnimationFrame",
   "clearTimeout", "clearInterval", "console", "createImageBitmap", "crypto", "devicePixelRatio", "document", "fetch",
   "getComputedStyle", "history", "innerHeight", "innerWidth", "localStorage", "location", "matchMedia", "navigator",
   "performance", "requestAnimationFrame", "requestIdleCallback", "sessionStorage", "setInterval", "setTimeout", "window",

@@ -57,6 +57,10 @@ def test_a_draft_outlasts_a_reload(page: Page) -> None:
     page.run("sessionStorage.clear()")
     page.open(page.get("location.hash.slice(1)"))
     assert page.get(WRITTEN) == DRAFT
+    # What is put aside at the last moment does not come back.
+    page.driver.find_element(By.ID, "draft-aside").click()
+    page.open(page.get("location.hash.slice(1)"))
+    assert page.get(WRITTEN) == "One."
 
 
 def test_a_draft_is_put_aside_and_brought_back(performed: Page) -> None:

@@ -62,14 +62,18 @@ export function bringBack(store) {
  * session is open: before, nothing is written yet.
  */
 export function keepDraft({ store, connection }) {
-  const send = settled(() => {
+  let waits = false; // whether the server is not told yet
+  const tell = () => {
     if (store.get("link") !== "up") return; // it is sent when the session opens again
+    waits = false;
     const done = (draft) => store.get("draft") === "saving" && store.set({ draft });
     connection.request("draft", written(store)).then(
       () => done("saved"),
       () => done("saving"),
     );
-  }, WAIT);
+  };
+  const send = settled(tell, WAIT);
+  addEventListener("pagehide", () => waits && tell());
   let known = "null";
   const keep = () => {
     const now = JSON.stringify(isDraft(store) ? written(store) : null);
@@ -77,6 +81,7 @@ export function keepDraft({ store, connection }) {
     known = now;
     remember(store.get("session"), now);
     store.set({ draft: "saving" });
+    waits = true;
     send();
   };
   store.watch([...PARTS, "take"], keep);
