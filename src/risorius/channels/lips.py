@@ -20,10 +20,15 @@ from .anticipation import TargetsHeld, anticipated, coming_vowels
 from .inputs import ChannelInputs, Context
 from .registry import register
 
-# A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips).
+# A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips): it begins earlier then,
+# because its end is heard.
 SHORTEST_CLOSURE = 0.04
+# Seconds before the release of a closure is heard in which the lips begin to part: people's lips press
+# hardest soon after they meet, and may part at full speed before the release (Löfqvist 1996).
+PARTING = 0.01
 BREATH = "breath"
-CONTACTS = ("lip_seal", "lip_tuck")
+SEAL = "lip_seal"
+CONTACTS = (SEAL, "lip_tuck")
 
 
 def lips(inputs: ChannelInputs, context: Context) -> Iterator[LipSegment]:
@@ -104,7 +109,7 @@ class _Shaper:
         for symbol, shape, part in shapes:
             end = start + part * share
             cause = Cause(sys.intern(f"lips.{symbol}"), self._trigger(phone))
-            yield self._segment(symbol, shape, start, _closure_end(start, end, shape), scale, cause)
+            yield self._segment(symbol, shape, *_held(start, end, shape), scale, cause)
             start = end
 
     def _sounds(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
@@ -120,7 +125,7 @@ class _Shaper:
         rest, pausing = self.table.rest, self.table.pausing
         cause = Cause("lips.rest", "pause")
         last = index + 1 == len(self.utterance.phones)
-        if last or phone.duration < pausing.breath_from:
+        if last or not pausing.allows_breath(phone.duration, begins_clip=index == 0):
             yield self._segment(SILENCE, rest, phone.start, phone.end, 1.0, cause)
             return
         breath = max(phone.end - pausing.breath_lead, phone.start)
@@ -189,9 +194,13 @@ def _from_release(segment: LipSegment, released: float) -> LipSegment:
     return replace(segment, start=released)
 
 
-def _closure_end(start: float, end: float, shape: PhoneShape) -> float:
-    """Return the end of the segment: a stop's ends where it is released, its burst is the next phone's."""
-    return min(start + max(shape.closure * (end - start), SHORTEST_CLOSURE), end)
+def _held(start: float, end: float, shape: PhoneShape) -> tuple[float, float]:
+    """Return when a phone's shape holds: a stop's until it is released, its burst is the next phone's."""
+    end = start + shape.closure * (end - start)
+    if SEAL in shape.targets:
+        end -= PARTING
+        start = min(start, max(end - SHORTEST_CLOSURE, 0.0))
+    return start, end
 
 
 def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:

@@ -87,14 +87,20 @@ class Pausing:
 
     The in-breath: in a silence of `breath_from` or more before speech the mouth opens to `breath_shape`,
     from `breath_lead` before the speech (or from the start of the silence), and leaves it `breath_end`
-    before.
+    before. The silence that begins a clip is the end of a longer one: it may be as short as `breath_least`
+    more than `breath_end`.
     """
 
     shortest: Annotated[float, Range(0.0, 5.0)]
     breath_from: Annotated[float, Range(0.0, 5.0)]
     breath_lead: Annotated[float, Range(0.0, 5.0)]
     breath_end: Annotated[float, Range(0.0, 5.0)]
+    breath_least: Annotated[float, Range(0.001, 5.0)]
     breath_shape: LipTargets
+
+    def allows_breath(self, silence: float, begins_clip: bool) -> bool:
+        """Return whether the mouth opens in so many seconds of silence before speech."""
+        return silence >= (self.breath_end + self.breath_least if begins_clip else self.breath_from)
 
 
 @dataclass(frozen=True, slots=True)
