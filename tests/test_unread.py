@@ -208,6 +208,7 @@ def test_what_changes_no_output_is_refused(
     [
         (Settings(size=(64, 64)), ["x.wav", "x.png"]),
         (Settings(at=1.0), ["x.obj"]),
+        (Settings(look=Look(hair="bald")), ["x.obj"]),
         (Settings(fps=Fraction(24)), ["x.visemes.dat"]),
         (Settings(look=Look(complexion=0.5)), ["x.glb"]),
         (Settings(seed=1, blend=BlendChoices(conflict="sum")), ["x.score.json"]),

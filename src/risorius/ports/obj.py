@@ -65,4 +65,4 @@ def _lines(parts: Mapping[str, Part], points: Mapping[str, Array]) -> Iterator[s
         first += len(part.points)
 
 
-register(".obj", "one frame as a mesh", {"head"}, write_obj, reads=("at",))
+register(".obj", "one frame as a mesh", {"head"}, write_obj, reads=("at", "hair", "complexion"))
