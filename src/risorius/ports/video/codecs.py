@@ -41,7 +41,7 @@ CODECS: Mapping[str, Codec] = MappingProxyType(
             sound="aac",
             rates=(8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000, 64000, 88200, 96000),
             container_options={"movflags": "+faststart"},
-            # Less than half of the work for three times as many bytes.
+            # About half of the work for three times as many bytes.
             draft_options={"preset": "ultrafast"},
         ),
         # VP9 keeps alpha only without its hidden reference pictures.
