@@ -8,7 +8,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from risorius.blend.knots import STEEPEST, eased, inverse_ramp, lowest, paced, ramp, rounded
+from risorius.blend.knots import (
+    BLOCK,
+    STEEPEST,
+    Knots,
+    block_knots,
+    eased,
+    inverse_ramp,
+    lowest,
+    paced,
+    ramp,
+    rounded,
+)
 
 SHARES = arrays(np.float64, 60, elements=st.floats(0.0, 1.0))
 STEPS = arrays(np.float64, 60, elements=st.floats(0.001, 0.01))
@@ -83,3 +94,14 @@ def test_a_rounded_curve_has_no_corner_and_is_exact_where_it_is_even() -> None:
 def test_rounded_after_the_lowest_is_not_above_the_curve(share: np.ndarray, steps: np.ndarray) -> None:
     times = np.cumsum(steps)
     assert (rounded(times, lowest(times, share, WIDTH), WIDTH) <= share + 1e-12).all()
+
+
+@given(start=st.floats(0.0, 60.0), last=st.floats(100.0, 20_000.0))
+def test_the_knots_of_a_block_do_not_grow_with_a_stretch_that_leaves_it(start: float, last: float) -> None:
+    knots = Knots(np.array([0.0, start + 1.0, last]), 0.005)
+    block = block_knots(knots, 1, 2.0)
+    assert len(block) < 3.5 * BLOCK / 0.005
+    assert block[0] <= BLOCK - 2.0
+    assert min(2.0 * BLOCK + 2.0, last) <= block[-1]
+    every = knots.between(0.0, last)
+    assert np.isin(block.round(9), every.round(9)).all()

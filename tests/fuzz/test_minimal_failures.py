@@ -39,7 +39,7 @@ from risorius.studio.messages import decode
 from risorius.studio.session_files import SessionFiles
 from risorius.web.guard import Guard
 
-from .guard import one_line_or_done
+from .guard import CPU_SECONDS, one_line_or_done
 
 BIG = "9" * 5000
 MOVEMENT = {"channel": "emotion", "start": 0.0, "end": 1.0, "onset": 0.2, "offset": 0.2, "targets": {}}
@@ -357,3 +357,17 @@ def test_half_a_character_in_a_glb_is_refused(tmp_path: Path) -> None:
     (tmp_path / "a.glb").write_bytes(head + len(text).to_bytes(4, "little") + b"JSON" + text)
     with pytest.raises(InputError, match="half a character"):
         read_glb(tmp_path / "a.glb")
+
+
+@pytest.mark.parametrize("model", ["effort", "dominance", "lookahead"])
+def test_a_phone_that_goes_on_for_hours_costs_no_more_than_the_clip(model: str, tmp_path: Path) -> None:
+    score = tmp_path / "x.score.json"
+    jaw = {**MOVEMENT, "targets": {"masseter": 0.5}}
+    phone = {"channel": "lips", "phone": "M", "start": 0.4, "end": 19_898.0, "targets": {"lip_seal": 1.0}}
+    limited = {**phone, "limits": {"masseter": [0.0, 0.2]}}
+    document = {"risorius": 1, "duration": 2.0, "settings": {"lips": model}, "movements": [jaw, limited]}
+    score.write_text(json.dumps(document))
+    with one_line_or_done(3 * CPU_SECONDS):
+        take = mix(score)
+    assert take.curves["lip_seal"].max() == 1.0
+    assert take.curves["masseter"][take.times > 0.5].max() <= 0.2

@@ -42,13 +42,26 @@ class Knots:
         self._counts[np.searchsorted(self.edges, quiet)] = 1
 
     def between(self, start: float, stop: float) -> Array:
-        """Return the knots from the last edge before `start` to the first after `stop`, shape (m,)."""
+        """Return the knots from the last edge before `start` to the first after `stop`, shape (m,).
+
+        Where an edge is more than a block away, the knots begin or end at the one just beyond.
+        """
         first = max(int(np.searchsorted(self.edges, start, side="right")) - 1, 0)
         last = min(int(np.searchsorted(self.edges, stop, side="left")), len(self.edges) - 1)
         edges, counts = self.edges[first : last + 1], self._counts[first:last]
-        part = np.arange(int(counts.sum())) - np.repeat(np.cumsum(counts) - counts, counts)
-        width = np.repeat(np.diff(edges) / counts, counts)
-        return np.append(np.repeat(edges[:-1], counts) + part * width, edges[-1])
+        if not len(counts):
+            return edges
+        widths = np.diff(edges) / counts
+        low, high = np.zeros(len(counts), np.intp), counts.copy()
+        if start - edges[0] > BLOCK:
+            low[0] = min(int((start - edges[0]) / widths[0]), counts[0] - 1)
+        if edges[-1] - stop > BLOCK:
+            high[-1] = max(counts[-1] - int((edges[-1] - stop) / widths[-1]), int(low[-1]) + 1)
+        kept = high - low
+        part = np.arange(int(kept.sum())) - np.repeat(np.cumsum(kept) - kept - low, kept)
+        knots = np.repeat(edges[:-1], kept) + part * np.repeat(widths, kept)
+        end = edges[-1] if high[-1] == counts[-1] else edges[-2] + high[-1] * widths[-1]
+        return np.append(knots, end)
 
 
 def smoothstep(x: Array) -> Array:

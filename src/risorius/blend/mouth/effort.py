@@ -50,6 +50,8 @@ REACH = 1.0
 PART = 32.0
 """Seconds: the curve is found in parts of so long, each with the segments within `REACH`: the value at a
 time must not depend on which other times are requested."""
+LONGEST = 30.0
+"""Seconds beyond its part at which a window is cut."""
 CACHED, GROUPS = 4, 16
 """Parts that stay cached, and how many groups' solutions of each: enough for a block of knots."""
 GRAIN = 2.0**-32
@@ -164,7 +166,9 @@ class EffortModel:
         end = int(np.searchsorted(self._starts, (part + 1) * PART + REACH, side="right"))
         begin = min(begin, len(self._starts) - 1)
         near = np.arange(begin, max(end, begin + 1))
-        return _elements(near, self._windows.start[near], self._windows.end[near])
+        # A window that goes on for long has no more elements than others: far from its ends nothing bends.
+        felt = (part * PART - LONGEST, (part + 1) * PART + LONGEST)
+        return _elements(near, *(np.clip(edges[near], *felt) for edges in self._windows))
 
 
 def _parts(times: Array) -> Iterator[tuple[int, slice]]:

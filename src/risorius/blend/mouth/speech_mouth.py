@@ -186,7 +186,7 @@ class SpeechMouth:
         return self._scanned[kind, name, threshold]
 
     def _block(self, number: int) -> KnotBlock:
-        return KnotBlock(self, block_knots(self._knots, number, self._margin))
+        return KnotBlock(self, block_knots(self._knots, number, min(self._margin, BLOCK)))
 
 
 class KnotBlock:
