@@ -16,7 +16,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
-from lips_dynamics import SENTENCES, STEP, gaps
+from lips_dynamics import SENTENCES, STEP, spoken
 from lips_measures import COLUMNS, machine
 from timit import RATE
 
@@ -98,7 +98,7 @@ def jaw_asked(utterance: Utterance) -> float:
 
 def movement(count: int) -> Iterator[Row]:
     """Yield how fast the gap opens and closes, and how fast still where the lips meet."""
-    curves = [gaps(sentence, 175, "effort") for sentence in SENTENCES[:count]]
+    curves = [spoken(sentence, 175, "effort").gap for sentence in SENTENCES[:count]]
     speed = np.concatenate([np.abs(np.diff(curve)) / STEP for curve in curves])
     source = FACTS.format(8)
     yield "lip gap's speed, 99.9th percentile, mm/s", "150-310", source, float(np.percentile(speed, 99.9))

@@ -10,6 +10,7 @@ from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import LipSegment
 from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError, ParameterError
+from risorius.rules.articulation import is_known, sounds
 from risorius.rules.lips import lip_table
 from risorius.speech.structure.phrases import with_phrases
 
@@ -103,27 +104,33 @@ def one_word(utterance: Utterance) -> Utterance:
 
 
 HEIGHTS = {
-    "IY": (6, 7.5), "AO": (5, 7.5), "UW": (2, 3), "S": (3.5, 5), "Z": (3.5, 5), "SH": (3.5, 4.5),
-    "T": (3.5, 5), "D": (3.5, 5), "N": (3.5, 5), "L": (5, 6), "F": (1, 2), "V": (1, 2), "W": (0, 0.5),
-    "R": (3.5, 5),
+    "AE": (11, 14), "AA": (10, 12), "EH": (9, 11), "AH": (6, 8), "ER": (6, 8), "IY": (6, 7.5), "IH": (6, 7.5),
+    "AO": (5, 7), "UH": (5, 7), "UW": (2, 3), "S": (3.5, 5), "Z": (3.5, 5), "SH": (3.5, 4.5),
+    "ZH": (3.5, 4.5), "CH": (3.5, 4.5), "JH": (3.5, 4.5), "T": (3.5, 5), "D": (3.5, 5), "N": (3.5, 5),
+    "L": (5, 6), "F": (1, 2), "V": (1, 2), "W": (0, 0.5), "R": (3.5, 5),
+    "æ": (11, 14), "a": (11, 14), "ɑ": (10, 12), "ɛ": (9, 11), "ə": (6, 8), "ʌ": (6, 8), "i": (6, 7.5),
+    "ɪ": (6, 7.5), "ɔ": (5, 7), "u": (2, 3), "ʂ": (3.5, 4.5), "ɕ": (3.5, 5),
 }  # fmt: skip
-REACHED = {
-    "AE": (11, 16), "AA": (10, 14), "EH": (9, 12), "IH": (6.5, 11), "AH": (6, 11), "ER": (6, 8.5)
-}  # fmt: skip
-"""The lips' opening in mm: targets, and what open and central vowels reach, up to those of the coils."""
+"""How far people open the lips, in mm (facts: lips-motion, 3 to 5)."""
+SPREAD = ("AE", "AA", "EH", "AH", "ER", "IY", "IH", "æ", "a", "ɑ", "ɛ", "ə", "ʌ", "i", "ɪ")
+REACH = 0.9
+"""The share of its target that a vowel of 100 ms reaches between weak consonants."""
 
 
 @pytest.mark.parametrize("phone", HEIGHTS)
 def test_lips_open_as_far_as_people_open_them(phone: str) -> None:
+    """The target of a vowel that is wider than its neighbours lies as far beyond as it is missed."""
     least, most = HEIGHTS[phone]
-    assert least <= lip_table().shape(phone).targets["lip_aperture"] <= most
+    ((_, shape, _),) = sounds(phone) if is_known(phone) else lip_table().shapes(phone)
+    reached = REACH if phone in SPREAD else 1.0
+    assert least <= reached * shape.targets["lip_aperture"] <= most
 
 
-@pytest.mark.parametrize("phone", REACHED)
-def test_vowels_reach_the_openings_of_people(phone: str, utterance_of) -> None:
-    least, most = REACHED[phone]
-    _, gap = said(unstressed(utterance_of(f"T {phone} T {phone} T")), "lip_aperture")
-    assert least <= gap.max() <= most
+@pytest.mark.parametrize("phone", ["AE", "AA", "EH", "IH", "AH", "IY", "ER"])
+def test_a_vowel_of_100_ms_reaches_nine_tenths_of_its_target(phone: str, utterance_of) -> None:
+    target = lip_table().shape(phone).targets["lip_aperture"]
+    _, gap = said(unstressed(utterance_of(f"T {phone} T")), "lip_aperture")
+    assert REACH * target <= gap.max() <= 1.02 * target
 
 
 def test_the_jaw_has_the_order_that_people_have() -> None:
@@ -178,14 +185,14 @@ def test_consonants_that_hold_the_lips_do_not_give_way_to_the_vowel(utterance_of
     assert blocked.targets == lip_table().shape("N").targets
 
 
-def test_a_short_closure_begins_earlier_and_parts_before_its_release_is_heard(utterance_of) -> None:
-    """What is heard of a closure is its end, and people's lips part at full speed a little before it."""
+def test_a_closure_parts_before_its_release_is_heard_unless_it_is_short(utterance_of) -> None:
+    """People's lips part at full speed a little before the release is heard."""
     short, long = (
-        next(s for s in segments(utterance_of("AA M AA", seconds=x)) if s.phone == "M") for x in (0.03, 0.1)
+        next(s for s in segments(utterance_of("AA M AA", seconds=x)) if s.phone == "M") for x in (0.045, 0.1)
     )
     assert long.end - long.start == pytest.approx(0.095 - 0.01)
     assert short.end - short.start == pytest.approx(0.04)
-    assert short.end == pytest.approx(0.5485, abs=1e-3)
+    assert short.start == pytest.approx(0.545, abs=1e-4)
 
 
 def test_the_burst_of_a_stop_belongs_to_the_phone_after_it(utterance_of) -> None:

@@ -20,8 +20,7 @@ from .anticipation import TargetsHeld, anticipated, coming_vowels
 from .inputs import ChannelInputs, Context
 from .registry import register
 
-# A closure is never shorter than this many seconds (DESIGN, section 3; facts: lips): it begins earlier then,
-# because its end is heard.
+# A closure is never shorter than this many seconds, if its phone is not (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
 # Seconds before the release of a closure is heard in which the lips begin to part: people's lips press
 # hardest soon after they meet, and may part at full speed before the release (Löfqvist 1996).
@@ -196,11 +195,10 @@ def _from_release(segment: LipSegment, released: float) -> LipSegment:
 
 def _held(start: float, end: float, shape: PhoneShape) -> tuple[float, float]:
     """Return when a phone's shape holds: a stop's until it is released, its burst is the next phone's."""
-    end = start + shape.closure * (end - start)
+    held = shape.closure * (end - start)
     if SEAL in shape.targets:
-        end -= PARTING
-        start = min(start, max(end - SHORTEST_CLOSURE, 0.0))
-    return start, end
+        held -= PARTING
+    return start, min(start + max(held, SHORTEST_CLOSURE), end)
 
 
 def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:

@@ -8,7 +8,7 @@ with one integral per segment, over its window, and w the segment's precision. O
 effort counts. So a precise segment is reached even if it is short, and an imprecise one takes its neighbours'
 shape: effort against precision (Šimko and Cummins 2010, "Embodied task dynamics"), windows as in Keating 1990
 ("The window model of coarticulation"). From one target to the next the curve turns in (EFFORT/w)^¼ seconds:
-24 ms for w = 1, 16 ms for a labial's gap (facts: lips-motion, 2).
+27 ms for w = 1, 17 ms for a labial's gap (facts: lips-motion, 2).
 
 The curve is linear in the targets, and the shares of the segments sum to 1; a share may dip to -0.05 beside a
 precise segment. It is found by finite elements: cubic pieces that join with their slope, on nodes at the ends
@@ -33,7 +33,7 @@ from ..intervals import ranges
 from ..knots import Knots
 from .coarticulation import LIP_MODELS, ParameterGroups, SegmentValues, SegmentWeights, SharedMappings
 
-EFFORT = 3.5e-7
+EFFORT = 5e-7
 """s⁴: the effort of an acceleration, relative to the precision of a vowel (1)."""
 WINDOW = 0.8
 """The middle share of a segment in which its target counts."""
@@ -46,7 +46,7 @@ NEAREST = 1e-4
 REST = 1e-9
 """The precision of rest at all times: where no segment holds an articulator, it rests."""
 REACH = 1.0
-"""Seconds after which a segment has no effect: 41 time constants of a vowel's turn."""
+"""Seconds after which a segment has no effect: 38 time constants of a vowel's turn."""
 PART = 32.0
 """Seconds: the curve is found in parts of so long, each with the segments within `REACH`: the value at a
 time must not depend on which other times are requested."""
