@@ -243,7 +243,7 @@ def test_faces_at_one_time_agree_at_all_frame_rates(demo: risorius.Take) -> None
 
 
 def test_an_unknown_dynamics_is_named() -> None:
-    with pytest.raises(InputError, match="unknown dynamics 'spring'; did you mean 'springs'"):
+    with pytest.raises(InputError, match="unknown skin 'spring'; did you mean 'springs'"):
         Settings(dynamics="spring")
 
 
