@@ -13,7 +13,7 @@ from risorius.core.parameters import NEUTRAL
 from risorius.errors import HeadError
 from risorius.face import far_vertices
 from risorius.face.arkit_direct import gaze_of
-from risorius.face.arkit_fit import ArkitFit
+from risorius.face.arkit_fit import BLOCK, ArkitFit
 from risorius.face.head import load_head, shipped_heads
 from risorius.face.shapes import arkit_shapes
 from risorius.face.solve import FaceSolver
@@ -177,3 +177,20 @@ def test_a_frame_has_the_same_weights_after_others_and_alone(fit, clip) -> None:
     frames = list(clip.faces(range(0, len(clip.times), 4)))
     alone = np.array([fit.weights(frame) for frame in frames])
     assert fit.track(frames).weights == pytest.approx(alone, abs=1e-6)
+
+
+def test_frames_are_fitted_in_order_across_blocks(fit, face) -> None:
+    smile, neutral = face(zygomatic_major=0.6), face()
+    track = fit.track(smile if k == BLOCK else neutral for k in range(BLOCK + 2))
+    shown = track.weights[:, INDEX["mouthSmileLeft"]]
+    assert len(track.weights) == len(track.rms) == BLOCK + 2
+    assert np.flatnonzero(shown > 0.2).tolist() == [BLOCK]
+
+
+@pytest.mark.parametrize("shape", ["tongueOut", "jawLeft"])
+def test_a_rig_with_one_shape_gets_that_alone(head, face, shape: str) -> None:
+    """Nothing is left to fit: the tongue is not fitted, and the jaw's side has no other one to exclude."""
+    weights = ArkitFit(head, [shape]).weights(face(masseter=0.6, tongue_out=0.5, lip_seal=0.0))
+    others = np.arange(len(SHAPES)) != INDEX[shape]
+    assert not weights[others].any()
+    assert (weights[INDEX[shape]] == 0.5) == (shape == "tongueOut")

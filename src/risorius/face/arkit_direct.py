@@ -29,7 +29,7 @@ def direct_weights(frame: FaceFrame) -> Array:
             ("Out", outwards * yaw / _YAW),
             ("In", -outwards * yaw / _YAW),
         ):
-            result[INDEX[f"eyeLook{name}{side}"]] = np.clip(share, 0.0, 1.0)
+            result[INDEX[f"eyeLook{name}{side}"]] = min(max(share, 0.0), 1.0)
     result[INDEX["tongueOut"]] = frame.parameters[PARAMETER["tongue_out"]]
     return result
 

@@ -9,14 +9,13 @@ that are far off.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import nnls
 
 from ..core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
 from ..core.arrays import Array, BoolArray, FloatArray
@@ -28,6 +27,7 @@ from .far_vertices import FAR, FarVertices, lengths, within_leeway
 from .frame import FaceFrame
 from .head import Head
 from .lids import FRONT, LID_REACH
+from .nonnegative import least_squares
 from .shapes import ArkitShapes, arkit_shapes
 
 # Shares of the mean square of a shape that keep nearly parallel and opposed shapes from cancelling each
@@ -36,7 +36,7 @@ RIDGE, AGAINST = 3e-5, 5e-5
 LIPS = 2.0  # how much more the lips count: they have few vertices, and people look at them
 HIDDEN = 3.0  # mm before the eyeball's front plane; behind that, the socket's lining is not visible
 NEARLY = 1.0  # mm below the distance from which a vertex is far: such vertices may become far
-BLOCK = 8  # frames that are fitted together: the shapes are read from memory once for all of them
+BLOCK = 64  # frames that are fitted together: the shapes are read from memory once for all of them
 MOVED = 0.3  # mm: a vertex counts in the residual if some shape moves it farther
 
 NO_WAY = np.zeros(len(SHAPES))
@@ -99,13 +99,15 @@ class ArkitFit:
         lips = head.skin.matrix @ head.masks["lips"]
         heavy = self._fitted * np.repeat(1.0 + LIPS * lips[self.counted], 3)
         self._heavy = np.ascontiguousarray(heavy.T)
+        self._products = self._fitted @ self._heavy
         self._rest_seen = self.rest[self.counted]
-        self._moves = np.ascontiguousarray(self._fitted.T).reshape(-1, 3, len(SHAPES))
-        self._normal = _regular(heavy @ self._fitted.T)
+        normal = _regular(self._products)
         alone = np.ones(len(SHAPES), dtype=bool)
         alone[_EXCLUSIVE.ravel()] = False
-        self._all = _Factored.of(self._normal, self._free)
-        self._some = _Factored.of(self._normal, self._free & alone)
+        self._all = _Normal.of(normal, self._free)
+        self._some = _Normal.of(normal, self._free & alone)
+        moves = self._fitted.reshape(len(SHAPES), -1, 3)[self._some.free]
+        self._moves = np.ascontiguousarray(moves.transpose(1, 2, 0))
 
     @classmethod
     @lru_cache(maxsize=2)
@@ -120,9 +122,7 @@ class ArkitFit:
     def of_skin(self, skin: FloatArray, direct: Array | None = None) -> Array:
         """Return the weights (52,) of a level-1 skin (N1, 3) mm; `direct` (52,) are weights without a fit."""
         given = np.zeros(len(SHAPES)) if direct is None else direct
-        displacement = self._room()
-        displacement[0] = self.displacement(skin)
-        return np.asarray(self._solve(displacement, given[None]).weights[0])
+        return np.asarray(self._solve(self.displacement(skin)[None], given[None]).weights[0])
 
     def following(self, frame: FaceFrame, way: Array = NO_WAY) -> tuple[Array, Array]:
         """Return the weights (52,) of a frame alone, for those that wait for it, but for rounding.
@@ -146,10 +146,11 @@ class ArkitFit:
 
     def track(self, frames: Iterable[FaceFrame]) -> ArkitTrack:
         """Fit all frames in order."""
-        blocks, way = [], NO_WAY
+        blocks, way, rest = [], NO_WAY, iter(frames)
+        displacement = np.zeros((BLOCK, self._basis.shape[1]))
         with one_thread():
-            for block in _blocks(frames):
-                part, way = self._block(block, way)
+            while (block := self._block(islice(rest, BLOCK), displacement, way)) is not None:
+                part, way = block
                 blocks.append(part)
         weights, rotations, parameters, rms, worst = (
             np.concatenate(part) for part in zip(*blocks, strict=True)
@@ -159,24 +160,23 @@ class ArkitFit:
         return ArkitTrack(weights, head, np.array(eyes), rms, worst)
 
     def _block(
-        self, frames: Sequence[FaceFrame], way: Array
-    ) -> tuple[tuple[Array, Array, Array, Array, Array], Array]:
-        """Return weights, rotations of the eyes, parameters and residuals of up to `BLOCK` frames.
+        self, frames: Iterable[FaceFrame], displacement: Array, way: Array
+    ) -> tuple[tuple[Array, Array, Array, Array, Array], Array] | None:
+        """Return weights, eyes' rotations, parameters and residuals of up to `BLOCK` frames; or None.
 
-        `way` (52,): how the penalty changed the frame before; returned is the last frame's.
+        `displacement` (`BLOCK`, 3 k) is scratch. `way` (52,): how the penalty changed the frame before;
+        returned is the last frame's.
         """
-        displacement = self._room()
+        seen = []
         for row, frame in zip(displacement, frames, strict=False):
             row[:] = self.displacement(frame.skin)
-        direct = np.array([direct_weights(frame) for frame in frames])
+            seen.append((direct_weights(frame), frame.eye_rotation, frame.parameters))
+        if not seen:
+            return None
+        direct, rotations, parameters = map(np.array, zip(*seen, strict=True))
         weights, way = self._solve(displacement, direct, way)
         rms, worst = _residual(displacement - _rows(weights, BLOCK) @ self._basis)
-        rotations = np.array([frame.eye_rotation for frame in frames])
-        parameters = np.array([frame.parameters for frame in frames])
-        return (weights, rotations, parameters, rms[: len(frames)], worst[: len(frames)]), way
-
-    def _room(self) -> Array:
-        return np.zeros((BLOCK, self._basis.shape[1]))
+        return (weights, rotations, parameters, rms[: len(seen)], worst[: len(seen)]), way
 
     def visible_displacement(self, weights: Array) -> Array:
         """Return the displacements (frames, 3 k) in mm of the visible vertices by `weights` (frames, 52)."""
@@ -184,7 +184,7 @@ class ArkitFit:
 
     def displacement(self, skin: FloatArray) -> Array:
         """Return the displacement (3 k,) in mm of the visible vertices of a level-1 skin (N1, 3)."""
-        return np.asarray((skin[self.counted] - self._rest_seen).ravel(), dtype=np.float64)
+        return np.asarray((skin.take(self.counted, axis=0) - self._rest_seen).ravel(), dtype=np.float64)
 
     def _solve(self, displacement: Array, direct: Array, way: Array = NO_WAY) -> _Solution:
         """Return the weights (n, 52) of the first n of a block of displacements; `direct` (n, 52).
@@ -193,44 +193,45 @@ class ArkitFit:
         """
         direct = direct * self._direct
         size = len(displacement)
-        wanted = displacement - _rows(direct, size) @ self._basis
-        rights = (wanted @ self._heavy)[: len(direct)]
-        fixed = [_one_of_each(self._all.least(right)) for right in rights]
-        starts = np.array([self._some.least(*row) for row in zip(rights, fixed, strict=True)])
-        apart = _distances(wanted - _rows(starts, size) @ self._fitted)
-        vectors = wanted.reshape(size, -1, 3)
+        rights = (displacement @ self._heavy)[: len(direct)] - direct @ self._products
+        starts = self._starts(rights)
         weights = starts + direct
+        left = displacement - _rows(weights, size) @ self._fitted
+        apart = _distances(left)
         for k, start in enumerate(starts):
-            way = self._way(vectors[k], apart[k], rights[k], fixed[k], start, way)
+            way = self._way(left[k].reshape(-1, 3), apart[k], rights[k], start, way)
             weights[k] += within_leeway(way)
         weights[:, _JAW] += weights[:, _CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[:, _CLOSE] = np.minimum(weights[:, _CLOSE], weights[:, _JAW])
         return _Solution(weights, way)
 
-    def _way(
-        self, wanted: Array, apart: Array, right: Array, fixed: Array, start: Array, guess: Array
-    ) -> Array:
+    def _starts(self, rights: Array) -> Array:
+        """Return the least squares (n, 52) of which one of two shapes that exclude each other is 0."""
+        together = nothing = np.zeros(len(SHAPES))
+        result = np.empty_like(rights)
+        for k, right in enumerate(rights):
+            together = self._all.least(right, nothing, together)
+            result[k] = self._some.least(right, _one_of_each(together), together)
+        return result
+
+    def _way(self, left: Array, apart: Array, right: Array, start: Array, guess: Array) -> Array:
         """Return how the penalty for far vertices changes the weights `start` (52,) of the least squares.
 
-        `wanted` (k, 3) mm; `apart` (k,) mm are the vertices' distances by these weights. Only those that are
-        far or nearly so are looked at, and those that prove to be far in the end. `guess` (52,): of the frame
-        before, from which the search begins.
+        `left` (k, 3) and `apart` (k,) mm are what these weights leave, and its lengths. Only the vertices
+        that are far or nearly so are looked at, and those that prove to be far in the end. `guess` (52,): of
+        the frame before, from which the search begins.
         """
+        way, free = np.zeros(len(SHAPES)), self._some.free
         seen = np.zeros(len(apart), dtype=bool)
-        free = self._some.free
-        minimum = start
-        begin = np.where(free, np.maximum(start + guess, 0.0), start)
+        right, start = self._some.right(right, start), start[free]
+        begin = np.maximum(start + guess[free], 0.0)
         while np.any(apart[~seen] > FAR):
             seen |= apart > FAR - NEARLY
-            far = FarVertices(self._moves[seen], wanted[seen], self._normal, right, start, free)
-            begin = minimum = far.minimum(lambda normal, right: self._least(normal, right, fixed), begin)
-            apart = lengths(wanted - (minimum @ self._fitted).reshape(-1, 3))
-        return minimum - start
-
-    def _least(self, normal: Array, right: Array, fixed: Array) -> Array:
-        """Return the non-negative least squares (52,); `fixed` as in `_Factored.least`."""
-        return _Factored.of(normal, self._some.free).least(right, fixed)
+            begin = FarVertices(self._moves[seen], left[seen], self._some.normal, right, start).minimum(begin)
+            way[free] = begin - start
+            apart = lengths(left - (way @ self._fitted).reshape(-1, 3))
+        return way
 
 
 class _Solution(NamedTuple):
@@ -240,32 +241,27 @@ class _Solution(NamedTuple):
     way: Array
 
 
-class _Factored(NamedTuple):
-    """Normal equations (52, 52) of which some shapes are `free` (52,): their factor, and the others' rows."""
+class _Normal(NamedTuple):
+    """Normal equations of which some shapes are `free` (52,): these shapes' (f, f), and what others add."""
 
     free: BoolArray
-    factor: Array
+    normal: Array
     beside: Array
 
     @classmethod
-    def of(cls, normal: Array, free: BoolArray) -> _Factored:
-        """Take them apart."""
-        factor = np.asarray(np.linalg.cholesky(normal[np.ix_(free, free)]), dtype=np.float64)
-        return cls(free, factor, normal[np.ix_(free, ~free)])
+    def of(cls, normal: Array, free: BoolArray) -> _Normal:
+        """Take equations (52, 52) apart."""
+        return cls(free, normal[np.ix_(free, free)], normal[np.ix_(free, ~free)])
 
-    def least(self, right: Array, fixed: Array | None = None) -> Array:
-        """Return the non-negative least squares (52,); `fixed` (52,) are the weights of shapes not free."""
-        weights = np.zeros(len(SHAPES)) if fixed is None else np.where(self.free, 0.0, fixed)
-        if self.free.any():
-            rest = right[self.free] - self.beside @ weights[~self.free]
-            weights[self.free] = nnls(self.factor.T, np.linalg.solve(self.factor, rest))[0]
+    def right(self, right: Array, fixed: Array) -> Array:
+        """Return the free shapes' right side (f,), when the others have the weights of `fixed` (52,)."""
+        return np.asarray(right[self.free] - self.beside @ fixed[~self.free])
+
+    def least(self, right: Array, fixed: Array, begin: Array) -> Array:
+        """Return the non-negative least squares (52,), sought from `begin` (52,); `fixed` as in `right`."""
+        weights = fixed.copy()
+        weights[self.free] = least_squares(self.normal, self.right(right, fixed), begin[self.free])
         return weights
-
-
-def _blocks(frames: Iterable[FaceFrame]) -> Iterator[list[FaceFrame]]:
-    rest = iter(frames)
-    while block := list(islice(rest, BLOCK)):
-        yield block
 
 
 def _rows(weights: Array, size: int) -> Array:
@@ -275,7 +271,7 @@ def _rows(weights: Array, size: int) -> Array:
 
 def _distances(left: Array) -> Array:
     """Return the lengths of vectors (n, 3 k) -> (n, k)."""
-    return lengths(left.reshape(len(left), -1, 3))
+    return lengths(left.reshape(-1, 3)).reshape(len(left), -1)
 
 
 def _residual(left: Array) -> tuple[Array, Array]:

@@ -14,16 +14,13 @@ minimum; every step in that direction improves the fit.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg.blas import dsyrk
 
-from ..core.arrays import Array, BoolArray
-
-Least = Callable[[Array, Array], Array]
-"""(normal, right) -> the weights w within their limits that minimize ½ w·normal·w − right·w."""
+from ..core.arrays import Array
+from ..core.kernels.jit import kernel, summing_kernel
+from .nonnegative import least_squares
 
 FAR, POWER, STRENGTH = 1.5, 8, 4e4  # mm, none, mm⁻⁶
 STEPS, STILL = 40, 1e-5  # the most steps; a step that moves every weight by less is the last
@@ -40,25 +37,18 @@ class SurfaceCost(NamedTuple):
 
 
 class FarVertices:
-    """The problem for one surface: `moves` (n, 3, s) are the shapes, `wanted` (n, 3) the displacements in mm.
+    """The problem for one surface: `moves` (n, 3, s) are the shapes, in mm at weight 1.
 
     `normal` (s, s) and `right` (s,) are the normal equations of the least squares; `start` (s,) is their
-    solution. Only the shapes that are `free` (s,), and move one of the vertices, can bring it nearer.
+    solution, and `left` (n, 3) mm what it leaves of the displacements.
     """
 
-    def __init__(
-        self, moves: Array, wanted: Array, normal: Array, right: Array, start: Array, free: BoolArray
-    ) -> None:
+    def __init__(self, moves: Array, left: Array, normal: Array, right: Array, start: Array) -> None:
+        self._moves, self._left = moves, left
         self._normal, self._right, self._start = normal, right, start
-        chosen = free & moves.any(axis=(0, 1))
-        self._chosen = np.flatnonzero(chosen)
-        self._square = np.ix_(self._chosen, self._chosen)
-        columns = moves.reshape(3 * len(moves), -1)
-        self._moves = np.ascontiguousarray(columns[:, self._chosen])
-        self._wanted = (wanted - moves[:, :, ~chosen] @ start[~chosen]).ravel()
 
-    def minimum(self, least: Least, guess: Array) -> Array:
-        """Return the weights (s,) of the least cost, searched from `guess` (s,) or the start on."""
+    def minimum(self, guess: Array) -> Array:
+        """Return the weights (s,) ≥ 0 of the least cost, searched from `guess` (s,) or the start on."""
         weights = self._start
         here = self.at(weights)
         if guess is not weights:
@@ -66,9 +56,9 @@ class FarVertices:
             if there.cost < here.cost:
                 weights, here = guess, there
         for _ in range(STEPS):
-            if here.distance.max() <= FAR or not len(self._chosen):
+            if here.distance.max() <= FAR or not len(weights):
                 break
-            step = least(*self._model(weights, here)) - weights
+            step = least_squares(*self._model(weights, here), weights) - weights
             share = 1.0
             while True:
                 there = self.at(weights + share * step)
@@ -82,34 +72,69 @@ class FarVertices:
 
     def at(self, weights: Array) -> SurfaceCost:
         """Return the cost of some weights (s,), and how far they leave the vertices."""
-        away = (self._wanted - self._moves @ weights[self._chosen]).reshape(-1, 3)
-        distance = lengths(away)
+        away, distance = np.empty_like(self._left), np.empty(len(self._left))
+        penalty = _leave(self._moves, self._left, weights - self._start, away, distance)
         squares = weights @ (0.5 * self._normal @ weights - self._right)
-        cost = float(squares + STRENGTH * (np.maximum(distance - FAR, 0.0) ** POWER).sum())
-        return SurfaceCost(cost, away, distance)
+        return SurfaceCost(float(squares + penalty), away, distance)
 
     def _model(self, weights: Array, here: SurfaceCost) -> tuple[Array, Array]:
         """Return the normal equations of the second-order model about `weights`."""
-        far = np.flatnonzero(here.distance > FAR)
-        moves, away = self._moves.reshape(len(here.distance), 3, -1)[far], here.distance[far]
-        towards = here.away[far] / away[:, None]
-        first = STRENGTH * POWER * (away - FAR) ** (POWER - 1)
-        second = first * (POWER - 1) / (away - FAR)
-        along = (towards[:, None] @ moves)[:, 0]
-        # A sum of squares: only one half of the matrix is worked out.
-        rows = moves.reshape(-1, moves.shape[2]) * np.sqrt(np.repeat(first / away, 3))[:, None]
-        half = dsyrk(1.0, rows.T)
-        curved = half + np.triu(half, 1).T
-        curved += along.T @ (along * (second - first / away)[:, None])
-        normal, right = self._normal.copy(), self._right.copy()
-        normal[self._square] += curved
-        right[self._chosen] += curved @ weights[self._chosen] + first @ along
-        return normal, right
+        curved, pull = np.zeros_like(self._normal), np.zeros_like(weights)
+        _curve(self._moves, here.away, here.distance, curved, pull)
+        return self._normal + curved, self._right + curved @ weights + pull
 
 
+@summing_kernel
+def _leave(moves: Array, left: Array, change: Array, away: Array, distance: Array) -> float:
+    """Write what a `change` (s,) of weights leaves of `left` (n, 3), and its lengths; return the penalty."""
+    penalty = 0.0
+    for v in range(len(left)):
+        square = 0.0
+        for c in range(3):
+            rest = left[v, c]
+            for s in range(len(change)):
+                rest -= moves[v, c, s] * change[s]
+            away[v, c] = rest
+            square += rest * rest
+        distance[v] = np.sqrt(square)
+        penalty += max(distance[v] - FAR, 0.0) ** POWER
+    return STRENGTH * penalty
+
+
+@summing_kernel
+def _curve(moves: Array, away: Array, distance: Array, curved: Array, pull: Array) -> None:
+    """Add the penalty's second derivatives to `curved` (s, s), and what draws the weights to `pull` (s,)."""
+    count = len(pull)
+    along = np.empty(count)
+    for v in range(len(away)):
+        over = distance[v] - FAR
+        if over <= 0.0:
+            continue
+        first = STRENGTH * POWER * over ** (POWER - 1)
+        second = first * (POWER - 1) / over
+        across = first / distance[v]
+        x, y, z = away[v, 0] / distance[v], away[v, 1] / distance[v], away[v, 2] / distance[v]
+        for s in range(count):
+            along[s] = x * moves[v, 0, s] + y * moves[v, 1, s] + z * moves[v, 2, s]
+            pull[s] += first * along[s]
+        for i in range(count):
+            a, b, c = across * moves[v, 0, i], across * moves[v, 1, i], across * moves[v, 2, i]
+            d = (second - across) * along[i]
+            for j in range(i + 1):
+                curved[i, j] += a * moves[v, 0, j] + b * moves[v, 1, j] + c * moves[v, 2, j] + d * along[j]
+    for i in range(count):
+        for j in range(i):
+            curved[j, i] = curved[i, j]
+
+
+@kernel
 def lengths(vectors: Array) -> Array:
-    """Return the lengths of vectors (…, 3) -> (…,)."""
-    return np.asarray(np.sqrt(np.einsum("...k,...k->...", vectors, vectors)))
+    """Return the lengths of vectors (n, 3) -> (n,)."""
+    result = np.empty(len(vectors))
+    for i in range(len(vectors)):
+        x, y, z = vectors[i, 0], vectors[i, 1], vectors[i, 2]
+        result[i] = np.sqrt(x * x + y * y + z * z)
+    return result
 
 
 def within_leeway(way: Array) -> Array:

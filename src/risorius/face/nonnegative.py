@@ -1,0 +1,96 @@
+"""Non-negative least squares of a few unknowns by their normal equations: block principal pivoting.
+
+Each round solves for the unknowns that are taken to be positive, as if they had no limit. Those that come out
+negative become 0, and those at 0 that would lower the cost become positive: all at once, or, where that has
+not lessened their number for some rounds, only the last of them (Portugal, Júdice, Vicente, A comparison of
+block pivoting and interior-point algorithms for linear least squares problems, Mathematics of Computation 63,
+1994). The result depends only on which unknowns are positive in the end, not on where the search began; a
+beginning near the end makes it short.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..core.arrays import Array, BoolArray, IndexArray
+from ..core.kernels.jit import device, summing_kernel
+
+PATIENCE = 3  # rounds in which the number of wrong unknowns does not fall, until they change one by one
+ROUNDING = 1e-12  # of the largest right side: an unknown at 0 that would gain less stays
+MOST = 1000  # rounds; a handful is usual
+
+
+@summing_kernel
+def least_squares(normal: Array, right: Array, begin: Array) -> Array:
+    """Return the w ≥ 0 (n,) that minimize ½ w·normal·w − right·w.
+
+    `normal` (n, n) is symmetric and positive definite, `right` (n,). The search begins with those unknowns
+    positive that are so in `begin` (n,).
+    """
+    positive, wrong = begin > 0.0, np.zeros(len(right), np.bool_)
+    weights, factor = np.zeros(len(right)), np.empty(normal.shape)
+    fewest, patience = len(right) + 1, PATIENCE
+    for _ in range(MOST):
+        _solve_for(np.flatnonzero(positive), normal, right, factor, weights)
+        count = _mark_wrong(normal, right, weights, positive, wrong)
+        if count == 0:
+            break
+        patience = PATIENCE if count < fewest else patience - 1
+        fewest = min(fewest, count)
+        _change(positive, wrong, patience >= 0)
+    return weights
+
+
+@device
+def _solve_for(chosen: IndexArray, normal: Array, right: Array, factor: Array, weights: Array) -> None:
+    """Write the least squares of the `chosen` unknowns to `weights` (n,), 0 for all others.
+
+    `factor` (n, n) is scratch: the lower triangle of the chosen rows' Cholesky factor.
+    """
+    weights[:] = 0.0
+    count = len(chosen)
+    found = np.empty(count)
+    for i in range(count):
+        for j in range(i + 1):
+            total = normal[chosen[i], chosen[j]]
+            for k in range(j):
+                total -= factor[i, k] * factor[j, k]
+            factor[i, j] = np.sqrt(total) if i == j else total / factor[j, j]
+        total = right[chosen[i]]
+        for k in range(i):
+            total -= factor[i, k] * found[k]
+        found[i] = total / factor[i, i]
+    for i in range(count - 1, -1, -1):
+        found[i] /= factor[i, i]
+        weights[chosen[i]] = found[i]
+        for k in range(i):
+            found[k] -= factor[i, k] * found[i]
+
+
+@device
+def _mark_wrong(normal: Array, right: Array, weights: Array, positive: BoolArray, wrong: BoolArray) -> int:
+    """Mark the unknowns that are below their limit, or at it and would gain above it; return how many."""
+    largest = 0.0
+    for value in right:
+        largest = max(largest, abs(value))
+    count = 0
+    for i in range(len(right)):
+        if positive[i]:
+            wrong[i] = weights[i] < 0.0
+        else:
+            gain = right[i]
+            for j in range(len(right)):
+                gain -= normal[i, j] * weights[j]
+            wrong[i] = gain > ROUNDING * largest
+        count += wrong[i]
+    return count
+
+
+@device
+def _change(positive: BoolArray, wrong: BoolArray, together: bool) -> None:
+    """Take the wrong unknowns out of the positive ones, or into them: all `together`, or the last one."""
+    for i in range(len(wrong) - 1, -1, -1):
+        if wrong[i]:
+            positive[i] = not positive[i]
+            if not together:
+                break
