@@ -83,6 +83,15 @@ def test_a_seal_takes_so_many_millimetres_from_the_gap(face, head, emotion):
     np.testing.assert_allclose(gap, expected, atol=0.9)
 
 
+@pytest.mark.parametrize("tuck", [0.0, 0.1, 0.5])
+def test_a_seal_begins_without_a_step(face, head, tuck):
+    gauge, wide = Gauge(head), {"depressor_labii": 0.2, "levator_labii_superioris": 0.05, "masseter": 0.3}
+    before, after = (
+        gauge.measure(face(**wide, lip_tuck=tuck, lip_seal=seal)).lip_gap_mm for seal in (0.0, 0.002)
+    )
+    assert abs(before - after) < 0.1
+
+
 def test_without_goals_open_lips_are_left_as_the_muscles_put_them(face, solver, head, rest):
     frame = face(depressor_labii=1.0)
     field = sum(

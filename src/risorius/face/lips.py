@@ -33,6 +33,7 @@ PLACES, WIDTH = (
 SWEEPS = 300  # the most; most faces need only a few
 TUCK_WIDTH = 11.0  # mm to either side of the midline over which the lip meets the teeth
 TUCK_ABOVE, TUCK_BEFORE = 0.7, 1.2  # mm of the tucked lip above and before the teeth's edge
+APART = 2.0  # mm that profiles may be apart for each mm that a seal does not reach: it begins without a step
 TUCK_ROOM = 1.2  # mm of the upper lip above the teeth's edge, so that it does not meet the tucked lip
 
 
@@ -91,7 +92,7 @@ class Lips:
         opening = WIDEST_MM
         if seal > 0.0:
             beyond = self._close(skin, seal)
-            left = LEFT * min(max(1.0 - beyond / BEYOND, 0.0), 1.0) - min(beyond, 0.0)
+            left = LEFT * min(max(1.0 - beyond / BEYOND, 0.0), 1.0) - APART * min(beyond, 0.0)
             opening = min((1.0 - seal) * WIDEST_MM + seal * SHUT, max(left, SHUT))
         for _ in range(PASSES):
             if not self._push_apart(skin, opening):
