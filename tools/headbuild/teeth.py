@@ -113,12 +113,12 @@ def _crown(row: Row, centre: float, crown: Crown, side: float) -> tuple[AnyArray
     """Rings from the neck (below the gum's margin) to the edge, closed by one vertex."""
     half, height, thick = (SCALE * v for v in (crown.width / 2.0, crown.height, crown.thickness))
     levels = np.array([-0.25, 0.0, 0.2, 0.42, 0.64, 0.82, 0.92, 0.975, 1.0])
-    shrink = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.96, 0.84, 0.55])
+    shrink = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.985, 0.91, 0.66])
     angle = np.arange(_AROUND) * 2.0 * np.pi / _AROUND
     across, out = _superellipse(angle, 2.6 if crown.cusps < 2 else 3.0)
     points = []
     for t, s in zip(levels, shrink, strict=True):
-        wide = half * np.interp(t, [-0.3, 0.0, 0.75, 1.0], _taper(crown)) * s
+        wide = half * np.interp(t, [-0.3, 0.0, 0.38, 0.8, 1.0], _taper(crown)) * s
         front, back = _depths(crown, thick, t)
         middle = (front + back) / 2.0 if crown.cusps else front * 0.5 + back * 0.5
         v = middle + (front - back) / 2.0 * out * s
@@ -132,12 +132,16 @@ def _crown(row: Row, centre: float, crown: Crown, side: float) -> tuple[AnyArray
 
 
 def _taper(crown: Crown) -> list[float]:
-    """Half width, as a share, at the neck's end, the neck, the widest place and the edge."""
+    """Half width, as a share, at the neck's end, the neck, both ends of the contact, and the edge.
+
+    Neighbours touch between the ends of the contact: no light shows between teeth above it, where the gum's
+    papilla fills the gap, and little below.
+    """
     if crown.cusps == 0:
-        return [0.66, 0.74, 0.985, 0.97]
+        return [0.70, 0.82, 1.0, 1.0, 0.985]
     if crown.cusps == 1:
-        return [0.66, 0.74, 0.985, 0.78]
-    return [0.74, 0.82, 0.985, 0.86]
+        return [0.70, 0.82, 1.0, 1.0, 0.82]
+    return [0.76, 0.86, 1.0, 1.0, 0.88]
 
 
 def _depths(crown: Crown, thick: float, t: float) -> tuple[float, float]:

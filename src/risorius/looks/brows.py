@@ -13,6 +13,7 @@ from .surface import Surface, flat
 POINTS = 5
 HEAD, TAIL = 10.0, 49.5  # mm from the middle
 _SEED = 7
+_LIGHT = 0.3  # mean albedo of hairs that do not glint
 
 
 def brow_line(anatomy: Anatomy, t: Array) -> tuple[Array, Array, Array]:
@@ -54,7 +55,9 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, c
         * (0.5 + 0.5 * smoothstep(0.0, 0.3, t))
         * anatomy.unit
     )
-    shade = (1.2 + 0.9 * rng.random(count))[:, None] * colour
+    # Dark hairs glint; light ones that did so would stand out as dots.
+    glint = 1.0 - min(1.0, float(colour.mean()) / _LIGHT)
+    shade = (1.0 + glint * (0.2 + 0.9 * rng.random(count)))[:, None] * colour
     faint = 0.10 + 0.42 * np.abs(offset) ** 1.5 + 0.40 * (1.0 - smoothstep(0.0, 0.28, t))
     shade += np.clip(faint, 0.0, 0.8)[:, None] * (skin - shade)
     bend = rng.normal(-14, 8, count)

@@ -31,7 +31,7 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     # Hairs alone on the forehead would look like scratches.
-    density = density * (1.0 + 1.1 * front) * smoothstep(3.0, 12.0, inside_hairline(anatomy, surface.points))
+    density = density * (1.0 + 1.4 * front) * smoothstep(3.0, 11.0, inside_hairline(anatomy, surface.points))
     each = round(_SHARE * count) // LAYERS
     triangles, weights = grow_layers(anatomy, surface, density, each, _SEED)
     count = len(triangles)
@@ -41,6 +41,9 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     curves = smoothed(_hang(anatomy, surface, HairRoots(origin, normal, length, layer), rng), 8)
     within = inside_hairline(anatomy, origin)
     curves, lock = gather_locks(curves, length, 0.45 * smoothstep(0.0, 18.0, within), rng)
+    kept = _in_place(anatomy, curves)
+    triangles, weights, curves = triangles[kept], weights[kept], curves[kept]
+    count, layer, lock, within = len(curves), layer[kept], lock[kept], within[kept]
     curves, way = respaced(curves, POINTS)
     shade = (0.74 + 0.36 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
     fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)
@@ -51,10 +54,27 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     return dataclasses.replace(hairs, behind=-2.0)
 
 
+def _ends(anatomy: Anatomy) -> float:
+    """Return the height in mm at which hair ends: a little above the chin."""
+    return 0.55 * float(anatomy.mouth[1]) + 0.45 * anatomy.chin
+
+
+def _in_place(anatomy: Anatomy, curves: Array) -> Array:
+    """Return which of the hairs `curves` (S, P, 3) neither hang alone below the others nor on the temples.
+
+    There, between single hairs, skin would shine through as specks.
+    """
+    places = curves[:, ::3].reshape(-1, 3)
+    high = places[:, 1] > anatomy.eye_height + 40.0 * anatomy.unit
+    high &= np.abs(places[:, 0]) > 26.0 * anatomy.unit
+    bare = (high & (inside_hairline(anatomy, places) < 0.0)).reshape(len(curves), -1).any(axis=1)
+    return np.asarray(~bare & (curves[..., 1].min(axis=1) > _ends(anatomy) - 14.0 * anatomy.unit))
+
+
 def _lengths(anatomy: Anatomy, origin: Array) -> Array:
     """Return lengths in mm (S,) that let all hair end a little above the chin."""
     u = anatomy.unit
-    end = 0.55 * float(anatomy.mouth[1]) + 0.45 * anatomy.chin
+    end = _ends(anatomy)
     high = smoothstep(20.0 * u, 90.0 * u, origin[:, 1] - anatomy.eye_height)
     away = np.where(origin[:, 0] > _PARTING * u, -1.0, 1.0)
     across = np.clip(72.0 * u + away * origin[:, 0], 0.0, None)

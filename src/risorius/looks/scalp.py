@@ -12,16 +12,16 @@ from .noise import noise_at
 from .surface import Surface, flat, unit
 
 # Heights of the hairline over the eyes in mm, by the angle from the front around an axis through the skull.
-_ANGLES = (0, 15, 30, 42, 52, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
-_HEIGHTS = (60, 61, 63, 58, 46, 29, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
+_ANGLES = (0, 15, 30, 42, 49, 54, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
+_HEIGHTS = (60, 61, 64, 60, 50, 35, 26, 9, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
 _AXIS = -72.0  # mm: z of that axis
 LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
 # How much the scalp is darkened under each style of hair.
 _UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.62, "bald": 0.0}
-# The power of the density by which that shade rises: long hair lies thick at once, short hair grows thicker.
-_SOFT = {"short": 1.2, "medium": 1.0, "shaved": 1.5, "bald": 1.5}
+# The power of the density by which that shade rises: hair grows thicker away from its line.
+_SOFT = {"short": 1.2, "medium": 1.4, "shaved": 1.5, "bald": 1.5}
 
 
 def inside_hairline(anatomy: Anatomy, points: Array) -> Array:

@@ -17,6 +17,7 @@ LIP_STEPS = 32
 _FRONT = 2  # lamps; the others stand behind the head
 _GLOSS = f4(0.03)
 _DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate absorb half of the light
+_FAUCES = f4(35)  # mm behind the lips; the lining is drawn further back, but a mouth is not deeper
 
 
 @fast_device
@@ -30,12 +31,21 @@ def past_lips(
     """
     x, y, z = unrotate(rotation, sub(p, (pivot[0], pivot[1], pivot[2])))
     x, y, z = x + pivot[0], y + pivot[1], z + pivot[2]
-    seen = max(_strip(lips, span, x, y, z), f4(0.75) * _strip(lips, span, x * f4(0.5), y, z))
     front: float = lips[LIP_STEPS // 2, 1]
+    z = max(z, front - _FAUCES)
+    seen = max(_strip(lips, span, x, y, z), f4(0.75) * _strip(lips, span, x * f4(0.5), y, z))
     behind = max(front - z, f4(0)) * _DEPTH
     seen /= f4(1) + behind * behind
     share: float = min(f4(2.3) * seen, f4(1)) * (f4(0.4) + f4(0.6) * seen)
     return share
+
+
+@fast_device
+def spread_in_flesh(deep: float) -> float:
+    """Return the share of light from flesh where the share `deep` arrives: some comes from beside it."""
+    root = math.sqrt(deep)
+    spread: float = root * (f4(0.35) + f4(0.65) * root)
+    return spread
 
 
 @fast_device
@@ -96,10 +106,11 @@ def _wet(
     deep = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p) * free
     if surface == TEETH:
         # Light that enters a tooth comes out of it and its neighbours again.
-        deep = min(f4(1.35) * math.sqrt(deep), f4(1.15)) * smooth(f4(0), f4(0.12), deep)
+        root = math.sqrt(deep)
+        spread = min(root * (f4(0.8) + f4(0.7) * root), f4(1.15))
+        deep = spread * smooth(f4(0), f4(0.12), deep)
     else:
-        # So does light that enters flesh, less of it.
-        deep = math.sqrt(deep) * (f4(0.35) + f4(0.65) * math.sqrt(deep))
+        deep = spread_in_flesh(deep)
     shadow = key_share(light, p)
     # Light from all sides of the mouth is warm with the colour of its lining.
     around = times(ambient_light(light.ambient, normal, f4(1)), (f4(2.0), f4(1.75), f4(1.6)))

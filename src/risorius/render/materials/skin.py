@@ -39,7 +39,7 @@ from ..lanes import (
 )
 from .folds import bent, creased
 from .lit import ambient_of, ambient_on, read_reach
-from .mouth import past_lips
+from .mouth import past_lips, spread_in_flesh
 from .patch import corners_of, weights_of
 from .patch import put as put_colour
 from .shadows import shadow_at
@@ -172,7 +172,8 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
         if inner > f4(0.02):
-            seen = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, get(block, POSITION, k))
+            p = get(block, POSITION, k)
+            seen = spread_in_flesh(past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p))
             free += (seen - free) * inner
             block[SHADOW + k] *= f4(1) + (seen - f4(1)) * inner
         block[OPENED + k] = free
