@@ -42,7 +42,7 @@ def shape(name: str, x: float) -> float:
         "exponential": lambda u: 2.0**u - 1.0,
         "linear": lambda u: u,
         "minimum_jerk": lambda u: 10 * u**3 - 15 * u**4 + 6 * u**5,
-        "saccade": lambda u: 0.5 + 0.5 * (2 * u - 1) * (2.6 - abs(2 * u - 1) ** 1.6) / 1.6,
+        "saccade": lambda u: 0.5 + 0.5 * (2 * u - 1) * (2.5 - abs(2 * u - 1) ** 1.5) / 1.5,
     }.get(name, ONSET_FUNCTIONS.get(name))(min(max(x, 0.0), 1.0))
 
 
