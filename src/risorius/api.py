@@ -56,11 +56,12 @@ def speak(
     as on the command line, or displays. Raises RisoriusError with one line on what is wrong and where.
     """
     settings = checked(settings)
-    with emotions_of(settings.rules, settings.expression):
-        displays = displays_of(emotion)
     script, transcript = _text_or_file(script), _text_or_file(transcript)
     audio = None if audio is None else path_of(audio)
-    if script is not None and script.lower().endswith(".json") and not text:
+    is_score = script is not None and script.lower().endswith(".json") and not text
+    with emotions_of(None if is_score else settings.rules, settings.expression):
+        displays = displays_of(emotion)
+    if script is not None and is_score:
         arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
         refuse(settings, SCORE, Place(script), **arguments)
         return mix(script, settings=settings, progress=progress)

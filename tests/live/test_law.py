@@ -100,7 +100,7 @@ def check_joining(first: int, second: int, cuts: list[int]) -> None:
     off = np.abs(np.array([f.values for f in frames]) - taken.performance.values)
     settled = first + second + 25
     assert off[settled:].max() < 1e-6
-    assert off[:, OTHERS].max() < 0.01
+    assert off[:, OTHERS].max() < 0.03
     assert np.mean(off[:, OTHERS] > 1e-6) < 0.01
     sound_of(frames, taken)
 

@@ -34,7 +34,7 @@ def test_frames_may_be_left_out() -> None:
     whole, some = LiveWeights(Settings()), LiveWeights(Settings())
     every = [whole.added(frame).arkit for frame in frames]
     few = [some.added(frame).arkit for frame in frames[::3]]
-    assert np.abs(np.array(every[::3]) - np.array(few)).max() < 0.1
+    assert np.abs(np.array(every[::3]) - np.array(few)).max() < 0.2
 
 
 def test_a_head_that_is_not_there_is_said_at_once() -> None:
