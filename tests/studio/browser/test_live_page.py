@@ -127,8 +127,9 @@ def test_the_studio_goes_live_with_what_is_chosen_there(page: Page, head: str) -
     inside = "document.getElementById('live-face').contentDocument"
     page.wait(f"{inside}.body?.dataset.ready === 'yes'")
     assert page.get(f"{inside}.getElementById('head').value") == head
-    page.run(f"{inside}.getElementById('text').value = 'One, two, three, four, five, six, seven.'; {inside}.getElementById('say').click()")
-    assert page.wait(f"{inside}.getElementById('caption').textContent") == "One, two, three, four, five, six, seven."
+    line = "One, two, three, four, five, six, seven."
+    page.run(f"{inside}.getElementById('text').value = '{line}'; {inside}.getElementById('say').click()")
+    assert page.wait(f"{inside}.getElementById('caption').textContent") == line
     page.run("document.getElementById('live').click()")
     assert page.get("document.getElementById('live-face')") is None
     assert not page.complaints()
