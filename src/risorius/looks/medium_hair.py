@@ -19,6 +19,7 @@ POINTS = 9
 _STEPS = 28  # steps of a hair's path, from which its points are chosen
 _SEED = 45
 _SHARE = 0.45  # longer hairs are drawn wider and in smaller number
+_BESIDE = 5  # a hair with fewer points of others near it is alone
 _PARTING = -24.0  # mm: x of the parting
 _AXIS = -72.0  # mm: z of the axis around which hair is turned off the face
 # Heights over the eyes in mm, and the angle from the front within which no hair hangs at that height.
@@ -60,7 +61,8 @@ def _ends(anatomy: Anatomy) -> float:
 
 
 def _in_place(anatomy: Anatomy, curves: Array) -> Array:
-    """Return which of the hairs `curves` (S, P, 3) neither hang alone below the others nor on the temples.
+    """Return which of the hairs `curves` (S, P, 3) neither hang alone below the others nor on the temples,
+    nor stand off the crown.
 
     There, between single hairs, skin would shine through as specks.
     """
@@ -68,7 +70,20 @@ def _in_place(anatomy: Anatomy, curves: Array) -> Array:
     high = places[:, 1] > anatomy.eye_height + 40.0 * anatomy.unit
     high &= np.abs(places[:, 0]) > 26.0 * anatomy.unit
     bare = (high & (inside_hairline(anatomy, places) < 0.0)).reshape(len(curves), -1).any(axis=1)
-    return np.asarray(~bare & (curves[..., 1].min(axis=1) > _ends(anatomy) - 14.0 * anatomy.unit))
+    hangs_alone = curves[..., 1].min(axis=1) < _ends(anatomy) - 14.0 * anatomy.unit
+    return np.asarray(~(bare | hangs_alone | _stands_off(anatomy, curves)))
+
+
+def _stands_off(anatomy: Anatomy, curves: Array) -> Array:
+    """Return which of the hairs `curves` (S, P, 3) run over the crown with no others beside them."""
+    over = curves[..., 1] > anatomy.eye_height + 70.0 * anatomy.unit
+    if not over.any():
+        return np.zeros(len(curves), dtype=bool)
+    places = curves[over]
+    beside = cKDTree(places).query(places, k=min(_BESIDE + 1, len(places)))[0][:, -1]
+    alone = np.zeros(over.shape, dtype=bool)
+    alone[over] = beside > 4.5 * anatomy.unit
+    return np.asarray(alone.any(axis=1))
 
 
 def _lengths(anatomy: Anatomy, origin: Array) -> Array:
