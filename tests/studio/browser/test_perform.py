@@ -98,8 +98,10 @@ SEEN_AND_HEARD = """
 """
 
 
-# The sound is heard as late as the browser knows, or later where the user says so.
-@pytest.mark.parametrize("delay", [0.0, pytest.param(0.2, marks=pytest.mark.full)])
+# The sound is heard as late as the browser knows, or later where the user says so. A measurement: on a
+# machine that is busy with other tests pictures come late.
+@pytest.mark.full
+@pytest.mark.parametrize("delay", [0.0, 0.2])
 def test_what_is_seen_is_what_is_heard(performed: Page, delay: float) -> None:
     resize(performed, 640, 400)
     performed.run("studio.clock.seek(0.2)")
