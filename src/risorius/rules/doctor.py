@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..core.action_units import resolve_targets
@@ -14,6 +14,8 @@ from .modulation import is_under
 from .rule import NOTHING_FELT, Level, Rule
 from .rule_set import RuleEntry, RuleSet, shipped
 from .tables import TableEntry
+
+DELETED_TOO = "is changed and deleted; expected one of both"
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,26 +54,29 @@ def examine(rule_set: RuleSet) -> tuple[Finding, ...]:
 def _problems_of_entry(entry: TableEntry, later: Sequence[TableEntry], rule_set: RuleSet) -> Iterator[str]:
     """Yield what is wrong with an entry of a table that others may follow."""
     if any(is_under(entry.id, prefix) for prefix in rule_set.tables.deleted):
-        yield "is changed and deleted; expected one of both"
+        yield DELETED_TOO
     if not entry.values:
         yield "changes nothing: it has no values"
-    for key in entry.values:
-        if any(other.id == entry.id and key in other.values for other in later):
-            yield f"gives '{key}' twice; the last one holds"
-    if not entry.source.strip():
-        yield "lacks a source"
+    yield from _problems_of_keys(entry.values, [o.values for o in later if o.id == entry.id], entry.source)
 
 
 def _problems_of_habit(habit: Habit, later: Sequence[Habit], rule_set: RuleSet) -> Iterator[str]:
     """Yield what is wrong with new numbers of a habit that others may follow."""
     if habit.id in rule_set.habits.deleted:
-        yield "is changed and deleted; expected one of both"
+        yield DELETED_TOO
     if not habit.numbers:
         yield "changes nothing: it has no numbers"
-    for key in habit.numbers:
-        if any(other.id == habit.id and key in other.numbers for other in later):
+    yield from _problems_of_keys(habit.numbers, [o.numbers for o in later if o.id == habit.id], habit.source)
+
+
+def _problems_of_keys(
+    values: Mapping[str, object], later: Sequence[Mapping[str, object]], source: str
+) -> Iterator[str]:
+    """Yield what is wrong with values by key that `later` ones of the same id may replace."""
+    for key in values:
+        if any(key in other for other in later):
             yield f"gives '{key}' twice; the last one holds"
-    if not habit.source.strip():
+    if not source.strip():
         yield "lacks a source"
 
 
