@@ -91,7 +91,8 @@ def test_the_module_speaks_and_falls_silent(tab: Page) -> None:
         heard["told"][1][1]
         == "One two three four five six seven eight nine ten eleven twelve thirteen fourteen."
     )
-    assert heard["told"][2][1].endswith("thirteen fourteen.")
+    # How much is left to say hangs on how busy the page was; the last word is.
+    assert heard["told"][2][1].endswith("fourteen.")
     # A frame is shown until the next is due, or until a busy page comes round to it.
     assert min(heard["lags"]) >= 0.0
     assert sorted(heard["lags"])[10] < 1.0
