@@ -3,7 +3,7 @@ import js from "@eslint/js";
 
 const BROWSER = [
   "AbortController", "Audio", "Blob", "CSS", "CustomEvent", "DOMException", "DataView", "DecompressionStream", "Event",
-  "HTMLElement", "HTMLMediaElement", "ImageData", "Intl", "MutationObserver", "OffscreenCanvas", "ResizeObserver",
+  "HTMLElement", "HTMLInputElement", "HTMLMediaElement", "HTMLSelectElement", "HTMLTextAreaElement", "ImageData", "Intl", "MutationObserver", "OffscreenCanvas", "ResizeObserver",
   "Response", "TextDecoder", "URL", "URLSearchParams", "WebSocket", "Worker", "addEventListener", "atob", "cancelAnimationFrame",
   "clearTimeout", "clearInterval", "console", "createImageBitmap", "crypto", "devicePixelRatio", "document", "fetch",
   "getComputedStyle", "history", "innerHeight", "innerWidth", "localStorage", "location", "matchMedia", "navigator",

@@ -2,6 +2,7 @@ import { adopted, written } from "./drafts.js";
 import { told } from "./parts/dom.js";
 import { changedTake, takeOf } from "./take.js";
 import { Work } from "./work.js";
+/** @import {Written} from "./types.js" */
 
 /**
  * What the user can have done, by name: each asks the server, and puts its answer into the store.
@@ -43,9 +44,10 @@ export class Actions {
 
   /**
    * Perform the same source with other choices or emotions; those left out stay.
-   * @param {{choices?: object, emotions?: object[]}} parts `choices` holds only what is other than before
+   * @param {Partial<Pick<Written, "choices" | "emotions">>} parts `choices` holds only what is other than before
    */
   choose({ choices, emotions }) {
+    /** @type {Partial<Written>} */
     const asked = {};
     if (choices) asked.choices = { ...this.#store.get("choices"), ...choices };
     if (emotions) asked.emotions = emotions;
@@ -177,6 +179,7 @@ export class Actions {
     this.#work.stop();
   }
 
+  /** @param {string} verb @param {Record<string, any>} fields @param {string} busy @param {() => void} [arrives] */
   async #changing(verb, fields, busy, arrives = () => {}) {
     this.#store.set({ saved: "saving" });
     const answer = await (busy ? this.work(verb, fields, busy) : this.ask(verb, fields));
@@ -188,7 +191,10 @@ export class Actions {
     return answer;
   }
 
-  /** Put the answer to a change into the store: a whole take, or what became other in it. */
+  /**
+   * Put the answer to a change into the store: a whole take, or what became other in it.
+   * @param {any} answer @param {Partial<Written>} asked
+   */
   #take(answer, asked) {
     const before = this.#store.get("take");
     const whole = answer.duration !== undefined || answer.whole;

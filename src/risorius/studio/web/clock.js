@@ -98,7 +98,7 @@ export class Clock {
     this.#tell("tick");
   }
 
-  /** Have the sound here whole, so that it can be played from anywhere at once. */
+  /** Have the sound here whole, so that it can be played from anywhere at once. @param {string | null} address */
   async #fetch(address) {
     this.#address = address;
     this.#silent = true;
@@ -220,7 +220,10 @@ export class Clock {
     if (this.#time >= to) this.#reachedEnd(from, to);
   }
 
-  /** Time by the sound where it plays; between its coarse reports, the time guessed from the last one. */
+  /**
+   * Time by the sound where it plays; between its coarse reports, the time guessed from the last one.
+   * @param {number} guess @param {number} elapsed
+   */
   #heard(guess, elapsed) {
     const audio = this.#audio;
     if (this.#silent || audio.paused || audio.ended || audio.readyState < 3) return guess;
@@ -229,6 +232,7 @@ export class Clock {
     return Math.abs(ahead) > JUMP ? heard : guess + ahead * (1 - Math.exp(-elapsed / PULL));
   }
 
+  /** @param {number} from @param {number} to */
   #reachedEnd(from, to) {
     if (this.#loop) {
       this.seek(from);
@@ -239,6 +243,7 @@ export class Clock {
     this.pause();
   }
 
+  /** @param {"tick" | "state"} name */
   #tell(name) {
     for (const call of [...this.#calls[name]]) call(this);
   }

@@ -90,6 +90,7 @@ export class Connection {
     this.#socket = socket;
   }
 
+  /** @param {string | ArrayBuffer} data */
   #receive(data) {
     if (data instanceof ArrayBuffer) {
       this.#tell("binary", data);
@@ -106,6 +107,7 @@ export class Connection {
     else waiting?.reject(new Refusal(message.error));
   }
 
+  /** @param {WebSocket} socket @param {CloseEvent} event */
   #closed(socket, event) {
     if (socket !== this.#socket) return;
     for (const { reject } of this.#waiting.values()) reject(new Disconnected("the connection was lost"));
@@ -116,12 +118,16 @@ export class Connection {
     this.#wait = Math.min(2 * this.#wait, LONGEST_WAIT);
   }
 
+  /** @param {string} name @param {unknown} message */
   #tell(name, message) {
     for (const call of [...(this.#calls.get(name) ?? [])]) call(message);
   }
 }
 
-/** What is null is left out: that is what the wire's fields are where nothing is said. */
+/**
+ * What is null is left out: that is what the wire's fields are where nothing is said.
+ * @param {string} key @param {unknown} value
+ */
 function withoutNulls(key, value) {
   if (value === null || typeof value !== "object" || Array.isArray(value)) return value;
   return Object.fromEntries(Object.entries(value).filter(([, inner]) => inner !== null));

@@ -4,6 +4,9 @@
  */
 
 import { settled } from "./parts/dom.js";
+/** @import {Store} from "./store.js" */
+/** @import {Studio} from "./studio.js" */
+/** @import {Written} from "./types.js" */
 
 /** @type {("source" | "choices" | "emotions")[]} */
 export const PARTS = ["source", "choices", "emotions"];
@@ -14,15 +17,18 @@ export const NOTHING = { source: { script: "", format: "text", recording: null, 
 const WAIT = 600; // ms after the last letter at which the server is told
 const KEY = "risorius-draft";
 
-/** Whether two parts of the store say the same. */
+/** Whether two parts of the store say the same. @param {unknown} a @param {unknown} b */
 export const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
-/** The parts of the store of which a take is made. */
+/** The parts of the store of which a take is made. @param {Store} store @returns {Written} */
 export function written(store) {
-  return Object.fromEntries(PARTS.map((name) => [name, store.get(name)]));
+  return { source: store.get("source"), choices: store.get("choices"), emotions: store.get("emotions") };
 }
 
-/** Whether what is written is other than what was performed (or than nothing, before the first take). */
+/**
+ * Whether what is written is other than what was performed (or than nothing, before the first take).
+ * @param {Store} store
+ */
 export function isDraft(store) {
   const made = store.get("take")?.made;
   if (made) return PARTS.some((name) => !same(store.get(name), made[name]));
@@ -45,13 +51,13 @@ export function adopted(store, before, now, asked = {}) {
   return Object.fromEntries(names.map((name) => [name, now[name]]));
 }
 
-/** Show what was performed; what was written instead can be brought back. */
+/** Show what was performed; what was written instead can be brought back. @param {Store} store */
 export function putAside(store) {
   if (!isDraft(store)) return;
   store.set({ aside: written(store), ...(store.get("take")?.made ?? NOTHING) });
 }
 
-/** Write again what was put aside. */
+/** Write again what was put aside. @param {Store} store */
 export function bringBack(store) {
   const aside = store.get("aside");
   if (aside) store.set({ aside: null, ...aside });
@@ -60,12 +66,14 @@ export function bringBack(store) {
 /**
  * Keep what is written, in this tab at once, with the server as soon as nobody writes on. To be called when the
  * session is open: before, nothing is written yet.
+ * @param {Studio} studio
  */
 export function keepDraft({ store, connection }) {
   let waits = false; // whether the server is not told yet
   const tell = () => {
     if (store.get("link") !== "up") return; // it is sent when the session opens again
     waits = false;
+    /** @param {"saved" | "saving"} draft */
     const done = (draft) => store.get("draft") === "saving" && store.set({ draft });
     connection.request("draft", written(store)).then(
       () => done("saved"),
@@ -88,6 +96,7 @@ export function keepDraft({ store, connection }) {
   store.watch(["link"], () => known !== "null" && send());
 }
 
+/** @param {string} session @param {string} text */
 function remember(session, text) {
   try {
     if (text === "null") sessionStorage.removeItem(`${KEY}-${session}`);

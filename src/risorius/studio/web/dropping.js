@@ -7,10 +7,12 @@ import { upload } from "./panels/recording.js";
 /** @param {import("./studio.js").Studio} studio */
 export function listenToDrops(studio) {
   let depth = 0;
+  /** @param {number} by */
   const over = (by) => {
     depth = by === 0 ? 0 : depth + by;
     document.body.toggleAttribute("data-dropping", depth > 0);
   };
+  /** @param {DragEvent} event */
   const files = (event) => event.dataTransfer?.types.includes("Files");
   document.addEventListener("dragenter", (event) => files(event) && over(1));
   document.addEventListener("dragleave", (event) => files(event) && over(-1));

@@ -45,6 +45,7 @@ export function showHints() {
   show(0);
   next.focus();
 
+  /** @param {number} number */
   function show(number) {
     mark(at, false);
     if (number >= HINTS.length) {
@@ -60,6 +61,7 @@ export function showHints() {
     place(card, target.getBoundingClientRect());
   }
 
+  /** @param {number} number @param {boolean} on */
   function mark(number, on) {
     const target = HINTS[number] && document.querySelector(HINTS[number][0]);
     target?.toggleAttribute("data-hinted", on);
@@ -72,7 +74,7 @@ export function showHints() {
   }
 }
 
-/** Beside what it is about, within the window. */
+/** Beside what it is about, within the window. @param {HTMLElement} card @param {DOMRect} box */
 function place(card, { left, top, bottom }) {
   const { offsetWidth: width, offsetHeight: height } = card;
   const above = top - height - 8;

@@ -8,6 +8,8 @@ import { Heads } from "./heads.js";
 import { Player } from "./player.js";
 import { KINDS, unpackFaces } from "./stage/faces.js";
 import { Stage } from "./stage/stage.js";
+/** @import {Face} from "./stage/faces.js" */
+/** @import {Take} from "./store.js" */
 
 export class HeadPlayers {
   #store;
@@ -60,7 +62,7 @@ export class HeadPlayers {
     return this.#players;
   }
 
-  /** Put the head of a take at its place, and have it follow the take. */
+  /** Put the head of a take at its place, and have it follow the take. @param {number} place @param {Take | null} take */
   async #cast(place, take) {
     const cast = ++this.#casts[place];
     if (!this.#store.get("catalogue") || (place === 1 && !take)) {
@@ -68,7 +70,7 @@ export class HeadPlayers {
       return;
     }
     this.#follow(place, take);
-    const choices = place === 0 ? this.#store.get("choices") : take.made.choices;
+    const choices = place === 0 || !take ? this.#store.get("choices") : take.made.choices;
     try {
       const figure = await this.#heads.get(choices, place);
       if (this.#casts[place] !== cast || this.#figures[place] === figure) return;
@@ -80,6 +82,7 @@ export class HeadPlayers {
     }
   }
 
+  /** @param {number} place @param {Take | null} take */
   #follow(place, take) {
     const player = this.#players[place];
     if (player.take === take) return;
@@ -95,6 +98,7 @@ export class HeadPlayers {
     return { frames: take.frames, now: frame, face: (at) => this.#players[0].face(at) };
   }
 
+  /** @param {number} place */
   #leave(place) {
     this.#players[place].load(null);
     if (this.#figures[place] === null) return;
@@ -102,6 +106,7 @@ export class HeadPlayers {
     this.stage.figures = this.#figures.filter((found) => found !== null);
   }
 
+  /** @param {ReturnType<typeof unpackFaces>} sent */
   #receive(sent) {
     if (sent.kind === KINDS.dial) {
       if (this.#store.get("dial") !== null) this.#draw(0, sent.faces[0], sent.faces[0], 0);
@@ -111,12 +116,16 @@ export class HeadPlayers {
     this.#clock.begin();
   }
 
+  /** @param {number} place @param {Face} a @param {Face} b @param {number} share */
   #show(place, a, b, share) {
     if (place === 0 && this.#store.get("dial") !== null) return;
     this.#draw(place, a, b, share);
   }
 
-  /** Faces of another head than the one on stage are of another length: they are late, or early. */
+  /**
+   * Faces of another head than the one on stage are of another length: they are late, or early.
+   * @param {number} place @param {Face} a @param {Face} b @param {number} share
+   */
   #draw(place, a, b, share) {
     const figure = this.#figures[place];
     if (!figure || a.points.length !== figure.coordinates || b.points.length !== figure.coordinates) return;

@@ -7,6 +7,8 @@ import { isDraft } from "./drafts.js";
 import { glyph } from "./parts/glyphs.js";
 import { liveSwitch } from "./live.js";
 import { switchTheme } from "./theme.js";
+/** @import {Store} from "./store.js" */
+/** @import {GlyphName} from "./parts/glyphs.js" */
 
 /**
  * @param {HTMLElement} tools @param {HTMLElement} state @param {import("./studio.js").Studio} studio
@@ -14,6 +16,7 @@ import { switchTheme } from "./theme.js";
  */
 export function mountHeader(tools, state, studio) {
   const { store, actions } = studio;
+  /** @param {GlyphName} name @param {string} label @param {() => void} act */
   const tool = (name, label, act) =>
     button(glyph(name), { class: "plain icon", id: name, "aria-label": label, title: label, onclick: act });
   const undo = tool("undo", "Undo", () => actions.undo());
@@ -43,6 +46,7 @@ export function mountHeader(tools, state, studio) {
   store.watch(["stoppable"], () => {
     stop.hidden = !store.get("stoppable");
   });
+  /** @param {{keys: string, does: string}[]} known */
   const list = (known) =>
     fill(
       keys,
@@ -51,6 +55,7 @@ export function mountHeader(tools, state, studio) {
   return { open, list };
 }
 
+/** @param {HTMLButtonElement} tool @param {string} name @param {string | undefined} what @param {string} keys */
 function showStep(tool, name, what, keys) {
   tool.disabled = !what;
   const label = what ? `${name}: ${what}` : name;
@@ -58,12 +63,14 @@ function showStep(tool, name, what, keys) {
   tool.title = `${label} (${keys})`;
 }
 
+/** @param {HTMLElement} element @param {Store} store */
 function showState(element, store) {
   const [kind, text] = stateOf(store);
   element.dataset.kind = kind;
   element.textContent = text;
 }
 
+/** @param {Store} store @returns {[kind: string, text: string]} */
 function stateOf(store) {
   if (store.get("link") === "down") {
     return store.get("catalogue")

@@ -1,11 +1,13 @@
 /** Figures of heads, fetched when they are needed and kept while they may be needed again. */
 
 import { buildFigure } from "./stage/figure.js";
+/** @import {Choices} from "./wire.js" */
 
 const MOST = 3;
 
 export class Heads {
   #stage;
+  /** @type {Map<string, Promise<import("./stage/figure.js").Figure>>} */
   #kept = new Map();
 
   /** @param {import("./stage/stage.js").Stage} stage */
@@ -15,7 +17,7 @@ export class Heads {
 
   /**
    * The figure of the head that choices ask for. `place` is where it stands: two places never share one.
-   * @param {object} choices of the wire @param {number} place
+   * @param {Choices} choices of the wire @param {number} place
    * @returns {Promise<import("./stage/figure.js").Figure>}
    */
   get(choices, place = 0) {
@@ -36,7 +38,10 @@ export class Heads {
     }
   }
 
-  /** A head is shown with its shade, without which its neckline is ragged; that may have to be worked out first. */
+  /**
+   * A head is shown with its shade, without which its neckline is ragged; that may have to be worked out first.
+   * @param {string} asked
+   */
   async #fetch(asked) {
     const [file, packing, shade] = await Promise.all([
       answered(`/api/head?${asked}`).then((response) => response.arrayBuffer()),
@@ -47,6 +52,7 @@ export class Heads {
   }
 }
 
+/** @param {Pick<Choices, "head" | "age" | "hair" | "complexion">} choices */
 function query({ head, age, hair, complexion }) {
   const given = Object.entries({ head, age, hair, complexion }).filter(
     ([, value]) => value !== null && value !== undefined,
@@ -54,6 +60,7 @@ function query({ head, age, hair, complexion }) {
   return new URLSearchParams(given.map(([name, value]) => [name, String(value)])).toString();
 }
 
+/** @param {string} address */
 async function answered(address) {
   const response = await fetch(address);
   if (!response.ok) throw new Error((await response.text()).trim() || response.statusText);

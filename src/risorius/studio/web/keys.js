@@ -46,16 +46,16 @@ export function listenToKeys(studio, help) {
   return shortcuts.flatMap(([, keys, does]) => (keys ? [{ keys, does }] : []));
 }
 
-/** @returns {string} such as "Ctrl+Shift+z" */
+/** @param {KeyboardEvent} event @returns {string} such as "Ctrl+Shift+z" */
 function pressed(event) {
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   const shift = event.shiftKey && key !== "?";
   return `${event.ctrlKey || event.metaKey ? "Ctrl+" : ""}${shift ? "Shift+" : ""}${key}`;
 }
 
-/** Whether a key is the page's: not where the element that has the focus makes use of it. */
+/** Whether a key is the page's: not where the element that has the focus makes use of it. @param {KeyboardEvent} event */
 function free(event) {
-  const element = event.target;
+  const element = /** @type {Element} */ (event.target);
   const key = pressed(event);
   if (key === "Ctrl+Enter") return true;
   if (element.closest?.("dialog[open]")) return false;

@@ -3,6 +3,7 @@
 import { button } from "./parts/fields.js";
 import { make, there } from "./parts/dom.js";
 import { glyph } from "./parts/glyphs.js";
+/** @import {Store} from "./store.js" */
 
 /**
  * Return the button that puts a live face over the stage, and takes it away.
@@ -10,18 +11,21 @@ import { glyph } from "./parts/glyphs.js";
  * @returns {HTMLElement}
  */
 export function liveSwitch({ store, clock }) {
+  /** @type {HTMLIFrameElement | null} */
   let frame = null;
   const label = "Live: type, and it speaks";
   const act = () => {
-    if (frame) frame.remove();
-    frame = frame ? null : shown(store);
-    if (frame) {
+    const now = frame ? null : shown(store);
+    frame?.remove();
+    frame = now;
+    if (now) {
       clock.pause();
-      there("stage").append(frame);
-      frame.addEventListener("load", () => {
-        const { documentElement: root } = frame.contentDocument;
+      there("stage").append(now);
+      now.addEventListener("load", () => {
+        const page = /** @type {Document} */ (now.contentDocument);
+        const { documentElement: root } = page;
         root.style.colorScheme = getComputedStyle(document.documentElement).colorScheme;
-        frame.contentDocument.getElementById("text").focus();
+        page.getElementById("text")?.focus();
       });
     }
     live.setAttribute("aria-pressed", String(frame !== null));
@@ -31,9 +35,10 @@ export function liveSwitch({ store, clock }) {
   return live;
 }
 
-/** The page of the live face, with what is chosen otherwise than usual. */
+/** The page of the live face, with what is chosen otherwise than usual. @param {Store} store */
 function shown(store) {
-  const usual = store.get("catalogue").choices;
+  /** @type {Record<string, unknown>} */
+  const usual = { ...store.get("catalogue").choices };
   const chosen = Object.entries(store.get("choices")).filter(
     ([name, value]) => JSON.stringify(value) !== JSON.stringify(usual[name]),
   );

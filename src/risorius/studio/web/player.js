@@ -4,6 +4,7 @@
  */
 
 import { KINDS } from "./stage/faces.js";
+/** @import {Face} from "./stage/faces.js" */
 
 const BEHIND = 2; // s of faces kept before the playhead
 const AHEAD = 8; // s of faces asked for beyond it
@@ -19,6 +20,7 @@ export class Player {
   #show;
   /** @type {{take: number, frames: number, rate: number} | null} */
   #take = null;
+  /** @type {Map<number, Face>} by frame */
   #faces = new Map();
   /** @type {{first: number, last: number, arrived: number} | null} */
   #asking = null;
@@ -30,7 +32,7 @@ export class Player {
   /**
    * @param {import("./connection.js").Connection} connection
    * @param {import("./clock.js").Clock} clock
-   * @param {(a: object, b: object, share: number) => void} show shows what lies between two faces
+   * @param {(a: Face, b: Face, share: number) => void} show shows what lies between two faces
    */
   constructor(connection, clock, show) {
     this.#connection = connection;
@@ -55,7 +57,7 @@ export class Player {
     return this.#take ? this.#now() : 0;
   }
 
-  /** A face of any frame; null if it cannot be had now. @param {number} frame @returns {Promise<object | null>} */
+  /** A face of any frame; null if it cannot be had now. @param {number} frame @returns {Promise<Face | null>} */
   async face(frame) {
     const { take, frames, rate } = this.#held;
     const held = () => (this.#take?.take === take ? (this.#faces.get(frame) ?? null) : null);
@@ -75,7 +77,10 @@ export class Player {
     return this.#take !== null && !this.#faces.has(this.#now());
   }
 
-  /** Whether a change is tried: then the face is that of it, not of the take, unless it plays. */
+  /**
+   * Whether a change is tried: then the face is that of it, not of the take, unless it plays.
+   * @param {boolean} previewing
+   */
   set previewing(previewing) {
     this.#previewing = previewing;
     if (!previewing) this.#showNow();
@@ -144,8 +149,7 @@ export class Player {
     const at = Math.min(this.#clock.time * this.#take.rate, this.#take.frames - 1);
     const before = Math.floor(at);
     const a = this.#faces.get(before);
-    const b = this.#faces.get(Math.min(before + 1, this.#take.frames - 1)) ?? a;
-    if (a) this.#show(a, b, at - before);
+    if (a) this.#show(a, this.#faces.get(Math.min(before + 1, this.#take.frames - 1)) ?? a, at - before);
     this.#drop(before);
   }
 
@@ -160,6 +164,7 @@ export class Player {
     if (this.#take?.take === take && this.#now() !== frame && this.behind && !this.#clock.playing) this.#glance();
   }
 
+  /** @param {number} wait */
   #later(wait) {
     clearTimeout(this.#retry);
     this.#retry = setTimeout(() => this.#ask(), wait);
@@ -170,6 +175,7 @@ export class Player {
     return Math.floor(Math.min(this.#clock.time * this.#held.rate, this.#held.frames - 1));
   }
 
+  /** @param {number} now */
   #drop(now) {
     const { rate } = this.#held;
     const [first, last] = [now - BEHIND * rate, now + 1.5 * AHEAD * rate];
@@ -180,6 +186,7 @@ export class Player {
   /**
    * Whether to wait for what was asked for: a frame that is due soon, or the first of a stretch, even if the
    * playhead has jumped on since. A server asked for each place that a hand scrubs over would never answer.
+   * @param {number} frame @param {number} rate
    */
   #comes(frame, rate) {
     const asking = this.#asking;

@@ -1,6 +1,7 @@
 /** Playing what is written: a line that is not performed yet, or was changed since, is performed first. */
 
 import { settled } from "./parts/dom.js";
+/** @import {Store} from "./store.js" */
 
 const PAUSE = 350; // ms
 
@@ -17,7 +18,7 @@ export async function playOrPause({ store, clock, actions }) {
   clock.play();
 }
 
-/** Whether playing would do anything. */
+/** Whether playing would do anything. @param {Store} store */
 export function canPlay(store) {
   return store.get("take") !== null || (written(store) && store.get("link") === "up");
 }
@@ -33,15 +34,15 @@ export function prepareWhatIsWritten({ store, actions }) {
   store.watch(["source", "emotions", "choices"], prepare);
 }
 
+/** @param {Store} store */
 function written(store) {
   const { script, recording } = store.get("source");
   return script.trim() !== "" || recording !== null;
 }
 
-/** Whether what is written is other than what was performed. */
+/** Whether what is written is other than what was performed. @param {Store} store */
 function changed(store) {
   const made = store.get("take")?.made;
   if (!written(store)) return false;
-  const same = (part) => JSON.stringify(made[part]) === JSON.stringify(store.get(part));
-  return !made || !same("source");
+  return !made || JSON.stringify(made.source) !== JSON.stringify(store.get("source"));
 }

@@ -3,6 +3,9 @@
 import { NOTHING, adopted, isDraft, keepDraft, remembered } from "./drafts.js";
 import { settled } from "./parts/dom.js";
 import { takeOf } from "./take.js";
+/** @import {Store} from "./store.js" */
+/** @import {Studio} from "./studio.js" */
+/** @import {PageView} from "./wire.js" */
 
 const KEY = "risorius-session";
 const NAME = /^[a-z0-9][a-z0-9-]{0,39}$/;
@@ -19,7 +22,7 @@ export function sessionName() {
   return name;
 }
 
-/** Open the session now and whenever the socket is back, and keep clock and page in step with it. */
+/** Open the session now and whenever the socket is back, and keep clock and page in step with it. @param {Studio} studio */
 export function openSession(studio) {
   const { store, connection, clock, notify } = studio;
   window.addEventListener("hashchange", () => location.reload());
@@ -35,6 +38,7 @@ export function openSession(studio) {
   keepView(studio);
 }
 
+/** @param {Studio} studio */
 async function open(studio) {
   const { store, connection, notify } = studio;
   if (!store.get("catalogue")) await loadCatalogue(store);
@@ -56,12 +60,13 @@ async function open(studio) {
   for (const line of state.notes) notify(line);
 }
 
+/** @param {Store} store */
 async function loadCatalogue(store) {
   const catalogue = await (await fetch("/api/catalogue")).json();
   store.set({ catalogue, choices: store.get("choices") ?? catalogue.choices });
 }
 
-/** Keep with the project what the page shows: panel, camera, playhead. */
+/** Keep with the project what the page shows: panel, camera, playhead. @param {Studio} studio */
 function keepView({ store, connection, clock, view }) {
   const keep = settled(() => {
     if (store.get("link") !== "up" || store.get("take") === null || clock.playing) return;
@@ -74,8 +79,9 @@ function keepView({ store, connection, clock, view }) {
   view.onmove(keep);
 }
 
+/** @param {Studio} studio @param {PageView} view */
 function showView({ store, view, clock, openTab }, { tab, camera, time, graphs }) {
-  if (tab) openTab(tab);
+  if (tab) openTab?.(tab);
   if (camera) view.state = camera;
   if (time) clock.seek(time);
   if (graphs) store.set({ graphs });

@@ -17,6 +17,7 @@ export function mountSplitter(bar) {
   bar.addEventListener("pointerdown", (event) => {
     const from = event.clientY + timeline.clientHeight;
     bar.setPointerCapture(event.pointerId);
+    /** @param {PointerEvent} moved */
     const move = (moved) => set(from - moved.clientY);
     bar.addEventListener("pointermove", move);
     bar.addEventListener("lostpointercapture", () => bar.removeEventListener("pointermove", move), {
@@ -30,13 +31,14 @@ export function mountSplitter(bar) {
     set(timeline.clientHeight + by);
   });
 
+  /** @param {number} height */
   function set(height) {
     const now = tell(height);
     document.documentElement.style.setProperty("--timeline-height", `${now}px`);
     localStorage.setItem(KEY, String(now));
   }
 
-  /** Say a height within the bounds to screen readers, and return it. */
+  /** Say a height within the bounds to screen readers, and return it. @param {number} height */
   function tell(height) {
     const highest = Math.max(LOWEST, window.innerHeight - LEFT_ABOVE);
     const now = Math.round(Math.min(Math.max(height, LOWEST), highest));

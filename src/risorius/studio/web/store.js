@@ -14,19 +14,19 @@
  * @property {import("./wire.js").Choices} choices the settings of the next performance
  * @property {Required<import("./wire.js").EmotionSpan>[]} emotions
  * @property {"saved" | "saving"} draft whether the server has what is written but not performed
- * @property {Pick<Parts, "source" | "choices" | "emotions"> | null} aside what was written and put aside for what is performed
+ * @property {import("./types.js").Written | null} aside what was written and put aside for what is performed
  * @property {Take | null} take the current take; null before the first
  * @property {{take: number, first: number, last: number} | null} faces frames whose faces are other than before
  * @property {string} busy a sentence on what is being waited for; "" when nothing is
  * @property {boolean} stoppable whether what is being waited for can be stopped
- * @property {{time: number | null, parameter: string | null, movement: string | null}} selection what was last pointed at
+ * @property {import("./types.js").Selection} selection what was last pointed at
  * @property {(Take & {label: string}) | null} other the second take of a comparison
  * @property {boolean} preview whether the timeline shows a change that is not made yet
- * @property {any} dial what dials hold, as `Dial` of the wire; null while the take is shown
+ * @property {import("./types.js").DialledFace | null} dial what dials hold, as `Dial` of the wire; null while the take is shown
  * @property {string[]} recordings names of the recordings that the session has
  * @property {string[]} ownEmotions names of emotions saved in the session
  * @property {Record<string, Record<string, number>>} poses poses saved in the session
- * @property {any} graphs which muscles' graphs the timeline shows, and which lanes are folded; null until chosen
+ * @property {import("./wire.js").GraphsView | null} graphs which muscles' graphs the timeline shows, and which lanes are folded; null until chosen
  * @property {string} tab name of the panel that is open
  */
 export class Store {

@@ -5,6 +5,9 @@
  * as a number, `waves[].peaks` are Int8Array (least, greatest, least, …). The rest is as the wire has it.
  */
 
+/** @import {SpeechView} from "./wire.js" */
+/** @import {Written} from "./types.js" */
+
 /** @param {string} text base64 @returns {Uint8Array} */
 export function bytesOf(text) {
   const binary = atob(text);
@@ -26,7 +29,7 @@ export function rateOf(fps) {
 
 /** @param {import("./wire.js").TakeView} view */
 export function takeOf(view) {
-  return { ...view, rate: rateOf(view.fps), curves: decoded(view.curves), speech: heard(view.speech) };
+  return { ...view, rate: rateOf(view.fps), curves: decoded(view.curves), speech: heard(view.speech), made: whole(view.made) };
 }
 
 /**
@@ -40,7 +43,8 @@ export function changedTake(take, change) {
   blocks.sort((a, b) => a.start - b.start);
   const curves = { ...take.curves, ...decoded(change.curves) };
   for (const [name, text] of Object.entries(change.curves)) if (text === "") delete curves[name];
-  const { drawn, made, undoes, redoes, warnings, lost, markers, lanes } = change;
+  const made = whole(change.made);
+  const { drawn, undoes, redoes, warnings, lost, markers, lanes } = change;
   return {
     ...take,
     take: change.take,
@@ -62,10 +66,17 @@ export function curvesOf(curves) {
   return new Map(Object.entries(curves).map(([name, text]) => [name, text === "" ? null : floatsOf(text)]));
 }
 
+/** What a take is made of: the server says all of it. @param {import("./wire.js").TakeInputs} made */
+function whole(made) {
+  return /** @type {Written} */ (made);
+}
+
+/** @param {Record<string, string>} curves */
 function decoded(curves) {
   return Object.fromEntries(Object.entries(curves).map(([name, text]) => [name, floatsOf(text)]));
 }
 
+/** @param {SpeechView | null} speech */
 function heard(speech) {
   if (speech === null) return null;
   const waves = speech.waves.map((wave) => ({ ...wave, peaks: new Int8Array(bytesOf(wave.peaks).buffer) }));

@@ -5,6 +5,8 @@ import { canPlay, playOrPause } from "./playing.js";
 import { button } from "./parts/fields.js";
 import { fill, make } from "./parts/dom.js";
 import { scrubber } from "./parts/scrubber.js";
+/** @import {Clock} from "./clock.js" */
+/** @import {GlyphName} from "./parts/glyphs.js" */
 
 const SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5];
 
@@ -16,6 +18,7 @@ export function mountTransport(element, studio) {
     id: "play",
     onclick: () => playOrPause(studio),
   });
+  /** @param {GlyphName} name @param {string} label @param {string} key @param {() => void} act */
   const icon = (name, label, key, act) =>
     button(glyph(name), {
       class: "plain icon",
@@ -70,7 +73,7 @@ export function mountTransport(element, studio) {
   }
 }
 
-/** Repeat everything, or stop repeating. */
+/** Repeat everything, or stop repeating. @param {Clock} clock */
 export function toggleLoop(clock) {
   clock.setLoop(clock.loop ? null : [0, clock.duration]);
 }

@@ -4,6 +4,9 @@ import { VIEWS } from "./stage/cameras.js";
 import { button } from "./parts/fields.js";
 import { fill, make, there } from "./parts/dom.js";
 import { glyph } from "./parts/glyphs.js";
+/** @import {Stage} from "./stage/stage.js" */
+/** @import {Store} from "./store.js" */
+/** @import {Studio} from "./studio.js" */
 
 const STEP = 8; // degrees a key turns the head by
 const ZOOM = 1.1;
@@ -50,7 +53,10 @@ export function toggleFullScreen(stage) {
   done.catch(() => {}); // where the browser does not allow it, nothing happens
 }
 
-/** Whether the line is played as finely as the head at rest is drawn, and how much of it can be by now. */
+/**
+ * Whether the line is played as finely as the head at rest is drawn, and how much of it can be by now.
+ * @param {HTMLElement} element @param {Stage} stage
+ */
 function mountFine(element, { baked }) {
   if (!baked) return;
   const label = make("span");
@@ -66,6 +72,7 @@ function mountFine(element, { baked }) {
   show();
 }
 
+/** @param {HTMLElement} note @param {Studio} studio */
 function mountNote(note, { store, clock, headPlayers }) {
   let missingSince = 0;
   store.watch(["take", "dial", "busy", "catalogue"], show);
@@ -81,6 +88,7 @@ function mountNote(note, { store, clock, headPlayers }) {
   }
 }
 
+/** @param {Store} store */
 function emptyNote(store) {
   if (!store.get("catalogue") || store.get("take") || store.get("dial")) return "";
   return store.get("busy") || "Write a line and perform it, or play an example.";

@@ -28,6 +28,7 @@ export class Work {
   async request(verb, fields, said) {
     let number = 0;
     const stop = () => this.#connection.request("stop", { request: number }).catch(() => {});
+    /** @param {number} id */
     const begun = (id) => {
       number = id;
       this.#begin(id, said, stop);
@@ -59,11 +60,13 @@ export class Work {
     [...this.#doing.values()].at(-1)?.stop();
   }
 
+  /** @param {number | symbol} key @param {string} said @param {() => void} stop */
   #begin(key, said, stop) {
     this.#doing.set(key, { said, stop });
     this.#show();
   }
 
+  /** @param {number | symbol} key */
   #end(key) {
     this.#doing.delete(key);
     this.#show();

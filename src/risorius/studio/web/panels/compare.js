@@ -4,6 +4,8 @@ import { button } from "../parts/fields.js";
 import { choiceRows } from "./choices.js";
 import { fill, make, settled, spoken } from "../parts/dom.js";
 import { takeOf } from "../take.js";
+/** @import {Take} from "../store.js" */
+/** @import {Catalogue, Choices} from "../wire.js" */
 
 const OFFERED = [
   "conflict",
@@ -27,6 +29,7 @@ const WAIT = 250;
 /** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountCompare(element, studio) {
   const { store, actions } = studio;
+  /** @type {Record<string, any>} */
   let other = {}; // what the second take has other than the first
   let asked = 0; // how often a comparison was asked for or ended: what comes late is not wanted any more
   const form = make("div", { class: "stack" });
@@ -41,6 +44,7 @@ export function mountCompare(element, studio) {
   element.append(note, form, table, make("div", { class: "panel-foot" }, show, end));
   const again = settled(() => store.get("other") && compare(), WAIT);
   let comparing = false;
+  /** @type {ReturnType<typeof choiceRows> | null} */
   let rows = null;
   store.watch(["catalogue"], () => {
     const catalogue = store.get("catalogue");
@@ -59,9 +63,10 @@ export function mountCompare(element, studio) {
     fill(table, ...differences(store.get("take"), store.get("other"), store.get("catalogue")));
   });
 
+  /** @param {string} key @param {unknown} value */
   function set(key, value) {
     other = { ...other, [key]: value };
-    if (JSON.stringify(value) === JSON.stringify(store.get("choices")[key])) delete other[key];
+    if (JSON.stringify(value) === JSON.stringify(Reflect.get(store.get("choices"), key))) delete other[key];
     mark();
     again();
   }
@@ -90,7 +95,7 @@ export function mountCompare(element, studio) {
   }
 }
 
-/** What the second take has other than the first, in words. */
+/** What the second take has other than the first, in words. @param {Choices} other */
 function labelOf(other) {
   const parts = Object.entries(other).map(
     ([key, value]) => `${spoken(key)}: ${[value ?? "own"].flat().join(", ") || "none"}`,
@@ -98,7 +103,10 @@ function labelOf(other) {
   return parts.join(" · ") || "the same";
 }
 
-/** Where the two differ most, by parameter. */
+/**
+ * Where the two differ most, by parameter.
+ * @param {Take | null} take @param {Take | null} other @param {Catalogue} catalogue
+ */
 function differences(take, other, catalogue) {
   if (!take || !other) return [];
   const rows = catalogue.parameters
@@ -127,6 +135,7 @@ function differences(take, other, catalogue) {
   return [make("table", { class: "differences" }, make("thead", {}, head), make("tbody", {}, ...cells))];
 }
 
+/** @param {Float32Array | undefined} a @param {Float32Array | undefined} b @param {number} neutral */
 function furthest(a, b, neutral) {
   let [apart, at] = [0, 0];
   const count = Math.max(a?.length ?? 0, b?.length ?? 0);

@@ -1,33 +1,36 @@
 /** What dials there are, from the catalogue, and what each reads and changes in the face that is held. */
 
 import { spoken } from "../parts/dom.js";
+/** @import {Catalogue, EmotionRow, ParameterRow, UnitRow} from "../wire.js" */
+/** @import {DialledFace, Sides} from "../types.js" */
 
-/** A face at rest, as `Dial` of the wire has it. */
+/** A face at rest, as `Dial` of the wire has it. @returns {DialledFace} */
 export function emptyFace() {
   return { values: {}, emotions: {} };
 }
 
 /**
  * The dials of a kind, in groups.
- * @param {object} catalogue @param {"muscles" | "units" | "emotions"} kind @param {"both" | "left" | "right"} side
+ * @param {Catalogue} catalogue @param {"muscles" | "units" | "emotions"} kind @param {Sides} side
  * @returns {{title: string, dials: Dial[]}[]}
- * @typedef {{label: string, hint: string, range: object, get: (face: object) => number,
- *            set: (face: object, value: number) => object}} Dial
+ * @typedef {{label: string, hint: string, range: {low: number, high: number, neutral: number, step: number},
+ *            get: (face: DialledFace) => number, set: (face: DialledFace, value: number) => DialledFace}} Dial
  */
 export function groupsOf(catalogue, kind, side) {
   if (kind === "emotions") return [{ title: "", dials: catalogue.emotions.map(emotionDial) }];
   if (kind === "units")
     {return [{ title: "", dials: catalogue.action_units.map((unit) => unitDial(unit, side)) }];}
+  /** @type {Map<string, Dial[]>} */
   const groups = new Map();
   for (const parameter of catalogue.parameters) {
     const { group, side: own } = parameter;
     if (own && own !== (side === "both" ? "left" : side)) continue;
-    if (!groups.has(group)) groups.set(group, []);
-    groups.get(group).push(muscleDial(parameter, side));
+    groups.set(group, [...(groups.get(group) ?? []), muscleDial(parameter, side)]);
   }
   return [...groups].map(([title, dials]) => ({ title, dials }));
 }
 
+/** @param {ParameterRow} parameter @param {Sides} side @returns {Dial} */
 function muscleDial({ name, base, side: own, low, high, neutral, number, unit }, side) {
   const names = !own ? [name] : side === "both" ? [`${base}.left`, `${base}.right`] : [name];
   const label = number === null ? spoken(base) : `${String(number).padStart(2, "0")} ${spoken(base)}`;
@@ -40,7 +43,10 @@ function muscleDial({ name, base, side: own, low, high, neutral, number, unit },
   };
 }
 
-/** A unit by its side: one that has no sides is the same on both. */
+/**
+ * A unit by its side: one that has no sides is the same on both.
+ * @param {UnitRow} unit @param {Sides} side @returns {Dial}
+ */
 function unitDial({ name, title, targets, approximate }, side) {
   const sided = Object.keys(targets).some((target) => target.endsWith(".left"));
   const key = side === "both" || !sided ? name : `${name}.${side}`;
@@ -53,12 +59,17 @@ function unitDial({ name, title, targets, approximate }, side) {
   };
 }
 
+/** @param {EmotionRow} emotion @returns {Dial} */
 function emotionDial({ name, description }) {
   const range = { low: 0, high: 1, neutral: 0, step: 0.01 };
   return { label: spoken(name), hint: description, range, ...over("emotions", [name], 0) };
 }
 
-/** Reading and setting these names of a part of the face; what is at rest is left out. */
+/**
+ * Reading and setting these names of a part of the face; what is at rest is left out.
+ * @param {"values" | "emotions"} part @param {string[]} names @param {number} neutral
+ * @returns {Pick<Dial, "get" | "set">}
+ */
 function over(part, names, neutral) {
   return {
     get: (face) => face[part][names[0]] ?? neutral,

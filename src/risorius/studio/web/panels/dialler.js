@@ -1,4 +1,5 @@
 import { told } from "../parts/dom.js";
+/** @import {DialledFace} from "../types.js" */
 
 /**
  * Sends the face that dials hold to the server: one request at a time, the newest face when the answer is there,
@@ -8,6 +9,7 @@ export class Dialler {
   #studio;
   #said;
   #busy = false;
+  /** @type {Record<string, any> | null} a request of the wire */
   #waiting = null;
 
   /** @param {import("../studio.js").Studio} studio @param {(line: string) => void} said hears what could not be shown */
@@ -16,7 +18,7 @@ export class Dialler {
     this.#said = said;
   }
 
-  /** Show a face in place of the take. @param {object} face `values` and `emotions` @param {boolean} live */
+  /** Show a face in place of the take. @param {DialledFace} face `values` and `emotions` @param {boolean} live */
   show(face, live) {
     const { store, clock } = this.#studio;
     clock.pause();

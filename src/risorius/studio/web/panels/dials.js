@@ -1,11 +1,16 @@
 /** Dials: a face held by hand, by muscle, action unit or emotion, one side or both; to be kept under a name. */
 
 import { button, check, slider } from "../parts/fields.js";
-import { fill, make, spoken } from "../parts/dom.js";
+import { fill, make, showFound, spoken } from "../parts/dom.js";
 import { segments } from "../parts/segments.js";
 import { Dialler } from "./dialler.js";
 import { emptyFace, groupsOf } from "./dialled.js";
 import { mountKeeping } from "./keeping.js";
+/** @import {Studio} from "../studio.js" */
+/** @import {DialledFace, Sides} from "../types.js" */
+/** @import {Dial} from "./dialled.js" */
+
+/** @typedef {"muscles" | "units" | "emotions"} Kind */
 
 const KINDS = { muscles: "Muscles", units: "Action units", emotions: "Emotions" };
 const SIDES = { both: "Both sides", left: "Left", right: "Right" };
@@ -19,9 +24,9 @@ class Dials {
   #store;
   #dialler;
   #face = emptyFace();
-  /** @type {"muscles" | "units" | "emotions"} */
+  /** @type {Kind} */
   #kind = "muscles";
-  /** @type {"both" | "left" | "right"} */
+  /** @type {Sides} */
   #side = "both";
   #live = true;
   #rows = make("div", { class: "stack" });
@@ -30,6 +35,7 @@ class Dials {
   #search;
   #sides;
 
+  /** @param {HTMLElement} element @param {Studio} studio */
   constructor(element, studio) {
     this.#store = studio.store;
     this.#dialler = new Dialler(studio, (line) => {
@@ -42,8 +48,8 @@ class Dials {
       "aria-label": "Find a dial",
       oninput: filter,
     });
-    this.#sides = segments(SIDES, "Side", this.#side, (side) => this.#choose(this.#kind, side));
-    const kinds = segments(KINDS, "Dials by", this.#kind, (kind) => this.#choose(kind, this.#side));
+    this.#sides = segments(SIDES, "Side", this.#side, (side) => this.#choose(this.#kind, /** @type {Sides} */ (side)));
+    const kinds = segments(KINDS, "Dials by", this.#kind, (kind) => this.#choose(/** @type {Kind} */ (kind), this.#side));
     const foot = make(
       "div",
       { class: "panel-foot" },
@@ -64,6 +70,7 @@ class Dials {
   }
 
   #buttons() {
+    /** @param {boolean} live */
     const change = (live) => {
       this.#live = live;
     };
@@ -76,17 +83,19 @@ class Dials {
     return make("div", { class: "row" }, springs, reset, back);
   }
 
+  /** @param {Kind} kind @param {Sides} side */
   #choose(kind, side) {
     [this.#kind, this.#side] = [kind, side];
     this.#show();
   }
 
-  /** Hold another face. */
+  /** Hold another face. @param {DialledFace} face */
   #take(face) {
     this.#send(face);
     this.#show();
   }
 
+  /** @param {DialledFace} face */
   #send(face) {
     this.#face = face;
     this.#dialler.show(face, this.#live);
@@ -100,13 +109,15 @@ class Dials {
     this.#filter();
   }
 
+  /** @param {{title: string, dials: Dial[]}} group */
   #group({ title, dials }) {
     const heading = title !== "" && make("h2", {}, spoken(title));
     return make("section", { class: "stack tight" }, heading, ...dials.map((dial) => this.#row(dial)));
   }
 
-  /** A dial with its name; a double click brings it to rest. */
+  /** A dial with its name; a double click brings it to rest. @param {Dial} dial */
   #row(dial) {
+    /** @param {number} value */
     const input = (value) => this.#send(dial.set(this.#face, value));
     const control = slider({ label: dial.label, value: dial.get(this.#face), ...dial.range, input });
     control.addEventListener("dblclick", () => {
@@ -124,6 +135,7 @@ class Dials {
 
   #showPoses() {
     const poses = Object.entries(this.#store.get("poses"));
+    /** @param {Record<string, number>} values */
     const hold = (values) => this.#take({ ...emptyFace(), values });
     fill(
       this.#saved,
@@ -133,7 +145,6 @@ class Dials {
 
   #filter() {
     const wanted = this.#search.value.trim().toLowerCase();
-    for (const row of this.#rows.querySelectorAll(".dial")) row.hidden = !row.dataset.find.includes(wanted);
-    for (const group of this.#rows.children) group.hidden = !group.querySelector(".dial:not([hidden])");
+    showFound(this.#rows, ".dial", ({ dataset }) => (dataset.find ?? "").includes(wanted));
   }
 }

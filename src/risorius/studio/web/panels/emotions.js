@@ -4,12 +4,14 @@ import { button, choice, slider } from "../parts/fields.js";
 import { fill, make, settled } from "../parts/dom.js";
 import { glyph } from "../parts/glyphs.js";
 import { hueOf } from "./hues.js";
+/** @import {EmotionSpan} from "../types.js" */
 
 const INTENSITY = 0.7; // of an emotion that is added
 const WAIT = 250; // ms after the last movement of a slider
 
 /** @param {import("../studio.js").Studio} studio @param {ReturnType<typeof import("./script.js").mountScript>} script */
 export function mountEmotions({ store, actions }, script) {
+  /** @type {EmotionSpan[] | null} */
   let shown = null;
   const rows = make("div", { class: "stack tight", id: "emotions" });
   const all = button("Add to whole line", { id: "add-emotion", onclick: () => add({}) });
@@ -31,24 +33,27 @@ export function mountEmotions({ store, actions }, script) {
     buttons,
   );
 
+  /** @param {Partial<EmotionSpan> | null} place */
   function add(place) {
     const names = store.get("catalogue").emotions.map(({ name }) => name);
     const emotion = names.includes("happiness") ? "happiness" : names[0];
     const span = { emotion, intensity: INTENSITY, start: null, end: null, first: null, last: null, ...place };
     set([...store.get("emotions"), span]);
     show();
-    rows.lastElementChild?.querySelector("select").focus();
+    rows.lastElementChild?.querySelector("select")?.focus();
   }
 
+  /** @param {EmotionSpan[]} emotions */
   function set(emotions) {
     shown = emotions;
     store.set({ emotions });
     performed();
   }
 
+  /** @param {number} place @param {Partial<EmotionSpan>} parts */
   function change(place, parts) {
     set(store.get("emotions").map((span, k) => (k === place ? { ...span, ...parts } : span)));
-    showHue(rows.children[place], store.get("emotions")[place]);
+    showHue(/** @type {HTMLElement} */ (rows.children[place]), store.get("emotions")[place]);
   }
 
   function show() {
@@ -58,14 +63,16 @@ export function mountEmotions({ store, actions }, script) {
     showPlaces();
   }
 
+  /** @param {EmotionSpan} span @param {number} place */
   function row(span, place) {
     const own = store.get("ownEmotions").map((name) => ({ name }));
     const names = [
       ...store.get("catalogue").emotions.map(({ name, description }) => ({ name, description })),
       ...own,
     ];
-    const name = choice(names, { value: span.emotion, change: (emotion) => change(place, { emotion }) });
+    const name = choice(names, { value: span.emotion, change: (emotion) => change(place, { emotion: emotion ?? "" }) });
     name.setAttribute("aria-label", "Emotion");
+    /** @param {number} intensity */
     const input = (intensity) => change(place, { intensity });
     const amount = slider({ label: "Intensity", value: span.intensity, low: 0, high: 1, step: 0.05, input });
     const remove = button(glyph("close"), {
@@ -88,8 +95,9 @@ export function mountEmotions({ store, actions }, script) {
     return element;
   }
 
+  /** @param {HTMLElement} element @param {EmotionSpan} span */
   function showHue(element, span) {
-    element?.style.setProperty("--hue", hueOf(store.get("catalogue"), span.emotion));
+    element?.style.setProperty("--hue", String(hueOf(store.get("catalogue"), span.emotion)));
   }
 
   /** Say at each emotion what it stands on. */
@@ -102,6 +110,7 @@ export function mountEmotions({ store, actions }, script) {
   }
 }
 
+/** @param {EmotionSpan} span @param {string[]} text */
 function placeOf({ first, last, start, end }, text) {
   if (first !== null) return `on “${text.slice(first, last ?? undefined).join("")}”`;
   if (start !== null || end !== null) return `from ${start ?? 0} s${end === null ? "" : ` to ${end} s`}`;

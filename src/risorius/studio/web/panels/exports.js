@@ -3,6 +3,8 @@
 import { button, check, field } from "../parts/fields.js";
 import { fill, make } from "../parts/dom.js";
 import { settingRow } from "./choices.js";
+/** @import {Studio} from "../studio.js" */
+/** @import {Download, OutputRow, ProgressEvent, SettingRow} from "../wire.js" */
 
 const USUAL = [".mp4", ".glb", ".performance.json"];
 
@@ -19,6 +21,7 @@ class Exports {
   #jobs = make("div", { class: "stack", id: "jobs", "aria-live": "polite" });
   #go = button("Export", { class: "primary", id: "export", onclick: () => this.#start() });
 
+  /** @param {HTMLElement} element @param {Studio} studio */
   constructor(element, studio) {
     this.#studio = studio;
     const { outputs, settings } = studio.store.get("catalogue");
@@ -37,7 +40,9 @@ class Exports {
     studio.store.watch(["take", "link"], () => this.#name());
   }
 
+  /** @param {OutputRow} output */
   #box({ suffix, description }) {
+    /** @param {boolean} on */
     const change = (on) => {
       if (on) this.#chosen.add(suffix);
       else this.#chosen.delete(suffix);
@@ -49,7 +54,7 @@ class Exports {
     return box;
   }
 
-  /** What videos and pictures look like. */
+  /** What videos and pictures look like. @param {SettingRow[]} settings */
   #picture(settings) {
     const rows = settings.map((setting) => {
       const { element } = settingRow(setting, this.#look[setting.key], (value) => {
@@ -75,18 +80,21 @@ class Exports {
       .filter((it) => this.#chosen.has(it));
     const name = this.#title.value.trim() || "performance";
     const answer = await actions.ask("export", {
-      take: store.get("take").take,
+      take: store.get("take")?.take,
       suffixes,
       name,
       ...this.#look,
     });
     if (!answer) return;
     this.#jobs.prepend(jobOf(this.#studio, answer.job, suffixes));
-    this.#jobs.firstElementChild.scrollIntoView({ block: "nearest" });
+    this.#jobs.firstElementChild?.scrollIntoView({ block: "nearest" });
   }
 }
 
-/** An export under way: its progress, then its files. */
+/**
+ * An export under way: its progress, then its files.
+ * @param {Studio} studio @param {number} job @param {string[]} suffixes
+ */
 function jobOf({ connection, actions }, job, suffixes) {
   const bar = make("progress", { max: 1, "aria-label": "Progress" });
   const stage = make("span", { class: "hint" }, "Starting …");
@@ -112,19 +120,21 @@ function jobOf({ connection, actions }, job, suffixes) {
   return element;
 }
 
+/** @param {HTMLProgressElement} bar @param {HTMLElement} label @param {ProgressEvent} told */
 function showProgress(bar, label, { stage, done, total }) {
   label.textContent = total ? `${stage} ${done} of ${total}` : stage;
   if (total) bar.value = done / total;
   else bar.removeAttribute("value");
 }
 
-/** One archive where there are several files, and each file. */
+/** One archive where there are several files, and each file. @param {Download[]} files */
 function linksOf(files) {
   if (files.length < 2) return files.map(fileLink);
   const path = files[0].path.replace(/[^/]*$/, "all.zip");
   return [fileLink({ path, name: "all.zip" }), ...files.map(fileLink)];
 }
 
+/** @param {Download} file */
 function fileLink({ path, name }) {
   return make("a", { class: "button", href: path, download: name }, name);
 }

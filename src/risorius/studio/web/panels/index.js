@@ -20,6 +20,7 @@ const PANELS = [
 /** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountPanels(element, studio) {
   const tabs = PANELS.map(([name, label]) => ({ name, label, panel: make("div", { id: `panel-${name}` }) }));
+  /** @param {string} name */
   const chosen = (name) => studio.store.set({ tab: name });
   const open = mountTabs(element, tabs, { label: "Panels", chosen });
   PANELS.forEach(([, , mount], place) => mount(tabs[place].panel, studio));

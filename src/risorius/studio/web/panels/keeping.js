@@ -13,6 +13,7 @@ export function mountKeeping(studio, face) {
     "aria-label": "Name of the face",
     placeholder: "Name",
   });
+  /** @param {"pose" | "emotion"} kind */
   const keep = async (kind) => {
     if (name.value.trim() === "") {
       name.focus();

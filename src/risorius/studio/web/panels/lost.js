@@ -22,6 +22,7 @@ export function mountLost({ store, actions }) {
   return element;
 }
 
+/** @param {string} text @param {() => void} bringBack */
 function row(text, bringBack) {
   const back = button("Bring back", { "aria-label": `Bring back: ${text}`, onclick: bringBack });
   return make("li", {}, make("span", {}, text), back);

@@ -9,6 +9,8 @@ import { mountLost } from "./lost.js";
 import { mountRecording } from "./recording.js";
 import { mountScript } from "./script.js";
 import { mountTags } from "./tags.js";
+/** @import {Studio} from "../studio.js" */
+/** @import {Parts} from "../store.js" */
 
 /** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountPerform(element, studio) {
@@ -35,11 +37,16 @@ export function mountPerform(element, studio) {
   });
 }
 
+/** @param {Studio} studio */
 function formatField({ store }) {
   const options = store
     .get("catalogue")
     .formats.map((name) => ({ name, title: name === "text" ? "plain text" : name }));
-  const change = (format) => store.set({ source: { ...store.get("source"), format } });
+  /** @param {string | null} name */
+  const change = (name) => {
+    const format = /** @type {Parts["source"]["format"]} */ (name);
+    store.set({ source: { ...store.get("source"), format } });
+  };
   const list = choice(options, { value: store.get("source").format, change });
   store.watch(["source"], () => list.show(store.get("source").format));
   const row = field("Written as", list, { hint: "Format of the script" });

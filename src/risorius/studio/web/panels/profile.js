@@ -3,12 +3,15 @@
 import { button, field, number } from "../parts/fields.js";
 import { fill, make, settled, spoken } from "../parts/dom.js";
 import { downloadText } from "../parts/download.js";
+/** @import {NumberRow} from "../wire.js" */
 
 const WAIT = 400;
 
 /** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountProfile(element, { store, actions }) {
+  /** @type {Record<string, number>} */
   let numbers = {}; // changed ones by key
+  /** @type {string | null | undefined} its name */
   let base = null;
   const rows = make("div", { class: "stack" });
   const name = make("input", { type: "text", id: "profile-name", maxlength: 60, value: "mine" });
@@ -49,11 +52,11 @@ export function mountProfile(element, { store, actions }) {
 
   function show() {
     const profile = store.get("catalogue").profiles.find((found) => found.name === base);
+    /** @type {Map<string, HTMLElement[]>} */
     const groups = new Map();
     for (const row of Object.values(profile?.numbers ?? {})) {
       const group = row.key.split(".")[0];
-      if (!groups.has(group)) groups.set(group, []);
-      groups.get(group).push(rowOf(row));
+      groups.set(group, [...(groups.get(group) ?? []), rowOf(row)]);
     }
     fill(
       rows,
@@ -69,7 +72,9 @@ export function mountProfile(element, { store, actions }) {
     summary.textContent = `Numbers of the profile “${base}”`;
   }
 
+  /** @param {NumberRow} row */
   function rowOf({ key, value, low, high }) {
+    /** @param {number} now */
     const change = (now) => {
       numbers = { ...numbers, [key]: now };
       if (now === value) delete numbers[key];

@@ -6,6 +6,7 @@ import { download } from "../parts/download.js";
 import { openProject } from "../dropping.js";
 import { mountExports } from "./exports.js";
 import { mountSessions } from "./sessions.js";
+/** @import {Studio} from "../studio.js" */
 
 const NOTE =
   "Everything is saved automatically. A project file restores this state exactly; it may also be dropped on the page.";
@@ -20,6 +21,7 @@ export function mountProject(element, studio) {
   });
 }
 
+/** @param {Studio} studio */
 function projectOf(studio) {
   const { store, actions } = studio;
   const file = make("input", {
@@ -29,7 +31,7 @@ function projectOf(studio) {
     tabindex: "-1",
     "aria-label": "Project file",
   });
-  file.addEventListener("change", () => file.files[0] && openProject(studio, file.files[0]));
+  file.addEventListener("change", () => file.files?.[0] && openProject(studio, file.files[0]));
   const keep = async () => {
     const made = await actions.ask("project");
     if (made) download(made);
@@ -59,7 +61,9 @@ const LATE =
   "What the browser knows of the sound's delay is taken into account. Where the lips are still ahead of what you hear, " +
   "as with some wireless headphones, say by how much.";
 
+/** @param {Studio} studio */
 function soundOf({ clock }) {
+  /** @param {number | null} late */
   const change = (late) => {
     clock.delay = (late ?? 0) / 1000;
   };

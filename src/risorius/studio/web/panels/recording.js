@@ -3,6 +3,7 @@
 import { button } from "../parts/fields.js";
 import { fill, make, there, told } from "../parts/dom.js";
 import { recordButton } from "./microphone.js";
+/** @import {Store} from "../store.js" */
 
 const SOUNDS = "audio/*,.wav,.flac,.ogg,.mp3";
 
@@ -16,7 +17,7 @@ export function mountRecording(studio) {
     class: "unseen",
     tabindex: "-1",
     "aria-label": "Recording",
-    onchange: () => file.files[0] && upload(studio, file.files[0]),
+    onchange: () => file.files?.[0] && upload(studio, file.files[0]),
   });
   const element = make("div", { class: "recording" });
   const record = recordButton(studio, (sound) => upload(studio, sound));
@@ -47,7 +48,10 @@ export function mountRecording(studio) {
   }
 }
 
-/** The words that were recognized in the recording where no transcript is written; "" where there is one. @returns {string} */
+/**
+ * The words that were recognized in the recording where no transcript is written; "" where there is one.
+ * @param {Store} store @returns {string}
+ */
 function recognized(store) {
   const { script, recording } = store.get("source");
   const take = store.get("take");
@@ -76,7 +80,10 @@ export async function upload({ store, notify, actions }, file) {
   }
 }
 
-/** A recording's own name: the server tells those of the same name apart by eight digits before the suffix. */
+/**
+ * A recording's own name: the server tells those of the same name apart by eight digits before the suffix.
+ * @param {string} recording
+ */
 function plainName(recording) {
   return recording.replace(/-[0-9a-f]{8}(?=\.\w+$)/, "");
 }

@@ -1,8 +1,12 @@
 /** Rules: which fired and where, each to be switched off; and the profile's numbers. */
 
 import { button } from "../parts/fields.js";
-import { fill, make, spoken } from "../parts/dom.js";
+import { fill, make, showFound, spoken } from "../parts/dom.js";
 import { mountProfile } from "./profile.js";
+/** @import {Studio} from "../studio.js" */
+/** @import {FiredRule} from "../wire.js" */
+
+/** @typedef {{id: string, comment: string}} Known a rule, or what else made movements */
 
 /** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
 export function mountRules(element, studio) {
@@ -18,8 +22,10 @@ class Rules {
   #search;
   #onlyFired;
   #asked = 0;
+  /** @type {Map<string, FiredRule>} */
   #found = new Map();
 
+  /** @param {HTMLElement} element @param {Studio} studio */
   constructor(element, studio) {
     this.#studio = studio;
     this.#store = studio.store;
@@ -37,7 +43,7 @@ class Rules {
     this.#store.watch(["catalogue", "take", "tab"], () => this.#update(profile));
   }
 
-  /** Nothing is asked of the server while the panel is not seen. */
+  /** Nothing is asked of the server while the panel is not seen. @param {HTMLElement} profile */
   async #update(profile) {
     const take = this.#store.get("take");
     if (this.#store.get("tab") !== "rules" || !this.#store.get("catalogue")) return;
@@ -46,7 +52,7 @@ class Rules {
       this.#asked = take.take;
       const answer = await this.#studio.actions.ask("rules_fired", { take: take.take });
       if (this.#asked !== take.take) return;
-      this.#found = new Map((answer?.rules ?? []).map((rule) => [rule.rule, rule]));
+      this.#found = new Map(/** @type {FiredRule[]} */ (answer?.rules ?? []).map((rule) => [rule.rule, rule]));
     }
     this.#show();
   }
@@ -67,13 +73,15 @@ class Rules {
 
   /** The rules of the catalogue, and what else made movements, in order of their ids. */
   #known() {
+    /** @type {Map<string, Known>} */
     const rules = new Map(this.#store.get("catalogue").rules.map((rule) => [rule.id, rule]));
     for (const [id, { comment }] of this.#found) if (!rules.has(id)) rules.set(id, { id, comment });
     return [...rules.values()].sort((a, b) => (a.id < b.id ? -1 : 1));
   }
 
+  /** @param {Known} rule */
   #row({ id, comment }) {
-    const on = !this.#store.get("choices").rules_off.includes(id);
+    const on = !this.#off.includes(id);
     const { times = [], blocks = [] } = this.#found.get(id) ?? {};
     const box = make("input", {
       type: "checkbox",
@@ -95,7 +103,12 @@ class Rules {
     return make("div", { class: "rule", ...about }, label, chips, make("p", { class: "hint" }, comment));
   }
 
-  /** A button that leads to where a rule fired. */
+  /** Rules that are switched off. */
+  get #off() {
+    return this.#store.get("choices").rules_off ?? [];
+  }
+
+  /** A button that leads to where a rule fired. @param {number} time @param {string} movement */
   #place(time, movement) {
     const { clock, actions } = this.#studio;
     const go = () => {
@@ -107,22 +120,22 @@ class Rules {
     return button(text, { class: "chip", "aria-label": `Go to ${text} seconds`, onclick: go });
   }
 
+  /** @param {string} id @param {boolean} on */
   #turn(id, on) {
-    const off = this.#store.get("choices").rules_off.filter((other) => other !== id);
+    const off = this.#off.filter((other) => other !== id);
     this.#studio.actions.choose({ choices: { rules_off: on ? off : [...off, id] } });
   }
 
   #filter() {
     const wanted = this.#search.value.trim().toLowerCase();
-    for (const row of this.#list.querySelectorAll(".rule")) {
-      const idle = this.#onlyFired.checked && row.dataset.idle !== undefined;
-      row.hidden = idle || !row.dataset.find.includes(wanted);
-    }
-    for (const group of this.#list.children) group.hidden = !group.querySelector(".rule:not([hidden])");
+    showFound(this.#list, ".rule", ({ dataset }) => {
+      const idle = this.#onlyFired.checked && dataset.idle !== undefined;
+      return !idle && (dataset.find ?? "").includes(wanted);
+    });
   }
 }
 
-/** A row of buttons; of many the first, and one that shows the others. */
+/** A row of buttons; of many the first, and one that shows the others. @param {HTMLElement[]} places */
 function folded(places) {
   const row = make("div", { class: "row tight" }, ...places.slice(0, PLACES));
   const rest = places.slice(PLACES);

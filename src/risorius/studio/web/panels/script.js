@@ -14,6 +14,7 @@ export function mountScript({ store }) {
   const text = make("textarea", { id: "script", rows: 3, spellcheck: "true", placeholder: "Text to say …" });
   const label = make("label", { for: "script", class: "label" }, "Line");
   const paper = make("div", { class: "paper" }, marks, text);
+  /** @type {(() => void)[]} */
   const calls = [];
   text.addEventListener("input", () => typed(text.value));
   text.addEventListener("scroll", () => {
@@ -33,6 +34,7 @@ export function mountScript({ store }) {
   const element = make("div", { class: "stack tight" }, label, paper);
   return { element, selected, onselect: (call) => calls.push(call) };
 
+  /** @param {string} script */
   function typed(script) {
     const source = store.get("source");
     const emotions = movedSpans(store.get("emotions"), source.script, script);
@@ -47,7 +49,8 @@ export function mountScript({ store }) {
   /** Marks lie behind the text, letter by letter: the same text with the stretches coloured. */
   function showMarks() {
     const spans = store.get("emotions").filter((span) => span.first !== null);
-    const units = (place) => unitAt(text.value, place);
+    /** @param {number | null} place */
+    const units = (place) => unitAt(text.value, place ?? 0);
     const cuts = [
       ...new Set([0, text.value.length, ...spans.flatMap((s) => [units(s.first), units(s.last)])]),
     ];
@@ -57,7 +60,7 @@ export function mountScript({ store }) {
       const piece = text.value.slice(cuts[k], end);
       if (!over) return piece;
       const mark = make("mark", {}, piece);
-      mark.style.setProperty("--hue", hueOf(store.get("catalogue"), over.emotion));
+      mark.style.setProperty("--hue", String(hueOf(store.get("catalogue"), over.emotion)));
       return mark;
     });
     fill(marks, ...pieces, "\n");

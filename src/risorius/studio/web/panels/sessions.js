@@ -2,6 +2,10 @@
 
 import { button } from "../parts/fields.js";
 import { fill, make, told } from "../parts/dom.js";
+/**
+ * @typedef {{session: string, title: string, line: string, changed: number, open: boolean}} SessionEntry as
+ *   `GET /api/sessions` lists them; `changed` is when, in seconds
+ */
 
 const WHEN = { dateStyle: "medium", timeStyle: "short" };
 
@@ -25,16 +29,19 @@ export function mountSessions(studio) {
   async function show() {
     const number = ++asked;
     const response = await fetch("/api/sessions").catch(() => null);
+    /** @type {SessionEntry[] | null} */
     const sessions = response?.ok ? await response.json() : null;
     if (number !== asked || sessions === null || list.contains(document.activeElement)) return;
     const now = JSON.stringify(sessions.map(({ changed, ...entry }) => entry));
     if (now !== shown) fill(list, ...sessions.map(row));
     shown = now;
     sessions.forEach(({ changed }, k) => {
-      list.children[k].querySelector(".hint").textContent = new Date(1000 * changed).toLocaleString([], /** @type {Intl.DateTimeFormatOptions} */ (WHEN));
+      const when = /** @type {Element} */ (list.children[k].querySelector(".hint"));
+      when.textContent = new Date(1000 * changed).toLocaleString([], /** @type {Intl.DateTimeFormatOptions} */ (WHEN));
     });
   }
 
+  /** @param {SessionEntry} entry */
   function row(entry) {
     const { session, title, line } = entry;
     const here = session === store.get("session");
@@ -69,6 +76,7 @@ export function mountSessions(studio) {
     return make("li", { "data-session": session, "aria-current": here ? "true" : null }, name, when, tools);
   }
 
+  /** @param {string} session @param {string} called */
   async function drop(session, called) {
     if (!(await act(session, "delete"))) return;
     leave();
@@ -82,7 +90,7 @@ export function mountSessions(studio) {
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
   }
 
-  /** @returns {Promise<boolean>} whether it was done */
+  /** @param {string} session @param {string} what @returns {Promise<boolean>} whether it was done */
   async function act(session, what) {
     try {
       const response = await fetch(`/api/session/${session}/${what}`, { method: "POST" });

@@ -3,10 +3,11 @@
 import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { movedSpans } from "../parts/text.js";
+/** @import {Parts} from "../store.js" */
 
 const TAG = /<\/?[A-Za-z][^<>]*>/;
 const TAGS = new RegExp(TAG, "g");
-/** @type {[RegExp, string][]} */
+/** @type {[RegExp, Parts["source"]["format"]][]} */
 const ROOTS = [
   [/^\s*(<\?xml[^>]*>\s*)?<speak\b/i, "ssml"],
   [/^\s*(<\?xml[^>]*>\s*)?<bml\b/i, "bml"],
@@ -18,7 +19,10 @@ export function hasTags(text) {
   return TAG.test(text);
 }
 
-/** The text as markup, with its format: tags within words are SSML's. @param {string} text */
+/**
+ * The text as markup, with its format: tags within words are SSML's.
+ * @param {string} text @returns {Pick<Parts["source"], "script" | "format">}
+ */
 export function asMarkup(text) {
   const format = ROOTS.find(([root]) => root.test(text))?.[1];
   return format ? { script: text, format } : { script: `<speak>${text}</speak>`, format: "ssml" };
@@ -47,6 +51,7 @@ export function mountTags({ store }) {
     return store.get("source").script;
   }
 
+  /** @param {Pick<Parts["source"], "script" | "format">} parts */
   function write(parts) {
     const source = { ...store.get("source"), ...parts };
     store.set({ source, emotions: movedSpans(store.get("emotions"), text(), source.script) });

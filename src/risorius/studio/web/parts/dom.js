@@ -1,12 +1,15 @@
 /** Small helpers to make elements. */
 
+/** @import {Attributes, Child} from "../types.js" */
+
 /**
  * Make an element.
- * @param {string} tag
- * @param {Record<string, any>} [given] attributes; `onclick` and the like are listeners, `class` is the class,
+ * @template {keyof HTMLElementTagNameMap} T
+ * @param {T} tag
+ * @param {Attributes} [given] attributes; `onclick` and the like are listeners, `class` is the class,
  *   what is false, null or undefined is left out; `value`, `checked`, `disabled` are set as properties
- * @param {...(Node | string | null | false)} children
- * @returns {any}
+ * @param {...Child} children
+ * @returns {HTMLElementTagNameMap[T]}
  */
 export function make(tag, given = {}, ...children) {
   const element = document.createElement(tag);
@@ -17,7 +20,7 @@ export function make(tag, given = {}, ...children) {
     else element.setAttribute(name, value === true ? "" : value);
   }
   element.append(...children.filter((child) => child !== null && child !== false));
-  for (const name of PROPERTIES) if (given[name] !== undefined) element[name] = given[name];
+  for (const name of PROPERTIES) if (given[name] !== undefined) Reflect.set(element, name, given[name]);
   return element;
 }
 const PROPERTIES = new Set(["value", "checked", "disabled", "hidden", "indeterminate"]);
@@ -27,9 +30,14 @@ export function contextOf(canvas, settings) {
   return /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", settings));
 }
 
-/** An element that the page is known to have. @param {string} id @returns {any} */
+/** An element that the page is known to have. @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
 export function there(id) {
-  return document.getElementById(id);
+  return /** @type {T} */ (document.getElementById(id));
+}
+
+/** An element within another by a selector; null if there is none. @param {Element} within @param {string} selector */
+export function foundIn(within, selector) {
+  return /** @type {HTMLElement | null} */ (within.querySelector(selector));
 }
 
 /** What was thrown, in a line. @param {unknown} error @returns {string} */
@@ -44,19 +52,20 @@ export function fresh(prefix = "e") {
   return `${prefix}-${names}`;
 }
 
-/** Put other children into an element. */
+/** Put other children into an element. @template {HTMLElement} E @param {E} element @param {...Child} children */
 export function fill(element, ...children) {
   element.replaceChildren(...children.filter((child) => child !== null && child !== false));
   return element;
 }
 
-/** Call at most once per animation frame, with the last arguments. */
+/** Call at most once per animation frame, with the last arguments. @template {unknown[]} A @param {(...given: A) => void} call */
 export function perFrame(call) {
+  /** @type {A | null} */
   let last = null;
-  return (...given) => {
+  return (/** @type {A} */ ...given) => {
     if (last === null) {
       requestAnimationFrame(() => {
-        const now = last;
+        const now = /** @type {A} */ (last);
         last = null;
         call(...now);
       });
@@ -65,13 +74,27 @@ export function perFrame(call) {
   };
 }
 
-/** Call when nothing new has come for `wait` ms. */
+/**
+ * Call when nothing new has come for `wait` ms.
+ * @template {unknown[]} A @param {(...given: A) => void} call @param {number} wait
+ */
 export function settled(call, wait) {
   let timer = 0;
-  return (...given) => {
+  return (/** @type {A} */ ...given) => {
     clearTimeout(timer);
     timer = setTimeout(() => call(...given), wait);
   };
+}
+
+/**
+ * Show those of a list's rows that are wanted, and the groups that have one of them.
+ * @param {HTMLElement} list of groups @param {string} row what rows are, as a selector
+ * @param {(row: HTMLElement) => boolean} wanted
+ */
+export function showFound(list, row, wanted) {
+  for (const one of /** @type {NodeListOf<HTMLElement>} */ (list.querySelectorAll(row))) one.hidden = !wanted(one);
+  const groups = /** @type {Iterable<HTMLElement>} */ (list.children);
+  for (const group of groups) group.hidden = !group.querySelector(`${row}:not([hidden])`);
 }
 
 /** @param {string} name e.g. "zygomatic_major.left" @returns {string} as people read it */

@@ -1,8 +1,12 @@
 /** Labelled controls: each returns its element; those that can be set from outside have a `show` method. */
 
 import { fresh, make, spoken } from "./dom.js";
+/** @import {Attributes, Child} from "../types.js" */
 
-/** A label beside a control. */
+/**
+ * A label beside a control.
+ * @param {string} label @param {HTMLElement} control @param {{stacked?: boolean, hint?: string}} [about]
+ */
 export function field(label, control, { stacked = false, hint = "" } = {}) {
   const inner = control.matches("input, select, textarea") ? control : control.querySelector("input, select");
   if (inner && !inner.id) inner.id = fresh("field");
@@ -23,24 +27,30 @@ export function choice(options, { value, empty, change }) {
     const { name, title, description } = typeof option === "string" ? { name: option } : option;
     list.append(make("option", { value: name, title: description ?? null }, title ?? spoken(name)));
   }
-  list.show = (now) => {
+  /** @param {string | null} now */
+  const show = (now) => {
     list.value = now ?? "";
   };
-  list.show(value);
-  return list;
+  show(value);
+  return Object.assign(list, { show });
 }
 
-/** A box to tick. */
+/** A box to tick. @param {string} label @param {{value: boolean, change: (on: boolean) => void, hint?: string}} about */
 export function check(label, { value, change, hint = "" }) {
   const box = make("input", { type: "checkbox", checked: value, onchange: () => change(box.checked) });
   const element = make("label", { class: "check", title: hint || null }, box, make("span", {}, label));
-  element.show = (now) => {
+  /** @param {boolean} now */
+  const show = (now) => {
     box.checked = now;
   };
-  return element;
+  return Object.assign(element, { show });
 }
 
-/** A number that is typed. Empty is null where `optional` is true. */
+/**
+ * A number that is typed. Empty is null where `optional` is true.
+ * @param {{value: number | null, low: number | null, high: number | null, step?: number | string, optional?: boolean,
+ *          placeholder?: string, change: (value: any) => void}} about `change` hears a number, or null
+ */
 export function number({ value, low, high, step = "any", optional = false, placeholder = "", change }) {
   const box = make("input", {
     type: "number",
@@ -54,11 +64,12 @@ export function number({ value, low, high, step = "any", optional = false, place
       else box.reportValidity();
     },
   });
-  box.show = (now) => {
-    if (document.activeElement !== box) box.value = now ?? "";
+  /** @param {number | null} now */
+  const show = (now) => {
+    if (document.activeElement !== box) box.value = String(now ?? "");
   };
-  box.show(value);
-  return box;
+  show(value);
+  return Object.assign(box, { show });
 }
 
 /**
@@ -72,8 +83,9 @@ export function slider({ label, value, low, high, step = 0.01, input, change = (
   const places = Math.max(0, Math.ceil(-Math.log10(step)));
   const bar = make("input", { type: "range", ...bounds, "aria-label": label });
   const box = make("input", { type: "number", ...bounds, "aria-label": `${label}, number` });
+  /** @param {number} now */
   const show = (now) => {
-    bar.value = now;
+    bar.value = String(now);
     if (document.activeElement !== box) box.value = Number(now).toFixed(places);
   };
   bar.addEventListener("input", () => {
@@ -91,12 +103,11 @@ export function slider({ label, value, low, high, step = 0.01, input, change = (
     change(Number(box.value));
   });
   const element = make("div", { class: "slider" }, bar, box);
-  element.show = show;
   show(value);
-  return element;
+  return Object.assign(element, { show });
 }
 
-/** A button. `about` are attributes as for `make`. */
+/** A button. `about` are attributes as for `make`. @param {Child | Child[]} label @param {Attributes} [about] */
 export function button(label, about = {}) {
   return make("button", { type: "button", ...about }, ...[label].flat());
 }

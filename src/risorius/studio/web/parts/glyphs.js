@@ -18,7 +18,9 @@ const PATHS = {
   sound: '<path d="M4 9.500v5h3.500L12 18V6L7.500 9.500zM15.500 9a4 4 0 0 1 0 6M18 6.500a8 8 0 0 1 0 11"/>',
 };
 
-/** @param {keyof PATHS} name @returns {SVGElement} */
+/** @typedef {keyof PATHS} GlyphName */
+
+/** @param {GlyphName} name @returns {SVGElement} */
 export function glyph(name) {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   svg.setAttribute("viewBox", "0 0 24 24");

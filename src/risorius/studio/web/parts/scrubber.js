@@ -15,9 +15,10 @@ export function scrubber(label, input) {
   const thumb = make("div", { class: "scrub-thumb" }, make("div"));
   const element = make("div", { class: "scrubber" }, make("div", { class: "scrub-track" }, filled), thumb, slider);
   return Object.assign(element, {
+    /** @param {number} value @param {number} most @param {string} told */
     show(value, most, told) {
-      slider.max = most;
-      slider.value = value;
+      slider.max = String(most);
+      slider.value = String(value);
       slider.setAttribute("aria-valuetext", told);
       const share = most > 0 ? value / most : 0;
       filled.style.transform = `scaleX(${share})`;

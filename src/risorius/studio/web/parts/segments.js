@@ -8,6 +8,7 @@ import { make } from "./dom.js";
  * @param {string} value the one that is pressed @param {(name: string) => void} change
  */
 export function segments(options, label, value, change) {
+  /** @param {string} chosen */
   const press = (chosen) => {
     for (const it of buttons) it.setAttribute("aria-pressed", String(it.dataset.name === chosen));
   };

@@ -34,6 +34,7 @@ export function mountTabs(element, tabs, { label, chosen }) {
   });
   element.append(list, ...tabs.map((tab) => tab.panel));
 
+  /** @param {string} name */
   function open(name) {
     for (const tab of tabs) {
       const here = tab.name === name;

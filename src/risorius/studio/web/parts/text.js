@@ -24,13 +24,14 @@ export function movedSpans(spans, before, after) {
   let end = 0;
   while (end < a.length - same && end < b.length - same && a.at(-1 - end) === b.at(-1 - end)) end += 1;
   const [changedTo, by] = [a.length - end, b.length - a.length];
+  /** @param {number} place @param {boolean} isLast */
   const moved = (place, isLast) => {
     if (place < same || (place === same && (isLast || changedTo > same))) return place;
     return place >= changedTo ? place + by : isLast ? same : changedTo + by;
   };
   return spans
     .map((span) =>
-      span.first === null ? span : { ...span, first: moved(span.first, false), last: moved(span.last, true) },
+      span.first === null ? span : { ...span, first: moved(span.first, false), last: moved(span.last ?? 0, true) },
     )
     .filter((span) => span.first === null || (span.last ?? 0) > span.first);
 }

@@ -1,6 +1,8 @@
 /** The faces of the performance: chunks about the playhead are inflated, the others rest. */
 
 import { inflated } from "./data.js";
+/** @import {PlayedFacts} from "../types.js" */
+/** @import {Face} from "../stage/faces.js" */
 
 const KEPT = 4; // chunks, of a second or so each
 
@@ -9,10 +11,11 @@ export class PlayedFaces {
   #poses;
   /** @type {Promise<Int16Array> | null} the points of the first face */
   #base = null;
+  /** @type {Map<number, Face[] | null>} */
   #chunks = new Map(); // number -> faces, or null while they are inflated
   #arrived;
 
-  /** @param {object} facts of the page @param {Float32Array} poses @param {() => void} arrived */
+  /** @param {PlayedFacts} facts of the page @param {Float32Array} poses @param {() => void} arrived */
   constructor(facts, poses, arrived) {
     this.#facts = facts;
     this.#poses = poses;
@@ -28,6 +31,7 @@ export class PlayedFaces {
     return this.#chunks.get(number)?.[frame - number * chunk] ?? null;
   }
 
+  /** @param {number} number */
   #want(number) {
     if (this.#chunks.has(number)) return;
     for (const old of this.#chunks.keys()) if (this.#chunks.size >= KEPT) this.#chunks.delete(old);
@@ -35,6 +39,7 @@ export class PlayedFaces {
     this.#unpack(number);
   }
 
+  /** @param {number} number */
   async #unpack(number) {
     const first = (this.#base ??= this.#points(0, null).then(([face]) => face));
     const points = await (number === 0 ? this.#points(0, null) : first.then((base) => this.#points(number, base)));
@@ -43,7 +48,10 @@ export class PlayedFaces {
     this.#arrived();
   }
 
-  /** The points of a chunk's faces; each is the one before and a difference. */
+  /**
+   * The points of a chunk's faces; each is the one before and a difference.
+   * @param {number} number @param {Int16Array | null} base
+   */
   async #points(number, base) {
     const bytes = new Uint8Array(await inflated(`faces-${number}`));
     const count = 3 * this.#facts.stage.vertices;
@@ -62,9 +70,10 @@ export class PlayedFaces {
     });
   }
 
+  /** @param {Int16Array} points @param {number} frame @returns {Face} */
   #face(points, frame) {
     const { pose } = this.#facts.stage;
     const turns = this.#poses.subarray(frame * pose, (frame + 1) * pose);
-    return { points, head: turns.subarray(0, 4), eyes: [turns.subarray(4, 8), turns.subarray(8, 12)], jaw: turns[12] };
+    return { points, head: turns.subarray(0, 4), eyes: [turns.subarray(4, 8), turns.subarray(8, 12)], jaw: turns[12], frame };
   }
 }

@@ -19,6 +19,7 @@ if (!draws3d()) {
   element("note").textContent = NO_3D;
   throw new Error(NO_3D);
 }
+/** @type {import("../types.js").PlayedFacts} */
 const facts = JSON.parse(new TextDecoder().decode(await inflated("facts")));
 const fps = rateOf(facts.fps);
 const clock = new Clock();
@@ -30,7 +31,7 @@ const faces = new PlayedFaces(facts, new Float32Array(poses), () => {
   show();
   clock.begin();
 });
-element("head").addEventListener("keydown", (event) => turnByKeys(event, stage.view));
+element("head").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => turnByKeys(event, stage.view));
 const play = element("play");
 play.onclick = () => (clock.playing ? clock.pause() : clock.play());
 document.addEventListener("keydown", (event) => {

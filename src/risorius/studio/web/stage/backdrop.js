@@ -38,7 +38,7 @@ export class Backdrop {
   }
 }
 
-/** Red, green and blue of a colour of the style sheet, 0 to 1. */
+/** Red, green and blue of a colour of the style sheet, 0 to 1. @param {string} text */
 function channels(text) {
   const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(1, 1).getContext("2d"));
   context.fillStyle = text;

@@ -12,7 +12,7 @@ const QUALITY = 0.92;
 const KEY = "risorius-fine-preview";
 
 /**
- * @typedef {{frames: number, now: number, face: (frame: number) => Promise<object | null>}} Line
+ * @typedef {{frames: number, now: number, face: (frame: number) => Promise<import("./faces.js").Face | null>}} Line
  * the take, the frame at the playhead, and its faces; null where one cannot be had now
  */
 
@@ -131,6 +131,7 @@ export class Baked {
     return this.#making || this.#timer !== 0;
   }
 
+  /** @param {number} time */
   #wait(time) {
     this.#timer = setTimeout(() => {
       this.#timer = 0;
@@ -165,12 +166,12 @@ export class Baked {
     this.#tell();
   }
 
-  /** The frame whose picture is shown at a frame: every second one is made first. */
+  /** The frame whose picture is shown at a frame: every second one is made first. @param {number} frame */
   #near(frame) {
     return [frame, frame - 1].find((one) => this.#pictures.has(one)) ?? null;
   }
 
-  /** Have the pictures of the next frames ready. */
+  /** Have the pictures of the next frames ready. @param {number} frame */
   #decode(frame) {
     for (const other of this.#decoded.keys()) if (other < frame || other > frame + AHEAD) this.#drop(other);
     for (let k = frame; k <= frame + AHEAD; k++) {
@@ -185,6 +186,7 @@ export class Baked {
     }
   }
 
+  /** @param {number} frame */
   #drop(frame) {
     this.#decoded.get(frame)?.close();
     this.#decoded.delete(frame);
@@ -195,13 +197,18 @@ export class Baked {
   }
 }
 
-/** The frames in the order in which they are made: every second one from the playhead on, then those between. */
+/**
+ * The frames in the order in which they are made: every second one from the playhead on, then those between.
+ * @param {Line} line @param {number} most
+ */
 function order({ frames, now }, most) {
   const around = Array.from({ length: frames }, (_, k) => (now + k) % frames).slice(0, most);
+  /** @param {number} frame */
   const even = (frame) => frame % 2 === 0;
   return [...around.filter(even), ...around.filter((frame) => !even(frame))];
 }
 
+/** @param {ImageData} picture */
 function blobOf(picture) {
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   canvas.getContext("2d", { willReadFrequently: true })?.putImageData(picture, 0, 0);

@@ -1,8 +1,10 @@
 /** From where the head is looked at: named views, and turning and zooming by mouse, touch and keys. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+/** @import {CameraState} from "../types.js" */
 
 // Centre in metres in the head's frame, height of what is seen in metres, turn and tilt in degrees.
+/** @type {Record<string, {label: string} & CameraState>} */
 export const VIEWS = {
   front: { label: "Front", centre: [0, 0.0, 0.03], height: 0.31, turn: 0, tilt: 0 },
   three_quarter: { label: "Three-quarter", centre: [0, -0.005, -0.02], height: 0.32, turn: 35, tilt: 4 },
@@ -24,6 +26,7 @@ export class View {
   #turn = 0;
   #tilt = 0;
   #changed;
+  /** @type {(() => void)[]} */
   #calls = [];
 
   /** @param {() => void} changed called when there is something else to see */
@@ -49,7 +52,7 @@ export class View {
 
   /** @param {string} name one of VIEWS */
   choose(name) {
-    this.state = /** @type {Record<string, any>} */ (VIEWS)[name];
+    this.state = VIEWS[name];
   }
 
   /** @param {number} across degrees @param {number} up degrees */
@@ -73,7 +76,7 @@ export class View {
     this.#moved();
   }
 
-  /** What the project keeps. */
+  /** What the project keeps. @returns {CameraState} */
   get state() {
     const { x, y, z } = this.#centre;
     return { centre: [x, y, z], height: this.#height, turn: this.#turn, tilt: this.#tilt };
@@ -84,14 +87,18 @@ export class View {
     this.#moved();
   }
 
-  /** Fit to a picture of this shape: the view's height is seen, or as much again across where it is narrow. */
+  /**
+   * Fit to a picture of this shape: the view's height is seen, or as much again across where it is narrow.
+   * @param {number} width @param {number} height
+   */
   fit(width, height) {
     this.camera.aspect = width / height;
     this.#place();
   }
 
-  /** Let the pointer turn, shift (with shift or the right button) and zoom on an element. */
+  /** Let the pointer turn, shift (with shift or the right button) and zoom on an element. @param {HTMLElement} element */
   listen(element) {
+    /** @type {Map<number, [x: number, y: number]>} */
     const pointers = new Map();
     element.addEventListener("pointerdown", (event) => {
       element.setPointerCapture(event.pointerId);
@@ -100,18 +107,20 @@ export class View {
     element.addEventListener("pointermove", (event) => {
       if (pointers.has(event.pointerId)) this.#drag(pointers, event, element.clientHeight);
     });
-    for (const name of ["pointerup", "pointercancel"]) {
+    for (const name of /** @type {("pointerup" | "pointercancel")[]} */ (["pointerup", "pointercancel"])) {
       element.addEventListener(name, (event) => pointers.delete(event.pointerId));
     }
     element.addEventListener("contextmenu", (event) => event.preventDefault());
     element.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
   }
 
+  /** @param {Map<number, [x: number, y: number]>} pointers @param {PointerEvent} event @param {number} height */
   #drag(pointers, event, height) {
-    const [x, y] = pointers.get(event.pointerId);
+    const [x, y] = pointers.get(event.pointerId) ?? [event.clientX, event.clientY];
     const [across, down] = [event.clientX - x, event.clientY - y];
     if (pointers.size === 2) {
-      const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
+      const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1] ?? [x, y];
+      /** @param {number} px @param {number} py */
       const apart = (px, py) => Math.hypot(px - other[0], py - other[1]);
       this.zoom(apart(x, y) / Math.max(apart(event.clientX, event.clientY), 1));
     } else if (event.shiftKey || event.buttons === 2) this.shift(across / height, down / height);
@@ -119,11 +128,13 @@ export class View {
     pointers.set(event.pointerId, [event.clientX, event.clientY]);
   }
 
+  /** @param {WheelEvent} event */
   #wheel(event) {
     event.preventDefault();
     this.zoom(ZOOM_PER_NOTCH ** event.deltaY);
   }
 
+  /** @param {CameraState} state */
   #take({ centre, height, turn, tilt }) {
     this.#centre.fromArray(centre);
     [this.#height, this.#turn, this.#tilt] = [height, turn, tilt];

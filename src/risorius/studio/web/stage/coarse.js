@@ -24,6 +24,7 @@ export function coarser(points, index, reach) {
 }
 
 /**
+ * @param {Uint32Array} index @param {ArrayLike<number>} points
  * @returns {{starts: Uint32Array, ends: Uint32Array, lengths: Float32Array, border: Uint8Array}} neighbours of
  *   vertex v: `ends[starts[v]] … ends[starts[v + 1] - 1]`, each twice but at borders
  */
@@ -48,10 +49,15 @@ function edgesOf(index, points) {
   return { starts, ends, lengths, border };
 }
 
-/** The vertex round which each one gathers: the nearest of those that stay. */
+/**
+ * The vertex round which each one gathers: the nearest of those that stay.
+ * @param {ArrayLike<number>} points @param {ReturnType<typeof edgesOf>} edges
+ * @param {(x: number, y: number, z: number) => number} reach
+ */
 function headsOf(points, { starts, ends, lengths, border }, reach) {
   const heads = Uint32Array.from(border, (_, vertex) => vertex);
   const far = new Float32Array(border.length).fill(Infinity);
+  /** @param {number} from @param {number} most */
   const spread = (from, most) => {
     const waiting = [from];
     far[from] = 0;
@@ -73,7 +79,9 @@ function headsOf(points, { starts, ends, lengths, border }, reach) {
   return heads;
 }
 
+/** @param {ArrayLike<number>} points @param {number} a @param {number} b */
 function between(points, a, b) {
+  /** @param {number} k */
   const axis = (k) => points[3 * a + k] - points[3 * b + k];
   return Math.hypot(axis(0), axis(1), axis(2));
 }

@@ -4,6 +4,9 @@ import * as THREE from "../vendor/three/three.module.min.js";
 import { coarser } from "./coarse.js";
 import { computeNormals } from "./normals.js";
 import { fewer, widen } from "./strands.js";
+/** @import {Few, Mesh, Spots} from "../types.js" */
+
+/** @typedef {(points: Float32Array, index: Uint32Array, spots: Spots) => Few} Lighten */
 
 // mm within which the skin's vertices gather: fine round eyes and mouth, coarser by SLOPE from NEAR on.
 const [LEAST, MOST, NEAR, SLOPE] = [1.7, 9, 10, 0.38];
@@ -13,24 +16,26 @@ const [EYES, SMALL] = [["eye_left", "eye_right"], ["teeth_upper", "teeth_lower",
 const ROUND = 1.6; // mm, on the eyeballs
 const [LID, EDGE] = [15.3, 0.8]; // mm from an eye's centre up to which lids have their edges, and are finer still
 // The share of its strands that is drawn of hair, and how much wider they are: thinner than a pixel they glitter.
+/** @type {Record<string, {share: number, wide: number}>} */
 const STRANDS = {
   brows: { share: 0.35, wide: 3 },
   lashes: { share: 1, wide: 1 },
   hair: { share: 0.28, wide: 2.9 },
 };
 
+/** @type {Record<string, Lighten>} */
 const LIGHTER = {
   skin: (points, index, spots) => coarser(points, index, reachFrom(spots)),
   ...gathering(SMALL, GATHERED),
   ...gathering(EYES, ROUND),
   ...Object.fromEntries(
-    Object.entries(STRANDS).map(([name, { share }]) => [name, (points, index) => fewer(index, share, points)]),
+    Object.entries(STRANDS).map(([name, { share }]) => [name, /** @type {Lighten} */ ((points, index) => fewer(index, share, points))]),
   ),
 };
 
 /**
- * @param {string} name @param {THREE.Mesh} mesh at rest, mm
- * @param {{eyes: number[][], mouth: number[]}} spots where the skin is fine
+ * @param {string} name @param {Mesh} mesh at rest, mm
+ * @param {Spots} spots where the skin is fine
  * @returns {Lighter | null} null where all triangles are drawn
  */
 export function lighterOf(name, mesh, spots) {
@@ -49,7 +54,7 @@ export class Lighter {
   #wide;
 
   /**
-   * @param {THREE.Mesh} full @param {{order: number[], index: Uint32Array}} few
+   * @param {Mesh} full @param {Few} few
    * @param {number} wide how much wider ribbons are; 1 for what is none
    */
   constructor(full, { order, index }, wide) {
@@ -78,7 +83,7 @@ export class Lighter {
       for (let from = itemSize * this.#order[k], end = from + itemSize; from < end; ) own[to++] = array[from++];
     }
     if (name === "position" && this.#wide > 1) widen(own, this.#wide);
-    if (name === "across") own.forEach((length, k) => (own[k] = this.#wide * length));
+    if (name === "across") for (let k = 0; k < own.length; k++) own[k] *= this.#wide;
     attributes[name].needsUpdate = true;
   }
 }
@@ -90,12 +95,15 @@ export function shade(geometry) {
   attributes.normal.needsUpdate = true;
 }
 
+/** @param {string[]} names @param {number} reach @returns {Record<string, Lighten>} */
 function gathering(names, reach) {
-  return Object.fromEntries(names.map((name) => [name, (points, index) => coarser(points, index, () => reach)]));
+  return Object.fromEntries(names.map((name) => [name, /** @type {Lighten} */ ((points, index) => coarser(points, index, () => reach))]));
 }
 
+/** @param {Spots} spots @returns {(x: number, y: number, z: number) => number} */
 function reachFrom({ eyes, mouth }) {
   return (x, y, z) => {
+    /** @param {number[]} place */
     const away = ([a, b, c]) => Math.hypot(x - a, y - b, z - c);
     const eye = Math.min(...eyes.map(away));
     if (eye < LID) return EDGE;

@@ -12,13 +12,17 @@ import { readGlb } from "./glb.js";
 import { lightBetween, slitsOf } from "./lips.js";
 import { materialOf } from "./materials.js";
 import { Order, asStrands } from "./strands.js";
+/** @import {FileMesh, HeadFile, Mesh} from "../types.js" */
+/** @import {StagePart, StageTable} from "../wire.js" */
+
+/** @typedef {{mirrored: THREE.Texture, iris: THREE.Texture}} Pictures of what the eyes mirror, and of an iris */
 
 const HAIRS = ["brows", "lashes", "hair"];
 const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 
 /**
  * @param {ArrayBuffer} file the head as binary glTF
- * @param {object} packing how faces of this head are packed, as the server describes it
+ * @param {StageTable} packing how faces of this head are packed, as the server describes it
  * @param {Uint8Array} shade what each vertex of the skin sees at rest of its surroundings and of each lamp, and how far
  *   it is from the neckline, (vertices, 1 + lamps + 1) as `head_shade.py` packs it
  * @param {THREE.Texture} mirrored what the eyes mirror
@@ -32,21 +36,27 @@ export class Figure {
   /** The figure in the scene. */
   group = new THREE.Group();
   #packing;
+  /** @type {Record<string, Mesh>} by name */
   #meshes = {};
   #head = new THREE.Group();
   #neck;
+  /** @type {Mesh[]} */
   #eyes = [];
   #fine = true;
+  /** @type {Record<string, import("./detail.js").Lighter>} by the name of what it stands for */
   #lighter = {};
   /** @type {{a: import("./faces.js").Face, b: import("./faces.js").Face, share: number} | null} */
   #shown = null;
   /** @type {import("./faces.js").Face | null} */
   #lent = null;
   #waits = false; // whether the face that is shown is not taken up yet: another may come before it is drawn
+  /** @type {Set<string>} meshes whose points are elsewhere */
   #stale = new Set();
+  /** @type {Map<Mesh, Order>} */
   #hairs = new Map();
   #slits;
 
+  /** @param {HeadFile} glb @param {StageTable} packing @param {Uint8Array} shade @param {Pictures} pictures */
   constructor(glb, packing, shade, pictures) {
     this.#packing = packing;
     this.pivot = new THREE.Vector3(...packing.pivot);
@@ -58,7 +68,7 @@ export class Figure {
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
     this.#light(shade);
-    this.#slits = slitsOf(packing.lips, this.#meshes.skin.geometry.attributes.position.array);
+    this.#slits = slitsOf(packing.lips, this.#points);
     this.#lightMouth();
     this.#prepareLighter();
   }
@@ -67,7 +77,11 @@ export class Figure {
   get skin() {
     this.lend(null);
     this.#takeFace();
-    return this.#meshes.skin.geometry.attributes.position.array;
+    return this.#points;
+  }
+
+  get #points() {
+    return pointsOf(this.#meshes.skin);
   }
 
   /**
@@ -87,6 +101,7 @@ export class Figure {
 
   /** Its meshes with all their triangles, in the order in which they are drawn. */
   get whole() {
+    /** @param {Mesh} mesh */
     const rank = ({ renderOrder, material }) => renderOrder + (material.transparent ? 2 : 0);
     return Object.values(this.#meshes).sort((a, b) => rank(a) - rank(b));
   }
@@ -135,6 +150,7 @@ export class Figure {
     this.group.removeFromParent();
   }
 
+  /** @param {string} name @param {FileMesh} data @param {number[] | undefined} translation @param {Pictures} pictures */
   #add(name, data, translation, pictures) {
     const moves = this.#packing.parts.some((part) => part.name === name);
     const geometry = geometryOf(data, moves);
@@ -162,18 +178,19 @@ export class Figure {
     this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
   }
 
+  /** @param {Uint8Array} shade */
   #light(shade) {
     const { geometry, material } = this.#meshes.skin;
     for (const [name, attribute] of Object.entries(lightOf(shade, geometry.attributes.position.count))) {
       geometry.setAttribute(name, attribute);
     }
-    material.userData.neck.value.copy(neckColour(geometry.attributes));
+    material.userData.neck.value.copy(neckColour(/** @type {Record<string, THREE.BufferAttribute>} */ (geometry.attributes)));
   }
 
+  /** @param {StagePart} part @param {Int16Array} a @param {Int16Array} b @param {number} share */
   #place({ name, first, count, about }, a, b, share) {
-    const { attributes } = this.#meshes[name].geometry;
     const { step, origin } = this.#packing;
-    const points = attributes.position.array;
+    const points = pointsOf(this.#meshes[name]);
     const [u, v] = [step * (1 - share), step * share];
     for (let axis = 0; axis < 3; axis++) {
       const shift = origin[axis] - about[axis];
@@ -185,6 +202,7 @@ export class Figure {
     this.#stale.add(name);
   }
 
+  /** @param {boolean} fine */
   #refine(fine) {
     this.#fine = fine;
     for (const [name, lighter] of Object.entries(this.#lighter)) {
@@ -194,14 +212,17 @@ export class Figure {
     for (const { name } of this.#packing.parts) this.#stale.add(name);
   }
 
-  /** Have hairs as wide as can be seen, and in order. */
+  /**
+   * Have hairs as wide as can be seen, and in order.
+   * @param {Mesh} mesh @param {THREE.Camera} camera @param {number} height
+   */
   #comb(mesh, camera, height) {
     mesh.material.userData.pixels.value = 0.5 * height * camera.projectionMatrix.elements[5];
     const sight = camera.getWorldDirection(SIGHT).transformDirection(INVERSE.copy(mesh.matrixWorld).invert());
-    this.#hairs.get(mesh).sort(sight);
+    this.#hairs.get(mesh)?.sort(sight);
   }
 
-  /** A mesh's vertices are elsewhere: so is what is drawn of it, and the normals of what is no hair. */
+  /** A mesh's vertices are elsewhere: so is what is drawn of it, and the normals of what is no hair. @param {string} name */
   #moved(name) {
     const { geometry } = this.#meshes[name];
     const lighter = this.#fine ? null : this.#lighter[name];
@@ -210,7 +231,10 @@ export class Figure {
     if (!HAIRS.includes(name)) shadeAnew(lighter ? lighter.mesh.geometry : geometry);
   }
 
-  /** Turn the skin with the head by each vertex's share: here and not in the shader, which is slow by software. */
+  /**
+   * Turn the skin with the head by each vertex's share: here and not in the shader, which is slow by software.
+   * @param {Float32Array} points
+   */
   #bendNeck(points) {
     const [m0, m1, m2, , m4, m5, m6, , m8, m9, m10] = this.#turned();
     const { x: px, y: py, z: pz } = this.pivot;
@@ -230,13 +254,13 @@ export class Figure {
 
   /** Between lips that hardly part no light comes to the teeth. */
   #lightMouth() {
-    const lit = lightBetween(this.#slits, this.#meshes.skin.geometry.attributes.position.array);
+    const lit = lightBetween(this.#slits, this.#points);
     for (const name of MOUTH) this.#meshes[name].material.userData.lit.value = lit;
   }
 
   /** Have a lighter mesh beside each that has too many triangles. */
   #prepareLighter() {
-    const { min, max } = this.#meshes.teeth_upper.geometry.boundingBox;
+    const { min, max } = /** @type {THREE.Box3} */ (this.#meshes.teeth_upper.geometry.boundingBox);
     const mouth = new THREE.Vector3(0, (min.y + max.y) / 2, max.z).add(this.pivot);
     const spots = { eyes: this.#packing.eyes, mouth: mouth.toArray() };
     for (const [name, mesh] of Object.entries(this.#meshes)) {
@@ -244,7 +268,7 @@ export class Figure {
       if (!lighter) continue;
       this.#lighter[name] = lighter;
       lighter.mesh.visible = false;
-      mesh.parent.add(lighter.mesh);
+      mesh.parent?.add(lighter.mesh);
       if (HAIRS.includes(name)) for (const one of [mesh, lighter.mesh]) this.#hairs.set(one, new Order(one.geometry));
     }
   }
@@ -257,15 +281,21 @@ export class Figure {
   #placeMouth() {
     const { geometry } = this.#meshes.teeth_upper;
     geometry.computeBoundingBox();
-    const front = geometry.boundingBox.max.z;
+    const front = /** @type {THREE.Box3} */ (geometry.boundingBox).max.z;
     for (const name of MOUTH) this.#meshes[name].material.userData.mouth.value.set(front - 26, front - 2);
   }
+}
+
+/** @param {Mesh} mesh @returns {Float32Array} x, y, z, x, … */
+function pointsOf(mesh) {
+  return /** @type {Float32Array} */ (mesh.geometry.attributes.position.array);
 }
 
 const [SIGHT, INVERSE] = [new THREE.Vector3(), new THREE.Matrix4()];
 const TARGET = new THREE.Quaternion();
 const TURNED = new THREE.Matrix4();
 
+/** @param {THREE.Quaternion} quaternion @param {Float32Array} a @param {Float32Array} b @param {number} share */
 function turn(quaternion, a, b, share) {
   quaternion.fromArray(a).slerp(TARGET.fromArray(b), share);
 }

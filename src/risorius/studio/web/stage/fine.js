@@ -5,11 +5,13 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { drawn } from "./fence.js";
+/** @import {Cut, Mesh} from "../types.js" */
+/** @import {Figure} from "./figure.js" */
 
 const MOST = 20_000; // triangles to a part
 
 /**
- * @typedef {{figure: import("./figure.js").Figure, x: number, width: number, paint: (cut: Function) => void}} Place
+ * @typedef {{figure: import("./figure.js").Figure, x: number, width: number, paint: (cut: Cut) => void}} Place
  * @typedef {{width: number, height: number, camera: THREE.Camera, places: Place[]}} Seen pixels; who stands where
  */
 
@@ -45,13 +47,18 @@ export class Fine {
     return wanted() ? upright(pixels, width, height) : null;
   }
 
-  /** What is drawn at a place, one after another: what is behind, then meshes, those that let others through last. */
+  /**
+   * What is drawn at a place, one after another: what is behind, then meshes, those that let others through last.
+   * @param {Place} place @param {THREE.Camera} camera @param {number} whole @param {number} height
+   */
   *#parts({ figure, x, width, paint }, camera, whole, height) {
     const target = this.#sized(whole, height);
+    /** @param {number} from @param {number} up @param {number} across @param {number} high */
     const cut = (from, up, across, high) => {
       target.scissor.set(from, up, across, high);
       this.#renderer.setRenderTarget(target);
     };
+    /** @param {() => void} draw */
     const within = (draw) => () => {
       target.viewport.set(x, 0, width, height);
       cut(x, 0, width, height);
@@ -65,13 +72,14 @@ export class Fine {
       this.#renderer.clear(false, true, true);
     });
     for (const mesh of figure.whole) {
-      const { count } = mesh.geometry.index;
+      const { count } = /** @type {THREE.BufferAttribute} */ (mesh.geometry.index);
       for (let start = 0; start < count; start += 3 * MOST) {
         yield within(() => this.#draw(figure, mesh, start, camera));
       }
     }
   }
 
+  /** @param {Figure} figure @param {Mesh} mesh @param {number} start @param {THREE.Camera} camera */
   #draw(figure, mesh, start, camera) {
     const others = this.#scene.children.filter((child) => "isGroup" in child && child !== figure.group);
     const hidden = [...others, ...figure.whole.filter((one) => one !== mesh)];
@@ -83,7 +91,10 @@ export class Fine {
     for (const one of hidden) one.visible = true;
   }
 
-  /** Colours are the same as on the stage: developed as film, and of the screen. */
+  /**
+   * Colours are the same as on the stage: developed as film, and of the screen.
+   * @param {number} width @param {number} height
+   */
   #sized(width, height) {
     let target = this.#target;
     if (target === null) {
@@ -97,7 +108,7 @@ export class Fine {
   }
 }
 
-/** @param {Uint8ClampedArray} pixels from the lowest row on */
+/** @param {number} width @param {number} height @param {Uint8ClampedArray} pixels from the lowest row on */
 function upright(pixels, width, height) {
   const picture = new ImageData(width, height);
   for (let y = 0; y < height; y++) {

@@ -1,6 +1,7 @@
 /** From what the server says of a head to what is drawn: meshes, light and neckline at each vertex, the iris. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+/** @import {FileMesh} from "../types.js" */
 
 export const MM = 1000;
 const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
@@ -31,7 +32,7 @@ export function lightOf(seen, count) {
   };
 }
 
-/** The mean colour of the skin just above the cloth. */
+/** The mean colour of the skin just above the cloth. @param {Record<string, THREE.BufferAttribute>} attributes */
 export function neckColour({ color, hem }) {
   const [sum, one] = [new THREE.Color(0, 0, 0), new THREE.Color()];
   let count = 0;
@@ -43,13 +44,19 @@ export function neckColour({ color, hem }) {
   return sum.multiplyScalar(1 / Math.max(count, 1));
 }
 
-/** The share by which each vertex turns with the head: its weight for the second joint, the head's. */
+/**
+ * The share by which each vertex turns with the head: its weight for the second joint, the head's.
+ * @param {FileMesh} mesh
+ */
 export function neckShare({ attributes }) {
   const { array } = attributes.WEIGHTS_0;
   return Float32Array.from({ length: array.length / 4 }, (_, vertex) => array[4 * vertex + 1] / 255);
 }
 
-/** A mesh of the file in mm; one that `moves` has its points and normals changed often. */
+/**
+ * A mesh of the file in mm; one that `moves` has its points and normals changed often.
+ * @param {FileMesh} data @param {boolean} moves
+ */
 export function geometryOf(data, moves) {
   const geometry = new THREE.BufferGeometry();
   for (const [theirs, ours] of Object.entries(NAMES)) {

@@ -3,26 +3,41 @@
  * arrays, and the nodes. Only what that file holds is understood: no sparse accessors, no interleaving.
  */
 
+/** @import {Attribute, FileMesh, HeadFile, Numbers} from "../types.js" */
+/**
+ * @typedef {{attributes: Record<string, number>, indices: number, material: number}} GltfPrimitive
+ * @typedef {Object} Gltf what is read of the file's own description
+ * @property {{name: string, primitives: GltfPrimitive[]}[]} meshes
+ * @property {{bufferView: number, mimeType: string}[]} [images]
+ * @property {{byteOffset?: number, byteLength: number}[]} bufferViews
+ * @property {FileMesh["material"][]} materials
+ * @property {HeadFile["nodes"]} nodes
+ * @property {object[]} [skins]
+ * @property {{bufferView: number, byteOffset?: number, componentType: number, count: number, type: string,
+ *             normalized?: boolean}[]} accessors
+ */
+
+/** @type {Record<number, new (buffer: ArrayBuffer, start: number, count: number) => Numbers>} */
 const ARRAYS = {
   5121: Uint8Array,
   5123: Uint16Array,
   5125: Uint32Array,
   5126: Float32Array,
 };
+/** @type {Record<string, number>} */
 const WIDTHS = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
 
 /**
  * @param {ArrayBuffer} buffer
- * @returns {{meshes: Record<string, Mesh>, nodes: object[], skins: object[], images: Blob[]}}
- * @typedef {{attributes: Record<string, {array: any, width: number, normalized: boolean}>,
- *            index: Uint32Array, material: object}} Mesh
+ * @returns {HeadFile}
  */
 export function readGlb(buffer) {
   const view = new DataView(buffer);
   const length = view.getUint32(12, true);
+  /** @type {Gltf} */
   const json = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 20, length)));
   const start = 20 + length + 8;
-  /** @type {Record<string, Mesh>} */
+  /** @type {HeadFile["meshes"]} */
   const meshes = {};
   for (const mesh of json.meshes) meshes[mesh.name] = readMesh(json, buffer, start, mesh.primitives[0]);
   const images = (json.images ?? []).map(({ bufferView, mimeType }) => {
@@ -32,16 +47,21 @@ export function readGlb(buffer) {
   return { meshes, nodes: json.nodes, skins: json.skins ?? [], images };
 }
 
+/**
+ * @param {Gltf} json @param {ArrayBuffer} buffer @param {number} start @param {GltfPrimitive} primitive
+ * @returns {FileMesh}
+ */
 function readMesh(json, buffer, start, primitive) {
-  /** @type {Mesh["attributes"]} */
+  /** @type {FileMesh["attributes"]} */
   const attributes = {};
   for (const [name, index] of Object.entries(primitive.attributes)) {
     attributes[name] = readAccessor(json, buffer, start, index);
   }
-  const index = readAccessor(json, buffer, start, primitive.indices).array;
+  const index = /** @type {FileMesh["index"]} */ (readAccessor(json, buffer, start, primitive.indices).array);
   return { attributes, index, material: json.materials[primitive.material] };
 }
 
+/** @param {Gltf} json @param {ArrayBuffer} buffer @param {number} start @param {number} index @returns {Attribute} */
 function readAccessor(json, buffer, start, index) {
   const {
     bufferView,

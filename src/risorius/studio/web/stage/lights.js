@@ -1,13 +1,14 @@
 /** The library's light in the scene, and the surroundings that the eyes mirror. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+/** @import {StageLight, StageLamp} from "../wire.js" */
 
 const FAR = 4; // m at which a lamp's window stands in the mirrored room
 const PANE = 0.62; // m: half its side
 
 /**
  * The lamps are directional lights in the order that the skin's `reach` has them.
- * @param {object} light lamps, sky and ground as the server describes them; colours are the light on a white
+ * @param {StageLight} light lamps, sky and ground as the server describes them; colours are the light on a white
  *   surface that faces them, so that three.js, which divides by π, wants π times as much
  * @returns {THREE.Object3D[]}
  */
@@ -23,7 +24,7 @@ export function lightsOf({ lamps, sky, ground }) {
   ];
 }
 
-/** @param {THREE.WebGLRenderer} renderer @param {object} light @returns {THREE.Texture} a room with windows */
+/** @param {THREE.WebGLRenderer} renderer @param {StageLight} light @returns {THREE.Texture} a room with windows */
 export function mirrored(renderer, { lamps, sky }) {
   const room = new THREE.Scene();
   const walls = new THREE.MeshBasicMaterial({ color: new THREE.Color(...sky), side: THREE.BackSide });
@@ -35,6 +36,7 @@ export function mirrored(renderer, { lamps, sky }) {
   return texture;
 }
 
+/** @param {StageLamp} lamp */
 function pane({ direction, colour }) {
   const bright = new THREE.Color(...colour).multiplyScalar(24);
   const material = new THREE.MeshBasicMaterial({ color: bright, side: THREE.DoubleSide });

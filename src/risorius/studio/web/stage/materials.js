@@ -26,7 +26,10 @@ export function materialOf(name, pictures) {
   return material;
 }
 
-/** Darken what stands back in the mouth, between `mouth.x` and `mouth.y` mm, and all where `lit` is 0: shut lips. */
+/**
+ * Darken what stands back in the mouth, between `mouth.x` and `mouth.y` mm, and all where `lit` is 0: shut lips.
+ * @param {THREE.Material} material
+ */
 function hidden(material) {
   const { userData } = material;
   userData.mouth = { value: new THREE.Vector2() };
@@ -49,6 +52,7 @@ const MOUTH_DIM = {
   ],
 };
 
+/** @param {{iris: THREE.Texture, mirrored: THREE.Texture}} pictures */
 function eyeMaterial({ iris, mirrored }) {
   const material = new THREE.MeshStandardMaterial({ map: iris, roughness: 0.06, envMap: mirrored });
   material.envMapIntensity = 0.8;

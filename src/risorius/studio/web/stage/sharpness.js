@@ -64,7 +64,7 @@ export class Sharpness {
     return STEPS[Math.min(this.#step + (this.#waits < WAITS ? 0 : 1), STEPS.length - 1)];
   }
 
-  /** Whether it plays, or is about to: then it is never at rest, however slowly pictures come. */
+  /** Whether it plays, or is about to: then it is never at rest, however slowly pictures come. @param {boolean} playing */
   set playing(playing) {
     if (playing === this.#playing) return;
     this.#playing = playing;
@@ -93,7 +93,7 @@ export class Sharpness {
     this.#waits += 1;
   }
 
-  /** A hand that holds something is about to move it: a fine picture would keep it waiting. */
+  /** A hand that holds something is about to move it: a fine picture would keep it waiting. @param {boolean} held */
   #hold(held) {
     this.#held = held;
     if (held) clearTimeout(this.#timer);
@@ -105,6 +105,7 @@ export class Sharpness {
     this.#rested();
   }
 
+  /** @param {number} strike */
   #judge(strike) {
     this.#strikes = Math.sign(this.#strikes) === Math.sign(strike) ? this.#strikes + strike : strike;
     if (Math.abs(this.#strikes) < PATIENCE) return;

@@ -92,9 +92,9 @@ void main() {
  */
 export function skinMaterial(cloth) {
   const material = new THREE.MeshLambertMaterial({ vertexColors: true });
-  const uniforms = { neck: { value: new THREE.Color() } };
-  Object.assign(material.userData, uniforms);
-  uniforms.cloth = { value: new THREE.Color(...cloth) };
+  const neck = { value: new THREE.Color() };
+  const uniforms = { neck, cloth: { value: new THREE.Color().fromArray(cloth) } };
+  material.userData.neck = neck;
   patch(material, SKIN, uniforms);
   material.userData.quick = quickened(material, SKIN, QUICK, uniforms);
   return material;

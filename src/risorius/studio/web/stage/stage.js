@@ -17,14 +17,17 @@ import { Sharpness } from "./sharpness.js";
 import { drawnBySoftware } from "./software.js";
 import { Still } from "./still.js";
 import { developAsFilm } from "./tone.js";
+/** @import {Cut} from "../types.js" */
 
 export class Stage {
   #canvas;
   #renderer;
   #scene = new THREE.Scene();
+  /** @type {import("./figure.js").Figure[]} */
   #figures = [];
   #sharpness;
-  #backdrop;
+  /** @type {Backdrop | null} */
+  #backdrop = null;
   /** @type {import("three").Texture | null} */
   #mirrored = null;
   #asked = false;
@@ -63,6 +66,7 @@ export class Stage {
     this.#resize();
   }
 
+  /** @param {HTMLCanvasElement} canvas */
   #fineBeside(canvas) {
     const fine = new Fine(this.#renderer, this.#scene);
     const overlay = (this.#overlay = new Overlay(canvas));
@@ -73,7 +77,7 @@ export class Stage {
 
   /**
    * Light the stage, the first time; return what eyes mirror of it.
-   * @param {object} light as the server describes it
+   * @param {import("../wire.js").StageLight} light as the server describes it
    */
   lit(light) {
     if (this.#mirrored === null) {
@@ -161,7 +165,10 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Take up the canvas' size, as finely as is drawn now: not before a picture, which that clears. */
+  /**
+   * Take up the canvas' size, as finely as is drawn now: not before a picture, which that clears.
+   * @param {number} width @param {number} height
+   */
   #fit(width, height) {
     const { ratio } = this.#sharpness;
     const size = [width, height, ratio].join();
@@ -194,7 +201,7 @@ export class Stage {
       figure,
       x: k * each,
       width: each,
-      paint: (cut) => this.#backdrop.paint(this.#renderer, k * each, each, high, cut),
+      paint: (/** @type {Cut} */ cut) => this.#backdrop?.paint(this.#renderer, k * each, each, high, cut),
     }));
     return { width: across, height: high, camera: this.view.camera, places };
   }
@@ -223,7 +230,7 @@ export class Stage {
       for (const figure of this.#figures) figure.group.visible = figure === shown;
       shown.ready(this.#sharpness.fine, this.view.camera, height * this.#renderer.getPixelRatio());
       renderer.setViewport(place * each, 0, each, height);
-      this.#backdrop.paint(renderer, place * each, each, height, (x, y, w, h) => renderer.setScissor(x, y, w, h));
+      this.#backdrop?.paint(renderer, place * each, each, height, (x, y, w, h) => renderer.setScissor(x, y, w, h));
       renderer.setScissor(place * each, 0, each, height);
       renderer.clear(false, true, true);
       renderer.render(this.#scene, this.view.camera);

@@ -7,6 +7,7 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+/** @import {Mesh} from "../types.js" */
 
 const ALIKE = Math.cos((5 * Math.PI) / 180); // between directions of sight for which one order does
 const DEPTHS = 1024; // that are told apart
@@ -32,11 +33,12 @@ export function fewer(index, share, points) {
   return { order, index: Uint32Array.from(quads.flatMap((from) => QUAD.map((k) => from + k))) };
 }
 
-/** How long strands are, along their left edges. */
+/** How long strands are, along their left edges. @param {Float32Array} points @param {number} count @param {number} pairs */
 function meanLength(points, count, pairs) {
   let sum = 0;
   for (let strand = 0; strand < count; strand++) {
     for (let pair = strand * pairs; pair < (strand + 1) * pairs - 1; pair++) {
+      /** @param {number} axis */
       const way = (axis) => points[6 * pair + 6 + axis] - points[6 * pair + axis];
       sum += Math.hypot(way(0), way(1), way(2));
     }
@@ -55,7 +57,10 @@ export function widen(points, wide) {
   }
 }
 
-/** Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`. */
+/**
+ * Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`.
+ * @param {Mesh} mesh
+ */
 export function asStrands(mesh) {
   const { array } = mesh.geometry.attributes.position;
   const across = new Float32Array(array.length);
@@ -98,6 +103,7 @@ export class Order {
     index.needsUpdate = true;
   }
 
+  /** @param {THREE.Vector3} sight */
   #farthestFirst({ x, y, z }) {
     const { count, pairs } = this.#strands;
     const points = this.#geometry.attributes.position.array;
@@ -110,6 +116,7 @@ export class Order {
       most = Math.max(most, depths[strand]);
     }
     const scale = (DEPTHS - 1) / Math.max(most - least, 1e-6);
+    /** @param {number} strand */
     const place = (strand) => Math.floor((depths[strand] - least) * scale);
     const starts = new Uint32Array(DEPTHS + 1);
     for (let strand = 0; strand < count; strand++) starts[place(strand) + 1] += 1;
@@ -120,7 +127,10 @@ export class Order {
   }
 }
 
-/** How many strands, and of how many pairs: the second begins where none of the first's vertices is met. */
+/**
+ * How many strands, and of how many pairs: the second begins where none of the first's vertices is met.
+ * @param {Uint32Array} index
+ */
 function strandsOf(index) {
   let [highest, each] = [Math.max(index[0], index[1], index[2]), index.length];
   for (let k = 3; k < index.length && each === index.length; k += 3) {

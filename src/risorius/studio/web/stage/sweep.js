@@ -29,6 +29,7 @@ class Walk {
   #time = REMEMBERED + 1;
   #cursor = 0;
 
+  /** @param {Uint32Array} index */
   constructor(index) {
     const count = index.reduce((most, vertex) => Math.max(most, vertex), -1) + 1;
     this.#index = index;
@@ -56,13 +57,17 @@ class Walk {
     return found;
   }
 
+  /** @param {number} vertex @param {number[]} found */
   #meet(vertex, found) {
     found.push(vertex);
     this.#left[vertex] -= 1;
     if (this.#time - this.#met[vertex] > REMEMBERED) this.#met[vertex] = this.#time++;
   }
 
-  /** Of those just met the one that will be forgotten soonest, but not before all round it is drawn; -1: no more. */
+  /**
+   * Of those just met the one that will be forgotten soonest, but not before all round it is drawn; -1: no more.
+   * @param {number[]} found @param {number} turned
+   */
   #nextOf(found, turned) {
     let [best, oldest] = [-1, -1];
     for (const vertex of found.slice(turned)) {

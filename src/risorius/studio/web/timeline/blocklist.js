@@ -1,5 +1,8 @@
-import { h, spoken } from "./dom.js";
+import { foundIn, h, spoken } from "./dom.js";
 import { timesOf } from "./times.js";
+/** @import {Block} from "../types.js" */
+/** @import {TimelineController} from "./controller.js" */
+/** @import {Model} from "./model.js" */
 
 /**
  * The blocks as a list for the keyboard and for screen readers: one option has the focus, those near it are there.
@@ -13,6 +16,7 @@ export class BlockList {
   #list = h("div", { role: "listbox", class: "unseen tl-blocks", "aria-label": "Movements", tabindex: "-1" });
   #said = h("p", { class: "unseen", role: "status" });
   #controller;
+  /** @type {Block[]} as they are listed */
   #order = [];
   #current = 0;
 
@@ -25,7 +29,7 @@ export class BlockList {
     parent.append(this.#list, this.#said);
   }
 
-  /** Take up another model. */
+  /** Take up another model. @param {Model | null} model */
   setModel(model) {
     const id = this.#order[this.#current]?.id;
     this.#order = model ? model.lanes.flatMap(({ spans }) => spans.items) : [];
@@ -34,7 +38,7 @@ export class BlockList {
     this.#show();
   }
 
-  /** Make the selected block the one in focus. */
+  /** Make the selected block the one in focus. @param {string | null} id */
   setSelected(id) {
     const there = this.#order.findIndex((block) => block.id === id);
     if (there < 0 || there === this.#current) return;
@@ -43,13 +47,14 @@ export class BlockList {
   }
 
   focus() {
-    this.#list.querySelector('[tabindex="0"]')?.focus({ preventScroll: true });
+    foundIn(this.#list, '[tabindex="0"]')?.focus({ preventScroll: true });
   }
 
   get #hasFocus() {
     return this.#list.contains(document.activeElement);
   }
 
+  /** @param {boolean} there */
   #focused(there) {
     const { scene } = this.#controller;
     scene.focused = there;
@@ -66,6 +71,7 @@ export class BlockList {
     if (had) this.focus();
   }
 
+  /** @param {Block} block @param {number} index */
   #option(block, index) {
     const current = index === this.#current;
     return h("div", {
@@ -79,6 +85,7 @@ export class BlockList {
     }, described(block, this.#controller)); // prettier-ignore
   }
 
+  /** @param {number} index */
   #go(index) {
     if (this.#order.length === 0) return;
     this.#controller.settle();
@@ -89,17 +96,19 @@ export class BlockList {
     this.#controller.reveal(block);
   }
 
-  /** The first block of the lane before or after, nearest in time to the present one. */
+  /** The first block of the lane before or after, nearest in time to the present one. @param {-1 | 1} step */
   #goLane(step) {
     const { channel, start } = this.#order[this.#current];
     const lanes = [...new Set(this.#order.map((block) => block.channel))];
     const wanted = lanes[lanes.indexOf(channel) + step];
     if (wanted === undefined) return;
+    /** @param {Block} block */
     const far = (block) => Math.abs(block.start - start);
     const own = this.#order.filter((block) => block.channel === wanted);
     this.#go(this.#order.indexOf(own.reduce((best, block) => (far(block) < far(best) ? block : best))));
   }
 
+  /** @param {KeyboardEvent} event */
   #key(event) {
     const done = this.#walk(event) || this.#shape(event) || this.#back(event);
     if (!done) return;
@@ -107,8 +116,10 @@ export class BlockList {
     event.stopPropagation();
   }
 
+  /** @param {KeyboardEvent} event */
   #walk({ key, ctrlKey, metaKey, altKey }) {
     if (ctrlKey || metaKey || altKey || this.#order.length === 0) return false;
+    /** @type {Record<string, () => void>} */
     const steps = {
       ArrowUp: () => this.#go(this.#current - 1),
       ArrowDown: () => this.#go(this.#current + 1),
@@ -125,7 +136,7 @@ export class BlockList {
     return key in steps;
   }
 
-  /** Undo and redo, after what keys have just changed was sent. */
+  /** Undo and redo, after what keys have just changed was sent. @param {KeyboardEvent} event */
   #back({ key, ctrlKey, metaKey, shiftKey }) {
     if (!(ctrlKey || metaKey)) return false;
     const again = (key.toLowerCase() === "z" && shiftKey) || key === "y";
@@ -135,7 +146,10 @@ export class BlockList {
     return true;
   }
 
-  /** Arrows sideways: by a frame the block, with Shift its end, Alt its start, Ctrl its onset or its offset. */
+  /**
+   * Arrows sideways: by a frame the block, with Shift its end, Alt its start, Ctrl its onset or its offset.
+   * @param {KeyboardEvent} event
+   */
   #shape({ key, ctrlKey, metaKey, altKey, shiftKey }) {
     if (key !== "ArrowLeft" && key !== "ArrowRight") return false;
     const frames = key === "ArrowLeft" ? -1 : 1;
@@ -150,13 +164,13 @@ export class BlockList {
   }
 }
 
-/** When a block acts, in a few words. */
+/** When a block acts, in a few words. @param {Block} block @param {TimelineController} controller */
 function timesTold(block, controller) {
   const [start, rise, fall, end] = timesOf(controller.edits.shown(block) ?? block).map((time) => time.toFixed(2));
   return `${start} to ${end}, apex ${rise} to ${fall}`;
 }
 
-/** A block in a sentence. */
+/** A block in a sentence. @param {Block} block @param {TimelineController} controller */
 export function described(block, controller) {
   const shown = controller.edits.shown(block) ?? block;
   const targets = Object.entries(shown.targets).slice(0, 4);

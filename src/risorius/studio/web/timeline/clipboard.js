@@ -2,6 +2,13 @@
  * Movements copied and pasted, also from one session to another: the browser keeps what was copied.
  */
 
+/** @import {Block} from "../types.js" */
+
+/**
+ * @typedef {{channel: string, start: number, end: number, targets: Record<string, number>, onset: number, offset: number,
+ *            function: string, priority: number | null}} Copied a movement whose times count from the first one's start
+ */
+
 const KEY = "risorius-movements";
 
 /** Keep the selected movements. @param {import("./controller.js").TimelineController} controller @returns {boolean} whether there are any */
@@ -14,6 +21,7 @@ export function copy(controller) {
   return true;
 }
 
+/** @param {Block} block @param {number} first @param {number} priority @returns {Copied} */
 function copied(block, first, priority) {
   const { channel, start, apex_start, apex_end, end, targets } = block;
   return {
@@ -28,7 +36,7 @@ function copied(block, first, priority) {
   };
 }
 
-/** What was copied, its first movement starting at 0. @returns {object[]} */
+/** What was copied, its first movement starting at 0. @returns {Copied[]} */
 export function clipboard() {
   try {
     const found = JSON.parse(localStorage.getItem(KEY) ?? "[]");
@@ -38,7 +46,10 @@ export function clipboard() {
   }
 }
 
-/** The wire's edits that add what was copied, from a time on or as much earlier as it has room. */
+/**
+ * The wire's edits that add what was copied, from a time on or as much earlier as it has room.
+ * @param {Copied[]} movements @param {number} time @param {number} duration
+ */
 export function pasted(movements, time, duration) {
   const longest = Math.max(...movements.map(({ end }) => end));
   const from = Math.max(0, Math.min(time, duration - longest));

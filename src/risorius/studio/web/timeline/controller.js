@@ -1,11 +1,12 @@
 import { clipboard, copy, pasted } from "./clipboard.js";
 import { movedTogether, spanOf } from "./group.js";
 import { moved, pulled, stretchedTogether, timesOf } from "./times.js";
+/** @import {Block, BodyRow} from "../types.js" */
+/** @import {Marker} from "../wire.js" */
 
 const PATIENCE = 350; // ms without a key after which what was done by keys is sent
 
 /**
- * @typedef {import("./model.js").Block} Block
  * @typedef {Object} Parts
  * @property {import("./scene.js").Scene} scene
  * @property {import("./graphs.js").Graphs} graphs
@@ -48,7 +49,10 @@ export class TimelineController {
     this.arrange = arrange;
   }
 
-  /** Select a block (null: none), and explain it at a time within it. */
+  /**
+   * Select a block (null: none), and explain it at a time within it.
+   * @param {Block | null} block @param {number | null} [time]
+   */
   choose(block, time = null) {
     if (block?.id !== this.#nudged?.id || this.#nudgedAll) this.settle();
     this.scene.selectedKey = null;
@@ -64,7 +68,7 @@ export class TimelineController {
     this.actions.select({ movement: block.id, time: Math.min(at, this.scene.model.duration) });
   }
 
-  /** Select several blocks; the last one is explained. */
+  /** Select several blocks; the last one is explained. @param {Block[]} blocks */
   chooseAll(blocks) {
     const all = new Map(blocks.filter(({ free }) => free).map((block) => [block.id, block]));
     this.choose([...all.values()].at(-1) ?? null);
@@ -72,7 +76,7 @@ export class TimelineController {
     this.repaint();
   }
 
-  /** Select a block besides those that are selected, or no longer. */
+  /** Select a block besides those that are selected, or no longer. @param {Block} block */
   toggle(block) {
     const { blocks } = this;
     const rest = blocks.filter(({ id }) => id !== block.id);
@@ -93,13 +97,14 @@ export class TimelineController {
     return this.block ? [this.block] : [];
   }
 
-  /** Ask why a parameter, or both sides of one, has its value at a time. */
+  /** Ask why a parameter, or both sides of one, has its value at a time. @param {number} time @param {string} parameter */
   ask(time, parameter) {
     this.settle();
     const at = Math.max(0, Math.min(time, this.scene.model.duration));
     this.actions.select({ time: at, parameter });
   }
 
+  /** @param {string} parameter @param {number} index */
   chooseKey(parameter, index) {
     this.scene.selectedKey = { parameter, index };
     const [time] = this.edits.keys(parameter)[index];
@@ -113,6 +118,7 @@ export class TimelineController {
 
   /**
    * Change the selected block by some frames; sent once the keys rest.
+   * @param {number} frames
    * @param {"move" | 0 | 1 | 2 | 3} what all of it, or one of its times
    */
   nudge(what, frames) {
@@ -133,15 +139,19 @@ export class TimelineController {
     this.#timer = setTimeout(() => this.settle(), PATIENCE);
   }
 
-  /** Start and end are those of the selection as a whole, which is stretched; onset and offset those of each. */
+  /**
+   * Start and end are those of the selection as a whole, which is stretched; onset and offset those of each.
+   * @param {Block[]} blocks @param {"move" | 0 | 1 | 2 | 3} what @param {number} delta @param {number} duration
+   */
   #nudgeAll(blocks, what, delta, duration) {
     const times = blocks.map((block) => timesOf(this.edits.shown(block) ?? block));
     const [first, last] = spanOf(this.scene) ?? [0, 0];
-    const after = {
-      move: () => movedTogether(times, delta, duration),
-      0: () => stretchedTogether(times, last, first, first + delta, duration),
-      3: () => stretchedTogether(times, first, last, last + delta, duration),
-    }[what] ?? (() => times.map((own) => pulled(own, what, own[what] + delta, duration)));
+    const after = () => {
+      if (what === "move") return movedTogether(times, delta, duration);
+      if (what === 0) return stretchedTogether(times, last, first, first + delta, duration);
+      if (what === 3) return stretchedTogether(times, first, last, last + delta, duration);
+      return times.map((own) => pulled(own, what, own[what] + delta, duration));
+    };
     this.#nudgedAll = blocks;
     this.edits.holdAll(blocks, after());
     clearTimeout(this.#timer);
@@ -159,9 +169,10 @@ export class TimelineController {
     if (block) await this.edits.send(block);
   }
 
-  /** Give the selected block one of its times by number, in seconds. */
+  /** Give the selected block one of its times by number, in seconds. @param {number} what @param {number} time */
   setTime(what, time) {
     const { block } = this;
+    if (block === null) return;
     const times = timesOf(this.edits.shown(block) ?? block);
     this.edits.hold(block, pulled(times, what, time, this.scene.model.duration));
     this.edits.send(block);
@@ -183,14 +194,15 @@ export class TimelineController {
     } else this.edits.remove(block);
   }
 
-  /** Both sides of a parameter where their keys are the same, else itself alone. */
+  /** Both sides of a parameter where their keys are the same, else itself alone. @param {string} parameter */
   partners(parameter) {
-    const { base } = this.scene.model.parameters.get(parameter);
+    const { base } = this.scene.model.parameter(parameter);
     const keys = JSON.stringify(this.edits.keys(parameter));
-    const { names } = this.scene.model.bases.get(base);
+    const { names } = this.scene.model.base(base);
     return names.filter((name) => name === parameter || JSON.stringify(this.edits.keys(name)) === keys);
   }
 
+  /** @param {{parameter: string, index: number}} key */
   removeKey({ parameter, index }) {
     const keys = this.edits.keys(parameter).filter((_, k) => k !== index);
     this.scene.selectedKey = null;
@@ -233,11 +245,12 @@ export class TimelineController {
     await this.actions.setLanes({ ...lanes, [state]: after });
   }
 
-  /** Whether a lane is locked against changes. */
+  /** Whether a lane is locked against changes. @param {string} channel */
   locks(channel) {
     return this.scene.model.states.locked.includes(channel);
   }
 
+  /** @param {Marker[]} markers */
   setMarkers(markers) {
     return this.actions.setMarkers(markers);
   }
@@ -246,6 +259,7 @@ export class TimelineController {
   async addMarker() {
     const { markers } = this.scene.model;
     const { time } = this.clock;
+    /** @param {Marker} one */
     const near = (one) => Math.abs(one.time - time) < 1e-3;
     if (!markers.some(near)) await this.setMarkers([...markers, { time, text: "" }]);
     return this.scene.model.markers.findIndex(near);
@@ -269,21 +283,22 @@ export class TimelineController {
     await this.actions.redo();
   }
 
-  /** Bring a block into sight, sideways and up or down. */
+  /** Bring a block into sight, sideways and up or down. @param {Block} block */
   reveal(block) {
     const shown = this.edits.shown(block) ?? block;
     this.scene.view.reveal(shown.start, shown.end);
-    this.revealRow(this.scene.body.find((row) => row.lane?.channel === block.channel));
+    this.revealRow(this.scene.body.find((row) => row.kind === "lane" && row.lane.channel === block.channel));
     this.repaint();
   }
 
-  /** Lay all movements of a lane on one row, or apart again. */
+  /** Lay all movements of a lane on one row, or apart again. @param {string} channel */
   fold(channel) {
     const { folded } = this.scene;
     if (!folded.delete(channel)) folded.add(channel);
     this.arrange();
   }
 
+  /** @param {BodyRow | undefined} row */
   revealRow(row) {
     if (!row) return;
     const { scroll, height, headHeight, unit } = this.scene;
@@ -292,12 +307,13 @@ export class TimelineController {
     if (top !== scroll) this.scroller.scrollTop = top * unit;
   }
 
-  /** Repeat the word that is said at a time. */
+  /** Repeat the word that is said at a time. @param {number} time */
   loopWord(time) {
     const word = this.scene.model.speech?.words.at(time);
     if (word) this.clock.setLoop([word.start, word.end]);
   }
 
+  /** @param {number} factor @param {number} [x] */
   zoom(factor, x = this.scene.view.x(this.clock.time)) {
     const { view } = this.scene;
     view.zoom(factor, x >= 0 && x <= view.width ? x : view.width / 2);

@@ -1,8 +1,9 @@
-import { make, spoken } from "../parts/dom.js";
+import { foundIn, make, spoken } from "../parts/dom.js";
+/** @import {Attributes, Child} from "../types.js" */
 
 /**
  * An element as `make` makes it; `style` are properties by name, which need no style attribute.
- * @param {string} tag @param {Record<string, any>} [given] @param {...(Node | string | null | false)} children
+ * @template {keyof HTMLElementTagNameMap} T @param {T} tag @param {Attributes} [given] @param {...Child} children
  */
 export function h(tag, { style = {}, ...given } = {}, ...children) {
   const element = make(tag, given, ...children);
@@ -10,4 +11,4 @@ export function h(tag, { style = {}, ...given } = {}, ...children) {
   return element;
 }
 
-export { spoken };
+export { foundIn, spoken };

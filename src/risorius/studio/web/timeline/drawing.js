@@ -1,6 +1,8 @@
 import { withHandle } from "./key_shapes.js";
 import { withKey, withLine, withMoved } from "./keys.js";
 import { scaleOf } from "./paint_graphs.js";
+/** @import {GraphRow} from "../types.js" */
+/** @import {TimelineController} from "./controller.js" */
 
 /**
  * What a pointer does on graphs: keys are dragged and drawn. Gestures as in `gestures.js`.
@@ -17,6 +19,7 @@ export class DragKey {
   #keys;
   #dragging = false;
 
+  /** @param {TimelineController} controller @param {GraphRow} row @param {string} parameter @param {number} index */
   constructor(controller, row, parameter, index) {
     this.#controller = controller;
     this.#row = row;
@@ -25,6 +28,7 @@ export class DragKey {
     this.#keys = controller.edits.keys(parameter);
   }
 
+  /** @param {number} x @param {number} y */
   move(x, y) {
     const { scene, edits } = this.#controller;
     this.#dragging = true;
@@ -35,6 +39,7 @@ export class DragKey {
 
   /** Both sides where they have the same keys, so that they keep together. */
   get #names() {
+    /** @param {string} name */
     const same = (name) => JSON.stringify(this.#controller.edits.keys(name)) === this.#before;
     return this.#row.names.filter((name) => name === this.#parameter || same(name));
   }
@@ -61,7 +66,10 @@ export class DragTangent {
   #keys;
   #dragging = false;
 
-  /** @param {{parameter: string, index: number, side: "before" | "after"}} found */
+  /**
+   * @param {TimelineController} controller @param {GraphRow} row
+   * @param {{parameter: string, index: number, side: "before" | "after"}} found
+   */
   constructor(controller, row, found) {
     this.#controller = controller;
     this.#row = row;
@@ -70,6 +78,7 @@ export class DragTangent {
     this.#names = controller.partners(found.parameter).filter((name) => row.names.includes(name));
   }
 
+  /** @param {number} x @param {number} y @param {PointerEvent} event */
   move(x, y, event) {
     const { scene, edits } = this.#controller;
     const { index, side } = this.#found;
@@ -95,9 +104,11 @@ export class DragTangent {
 export class DrawKeys {
   #controller;
   #row;
+  /** @type {[time: number, value: number][]} */
   #line = [];
   #kept;
 
+  /** @param {TimelineController} controller @param {GraphRow} row @param {number} x @param {number} y */
   constructor(controller, row, x, y) {
     this.#controller = controller;
     this.#row = row;
@@ -105,6 +116,7 @@ export class DrawKeys {
     this.move(x, y);
   }
 
+  /** @param {number} x @param {number} y */
   move(x, y) {
     const { scene, edits } = this.#controller;
     const time = Math.max(0, Math.min(scene.view.time(x), scene.model.duration));

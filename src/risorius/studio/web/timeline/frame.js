@@ -41,6 +41,7 @@ export function fitted({ root, scroller, canvas, frame, depth, status }, control
   const add = (time = controller.clock.time, channel = null) => controller.scene.model && adder.open(time, channel);
   const walk = () => list.focus();
   const markers = new MarkerList(root, controller);
+  /** @param {number} [index] */
   const note = (index) => markers.open(index);
   const tools = new Tools(root, controller, { add: () => add(), blocks: walk, markers: () => note(), graphs: picker.button() });
   const names = new Names(scroller, controller, graphs);

@@ -1,4 +1,6 @@
 import { moved, nearest, pulled, snappedBy, timesOf } from "./times.js";
+/** @import {Block} from "../types.js" */
+/** @import {TimelineController} from "./controller.js" */
 
 /**
  * What a pointer does from down to up. Each gesture has `move(x, y, event)`, `end()` and `cancel()`.
@@ -14,6 +16,7 @@ export class Scrub {
   #controller;
   #played;
 
+  /** @param {TimelineController} controller @param {number} x */
   constructor(controller, x) {
     this.#controller = controller;
     this.#played = controller.clock.playing;
@@ -21,6 +24,7 @@ export class Scrub {
     this.move(x);
   }
 
+  /** @param {number} x */
   move(x) {
     this.#controller.clock.seek(this.#controller.scene.view.time(x));
   }
@@ -40,16 +44,18 @@ export class DragLoop {
   #from;
   #before;
 
+  /** @param {TimelineController} controller @param {number} x */
   constructor(controller, x) {
     this.#controller = controller;
     this.#from = controller.scene.view.time(x);
     this.#before = controller.clock.loop;
   }
 
+  /** @param {number} x */
   move(x) {
     const { view, model } = this.#controller.scene;
-    const ends = [this.#from, view.time(x)].map((time) => Math.max(0, Math.min(time, model.duration)));
-    this.#controller.clock.setLoop(ends.sort((a, b) => a - b));
+    const [one, other] = [this.#from, view.time(x)].map((time) => Math.max(0, Math.min(time, model.duration)));
+    this.#controller.clock.setLoop([Math.min(one, other), Math.max(one, other)]);
   }
 
   end() {}
@@ -64,11 +70,13 @@ export class Pan {
   #controller;
   #held;
 
+  /** @param {TimelineController} controller @param {number} x */
   constructor(controller, x) {
     this.#controller = controller;
     this.#held = controller.scene.view.time(x);
   }
 
+  /** @param {number} x */
   move(x) {
     const { view } = this.#controller.scene;
     view.scrollTo(this.#held - x / view.scale);
@@ -89,15 +97,19 @@ export class DragBlock {
   #x;
   #dragging = false;
 
-  /** @param {number | null} handle null moves the whole block */
+  /**
+   * @param {TimelineController} controller @param {number} x @param {Block} block
+   * @param {number | null} handle null moves the whole block
+   */
   constructor(controller, x, block, handle) {
     this.#controller = controller;
     this.#block = block;
     this.#handle = handle;
-    this.#from = timesOf(controller.edits.shown(block));
+    this.#from = timesOf(controller.edits.shown(block) ?? block);
     this.#x = x;
   }
 
+  /** @param {number} x @param {number} y @param {PointerEvent} event */
   move(x, y, event) {
     if (!this.#dragging && Math.abs(x - this.#x) < SLACK) return;
     this.#dragging = true;
@@ -107,6 +119,7 @@ export class DragBlock {
     edits.hold(this.#block, times);
   }
 
+  /** @param {number} x @param {number} reach */
   #moved(x, reach) {
     const { scene } = this.#controller;
     const { duration, edges } = scene.model;
@@ -117,6 +130,7 @@ export class DragBlock {
     return there;
   }
 
+  /** @param {number} x @param {number} reach */
   #pulled(x, reach) {
     const { scene } = this.#controller;
     const { duration, edges } = scene.model;

@@ -2,6 +2,8 @@
  * Which muscles' graphs are shown, and which sides of them: those that move most until the user chooses.
  */
 
+/** @import {Sides} from "../types.js" */
+
 const SHOWN = 5;
 
 export class Graphs {
@@ -9,6 +11,7 @@ export class Graphs {
   #chosen = null;
   /** @type {string[]} */
   #lively = [];
+  /** @type {Map<string, Sides>} */
   #sides = new Map();
   #changed;
   /** @type {import("./model.js").Model | null} */
@@ -33,27 +36,32 @@ export class Graphs {
 
   /** What the rows show: the names of the sides asked for, the left first. */
   get rows() {
-    const { bases } = this.#model ?? { bases: new Map() };
+    const model = this.#model;
+    if (model === null) return [];
     return this.bases.map((base) => {
-      const { names } = bases.get(base);
+      const { names } = model.base(base);
       const side = this.side(base);
       return { base, names: side === "both" ? names : names.filter((name) => name.endsWith(`.${side}`)) };
     });
   }
 
+  /** @param {string} base */
   side(base) {
     return this.#sides.get(base) ?? "both";
   }
 
+  /** @param {string} base @param {Sides} side */
   setSide(base, side) {
     this.#sides.set(base, side);
     this.#changed();
   }
 
+  /** @param {string} base */
   has(base) {
     return this.bases.includes(base);
   }
 
+  /** @param {string} base */
   toggle(base) {
     const { bases } = this;
     this.#chosen = bases.includes(base) ? bases.filter((other) => other !== base) : [...bases, base];
@@ -71,8 +79,9 @@ export class Graphs {
     return { chosen: this.#chosen, sides: Object.fromEntries(this.#sides) };
   }
 
-  /** Show what `kept` was. @param {{chosen?: string[] | null, sides?: Record<string, string>}} kept @param {import("./model.js").Model} model */
+  /** Show what `kept` was. @param {import("../wire.js").GraphsView} kept @param {import("./model.js").Model} model */
   restore({ chosen = null, sides = {} }, model) {
+    /** @param {string} base */
     const known = (base) => model.bases.has(base);
     this.#chosen = Array.isArray(chosen) ? chosen.filter(known) : null;
     this.#sides = new Map(Object.entries(sides).filter(([base]) => known(base)));

@@ -1,5 +1,8 @@
 import { blockBand } from "./rows.js";
 import { editOf, moved, nearest, snappedBy, stretchTo, stretchedTogether, timesOf } from "./times.js";
+/** @import {Block, Box, SpeechRow, Times} from "../types.js" */
+/** @import {TimelineController} from "./controller.js" */
+/** @import {Scene} from "./scene.js" */
 
 /**
  * Several movements that are selected together, and what is done to all of them: each is one change to undo.
@@ -8,7 +11,10 @@ import { editOf, moved, nearest, snappedBy, stretchTo, stretchedTogether, timesO
 const SLACK = 3; // pixels that a pointer may tremble without dragging
 const REACH = 7; // pixels within which a drag snaps
 
-/** Blocks that a box in the scene's pixels touches; `y` counts from the top of the body. */
+/**
+ * Blocks that a box in the scene's pixels touches; `y` counts from the top of the body.
+ * @param {Scene} scene @param {Box} box @returns {Block[]}
+ */
 export function within(scene, { x0, y0, x1, y1 }) {
   const [from, to] = [Math.min(x0, x1), Math.max(x0, x1)].map((x) => scene.view.time(x));
   const [top, bottom] = [Math.min(y0, y1), Math.max(y0, y1)];
@@ -23,14 +29,17 @@ export function within(scene, { x0, y0, x1, y1 }) {
   return found;
 }
 
-/** The times of blocks moved together, as far as all stay in the take. */
+/**
+ * The times of blocks moved together, as far as all stay in the take.
+ * @param {Times[]} all @param {number} delta @param {number} duration @returns {Times[]}
+ */
 export function movedTogether(all, delta, duration) {
   const [first, last] = [Math.min(...all.map(([start]) => start)), Math.max(...all.map((times) => times[3]))];
   const bound = Math.max(-first, Math.min(delta, Math.max(duration - last, -first)));
   return all.map((times) => times.map((time) => time + bound));
 }
 
-/** The wire's edits that put blocks to other times. */
+/** The wire's edits that put blocks to other times. @param {Block[]} blocks @param {Times[]} after */
 export function editsOf(blocks, after) {
   return blocks.flatMap((block, k) => {
     const edit = editOf(timesOf(block), after[k]);
@@ -40,7 +49,10 @@ export function editsOf(blocks, after) {
   });
 }
 
-/** Start of the first and end of the last of the selected movements as they are shown; null where one or none is. @returns {[number, number] | null} */
+/**
+ * Start of the first and end of the last of the selected movements as they are shown; null where one or none is.
+ * @param {Pick<Scene, "group" | "model" | "edits">} scene @returns {[number, number] | null}
+ */
 export function spanOf({ group, model, edits }) {
   if (!model || group.size < 2) return null;
   const shown = [...group].flatMap((id) => model.blocks.get(id) ?? []).map((block) => edits.shown(block) ?? block);
@@ -49,14 +61,17 @@ export function spanOf({ group, model, edits }) {
 
 const GRIP = 4; // half the size of what a selection is stretched by
 
-/** The end of the selection's bar on the ruler at a place: 0 its start, 1 its end, -1 neither. */
+/**
+ * The end of the selection's bar on the ruler at a place: 0 its start, 1 its end, -1 neither.
+ * @param {Scene} scene @param {SpeechRow | null} row @param {number} x @param {number} y
+ */
 export function gripNear(scene, row, x, y) {
   const span = row?.kind === "ruler" ? spanOf(scene) : null;
-  if (!span || y < row.y + row.height / 2) return -1;
+  if (!row || !span || y < row.y + row.height / 2) return -1;
   return span.findIndex((time) => Math.abs(scene.view.x(time) - x) <= 2 * GRIP);
 }
 
-/** A bar on the ruler over all that is selected: its ends stretch it. */
+/** A bar on the ruler over all that is selected: its ends stretch it. @param {Scene} scene @param {SpeechRow} row */
 export function paintSpan(scene, row) {
   const span = spanOf(scene);
   if (!span) return;
@@ -77,7 +92,7 @@ export class DragStretch {
   /** @type {number | null} */
   #time = null;
 
-  /** @param {number} end which end is dragged: 0 the first start, 1 the last end */
+  /** @param {TimelineController} controller @param {number} end which end is dragged: 0 the first start, 1 the last end */
   constructor(controller, end) {
     this.#controller = controller;
     this.#blocks = controller.blocks;
@@ -86,6 +101,7 @@ export class DragStretch {
     this.#ends = [span[1 - end], span[end]];
   }
 
+  /** @param {number} x @param {number} y @param {PointerEvent} event */
   move(x, y, event) {
     const { scene, edits, snaps } = this.#controller;
     const { duration, edges } = scene.model;
@@ -117,6 +133,7 @@ export class DragGroup {
   #x;
   #dragging = false;
 
+  /** @param {TimelineController} controller @param {number} x @param {Block} block */
   constructor(controller, x, block) {
     this.#controller = controller;
     this.#block = block;
@@ -125,6 +142,7 @@ export class DragGroup {
     this.#x = x;
   }
 
+  /** @param {number} x @param {number} y @param {PointerEvent} event */
   move(x, y, event) {
     if (!this.#dragging && Math.abs(x - this.#x) < SLACK) return;
     this.#dragging = true;
@@ -161,12 +179,14 @@ export class DragBox {
   #from;
   #before;
 
+  /** @param {TimelineController} controller @param {number} x @param {number} y @param {boolean} add */
   constructor(controller, x, y, add) {
     this.#controller = controller;
     this.#from = [x, this.#depth(y)];
     this.#before = add ? controller.blocks : [];
   }
 
+  /** @param {number} x @param {number} y */
   move(x, y) {
     const { scene } = this.#controller;
     const [x0, y0] = this.#from;
@@ -186,6 +206,7 @@ export class DragBox {
     this.end();
   }
 
+  /** @param {number} y */
   #depth(y) {
     const { scene } = this.#controller;
     return y - scene.headHeight + scene.scroll;

@@ -10,6 +10,8 @@ import { Said } from "./said.js";
 import { Scene } from "./scene.js";
 import { Shapes } from "./shape.js";
 import { Viewport } from "./viewport.js";
+/** @import {Take} from "../store.js" */
+/** @import {Studio} from "../studio.js" */
 
 export { TIMELINE_KEYS } from "./shortcuts.js";
 
@@ -24,7 +26,7 @@ export function mountTimeline(element, studio) {
   return Object.assign(element, { timeline: new Timeline(element, studio) }).timeline;
 }
 
-/** Whether two takes are of the same line, so that what is in sight may stay. */
+/** Whether two takes are of the same line, so that what is in sight may stay. @param {Take} one @param {Take} other */
 function sameLine(one, other) {
   return one.duration === other.duration && one.speech?.text === other.speech?.text;
 }
@@ -38,11 +40,13 @@ class Timeline {
   #details;
   #edits;
   #parts;
+  #around;
   #painting = false; // whether the page's next frame draws anew
   #said;
   /** @type {object | null} */
   #kept = null;
 
+  /** @param {HTMLElement} element @param {Studio & {explanation: HTMLElement}} studio */
   constructor(element, { store, clock, actions, explanation }) {
     this.#store = store;
     this.#clock = clock;
@@ -57,7 +61,7 @@ class Timeline {
     this.#said = new Said(this.#parts.frame, this.#scene);
     const made = { scene: this.#scene, graphs: this.#graphs, edits, details, clock, actions, store, scroller, repaint, arrange };
     this.#controller = new TimelineController(made);
-    Object.assign(this.#parts, fitted(this.#parts, this.#controller, this.#graphs, explanation));
+    this.#around = fitted(this.#parts, this.#controller, this.#graphs, explanation);
     element.replaceChildren(this.#parts.root);
     this.#listen();
   }
@@ -86,7 +90,7 @@ class Timeline {
     const { scroller } = this.#parts;
     scroller.addEventListener("scroll", () => {
       this.#scene.scroll = scroller.scrollTop / this.#scene.unit;
-      this.#parts.names.scroll();
+      this.#around.names.scroll();
       this.repaint();
     });
     new ResizeObserver(() => this.#resize()).observe(scroller);
@@ -117,20 +121,23 @@ class Timeline {
     this.#graphs.setModel(model, fresh);
     this.#arrange();
     if (fresh) this.#scene.view.open();
-    this.#parts.list.setModel(model);
+    this.#around.list.setModel(model);
     this.#follow(before);
     this.#select();
   }
 
-  /** A selected movement that was moved or stretched is explained where it is now, not where it was. */
+  /**
+   * A selected movement that was moved or stretched is explained where it is now, not where it was.
+   * @param {Model | null} before
+   */
   #follow(before) {
     const { group } = this.#scene;
     for (const id of group) if (!this.#scene.model.blocks.has(id)) group.delete(id);
     if (group.size > 1) return;
     const { movement, time } = this.#store.get("selection");
-    const [now, was] = [this.#scene.model, before].map((model) => model?.blocks.get(movement));
+    const [now, was] = [this.#scene.model, before].map((model) => model?.blocks.get(movement ?? ""));
     if (!now || !was || (now.start === was.start && now.end === was.end)) return;
-    if (time < now.start || time > now.end || now.start !== was.start) this.#controller.choose(now);
+    if (time === null || time < now.start || time > now.end || now.start !== was.start) this.#controller.choose(now);
   }
 
   /** The user has other graphs or lanes: lay out, and have it kept with the project. */
@@ -156,11 +163,11 @@ class Timeline {
     scene.graphs = this.#graphs.rows;
     scene.arrange();
     this.#resize();
-    this.#parts.names.show();
+    this.#around.names.show();
   }
 
   #resize() {
-    const { scroller, frame, names, depth } = this.#parts;
+    const [{ scroller, frame, depth }, { names }] = [this.#parts, this.#around];
     const height = scroller.clientHeight;
     frame.style.height = `${height}px`;
     names.setHeight(height);
@@ -182,16 +189,17 @@ class Timeline {
   #select() {
     const selection = this.#store.get("selection") ?? { time: null, parameter: null, movement: null };
     const { time, parameter, movement } = selection;
-    this.#scene.selected = this.#scene.model?.blocks.has(movement) ? movement : null;
-    this.#scene.marked = parameter && this.#scene.model ? { time, name: this.#scene.model.named(parameter)[0] } : null;
+    this.#scene.selected = this.#scene.model?.blocks.has(movement ?? "") ? movement : null;
+    this.#scene.marked = parameter && time !== null && this.#scene.model ? { time, name: this.#scene.model.named(parameter)[0] } : null;
     const key = this.#scene.selectedKey;
     const there = key !== null && key.parameter === parameter && key.index < this.#edits.keys(parameter).length;
     if (!there) this.#scene.selectedKey = null;
-    this.#parts.list.setSelected(this.#scene.selected);
-    this.#parts.why.show(selection);
+    this.#around.list.setSelected(this.#scene.selected);
+    this.#around.why.show(selection);
     if (this.#scene.selected !== null && movement !== this.#controller.chosen) {
       this.#controller.chosen = movement;
-      this.#controller.reveal(this.#controller.block); // it was pointed at elsewhere on the page
+      const { block } = this.#controller;
+      if (block) this.#controller.reveal(block); // it was pointed at elsewhere on the page
     }
     this.repaint();
   }
@@ -209,7 +217,7 @@ class Timeline {
     const { scene } = this.#controller;
     this.#parts.playhead.style.transform = `translateX(${scene.view.x(scene.time) * scene.unit}px)`;
     this.#said.show();
-    this.#parts.names.setTime(`${clockTime(scene.time)} s`);
+    this.#around.names.setTime(`${clockTime(scene.time)} s`);
   }
 
   #paint() {
@@ -220,7 +228,7 @@ class Timeline {
       if (row.kind === "graph") this.#details.want(row.names[0]);
     }
     this.#showTime();
-    const { tools, overview, why, status, canvas } = this.#parts;
+    const [{ tools, overview, why }, { status, canvas }] = [this.#around, this.#parts];
     tools.show();
     overview.show();
     why.refresh();

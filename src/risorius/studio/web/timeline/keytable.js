@@ -1,6 +1,7 @@
 import { h, spoken } from "./dom.js";
 import { SHAPES, shapeOf, shaped } from "./key_shapes.js";
 import { withKey, withMoved } from "./keys.js";
+/** @import {Key} from "../types.js" */
 
 /**
  * The keys drawn by hand on a parameter, as a table of numbers: what the mouse does on a graph, without one.
@@ -20,7 +21,7 @@ export class KeyTable {
   element(name, time) {
     const [parameter] = this.#controller.scene.model.named(name);
     const keys = this.#controller.edits.keys(parameter);
-    const { unit, low, high } = this.#controller.scene.model.parameters.get(parameter);
+    const { unit, low, high } = this.#controller.scene.model.parameter(parameter);
     const add = h("button", { id: "tl-key-add", onclick: () => this.#add(parameter, time) }, "Set a key here");
     const clear = h("button", { id: "tl-key-clear", onclick: () => this.#send(parameter, []) }, "Delete all keys");
     const head = h("tr", {}, ...["Time, s", `Value${unit ? `, ${unit}` : ""}`, "Shape", ""].map((text) => h("th", { scope: "col" }, text)));
@@ -32,6 +33,7 @@ export class KeyTable {
       h("div", { class: "row" }, add, keys.length ? clear : null)); // prettier-ignore
   }
 
+  /** @param {string} parameter @param {Key} key @param {number} index @param {{low: number, high: number}} bounds */
   #row(parameter, key, index, { low, high }) {
     const [time, value] = key;
     const what = `key ${index + 1} of ${spoken(parameter)}`;
@@ -39,7 +41,7 @@ export class KeyTable {
       const bounds = k ? { min: low, max: high } : { min: 0 };
       const label = `${k ? "Value" : "Time"} of ${what}`;
       const input = h("input", { id: `tl-key-${index}-${k}`, type: "number", step: "0.01", "aria-label": label, ...bounds });
-      input.value = Number(number.toFixed(3));
+      input.value = String(Number(number.toFixed(3)));
       return input;
     });
     const change = () => this.#move(parameter, index, Number(at.value), Number(amount.value));
@@ -50,26 +52,32 @@ export class KeyTable {
     return h("tr", {}, ...[at, amount, shape, away].map((part) => h("td", {}, part)));
   }
 
-  /** How the curve passes a key. */
+  /** How the curve passes a key. @param {string} parameter @param {Key} key @param {number} index @param {string} what */
   #shape(parameter, key, index, what) {
     const options = Object.entries(SHAPES).map(([name, title]) => h("option", { value: name }, title));
     const list = h("select", { id: `tl-key-${index}-shape`, "aria-label": `Shape of ${what}` }, ...options);
     list.value = shapeOf(key);
-    list.addEventListener("change", () => this.#send(parameter, shaped(this.#controller.edits.keys(parameter), index, list.value)));
+    list.addEventListener("change", () => {
+      const kind = /** @type {keyof SHAPES} */ (list.value);
+      this.#send(parameter, shaped(this.#controller.edits.keys(parameter), index, kind));
+    });
     return list;
   }
 
+  /** @param {string} parameter @param {number} time */
   #add(parameter, time) {
     const { model } = this.#controller.scene;
     const keys = this.#controller.edits.keys(parameter);
     this.#send(parameter, withKey(keys, time, model.valueAt(parameter, time), model.around(parameter)));
   }
 
+  /** @param {string} parameter @param {number} index @param {number} time @param {number} value */
   #move(parameter, index, time, value) {
     const { duration } = this.#controller.scene.model;
     this.#send(parameter, withMoved(this.#controller.edits.keys(parameter), index, time, value, duration));
   }
 
+  /** @param {string} parameter @param {Key[]} keys */
   #send(parameter, keys) {
     return this.#controller.edits.sendKeys(this.#controller.partners(parameter), keys);
   }

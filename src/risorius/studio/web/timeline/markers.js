@@ -1,5 +1,9 @@
 import { beginning, clockTime } from "./paint_head.js";
-import { h } from "./dom.js";
+import { foundIn, h } from "./dom.js";
+/** @import {SpeechRow} from "../types.js" */
+/** @import {Marker} from "../wire.js" */
+/** @import {TimelineController} from "./controller.js" */
+/** @import {Scene} from "./scene.js" */
 
 /**
  * Markers: times with a note, as flags on the ruler and as a list to type in.
@@ -8,7 +12,10 @@ import { h } from "./dom.js";
 const NEAR = 6; // pixels
 const WIDEST = 140; // pixels of a note on the ruler
 
-/** The marker at a place on the ruler, by its index; -1 if there is none. */
+/**
+ * The marker at a place on the ruler, by its index; -1 if there is none.
+ * @param {Scene} scene @param {SpeechRow | null} row @param {number} x
+ */
 export function markerNear({ model, view }, row, x) {
   if (row?.kind !== "ruler") return -1;
   return model.markers.findLastIndex(({ time }) => Math.abs(view.x(time) - x) <= NEAR);
@@ -45,6 +52,7 @@ export class DragMarker {
   /** @type {number | null} */
   #time = null;
 
+  /** @param {TimelineController} controller @param {number} x @param {number} index */
   constructor(controller, x, index) {
     this.#controller = controller;
     this.#index = index;
@@ -53,6 +61,7 @@ export class DragMarker {
     controller.clock.seek(this.#from);
   }
 
+  /** @param {number} x */
   move(x) {
     if (this.#time === null && Math.abs(x - this.#x) < 3) return;
     const { scene } = this.#controller;
@@ -98,7 +107,7 @@ export class MarkerList {
     if (!this.#controller.scene.model) return;
     this.#show();
     this.#dialog.showModal();
-    this.#dialog.querySelector(`#tl-marker-${index}-text`)?.focus();
+    foundIn(this.#dialog, `#tl-marker-${index}-text`)?.focus();
   }
 
   #show() {
@@ -107,13 +116,14 @@ export class MarkerList {
     this.#rows.replaceChildren(...(markers.length ? markers.map((marker, k) => this.#row(marker, k)) : [none]));
   }
 
+  /** @param {Marker} marker @param {number} k */
   #row({ time, text }, k) {
     const what = `marker ${k + 1}`;
     const { duration } = this.#controller.scene.model;
     const at = h("input", { type: "number", id: `tl-marker-${k}-time`, min: 0, max: duration, step: "any", "aria-label": `Time of ${what}, seconds` });
-    at.value = Number(time.toFixed(3));
+    at.value = String(Number(time.toFixed(3)));
     const note = h("input", { type: "text", id: `tl-marker-${k}-text`, maxlength: 120, placeholder: "Note", "aria-label": `Note of ${what}` });
-    note.value = text;
+    note.value = text ?? "";
     const change = () => at.checkValidity() && this.#change(k, { time: Number(at.value), text: note.value });
     for (const input of [at, note]) input.addEventListener("change", change);
     const go = h("button", { title: clockTime(time), onclick: () => this.#controller.clock.seek(time), "aria-label": `Go to ${what}` }, "Go");
@@ -121,17 +131,18 @@ export class MarkerList {
     return h("div", { class: "tl-marker" }, at, note, go, away);
   }
 
+  /** @param {number} index @param {Marker | null} marker */
   async #change(index, marker) {
     const rest = this.#controller.scene.model.markers.map((one, k) => (k === index ? marker : one));
-    await this.#controller.setMarkers(rest.filter(Boolean));
+    await this.#controller.setMarkers(rest.filter((one) => one !== null));
     const focus = document.activeElement?.id;
     this.#show();
-    if (focus) this.#dialog.querySelector(`#${CSS.escape(focus)}`)?.focus();
+    if (focus) foundIn(this.#dialog, `#${CSS.escape(focus)}`)?.focus();
   }
 
   async #add() {
     const index = await this.#controller.addMarker();
     this.#show();
-    this.#dialog.querySelector(`#tl-marker-${index}-text`)?.focus();
+    foundIn(this.#dialog, `#tl-marker-${index}-text`)?.focus();
   }
 }

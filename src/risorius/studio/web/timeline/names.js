@@ -1,15 +1,19 @@
 import { glyph } from "../parts/glyphs.js";
-import { h, spoken } from "./dom.js";
+import { foundIn, h, spoken } from "./dom.js";
+/** @import {BodyRow, GraphRow, LaneRow, Sides} from "../types.js" */
+/** @typedef {{state: "muted" | "solo" | "locked", sign: string | (() => Node), verb: string, title: string}} LaneState */
 
 /**
  * The names of lanes and graphs, to the left of them; a graph can be explained, asked for one side, and put away.
  */
 
+/** @type {LaneState[]} */
 const STATES = [
   { state: "muted", sign: "M", verb: "Mute", title: "its movements stay, and move nothing" },
   { state: "solo", sign: "S", verb: "Solo", title: "only it and other solo lanes move the face" },
   { state: "locked", sign: () => glyph("lock"), verb: "Lock", title: "its movements cannot be changed" },
 ];
+/** @type {Sides[]} */
 const SIDES = ["both", "left", "right"];
 const SIGNS = { both: "L R", left: "L", right: "R" };
 
@@ -28,10 +32,12 @@ export class Names {
     parent.append(this.#box);
   }
 
+  /** @param {number} height */
   setHeight(height) {
     this.#box.style.height = `${height}px`;
   }
 
+  /** @param {string} text */
   setTime(text) {
     this.#corner.textContent = text;
   }
@@ -47,12 +53,14 @@ export class Names {
     this.#corner.style.height = `${this.#controller.scene.headHeight * this.#controller.scene.unit}px`;
     const held = /** @type {HTMLElement | null} */ (document.activeElement)?.dataset.name;
     this.#list.replaceChildren(...this.#controller.scene.body.map((row) => this.#name(row)));
-    if (held) this.#list.querySelector(`[data-name="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
+    if (held) foundIn(this.#list, `[data-name="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
     this.scroll();
   }
 
+  /** @param {BodyRow} row */
   #name(row) {
     const { unit } = this.#controller.scene;
+    /** @type {Record<string, string>} */
     const style = { top: `${row.y * unit}px`, height: `${row.height * unit}px` };
     if (row.kind === "graph") return h("div", { class: "tl-name", style }, ...this.#graph(row));
     style["--colour"] = `var(--tl-channel-${row.lane.channel})`;
@@ -62,7 +70,7 @@ export class Names {
     return h("div", { class: silent ? "tl-name tl-silent" : "tl-name", style }, this.#lane(row), ...states);
   }
 
-  /** A lane's name folds it: all movements on one row. */
+  /** A lane's name folds it: all movements on one row. @param {LaneRow} row */
   #lane({ lane: { channel, priority, spans, count }, fold }) {
     const title = `${spans.items.length} movements, priority ${priority}; click to ${fold ? "unfold" : "fold"} the lane`;
     const name = `${channel}${fold && count > 1 ? ` (${count})` : ""}`;
@@ -71,7 +79,7 @@ export class Names {
       name); // prettier-ignore
   }
 
-  /** A button that mutes, solos or locks a lane. */
+  /** A button that mutes, solos or locks a lane. @param {string} channel @param {LaneState} state */
   #state(channel, { state, sign, verb, title }) {
     const on = this.#controller.scene.model.states[state].includes(channel);
     return h("button", {
@@ -84,8 +92,9 @@ export class Names {
     }, typeof sign === "string" ? sign : sign()); // prettier-ignore
   }
 
+  /** @param {GraphRow} row */
   #graph({ base, names }) {
-    const parameter = this.#controller.scene.model.parameters.get(names[0]);
+    const parameter = this.#controller.scene.model.parameter(names[0]);
     const number = parameter.number === null ? "" : `${String(parameter.number).padStart(2, "0")} `;
     const explain = () => this.#controller.ask(this.#controller.clock.time, names.length > 1 ? base : names[0]);
     const away = () => this.#graphs.toggle(base);
@@ -97,8 +106,9 @@ export class Names {
     ];
   }
 
+  /** @param {string} base */
   #side(base) {
-    if (this.#controller.scene.model.bases.get(base).names.length < 2) return null;
+    if (this.#controller.scene.model.base(base).names.length < 2) return null;
     const side = this.#graphs.side(base);
     const next = SIDES[(SIDES.indexOf(side) + 1) % SIDES.length];
     const label = `${SIGNS[side]}, ${spoken(base)}: ${side === "both" ? "both sides" : `${side} side`}; show and draw ${next}`;

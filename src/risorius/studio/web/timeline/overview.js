@@ -1,4 +1,5 @@
 import { drawnBySoftware } from "../stage/software.js";
+import { contextOf } from "../parts/dom.js";
 import { h } from "./dom.js";
 
 /**
@@ -27,11 +28,13 @@ export class Overview {
     parent.append(this.#box);
   }
 
+  /** @param {PointerEvent} event */
   #down(event) {
     this.#box.setPointerCapture(event.pointerId);
     this.#to(event);
   }
 
+  /** @param {PointerEvent} event */
   #to({ clientX }) {
     const { left, width } = this.#box.getBoundingClientRect();
     const { view } = this.#controller.scene;
@@ -39,8 +42,10 @@ export class Overview {
     this.#controller.repaint();
   }
 
+  /** @param {KeyboardEvent} event */
   #key(event) {
     const { view } = this.#controller.scene;
+    /** @type {Record<string, number>} */
     const ways = { ArrowLeft: -PART, ArrowRight: PART, PageUp: -1, PageDown: 1, Home: -Infinity, End: Infinity };
     if (!(event.key in ways)) return;
     event.preventDefault();
@@ -54,6 +59,7 @@ export class Overview {
   show() {
     const { view, model } = this.#controller.scene;
     if (!model) return;
+    /** @param {number} time */
     const share = (time) => Math.max(0, Math.min(1, time / view.duration));
     this.#thumb.style.left = `${100 * share(view.start)}%`;
     this.#thumb.style.width = `${100 * (share(view.end) - share(view.start))}%`;
@@ -72,14 +78,15 @@ export class Overview {
     if (drawn === this.#drawn) return;
     this.#drawn = drawn;
     [this.#canvas.width, this.#canvas.height] = [width, height];
-    const context = this.#canvas.getContext("2d", { willReadFrequently: drawnBySoftware() });
+    const context = contextOf(this.#canvas, { willReadFrequently: drawnBySoftware() });
     context.fillStyle = palette.wave;
-    const count = wave ? wave.peaks.length / 2 : 0;
+    const peaks = wave?.peaks ?? new Int8Array();
+    const count = peaks.length / 2;
     for (let x = 0; x < width && count; x++) {
       let most = 0;
       const last = Math.max(Math.floor((x * count) / width) + 1, Math.ceil(((x + 1) * count) / width));
       for (let k = Math.floor((x * count) / width); k < Math.min(last, count); k++) {
-        most = Math.max(most, -wave.peaks[2 * k], wave.peaks[2 * k + 1]);
+        most = Math.max(most, -peaks[2 * k], peaks[2 * k + 1]);
       }
       const tall = (most / 128) * height;
       context.fillRect(x, (height - tall) / 2, 1, tall);

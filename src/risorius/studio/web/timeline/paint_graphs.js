@@ -1,4 +1,8 @@
 import { handlesOf, traceKeys } from "./key_shapes.js";
+/** @import {ChannelGraph, Detail, GraphRow, Key, Scale} from "../types.js" */
+/** @import {Model} from "./model.js" */
+/** @import {Pyramid} from "./pyramid.js" */
+/** @import {Scene} from "./scene.js" */
 
 /**
  * The graph of a muscle: its final curve, each channel's own beneath, and where one was held back.
@@ -8,9 +12,10 @@ const PAD = 5;
 
 /**
  * The scale of a graph: values to heights and back. Degrees are shown as far as they go, at least 5.
+ * @param {Model} model @param {GraphRow} row @returns {Scale}
  */
 export function scaleOf(model, row) {
-  const { low, high, signed, kind, neutral } = model.parameters.get(row.names[0]);
+  const { low, high, signed, kind, neutral } = model.parameter(row.names[0]);
   const [top, bottom] = [row.y + PAD, row.y + row.height - PAD];
   let [least, most] = [low, high];
   if (signed || kind === "distance") {
@@ -27,6 +32,7 @@ export function scaleOf(model, row) {
   };
 }
 
+/** @param {Model} model @param {string} name @param {number} neutral */
 function reachOf(model, name, neutral) {
   const curve = model.curve(name);
   if (!curve) return 0;
@@ -34,7 +40,7 @@ function reachOf(model, name, neutral) {
   return 1.1 * Math.max(Math.abs(least - neutral), Math.abs(most - neutral));
 }
 
-/** @param {import("./scene.js").Scene} scene */
+/** @param {Scene} scene @param {GraphRow} row */
 export function paintGraph(scene, row) {
   const { context, palette, model, details } = scene;
   const scale = scaleOf(model, row);
@@ -51,9 +57,9 @@ export function paintGraph(scene, row) {
   for (const name of row.names) paintKeys(scene, row, scale, name);
 }
 
-/** What the top and the bottom of the graph stand for. */
+/** What the top and the bottom of the graph stand for. @param {Scene} scene @param {GraphRow} row @param {Scale} scale */
 function paintScale({ context, palette, width, model }, row, { least, most }) {
-  const { unit } = model.parameters.get(row.names[0]);
+  const { unit } = model.parameter(row.names[0]);
   const places = most - least > 4 ? 0 : most - least > 1 ? 1 : 0;
   context.fillStyle = palette.faint;
   context.font = `9px ${palette.font}`;
@@ -63,6 +69,7 @@ function paintScale({ context, palette, width, model }, row, { least, most }) {
   context.fillText(least.toFixed(places), width - 3, row.y + row.height - 4);
 }
 
+/** @param {Scene} scene @param {Scale} scale @param {string} name @param {string} colour @param {number} width */
 function paintCurve(scene, scale, name, colour, width) {
   const curve = scene.model.curve(name);
   scene.context.beginPath();
@@ -74,6 +81,7 @@ function paintCurve(scene, scale, name, colour, width) {
   stroke(scene, colour, width);
 }
 
+/** @param {Scene} scene @param {string} colour @param {number} width */
 function stroke({ context }, colour, width) {
   context.strokeStyle = colour;
   context.lineWidth = width;
@@ -81,9 +89,12 @@ function stroke({ context }, colour, width) {
   context.stroke();
 }
 
-/** Channels' curves: what each asks as a line, what it gets filled; shaded where one was held back. */
+/**
+ * Channels' curves: what each asks as a line, what it gets filled; shaded where one was held back.
+ * @param {Scene} scene @param {GraphRow} row @param {Scale} scale @param {Detail} detail
+ */
 function paintChannels(scene, row, scale, { channels }) {
-  for (const how of ["limited", "inhibited"]) {
+  for (const how of /** @type {("limited" | "inhibited")[]} */ (["limited", "inhibited"])) {
     const spans = channels.flatMap((channel) => channel[how]).sort((a, b) => a[0] - b[0]);
     shade(scene, row, spans, scene.palette[how]);
   }
@@ -98,6 +109,7 @@ function paintChannels(scene, row, scale, { channels }) {
   }
 }
 
+/** @param {Scene} scene @param {GraphRow} row @param {[number, number][]} spans @param {string} colour */
 function shade({ context, view, count }, row, spans, colour) {
   context.fillStyle = colour;
   let painted = -Infinity;
@@ -110,6 +122,7 @@ function shade({ context, view, count }, row, spans, colour) {
   }
 }
 
+/** @param {Scene} scene @param {Scale} scale @param {ChannelGraph} channel @param {string} colour */
 function fillGiven(scene, scale, channel, colour) {
   const { context, view, model } = scene;
   const rest = scale.y(scale.neutral);
@@ -125,6 +138,7 @@ function fillGiven(scene, scale, channel, colour) {
 
 /**
  * Trace a curve through what is in sight: frame by frame, or least and greatest of each pixel.
+ * @param {Scene} scene @param {Scale} scale @param {Pyramid} curve @param {number} neutral
  * @returns {[number, number]} the time of the first and the last point
  */
 function trace({ context, view, model, count, width }, scale, curve, neutral) {
@@ -146,7 +160,10 @@ function trace({ context, view, model, count, width }, scale, curve, neutral) {
   return [first / rate, last / rate];
 }
 
-/** Keys drawn by hand, the curve through them, and the handles of the selected one. */
+/**
+ * Keys drawn by hand, the curve through them, and the handles of the selected one.
+ * @param {Scene} scene @param {GraphRow} row @param {Scale} scale @param {string} name
+ */
 function paintKeys(scene, row, scale, name) {
   const { context, view, palette, selectedKey, count } = scene;
   const keys = scene.edits.keys(name);
@@ -166,6 +183,7 @@ function paintKeys(scene, row, scale, name) {
   });
 }
 
+/** @param {Scene} scene @param {Scale} scale @param {Key} key */
 function paintHandles({ context, view, palette, count }, scale, key) {
   const [x, y] = [view.x(key[0]), scale.y(key[1])];
   for (const handle of handlesOf(key)) {
@@ -184,6 +202,7 @@ function paintHandles({ context, view, palette, count }, scale, key) {
   }
 }
 
+/** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} size */
 function diamond(context, x, y, size) {
   context.beginPath();
   context.moveTo(x, y - size);

@@ -2,10 +2,15 @@
  * The head of the timeline: ruler, the sound's outline, words, phones, accents and tones, pauses.
  */
 
+/** @import {Outline, Palette, Speech, SpeechRow} from "../types.js" */
+/** @import {PhoneView, WordView} from "../wire.js" */
+/** @import {Scene} from "./scene.js" */
+/** @import {Model} from "./model.js" */
+
 const STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300];
 const LABEL_ROOM = 64; // pixels between labels of the ruler
 
-/** @param {import("./scene.js").Scene} scene */
+/** @param {Scene} scene @param {SpeechRow} row */
 export function paintRuler({ context, view, palette, width, count, loop }, row) {
   if (loop) {
     context.fillStyle = palette.loop;
@@ -24,6 +29,10 @@ export function paintRuler({ context, view, palette, width, count, loop }, row) 
   }
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context @param {string} text @param {number} x @param {number} y
+ * @param {Palette} palette
+ */
 function label(context, text, x, y, palette) {
   context.fillStyle = palette.faint;
   context.font = `10px ${palette.font}`;
@@ -33,7 +42,7 @@ function label(context, text, x, y, palette) {
   context.fillStyle = palette.rule;
 }
 
-/** Seconds as 1:02.50, with as many places as a step needs. */
+/** Seconds as 1:02.50, with as many places as a step needs. @param {number} time */
 export function clockTime(time, step = 0.001) {
   const places = step >= 1 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3;
   const minutes = Math.floor(time / 60);
@@ -41,11 +50,14 @@ export function clockTime(time, step = 0.001) {
   return minutes ? `${minutes}:${seconds.padStart(places ? places + 3 : 2, "0")}` : seconds;
 }
 
-/** The sound's outline, from the coarsest zoom that is fine enough; pauses behind it, accents above. */
+/**
+ * The sound's outline, from the coarsest zoom that is fine enough; pauses behind it, accents above.
+ * @param {Scene} scene @param {SpeechRow} row
+ */
 export function paintWave(scene, row) {
   const { context, view, model, palette } = scene;
   paintPauses(scene, row);
-  const waves = model.speech.waves;
+  const { waves } = speechOf(model);
   const wave = waves.find((w) => w.seconds_per_bucket * view.scale <= 1) ?? waves.at(-1);
   if (wave) outline(scene, row, wave);
   context.fillStyle = palette.grid;
@@ -53,9 +65,10 @@ export function paintWave(scene, row) {
   paintTones(scene, row);
 }
 
+/** @param {Scene} scene @param {SpeechRow} row @param {Outline} wave */
 function outline({ context, view, palette, width, count, model }, row, { peaks, seconds_per_bucket: size }) {
   const middle = row.y + row.height / 2;
-  const scale = (row.height / 2 - 1) / model.speech.loudest;
+  const scale = (row.height / 2 - 1) / speechOf(model).loudest;
   const left = Math.max(0, view.x(0));
   const right = Math.min(width, view.x(model.duration));
   context.fillStyle = palette.wave;
@@ -72,11 +85,12 @@ function outline({ context, view, palette, width, count, model }, row, { peaks, 
   }
 }
 
+/** @param {Scene} scene @param {SpeechRow} row */
 function paintPauses({ context, view, model, palette, count }, row) {
   context.font = `italic 10px ${palette.font}`;
   context.textAlign = "center";
   context.textBaseline = "middle";
-  for (const pause of model.speech.pauses.within(view.start, view.end)) {
+  for (const pause of speechOf(model).pauses.within(view.start, view.end)) {
     const [x, end] = [view.x(pause.start), view.x(pause.end)];
     context.fillStyle = palette.pause;
     context.fillRect(x, row.y, Math.max(end - x, 1), row.height);
@@ -88,16 +102,24 @@ function paintPauses({ context, view, model, palette, count }, row) {
   }
 }
 
+/** The speech, where rows of it are drawn. @param {Model} model */
+function speechOf(model) {
+  return /** @type {Speech} */ (model.speech);
+}
+
 const TONE_GAP = 3;
 const SPARSE = 20; // pixels a second: closer, they would hide the sound
 
-/** Accents as marks over their vowels, a phrase's last tones as flags; nuclear ones filled. */
+/**
+ * Accents as marks over their vowels, a phrase's last tones as flags; nuclear ones filled.
+ * @param {Scene} scene @param {SpeechRow} row
+ */
 function paintTones({ context, view, model, palette, count }, row) {
   if (view.scale < SPARSE) return;
   let free = -Infinity;
   context.textAlign = "left";
   context.textBaseline = "middle";
-  for (const tone of model.speech.tones.within(view.start, view.end)) {
+  for (const tone of speechOf(model).tones.within(view.start, view.end)) {
     const x = Math.round(view.x(tone.time));
     const colour = tone.accent ? palette.accent : palette.tone;
     context.fillStyle = colour;
@@ -114,15 +136,15 @@ function paintTones({ context, view, model, palette, count }, row) {
 
 const NARROW = 7; // pixels in which no text fits
 
-/** Words or phones: a box each with its text, as far as it fits. */
+/** Words or phones: a box each with its text, as far as it fits. @param {Scene} scene @param {SpeechRow} row */
 export function paintTexts({ context, view, palette, model, count }, row) {
   const words = row.kind === "words";
-  const items = words ? model.speech.words : model.speech.phones;
+  const speech = speechOf(model);
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.font = `${words ? 12 : 10}px ${palette.font}`;
   let painted = -Infinity;
-  for (const item of items.within(view.start, view.end)) {
+  for (const item of (words ? speech.words : speech.phones).within(view.start, view.end)) {
     const [x, end] = [view.x(item.start), view.x(item.end)];
     if (end - painted < 1) continue; // within one pixel of what is there
     painted = end;
@@ -131,8 +153,12 @@ export function paintTexts({ context, view, palette, model, count }, row) {
   }
 }
 
+/**
+ * @param {Pick<Scene, "context" | "palette" | "view">} scene @param {SpeechRow} row
+ * @param {WordView | PhoneView} item @param {[x: number, end: number]} span
+ */
 function paintText({ context, palette, view }, row, item, [x, end]) {
-  const text = item.text ?? item.symbol;
+  const text = textOf(item);
   if (!text) return;
   context.fillStyle = palette.word;
   context.fillRect(x + 0.5, row.y + 1, Math.max(end - x - 1, 0.5), row.height - 2);
@@ -141,11 +167,19 @@ function paintText({ context, palette, view }, row, item, [x, end]) {
   if (room < NARROW) return;
   const y = row.y + row.height / 2 + 0.5;
   context.fillStyle = palette.text;
-  const shown = item.text ? beginning(context, text, room - 2) : text;
+  const shown = "text" in item ? beginning(context, text, room - 2) : text;
   if (context.measureText(shown).width <= room) context.fillText(shown, (left + right) / 2, y);
 }
 
-/** A text, or as many of its letters as there is room for; a single letter would say nothing. */
+/** What is said, in letters or as a phone's symbol. @param {WordView | PhoneView} item */
+export function textOf(item) {
+  return "text" in item ? item.text : item.symbol;
+}
+
+/**
+ * A text, or as many of its letters as there is room for; a single letter would say nothing.
+ * @param {CanvasRenderingContext2D} context @param {string} text @param {number} room
+ */
 export function beginning(context, text, room) {
   if (context.measureText(text).width <= room) return text;
   const letters = [...text];

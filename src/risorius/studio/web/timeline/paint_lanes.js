@@ -1,5 +1,8 @@
 import { spoken } from "./dom.js";
 import { blockBand } from "./rows.js";
+/** @import {Band, Block, LaneRow} from "../types.js" */
+/** @import {Model} from "./model.js" */
+/** @import {Scene} from "./scene.js" */
 
 /**
  * The lanes: each movement as an outline that shows its onset, apex and offset.
@@ -13,10 +16,10 @@ const LEAST_HEIGHT = 0.45; // share of its row that the weakest movement fills
 /**
  * What was drawn last in each row of blocks, by its top: strokes, and where labels end, so that none is drawn
  * over another.
- * @typedef {{strokes?: Map<number, number>, labels: Map<number, number>}} Drawn
+ * @typedef {{silent: boolean, strokes: Map<number, number> | null, labels: Map<number, number>}} Drawn
  */
 
-/** @param {import("./scene.js").Scene} scene */
+/** @param {Scene} scene @param {LaneRow} row */
 export function paintLane(scene, row) {
   const { context, view, palette, edits, selected, group } = scene;
   context.fillStyle = palette.grid;
@@ -28,11 +31,12 @@ export function paintLane(scene, row) {
     paintBlock(scene, row, block, drawn);
   }
   for (const id of new Set([...edits.held, ...group, selected])) {
-    const block = scene.model.blocks.get(id);
+    const block = scene.model.blocks.get(id ?? "");
     if (block?.channel === row.lane.channel) paintBlock(scene, row, block, { silent, strokes: null, labels: new Map() });
   }
 }
 
+/** @param {Scene} scene @param {LaneRow} row @param {Block} block @param {Drawn} drawn */
 function paintBlock(scene, row, block, { silent, strokes, labels }) {
   const { context, view, palette, count, selected, hovered, focused } = scene;
   const shown = scene.edits.shown(block);
@@ -57,7 +61,10 @@ function paintBlock(scene, row, block, { silent, strokes, labels }) {
   if (chosen) paintChosen(scene, shown, xs, [top, bottom], focused);
 }
 
-/** A movement that moves nothing, its lane being muted. */
+/**
+ * A movement that moves nothing, its lane being muted.
+ * @param {Scene} scene @param {number[]} xs @param {Band} band @param {string} colour
+ */
 function outlineBlock({ context }, xs, [top, bottom], colour) {
   context.strokeStyle = colour;
   context.globalAlpha = 0.6;
@@ -66,6 +73,10 @@ function outlineBlock({ context }, xs, [top, bottom], colour) {
   context.globalAlpha = 1;
 }
 
+/**
+ * @param {Scene} scene @param {Block} block @param {number[]} xs @param {Band} band @param {string} colour
+ * @param {boolean} strong
+ */
 function fillBlock({ context, shapes, model, view }, block, xs, [top, bottom], colour, strong) {
   const seen = xs.map((x) => Math.max(-4000, Math.min(x, view.width + 4000)));
   context.fillStyle = colour;
@@ -80,7 +91,10 @@ function fillBlock({ context, shapes, model, view }, block, xs, [top, bottom], c
   context.globalAlpha = 1;
 }
 
-/** How strong a movement is: its greatest target as a share of its parameter's range, 0 to 1. */
+/**
+ * How strong a movement is: its greatest target as a share of its parameter's range, 0 to 1.
+ * @param {Block} block @param {Model} model
+ */
 function strength(block, model) {
   if (!block.editable) return block.label ? 0.6 : 0;
   let most = 0;
@@ -92,6 +106,7 @@ function strength(block, model) {
   return Math.min(Math.abs(most), 1);
 }
 
+/** @param {CanvasRenderingContext2D} context @param {number[]} xs @param {number} top @param {string} colour */
 function paintEdited(context, xs, top, colour) {
   context.fillStyle = colour;
   context.beginPath();
@@ -101,11 +116,12 @@ function paintEdited(context, xs, top, colour) {
   context.fill();
 }
 
+/** @param {Scene} scene @param {Block} block @param {number[]} xs @param {Band} band @param {Map<number, number>} labels */
 function paintLabel({ context, view, palette, count }, block, xs, [top, bottom], labels) {
   const [left, right] = [Math.max(xs[0], 0) + 4, Math.min(xs[3], view.width) - 3];
   const phone = !block.editable;
   if (!block.label || (!phone && right - left < LABELLED)) return;
-  if (left < labels.get(top)) return;
+  if (left < (labels.get(top) ?? -Infinity)) return;
   context.font = `${phone ? 10 : 11}px ${palette.font}`;
   if (phone && context.measureText(block.label).width > right - left + 4) return;
   const text = phone ? block.label : labelWithin(context, block, right - left);
@@ -122,23 +138,30 @@ function paintLabel({ context, view, palette, count }, block, xs, [top, bottom],
   count.texts++;
 }
 
-/** What moves and on what; where that has no room, what moves: on what is seen above. */
+/**
+ * What moves and on what; where that has no room, what moves: on what is seen above.
+ * @param {CanvasRenderingContext2D} context @param {Block} block @param {number} room
+ */
 export function labelWithin(context, block, room) {
   const layer = layerOf(block);
   const texts = layer ? [`${layer} ${block.label}`, layer] : [block.label];
   const fits = texts.find((text) => context.measureText(text).width <= room);
   if (fits !== undefined) return fits;
-  const letters = [...texts.at(-1)];
+  const letters = [...texts[texts.length - 1]];
   while (letters.length > 1 && context.measureText(`${letters.join("")}…`).width > room) letters.pop();
   return `${letters.join("").trimEnd()}…`;
 }
 
-/** A layer's name as people read it: "brows"; one that only counts ("1.happiness") says nothing more. */
+/**
+ * A layer's name as people read it: "brows"; one that only counts ("1.happiness") says nothing more.
+ * @param {Block} block
+ */
 function layerOf({ layer, label }) {
   const name = spoken(layer.replace(/^\d+\./, ""));
   return label.includes(name) ? "" : name;
 }
 
+/** @param {Scene} scene @param {Block} block @param {number[]} xs @param {Band} band @param {boolean} focused */
 function paintChosen({ context, palette }, block, xs, [top, bottom], focused) {
   context.strokeStyle = palette.mark;
   context.lineWidth = focused ? 2.5 : 1.5;
@@ -152,7 +175,10 @@ function paintChosen({ context, palette }, block, xs, [top, bottom], focused) {
   }
 }
 
-/** Where the handles are: start, end of onset, start of offset, end. */
+/**
+ * Where the handles are: start, end of onset, start of offset, end.
+ * @param {number[]} xs @param {number} top @param {number} bottom @returns {[x: number, y: number][]}
+ */
 export function handlePlaces(xs, top, bottom) {
   return [[xs[0], bottom], [xs[1], top], [xs[2], top], [xs[3], bottom]];
 }

@@ -7,21 +7,11 @@ import { scaleOf } from "./paint_graphs.js";
 import { handlePlaces } from "./paint_lanes.js";
 import { blockBand, rowAt } from "./rows.js";
 import { timesOf } from "./times.js";
+/** @import {Found, GraphRow, LaneRow, SpeechRow} from "../types.js" */
+/** @import {Scene} from "./scene.js" */
 
 /**
  * What lies under a point of the timeline.
- *
- * @typedef {Object} Found
- * @property {string} kind head, grip, marker, edge, handle, block, lane, key, tangent, graph or none
- * @property {any} [row]
- * @property {any} [block]
- * @property {number} [handle] of a block: 0 start, 1 end of onset, 2 start of offset, 3 end
- * @property {string} [parameter] of a key
- * @property {any} [index] of a key or a marker
- * @property {any} [side] of a key's handle
- * @property {any} [end] of what is selected: 0 its start, 1 its end
- * @property {any} [phone] whose edge it is
- * @property {number} time
  */
 
 const NEAR_HANDLE = 6;
@@ -42,6 +32,10 @@ export function pick(scene, x, y) {
   return pickHandle(scene, row, x, depth) ?? pickBlock(scene, row, x, depth) ?? { kind: "lane", row, time };
 }
 
+/**
+ * @param {Scene} scene @param {SpeechRow | null} row @param {[x: number, y: number]} place @param {number} time
+ * @returns {Found}
+ */
 function pickHead(scene, row, [x, y], time) {
   const end = gripNear(scene, row, x, y);
   if (end >= 0) return { kind: "grip", row, end, time };
@@ -51,11 +45,14 @@ function pickHead(scene, row, [x, y], time) {
   return phone < 0 ? { kind: "head", row, time } : { kind: "edge", row, phone, time };
 }
 
+/** @param {Scene} scene @param {LaneRow} row @param {number} x @param {number} y @returns {Found | null} */
 function pickHandle(scene, row, x, y) {
-  const found = scene.model.blocks.get(scene.selected);
-  const block = found?.channel === row.lane.channel && found.free ? scene.edits.shown(found) : null;
+  const found = scene.model.blocks.get(scene.selected ?? "");
+  if (!found?.free || found.channel !== row.lane.channel) return null;
+  const block = scene.edits.shown(found);
   if (!block) return null;
   const xs = timesOf(block).map((time) => scene.view.x(time));
+  /** @param {{time: number, value: number}} handle */
   const near = handlePlaces(xs, ...blockBand(row, found)).map(([hx, hy], handle) => {
     return { handle, far: Math.max(Math.abs(hx - x), Math.abs(hy - y)) };
   });
@@ -64,6 +61,7 @@ function pickHandle(scene, row, x, y) {
   return { kind: "handle", row, block: found, handle: near[0].handle, time: scene.view.time(x) };
 }
 
+/** @param {Scene} scene @param {LaneRow} row @param {number} x @param {number} y @returns {Found | null} */
 function pickBlock(scene, row, x, y) {
   const [from, to] = [scene.view.time(x - NEAR_BLOCK), scene.view.time(x + NEAR_BLOCK)];
   const time = scene.view.time(x);
@@ -78,17 +76,22 @@ function pickBlock(scene, row, x, y) {
   return found && { kind: "block", row, block: found, time };
 }
 
-/** A handle of the selected key. */
+/**
+ * A handle of the selected key.
+ * @param {Scene} scene @param {GraphRow} row @param {number} x @param {number} y @returns {Found | null}
+ */
 function pickTangent({ model, edits, view, selectedKey }, row, x, y) {
   if (!selectedKey || !row.names.includes(selectedKey.parameter)) return null;
   const { parameter, index } = selectedKey;
   const key = edits.keys(parameter)[index];
   const scale = scaleOf(model, row);
+  /** @param {{time: number, value: number}} end of a handle */
   const near = ({ time, value }) => Math.hypot(view.x(time) - x, scale.y(value) - y) <= NEAR_KEY;
   const handle = key && handlesOf(key).find(near);
   return handle ? { kind: "tangent", row, parameter, index, side: handle.side, time: view.time(x) } : null;
 }
 
+/** @param {Scene} scene @param {GraphRow} row @param {number} x @param {number} y @returns {Found | null} */
 function pickKey(scene, row, x, y) {
   const scale = scaleOf(scene.model, row);
   for (const parameter of row.names) {

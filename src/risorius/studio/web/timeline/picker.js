@@ -1,4 +1,5 @@
 import { h, spoken } from "./dom.js";
+/** @import {Base} from "../types.js" */
 
 /**
  * Which muscles' graphs to show: a list to search in, with those that move marked.
@@ -49,18 +50,19 @@ export class Picker {
     if (bases.length === 0) this.#found.append(h("p", { class: "hint" }, "Nothing has that name."));
   }
 
-  /** All that a muscle may be searched by. */
+  /** All that a muscle may be searched by. @param {string} base @param {string} name */
   #text(base, name) {
-    const { catalogue, parameters } = this.#controller.scene.model;
-    const { number, group } = parameters.get(name);
+    const { catalogue } = this.#controller.scene.model;
+    const { number, group } = this.#controller.scene.model.parameter(name);
     const units = catalogue.action_units.filter(({ targets }) => name in targets);
     const words = [base, spoken(base), group, number === null ? "" : String(number).padStart(2, "0")];
     return [...words, ...units.map((unit) => `${unit.name} ${unit.title}`)].join(" ").toLowerCase();
   }
 
+  /** @param {Base} base */
   #line({ base, names }) {
     const { model } = this.#controller.scene;
-    const { number } = model.parameters.get(names[0]);
+    const { number } = model.parameter(names[0]);
     const still = names.every((name) => model.curve(name) === null);
     const box = h("input", { type: "checkbox", onchange: () => this.#graphs.toggle(base) });
     box.checked = this.#graphs.has(base);

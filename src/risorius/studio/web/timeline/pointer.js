@@ -6,14 +6,27 @@ import { DragBox, DragGroup, DragStretch } from "./group.js";
 import { DragMarker } from "./markers.js";
 import { clockTime } from "./paint_head.js";
 import { pick } from "./pick.js";
+/** @import {Block, Found, Gesture, GraphRow} from "../types.js" */
+/** @import {TimelineController} from "./controller.js" */
+/** @typedef {{add: (time: number, channel: string) => void, walk: () => void, note: (index: number) => void}} PointerParts */
 
 /**
  * Pointer and wheel on the canvas.
  */
 
-const CURSORS = ["ew-resize", "col-resize", "col-resize", "ew-resize"];
+const CURSORS = ["ew-resize", "col-resize", "col-resize", "ew-resize"]; // of a block's handles
+/** @type {Record<string, string>} */
+const CURSOR_OF = {
+  head: "text",
+  grip: "ew-resize",
+  marker: "grab",
+  edge: "col-resize",
+  key: "move",
+  tangent: "move",
+};
 const WHEEL = 0.0022; // zoom by a wheel's pixel
 const LINE = 16; // pixels of a wheel that reports lines
+/** @type {Record<string, string>} */
 const TITLES = {
   edge: "Drag to correct where it begins; a double click puts it back",
   grip: "Drag to stretch all that is selected",
@@ -23,15 +36,17 @@ const STILL = 3; // pixels: less is a click
 
 /**
  * @param {HTMLCanvasElement} canvas @param {import("./controller.js").TimelineController} controller
- * @param {{add: (time: number, channel: string) => void, walk: () => void, note: (index: number) => void}} parts
+ * @param {PointerParts} parts
  *   `walk` gives the keys to the list of blocks, at the one that is selected; `note` has a marker's note typed
  */
 export function listen(canvas, controller, parts) {
   const { walk } = parts;
+  /** @type {Gesture | null} */
   let gesture = null;
+  /** @type {{x: number, y: number, found: Found, still: boolean} | null} */
   let down = null;
 
-  /** @returns {[number, number]} */
+  /** @param {MouseEvent} event @returns {[number, number]} */
   const place = (event) => {
     const box = canvas.getBoundingClientRect();
     return [(event.clientX - box.left) / controller.scene.unit, (event.clientY - box.top) / controller.scene.unit];
@@ -65,6 +80,7 @@ export function listen(canvas, controller, parts) {
   };
   canvas.addEventListener("pointercancel", cancel);
   // Whatever has the keyboard: a drag is given up before anything else is.
+  /** @param {KeyboardEvent} event */
   const giveUp = (event) => {
     if (event.key !== "Escape" || !gesture) return;
     cancel();
@@ -75,41 +91,65 @@ export function listen(canvas, controller, parts) {
   canvas.addEventListener("wheel", (event) => wheeled(event, controller, place(event)[0]), { passive: false });
 }
 
+/**
+ * @param {TimelineController} controller @param {Found} found @param {number} x @param {number} y
+ * @param {PointerEvent} event @returns {Gesture | null}
+ */
 function begun(controller, found, x, y, event) {
-  const { kind, block, handle, row, parameter, index } = found;
-  if (kind === "grip") return new DragStretch(controller, found.end);
-  if (kind === "marker") return new DragMarker(controller, x, index);
-  if (kind === "edge" && !event.shiftKey) return new DragEdge(controller, x, found.phone);
-  if (kind === "head" || kind === "edge") return event.shiftKey ? new DragLoop(controller, x) : new Scrub(controller, x);
   const more = event.shiftKey || event.ctrlKey || event.metaKey;
-  if (kind === "block" && more && block.free) {
+  switch (found.kind) {
+    case "grip":
+      return new DragStretch(controller, found.end);
+    case "marker":
+      return new DragMarker(controller, x, found.index);
+    case "edge":
+      return event.shiftKey ? new DragLoop(controller, x) : new DragEdge(controller, x, found.phone);
+    case "head":
+      return event.shiftKey ? new DragLoop(controller, x) : new Scrub(controller, x);
+    case "block":
+      return begunOnBlock(controller, found, x, more);
+    case "handle":
+      return new DragBlock(controller, x, found.block, found.handle);
+    case "tangent":
+      return new DragTangent(controller, found.row, found);
+    case "key":
+      controller.chooseKey(found.parameter, found.index);
+      return new DragKey(controller, found.row, found.parameter, found.index);
+    case "graph":
+      return controller.draws || event.shiftKey ? new DrawKeys(controller, found.row, x, y) : null;
+    default:
+      return new DragBox(controller, x, y, more);
+  }
+}
+
+/**
+ * @param {TimelineController} controller @param {{block: Block, time: number}} found @param {number} x
+ * @param {boolean} more whether it is selected besides those that are @returns {Gesture | null}
+ */
+function begunOnBlock(controller, { block, time }, x, more) {
+  if (more && block.free) {
     controller.toggle(block);
     return null;
   }
-  if (kind === "block" && controller.scene.group.has(block.id)) return new DragGroup(controller, x, block);
-  if (kind === "lane" || kind === "none") return new DragBox(controller, x, y, more);
-  if (kind === "handle") return new DragBlock(controller, x, block, handle);
-  if (kind === "block") {
-    controller.choose(block, found.time);
-    return block.free ? new DragBlock(controller, x, block, null) : null;
-  }
-  if (kind === "tangent") return new DragTangent(controller, row, found);
-  if (kind === "key") {
-    controller.chooseKey(parameter, index);
-    return new DragKey(controller, row, parameter, index);
-  }
-  if (kind === "graph" && (controller.draws || event.shiftKey)) return new DrawKeys(controller, row, x, y);
-  return null;
+  if (controller.scene.group.has(block.id)) return new DragGroup(controller, x, block);
+  controller.choose(block, time);
+  return block.free ? new DragBlock(controller, x, block, null) : null;
 }
 
-function clicked(controller, { kind, row, time }) {
-  if (kind === "graph" && !controller.draws) {
+/** @param {TimelineController} controller @param {Found} found */
+function clicked(controller, found) {
+  if (found.kind === "graph" && !controller.draws) {
+    const { row, time } = found;
     if (!controller.clock.playing) controller.clock.seek(time); // the face shows what is explained
     controller.ask(time, row.names.length > 1 ? row.base : row.names[0]);
   }
-  if (kind === "lane" || kind === "none") controller.choose(null);
+  if (found.kind === "lane" || found.kind === "none") controller.choose(null);
 }
 
+/**
+ * @param {TimelineController} controller @param {Found} found @param {[x: number, y: number]} place
+ * @param {PointerParts} parts
+ */
 function doubled(controller, found, [x, y], { add, note }) {
   if (found.kind === "marker") note(found.index);
   if (found.kind === "head") controller.loopWord(found.time);
@@ -118,43 +158,52 @@ function doubled(controller, found, [x, y], { add, note }) {
   if (found.kind === "graph" && !controller.draws) new DrawKeys(controller, found.row, x, y).end();
 }
 
+/** @param {HTMLCanvasElement} canvas @param {TimelineController} controller @param {Found} found */
 function hover(canvas, controller, found) {
-  const { kind, block, handle, row, time } = found;
   const { scene } = controller;
+  const block = "block" in found ? found.block : null;
   const hovered = block?.id ?? null;
   if (hovered !== scene.hovered) {
     scene.hovered = hovered;
     controller.repaint();
   }
-  if (kind in TITLES) canvas.title = TITLES[kind];
-  else canvas.title = block ? `${block.label || "silence"} (${block.channel})\n${block.cause}` : valueOf(controller, kind, row, time);
-  canvas.style.cursor = cursorOf(kind, handle, block, controller);
+  canvas.title = titleOf(controller, found, block);
+  canvas.style.cursor = cursorOf(found, controller);
 }
 
-/** The value under the pointer, and which channels are held back there. */
-function valueOf({ scene: { model, details } }, kind, row, time) {
-  if (kind !== "graph" || time < 0 || time > model.duration) return "";
+/** @param {TimelineController} controller @param {Found} found @param {Block | null} block */
+function titleOf(controller, found, block) {
+  const title = TITLES[found.kind];
+  if (title) return title;
+  if (block) return `${block.label || "silence"} (${block.channel})\n${block.cause}`;
+  return found.kind === "graph" ? valueOf(controller, found.row, found.time) : "";
+}
+
+/**
+ * The value under the pointer, and which channels are held back there.
+ * @param {TimelineController} controller @param {GraphRow} row @param {number} time
+ */
+function valueOf({ scene: { model, details } }, row, time) {
+  if (time < 0 || time > model.duration) return "";
   const [name] = row.names;
-  const { unit } = model.parameters.get(name);
+  const { unit } = model.parameter(name);
   const value = `${spoken(name)}: ${model.valueAt(name, time).toFixed(2)}${unit ? ` ${unit}` : ""} at ${clockTime(time)} s`;
-  const held = ["inhibited", "limited"].flatMap((how) => {
+  const held = /** @type {("inhibited" | "limited")[]} */ (["inhibited", "limited"]).flatMap((how) => {
     const there = (details.of(name)?.channels ?? []).filter((one) => one[how].some(([from, to]) => from <= time && time <= to));
     return there.map(({ channel }) => `\n${channel} is ${how}`);
   });
   return value + held.join("");
 }
 
-function cursorOf(kind, handle, block, controller) {
-  if (kind === "handle") return CURSORS[handle];
-  if (kind === "head") return "text";
-  if (kind === "grip") return "ew-resize";
-  if (kind === "marker") return "grab";
-  if (kind === "edge") return "col-resize";
-  if (kind === "block") return block.free ? "grab" : "pointer";
-  if (kind === "graph") return controller.draws ? "crosshair" : "help";
-  return kind === "key" || kind === "tangent" ? "move" : "default";
+/** @param {Found} found @param {TimelineController} controller */
+function cursorOf(found, controller) {
+  if (found.kind === "handle") return CURSORS[found.handle];
+  if (found.kind === "block") return found.block.free ? "grab" : "pointer";
+  if (found.kind === "graph") return controller.draws ? "crosshair" : "help";
+  return CURSOR_OF[found.kind] ?? "default";
 }
 
+/** @param {WheelEvent} event @param {TimelineController} controller @param {number} x */
 function wheeled(event, controller, x) {
   const unit = event.deltaMode === 1 ? LINE : 1;
   if (event.ctrlKey || event.metaKey) {

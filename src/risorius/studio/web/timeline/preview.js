@@ -58,6 +58,7 @@ export class Preview {
     this.#ask();
   }
 
+  /** @param {Map<string, Float32Array | null>} curves */
   #put(curves) {
     if (!this.#model || (this.#model.previewed.size === 0 && curves.size === 0)) return;
     this.#model.previewed = curves;

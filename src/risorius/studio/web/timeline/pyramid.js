@@ -2,6 +2,8 @@
  * Least and greatest of ever larger groups of samples: any stretch of a curve is drawn with one pair a pixel.
  */
 
+/** @typedef {{step: number, low: Float32Array, high: Float32Array}} Level groups of `step` samples */
+
 const GROUP = 4;
 
 export class Pyramid {
@@ -20,7 +22,10 @@ export class Pyramid {
     return this.#levels[0].low;
   }
 
-  /** Least and greatest of samples [first, last), at least one. @returns {[number, number]} */
+  /**
+   * Least and greatest of samples [first, last), at least one.
+   * @param {number} first @param {number} last @returns {[number, number]}
+   */
   range(first, last) {
     const { step, low, high } = this.#level((last - first) / 2);
     const from = Math.max(0, Math.min(Math.floor(first / step), low.length - 1));
@@ -33,7 +38,7 @@ export class Pyramid {
     return [least, most];
   }
 
-  /** The coarsest level whose groups are at most `samples` long. */
+  /** The coarsest level whose groups are at most `samples` long. @param {number} samples */
   #level(samples) {
     let k = 0;
     while (GROUP ** (k + 1) <= samples) k++;
@@ -42,6 +47,7 @@ export class Pyramid {
   }
 }
 
+/** @param {Level} level @returns {Level} */
 function coarser({ step, low, high }) {
   const count = Math.ceil(low.length / GROUP);
   const next = { step: step * GROUP, low: new Float32Array(count), high: new Float32Array(count) };

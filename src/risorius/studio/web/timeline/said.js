@@ -1,5 +1,7 @@
 import { h } from "./dom.js";
+import { textOf } from "./paint_head.js";
 
+/** @type {("words" | "phones")[]} */
 const KINDS = ["words", "phones"];
 
 /**
@@ -8,6 +10,7 @@ const KINDS = ["words", "phones"];
  */
 export class Said {
   #marks = Object.fromEntries(KINDS.map((kind) => [kind, h("div", { class: "tl-said", hidden: "" })]));
+  /** @type {Record<string, string>} where the marks are, by kind */
   #shown = {};
   #scene;
 
@@ -22,16 +25,17 @@ export class Said {
     for (const kind of KINDS) this.#place(kind, this.#box(kind));
   }
 
-  /** @returns {number[] | null} left, top, width and height in the page's pixels */
+  /** @param {"words" | "phones"} kind @returns {number[] | null} left, top, width and height in the page's pixels */
   #box(kind) {
     const { model, head, view, unit, time } = this.#scene;
     const item = model?.speech?.[kind].at(time);
     const row = head.find((one) => one.kind === kind);
-    if (!row || !item || !(item.text ?? item.symbol)) return null;
+    if (!row || !item || !(textOf(item))) return null;
     const [left, right] = [Math.max(view.x(item.start), 0), Math.min(view.x(item.end), view.width)];
     return left < right ? [left, row.y + 1, right - left, row.height - 2].map((length) => length * unit) : null;
   }
 
+  /** @param {string} kind @param {number[] | null} box */
   #place(kind, box) {
     const key = String(box);
     if (this.#shown[kind] === key) return;

@@ -6,6 +6,7 @@ import { clockTime, paintRuler, paintTexts, paintWave } from "./paint_head.js";
 import { paintGraph } from "./paint_graphs.js";
 import { paintLane } from "./paint_lanes.js";
 import { bodyRows, headRows, heightOf } from "./rows.js";
+/** @import {BodyRow, Box, Palette, SpeechRow} from "../types.js" */
 
 const TEXT = 16; // size of the page's text for which the scene's pixels are the page's
 
@@ -17,9 +18,9 @@ const TEXT = 16; // size of the page's text for which the scene's pixels are the
 export class Scene {
   /** @type {import("./model.js").Model} there as soon as a take is: nothing is drawn before */
   model = /** @type {any} */ (null);
-  /** @type {any[]} */
+  /** @type {SpeechRow[]} */
   head = [];
-  /** @type {any[]} */
+  /** @type {BodyRow[]} */
   body = [];
   /** @type {{base: string, names: string[]}[]} */
   graphs = [];
@@ -33,7 +34,7 @@ export class Scene {
   selected = null;
   /** @type {Set<string>} ids of all selected blocks, where they are several */
   group = new Set();
-  /** @type {{x0: number, y0: number, x1: number, y1: number} | null} from the top of the body, while blocks are selected by it */
+  /** @type {Box | null} from the top of the body, while blocks are selected by it */
   box = null;
   /** @type {string | null} */
   hovered = null;
@@ -48,7 +49,7 @@ export class Scene {
   marked = null;
   /** @type {import("./shape.js").Shapes} */
   shapes = /** @type {any} */ (null);
-  /** @type {ReturnType<typeof import("./palette.js").paletteOf>} */
+  /** @type {Palette} */
   palette = /** @type {any} */ (null);
   count = nothing();
 
@@ -83,7 +84,7 @@ export class Scene {
     this.body = bodyRows(this.model, this.graphs, this.folded);
   }
 
-  /** Take up the canvas' size in the page's pixels. */
+  /** Take up the canvas' size in the page's pixels. @param {number} width @param {number} height */
   resize(width, height) {
     this.unit = parseFloat(getComputedStyle(document.documentElement).fontSize) / TEXT;
     const ratio = devicePixelRatio || 1;
@@ -106,7 +107,10 @@ export class Scene {
     context.clip();
     context.translate(0, headHeight - this.scroll);
     this.#paintWords();
-    for (const row of this.visible()) (row.kind === "lane" ? paintLane : paintGraph)(this, row);
+    for (const row of this.visible()) {
+      if (row.kind === "lane") paintLane(this, row);
+      else paintGraph(this, row);
+    }
     this.#paintMarked();
     this.#paintBox();
     context.restore();
@@ -133,6 +137,7 @@ export class Scene {
     context.fillRect(0, headHeight - 1, width, 1);
   }
 
+  /** @param {SpeechRow} row */
   #paintRuler(row) {
     paintRuler(this, row);
     paintMarkers(this, row);
@@ -171,6 +176,7 @@ export class Scene {
     this.context.setLineDash([]);
   }
 
+  /** @param {number} time @param {string} colour @param {number[]} dash */
   #line(time, colour, dash) {
     const { context, view, height } = this;
     context.strokeStyle = colour;

@@ -2,6 +2,7 @@
  * Keys of the timeline that need no block in focus; they reach only what the timeline itself does not use.
  */
 
+import { foundIn } from "./dom.js";
 import { nudgeEdge } from "./edges.js";
 
 const ZOOM = 1.4;
@@ -30,6 +31,7 @@ export const TIMELINE_KEYS = [
 
 /** @param {HTMLElement} root @param {import("./controller.js").TimelineController} controller @param {() => void} add */
 export function shortcuts(root, controller, add) {
+  /** @type {Record<string, () => unknown>} */
   const keys = {
     "+": () => controller.zoom(ZOOM),
     "=": () => controller.zoom(ZOOM),
@@ -40,13 +42,14 @@ export function shortcuts(root, controller, add) {
     m: () => controller.addMarker(),
     "<": () => controller.goMarker(-1),
     ">": () => controller.goMarker(1),
-    d: () => /** @type {any} */ (root.querySelector("#tl-draw")).click(),
+    d: () => foundIn(root, "#tl-draw")?.click(),
     ArrowLeft: () => controller.clock.step(-1),
     ArrowRight: () => controller.clock.step(1),
     Escape: () => controller.choose(null),
     Delete: () => controller.remove(),
     Backspace: () => controller.remove(),
   };
+  /** @type {Record<string, () => unknown>} */
   const withControl = {
     a: () => controller.chooseLane(),
     c: () => controller.copy(),
@@ -54,7 +57,7 @@ export function shortcuts(root, controller, add) {
     v: () => controller.paste(),
   };
   root.addEventListener("keydown", (event) => {
-    if (event.altKey || typing(/** @type {any} */ (event.target))) return;
+    if (event.altKey || typing(event.target)) return;
     const held = event.ctrlKey || event.metaKey;
     if (event.shiftKey && (held || !"<>+".includes(event.key))) return;
     const act = (held ? withControl : keys)[event.key];
@@ -65,6 +68,8 @@ export function shortcuts(root, controller, add) {
   });
 }
 
-function typing({ tagName, type }) {
-  return tagName === "TEXTAREA" || tagName === "SELECT" || (tagName === "INPUT" && type !== "checkbox");
+/** @param {EventTarget | null} element */
+function typing(element) {
+  if (element instanceof HTMLInputElement) return element.type !== "checkbox";
+  return element instanceof HTMLTextAreaElement || element instanceof HTMLSelectElement;
 }

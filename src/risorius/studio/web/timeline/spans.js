@@ -2,6 +2,8 @@
  * Things with a start and an end, in order of their starts: which of them lie in sight, and how they stack.
  */
 
+/** @typedef {{start: number, end: number, layer: string}} Layered */
+
 /**
  * Finds those of many spans that touch a stretch of time, without looking at all of them.
  * @template {{start: number, end: number}} T
@@ -16,7 +18,7 @@ export class Spans {
     this.#reach = Float64Array.from(this.items, ({ end }) => (latest = Math.max(latest, end)));
   }
 
-  /** Those that touch [from, to], in order of their starts. */
+  /** Those that touch [from, to], in order of their starts. @param {number} from @param {number} to */
   *within(from, to) {
     for (let i = firstAbove(this.#reach, from); i < this.items.length; i++) {
       const item = this.items[i];
@@ -25,7 +27,7 @@ export class Spans {
     }
   }
 
-  /** The last that has started by `time` and not yet ended, or null. */
+  /** The last that has started by `time` and not yet ended, or null. @param {number} time */
   at(time) {
     /** @type {T | null} */
     let found = null;
@@ -34,7 +36,10 @@ export class Spans {
   }
 }
 
-/** Index of the first of the rising numbers that is at least `value`. */
+/**
+ * Index of the first of the rising numbers that is at least `value`.
+ * @param {ArrayLike<number>} numbers @param {number} value
+ */
 export function firstAbove(numbers, value) {
   let [low, high] = [0, numbers.length];
   while (low < high) {
@@ -48,18 +53,20 @@ export function firstAbove(numbers, value) {
 /**
  * Stack spans so that none hides another: each group keeps together, on the lowest rows that are free.
  *
- * @param {{start: number, end: number, layer: string}[]} items
- * @returns {{rows: Map<any, number>, count: number}} the row of each item, and how many rows there are
+ * @template {Layered} T
+ * @param {T[]} items
+ * @returns {{rows: Map<T, number>, count: number}} the row of each item, and how many rows there are
  */
 export function stacked(items) {
   const rows = new Map();
+  /** @type {T[][]} */
   const taken = [];
   for (const group of grouped(items)) {
     const own = packed(group);
     let base = 0;
-    while (group.some((item) => !free(taken[base + own.get(item)], item))) base++;
+    while (group.some((item) => !free(taken[base + (own.get(item) ?? 0)], item))) base++;
     for (const item of group) {
-      const row = base + own.get(item);
+      const row = base + (own.get(item) ?? 0);
       (taken[row] ??= []).push(item);
       rows.set(item, row);
     }
@@ -68,19 +75,20 @@ export function stacked(items) {
   return { rows, count: Math.max(taken.length, 1) };
 }
 
+/** @template {Layered} T @param {T[]} items @returns {T[][]} by layer, in order of their starts */
 function grouped(items) {
-  const groups = new Map();
-  for (const item of items) {
-    if (!groups.has(item.layer)) groups.set(item.layer, []);
-    groups.get(item.layer).push(item);
-  }
-  return [...groups.keys()].sort().map((layer) => groups.get(layer).sort((a, b) => a.start - b.start));
+  const groups = Map.groupBy(items, ({ layer }) => layer);
+  return [...groups.keys()].sort().map((layer) => (groups.get(layer) ?? []).sort((a, b) => a.start - b.start));
 }
 
 const CLOSE = 1e-6; // s: spans that only touch do not hide each other
 
-/** The row of each item of one group: the lowest whose last item has ended. */
+/**
+ * The row of each item of one group: the lowest whose last item has ended.
+ * @template {Layered} T @param {T[]} group @returns {Map<T, number>}
+ */
 function packed(group) {
+  /** @type {number[]} */
   const ends = [];
   const rows = new Map();
   for (const item of group) {
@@ -92,6 +100,7 @@ function packed(group) {
   return rows;
 }
 
+/** @param {Layered[] | undefined} row in order of time @param {Layered} item */
 function free(row, item) {
   if (row === undefined) return true;
   let [low, high] = [0, row.length];

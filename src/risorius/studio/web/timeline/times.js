@@ -1,4 +1,5 @@
 import { firstAbove } from "./spans.js";
+/** @import {Times} from "../types.js" */
 
 /**
  * The four times of a block, [start, end of onset, start of offset, end] in seconds, and what edits make of them.
@@ -11,7 +12,10 @@ export function timesOf(block) {
   return [block.start, block.apex_start, block.apex_end, block.end];
 }
 
-/** The same block elsewhere in [0, duration]. */
+/**
+ * The same block elsewhere in [0, duration].
+ * @param {Times} times @param {number} delta @param {number} duration @returns {Times}
+ */
 export function moved(times, delta, duration) {
   const bound = Math.max(-times[0], Math.min(delta, Math.max(duration - times[3], -times[0])));
   return times.map((time) => time + bound);
@@ -20,6 +24,7 @@ export function moved(times, delta, duration) {
 /**
  * A block with one of its times pulled elsewhere. Pulling its start or end keeps the length of its onset and
  * offset, as long as both fit; else both shrink in proportion.
+ * @param {Times} times @param {number} time @param {number} duration @returns {Times}
  * @param {number} handle 0 start, 1 end of onset, 2 start of offset, 3 end
  */
 export function pulled(times, handle, time, duration) {
@@ -31,20 +36,24 @@ export function pulled(times, handle, time, duration) {
   return fitted(from, to, rise - start, end - fall);
 }
 
+/** @param {number} start @param {number} end @param {number} onset @param {number} offset @returns {Times} */
 function fitted(start, end, onset, offset) {
   const share = Math.min(1, (end - start) / Math.max(onset + offset, 1e-9));
   return [start, start + onset * share, end - offset * share, end];
 }
 
+/** @param {number} value @param {number} low @param {number} high */
 function within(value, low, high) {
   return Math.max(low, Math.min(value, high));
 }
 
 /**
  * The fields of the wire's edit that makes `before` into `after`.
+ * @param {Times} before @param {Times} after
  * @returns {{kind: string, fields: Record<string, number>} | null} null where they are the same
  */
 export function editOf(before, after) {
+  /** @param {number} k */
   const same = (k) => Math.abs(after[k] - before[k]) < 1e-6;
   if ([0, 1, 2, 3].every(same)) return null;
   const shift = after[0] - before[0];
@@ -62,6 +71,7 @@ export function editOf(before, after) {
 
 /**
  * Several blocks stretched together: what lay at `fixed` stays, what lay at `from` comes to lie at `to`.
+ * @param {number} fixed @param {number} from @param {number} to @param {number} duration @returns {Times[]}
  * @param {number[][]} all the times of each block
  */
 export function stretchedTogether(all, fixed, from, to, duration) {
@@ -71,19 +81,28 @@ export function stretchedTogether(all, fixed, from, to, duration) {
   return all.map((times) => times.map((time) => fixed + (time - fixed) * share));
 }
 
-/** The fields of the wire's edit that gives a block these times, its onset and offset too. @returns {{kind: string, fields: Record<string, number>}} */
+/**
+ * The fields of the wire's edit that gives a block these times, its onset and offset too.
+ * @param {Times} times @returns {{kind: string, fields: Record<string, number>}}
+ */
 export function stretchTo([start, rise, fall, end]) {
   return { kind: "stretch", fields: { start, end, onset: rise - start, offset: end - fall } };
 }
 
-/** The nearest of the sorted times within `reach`, or null. */
+/**
+ * The nearest of the sorted times within `reach`, or null.
+ * @param {Float64Array} edges @param {number} time @param {number} reach @returns {number | null}
+ */
 export function nearest(edges, time, reach) {
   const k = firstAbove(edges, time);
   const close = [edges[k - 1], edges[k]].filter((edge) => Math.abs(edge - time) <= reach);
   return close.sort((a, b) => Math.abs(a - time) - Math.abs(b - time))[0] ?? null;
 }
 
-/** By how much a moved block goes further so that its start or end meets an edge; 0 where neither is near. */
+/**
+ * By how much a moved block goes further so that its start or end meets an edge; 0 where neither is near.
+ * @param {Float64Array} edges @param {Times} times @param {number} reach
+ */
 export function snappedBy(edges, times, reach) {
   const ways = [times[0], times[3]].map((time) => {
     const edge = nearest(edges, time, reach);

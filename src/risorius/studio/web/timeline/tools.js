@@ -1,5 +1,6 @@
 import { clipboard } from "./clipboard.js";
 import { h } from "./dom.js";
+/** @import {Attributes} from "../types.js" */
 
 /**
  * The row of tools over the timeline.
@@ -45,13 +46,18 @@ export class Tools {
   }
 }
 
+/** @param {string} text @param {() => void} onclick @param {Attributes} [given] */
 function button(text, onclick, given = {}) {
   return h("button", { type: "button", onclick, ...given }, text);
 }
 
-/** @param {string | null} [id] */
+/**
+ * @param {string} text @param {(on: boolean) => void} set @param {boolean} on @param {string} title
+ * @param {string | null} [id]
+ */
 function toggle(text, set, on, title, id = null) {
   const made = button(text, () => turn(!(made.getAttribute("aria-pressed") === "true")), { title, id });
+  /** @param {boolean} pressed */
   const turn = (pressed) => {
     made.setAttribute("aria-pressed", String(pressed));
     set(pressed);

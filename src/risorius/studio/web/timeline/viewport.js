@@ -34,7 +34,10 @@ export class Viewport {
     return this.start + x / this.scale;
   }
 
-  /** Take up another width or duration; what is at the left edge stays there. */
+  /**
+   * Take up another width or duration; what is at the left edge stays there.
+   * @param {number} width @param {number} duration
+   */
   resize(width, duration) {
     this.width = Math.max(width, 1);
     this.duration = duration;
@@ -55,19 +58,23 @@ export class Viewport {
     this.scrollTo(-MARGIN);
   }
 
+  /** @param {number} start */
   scrollTo(start) {
     const last = this.duration + MARGIN - this.span;
     this.start = Math.max(-MARGIN, Math.min(start, last));
   }
 
-  /** Make all larger by a factor; what is at `x` stays there. */
+  /** Make all larger by a factor; what is at `x` stays there. @param {number} factor @param {number} x */
   zoom(factor, x) {
     const held = this.time(x);
     this.scale = Math.max(this.#widest, Math.min(this.scale * factor, CLOSEST));
     this.scrollTo(held - x / this.scale);
   }
 
-  /** Bring a span of time into sight if it is not. @returns {boolean} whether anything moved */
+  /**
+   * Bring a span of time into sight if it is not.
+   * @param {number} from @param {number} [to] @returns {boolean} whether anything moved
+   */
   reveal(from, to = from) {
     const before = this.start;
     const room = Math.min(ROOM / this.scale, this.span / 4);
@@ -76,7 +83,7 @@ export class Viewport {
     return this.start !== before;
   }
 
-  /** Turn the page when a playhead leaves it. @returns {boolean} whether anything moved */
+  /** Turn the page when a playhead leaves it. @param {number} time @returns {boolean} whether anything moved */
   follow(time) {
     const before = this.start;
     const x = this.x(time);

@@ -1,8 +1,10 @@
 import { clockTime } from "./paint_head.js";
-import { h, spoken } from "./dom.js";
+import { foundIn, h, spoken } from "./dom.js";
 import { KeyTable } from "./keytable.js";
 import { Targets } from "./targets.js";
 import { timesOf } from "./times.js";
+/** @import {Block, NamedReason, Parameters, Selection} from "../types.js" */
+/** @import {ContributionView, Reason} from "../wire.js" */
 
 /**
  * What is selected, in words: a movement and its cause, a parameter's value with its winner and losers.
@@ -15,9 +17,11 @@ export class Why {
   #controller;
   /** @type {object | null} */
   #asked = null;
+  /** @type {HTMLInputElement[]} */
   #times = [];
   #keys;
   #targets;
+  /** @type {NamedReason[]} */
   #instead = []; // what moves the parameters that the selected movement aims at, where it does not
 
   /** @param {HTMLElement} parent @param {import("./controller.js").TimelineController} controller */
@@ -28,11 +32,11 @@ export class Why {
     parent.replaceChildren(this.#box);
   }
 
-  /** Explain the store's selection in the current take. */
+  /** Explain the store's selection in the current take. @param {Selection} selection */
   async show({ time, parameter, movement }) {
     const { model } = this.#controller.scene;
     const asked = (this.#asked = {});
-    const block = model?.blocks.get(movement) ?? null;
+    const block = model?.blocks.get(movement ?? "") ?? null;
     if (!model || time === null || (!parameter && !block)) {
       this.#box.replaceChildren(...advice(Boolean(model)));
       return;
@@ -40,12 +44,13 @@ export class Why {
     const at = Math.min(time, model.duration);
     const answer = await this.#controller.actions.ask("explain", { take: model.take.take, time: at, parameter });
     if (asked !== this.#asked || answer === null) return;
-    const its = answer.reasons.filter((reason) => parameter || concerns(reason, block));
+    const all = /** @type {Reason[]} */ (answer.reasons);
+    const its = all.filter((reason) => parameter || concerns(reason, block));
     const reasons = together(its);
-    this.#instead = together(answer.reasons.filter((reason) => !parameter && block && !its.includes(reason) && aims(block, reason)));
+    this.#instead = together(all.filter((reason) => !parameter && block && !its.includes(reason) && aims(block, reason)));
     const focus = this.#box.contains(document.activeElement) ? (document.activeElement?.id ?? "") : "";
     this.#box.replaceChildren(...this.#parts(block, parameter, at, reasons));
-    if (focus) this.#box.querySelector(`#${CSS.escape(focus)}`)?.focus();
+    if (focus) foundIn(this.#box, `#${CSS.escape(focus)}`)?.focus();
   }
 
   /** Show the times of the selected block as they are now. */
@@ -58,6 +63,7 @@ export class Why {
     });
   }
 
+  /** @param {Block | null} block @param {string | null} parameter @param {number} time @param {NamedReason[]} reasons */
   #parts(block, parameter, time, reasons) {
     this.#times = [];
     const when = h("p", { class: "hint" }, `At ${clockTime(time)} s`);
@@ -66,15 +72,16 @@ export class Why {
       const rest = reasons.length ? [] : [h("p", {}, "At rest: nothing moves it.")];
       return [h("h2", {}, spoken(parameter)), when, ...rest, ...told, this.#keys.element(parameter, time)];
     }
+    if (block === null) return [];
     const told = reasons.length ? reasons.map((one) => this.#reason(one)) : this.#idle(block);
     return [...this.#head(block), when, ...told, ...(block.free ? this.#shape(block) : this.#shut(block))];
   }
 
-  /** Why a movement is not to be seen: what it aims at, and what moves that instead. */
+  /** Why a movement is not to be seen: what it aims at, and what moves that instead. @param {Block} block */
   #idle(block) {
     const { parameters } = this.#controller.scene.model;
-    const targets = Object.entries(block.targets).map(([name, value]) => [parameters.get(name), value]);
-    const home = targets.length > 0 && targets.every(([known, value]) => known && value === known.neutral);
+    const targets = Object.entries(block.targets);
+    const home = targets.length > 0 && targets.every(([name, value]) => value === parameters.get(name)?.neutral);
     const before = home ? this.#before(block) : null;
     const link = before && h("button", { class: "tl-what", onclick: () => this.#go(before.id) }, before.label || before.layer);
     const why = home
@@ -86,16 +93,17 @@ export class Why {
     return others.length ? [why, h("p", { class: "hint" }, "What moves this at that time:"), ...others] : [why];
   }
 
-  /** The movement before one in its lane that moved something, or null. */
+  /** The movement before one in its lane that moved something, or null. @param {Block} block */
   #before({ channel, start }) {
     const { model } = this.#controller.scene;
+    /** @param {{targets: Record<string, number>}} block */
     const moves = ({ targets }) =>
       Object.entries(targets).some(([name, value]) => value !== model.parameters.get(name)?.neutral);
     const lane = model.take.blocks.filter((block) => block.channel === channel && block.start < start && moves(block));
     return lane.at(-1) ?? null;
   }
 
-  /** What a movement is, and why it is there. */
+  /** What a movement is, and why it is there. @param {Block} block */
   #head(block) {
     const title = h("h2", {}, block.label || "silence");
     const lane = h("p", { class: "tl-part", style: colourOf(block.channel) }, `${block.channel}, priority ${block.priority}`);
@@ -103,12 +111,12 @@ export class Why {
     return [title, lane, cause];
   }
 
-  /** Why it cannot be changed. */
+  /** Why it cannot be changed. @param {Block} block */
   #shut({ editable, channel }) {
     return editable ? [h("p", { class: "hint" }, `The lane ${channel} is locked.`)] : [];
   }
 
-  /** Its times and targets as numbers to change. */
+  /** Its times and targets as numbers to change. @param {Block} block */
   #shape(block) {
     this.#times = TIMES.map((title, k) => this.#time(title, k));
     this.refresh();
@@ -116,11 +124,14 @@ export class Why {
     return [h("div", { class: "tl-times" }, ...labels), this.#targets.element(block)];
   }
 
+  /** @param {string} title @param {number} k */
   #time(title, k) {
-    const change = ({ target }) => target.value && this.#controller.setTime(k, Number(target.value));
-    return h("input", { id: `tl-time-${k}`, type: "number", min: "0", step: "0.01", onchange: change });
+    const change = () => input.value && this.#controller.setTime(k, Number(input.value));
+    const input = h("input", { id: `tl-time-${k}`, type: "number", min: "0", step: "0.01", onchange: change });
+    return input;
   }
 
+  /** @param {NamedReason} reason */
   #reason({ names, value, unit, winner, losers, notes }) {
     const amount = `${value.toFixed(unit ? 1 : 2)}${unit ? ` ${unit}` : ""}`;
     const lines = [...(winner ? [this.#part(winner, false)] : []), ...losers.map((part) => this.#part(part, true))];
@@ -131,6 +142,7 @@ export class Why {
     ); // prettier-ignore
   }
 
+  /** @param {ContributionView} part @param {boolean} lost */
   #part({ channel, what, rule, place, asked, given, reason, movement }, lost) {
     const { blocks } = this.#controller.scene.model;
     const named = blocks.has(movement)
@@ -147,33 +159,39 @@ export class Why {
       why ? h("p", {}, struck ? why : told) : null); // prettier-ignore
   }
 
+  /** @param {string} movement */
   #go(movement) {
     const block = this.#controller.scene.model.blocks.get(movement);
+    if (!block) return;
     this.#controller.choose(block);
     this.#controller.reveal(block);
   }
 }
 
+/** @param {string} channel */
 function colourOf(channel) {
   return { "--colour": `var(--tl-channel-${channel})` };
 }
 
-/** A sentence with the names of parameters as people read them. */
+/** A sentence with the names of parameters as people read them. @param {string} sentence @param {Parameters} parameters */
 function readable(sentence, parameters) {
   return sentence.replace(/[a-z]+(?:_[a-z]+)*(?:\.(?:left|right))?/g, (name) => (parameters.has(name) ? spoken(name) : name));
 }
 
-/** Whether a block has a part in what a parameter does. */
+/** Whether a block has a part in what a parameter does. @param {Reason} reason @param {Block | null} block */
 function concerns({ winner, losers }, block) {
-  return [winner, ...losers].some((part) => part?.movement === block.id);
+  return block !== null && [winner, ...losers].some((part) => part?.movement === block.id);
 }
 
-/** Whether a block aims at a parameter, or at both sides of it. */
+/** Whether a block aims at a parameter, or at both sides of it. @param {Block} block @param {Reason} reason */
 function aims({ targets }, { parameter }) {
   return parameter in targets || parameter.split(".")[0] in targets;
 }
 
-/** Reasons with those of the two sides made one where they are the same. */
+/**
+ * Reasons with those of the two sides made one where they are the same.
+ * @param {Reason[]} reasons @returns {NamedReason[]}
+ */
 function together(reasons) {
   const found = new Map();
   for (const reason of reasons) {
@@ -185,6 +203,7 @@ function together(reasons) {
   return [...found.values()];
 }
 
+/** @param {boolean} there */
 function advice(there) {
   if (!there) return [h("p", { class: "hint" }, "Perform a line to see why its face moves.")];
   const lines = [
