@@ -92,6 +92,19 @@ def test_a_seal_begins_without_a_step(face, head, tuck):
     assert abs(before - after) < 0.1
 
 
+def test_corners_that_are_pushed_apart_leave_the_middle_in_place(face, head):
+    gauge = Gauge(head)
+    rounded, parted = (0.81, 0.09, 0.70), (0.56, 0.17, 0.65)
+    gap = []
+    for share in np.linspace(0.0, 1.0, 13):
+        funneler, jaw, seal = (a + (b - a) * share for a, b in zip(rounded, parted, strict=True))
+        gap.append(
+            gauge.measure(face(orbicularis_oris_funneler=funneler, masseter=jaw, lip_seal=seal)).lip_gap_mm
+        )
+    assert gap[0] < 1.0 < 2.5 < gap[-1]
+    assert np.abs(np.diff(gap, n=2)).max() < 0.25
+
+
 def test_without_goals_open_lips_are_left_as_the_muscles_put_them(face, solver, head, rest):
     frame = face(depressor_labii=1.0)
     field = sum(

@@ -34,6 +34,7 @@ SWEEPS = 300  # the most; most faces need only a few
 TUCK_WIDTH = 11.0  # mm to either side of the midline over which the lip meets the teeth
 TUCK_ABOVE, TUCK_BEFORE = 0.7, 1.2  # mm of the tucked lip above and before the teeth's edge
 APART = 2.0  # mm that profiles may be apart for each mm that a seal does not reach: it begins without a step
+OPEN = 0.5  # mm between lips from which on they keep to the line when their corners are pushed apart
 TUCK_ROOM = 1.2  # mm of the upper lip above the teeth's edge, so that it does not meet the tucked lip
 
 
@@ -94,9 +95,25 @@ class Lips:
             beyond = self._close(skin, seal)
             left = LEFT * min(max(1.0 - beyond / BEYOND, 0.0), 1.0) - APART * min(beyond, 0.0)
             opening = min((1.0 - seal) * WIDEST_MM + seal * SHUT, max(left, SHUT))
-        for _ in range(PASSES):
+        apart = self._line.places(self._matrix.times(skin, self._points))
+        for last in (*(PASSES - 1) * (False,), True):
             if not self._push_apart(skin, opening):
                 break
+            if not last:
+                self._restore(skin, apart, opening)
+
+    def _restore(self, skin: Array, apart: Array, opening: float) -> None:
+        """Bring the places of the line that are open back to how far they were `apart` (s, 3), or may be.
+
+        Lips that are pushed apart at the corners would else move at their middle, too, by some tenths of a
+        millimetre from frame to frame.
+        """
+        length = np.sqrt((apart * apart).sum(axis=1, keepdims=True))
+        left = np.minimum(length, opening)
+        open_by = np.clip(left / OPEN, 0.0, 1.0)
+        moved = self._line.places(self._matrix.times(skin, self._points))
+        moved -= apart * (left / np.maximum(length, PRESS))
+        self._line.move(skin, -moved * (open_by * open_by * (3.0 - 2.0 * open_by)))
 
     def _tuck(self, skin: Array, tuck: float) -> None:
         """Move the lower lip to the upper teeth by the share `tuck`, and the upper lip away from it."""
