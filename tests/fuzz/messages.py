@@ -291,6 +291,7 @@ register(
             "face": 0.5,
         },
         {"do": "edit_all", "edits": [{"kind": "move", "movement": "hand.1", "start": 0.3}]},
+        {"do": "preview_all", "edits": [{"kind": "move", "movement": "hand.1", "start": 0.3}], "face": 0.2},
         {"do": "explain", "take": 1, "time": 0.5},
         {"do": "channel_curves", "take": 1, "parameter": "head_yaw"},
         {"do": "rules_fired", "take": 1},

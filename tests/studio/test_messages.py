@@ -105,3 +105,6 @@ def test_a_preview_holds_the_edit():
     assert asked == requests.Preview(Move("a", 1.0))
     asked = decode('{"id": 7, "do": "preview", "kind": "move", "movement": "a", "start": 1, "face": 2}').body
     assert asked == requests.Preview(Move("a", 1.0), 2.0)
+    edits = '[{"kind": "move", "movement": "a", "start": 1}]'
+    asked = decode(f'{{"id": 7, "do": "preview_all", "edits": {edits}, "face": 2}}').body
+    assert asked == requests.PreviewAll((Move("a", 1.0),), 2.0)

@@ -9,7 +9,7 @@ import pytest
 
 from risorius.core.edits import Add, Delete, Keys, Move
 from risorius.core.progress import quiet
-from risorius.errors import RisoriusError
+from risorius.errors import InputError, RisoriusError
 from risorius.ports.score_json import score_to_json
 from risorius.studio import describe, looking, performer
 from risorius.studio.session import Session
@@ -170,6 +170,18 @@ def test_a_preview_says_what_an_edit_would_do_and_does_not_make_it(session):
     made = edit(session, Move(block.id, block.start + 0.2))
     assert told.curves == made.curves
     assert set(block.targets) & set(told.curves)
+
+
+def test_a_preview_of_several_edits_says_what_they_would_do_together(session):
+    take = perform(session)
+    edits = [Move(b.id, b.start + 0.2) for b in take.blocks if b.channel == "signals"][:2]
+    before = state(session)
+    _, told = session.preview(*edits)
+    assert state(session) == before
+    made = session.edit_all(requests.EditAll(tuple(edits)), quiet)
+    assert told.curves == made.curves
+    with pytest.raises(InputError, match="0 edits at once"):
+        session.preview()
 
 
 def test_edits_are_made_again_on_another_plan_and_what_does_not_fit_is_named(session):

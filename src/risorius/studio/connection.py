@@ -102,8 +102,9 @@ class Connection:
             return await self._streams.send(shared.session.live(body.take), body)
         if isinstance(body, requests.FaceAt):
             return await self._streams.moment(shared.session.live(body.take), body)
-        if isinstance(body, requests.Preview):
-            take, previewed = await shared.preview(body.edit)
+        if isinstance(body, requests.Preview | requests.PreviewAll):
+            edits = (body.edit,) if isinstance(body, requests.Preview) else body.edits
+            take, previewed = await shared.preview(*edits)
             if body.face is not None:
                 await self._streams.held(take, previewed.take, body.face)
             return previewed

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -165,19 +166,24 @@ class Session:
 
     def edit_all(self, request: requests.EditAll, progress: Progress) -> takes.TakeChange:
         """Make several edits as one change."""
-        before = version = self.version()
-        if not 0 < len(request.edits) <= limits.EDITS:
-            raise InputError(f"{len(request.edits)} edits at once; expected 1 to {limits.EDITS}")
-        for edit in request.edits:
-            version = version.changed(edit)
+        before, version = self.version(), self._edited(request.edits)
         what = worded(version.edits[-1], before.score)
         rest = len(request.edits) - 1
         self.history.push(version, f"{what} and {rest} more" if rest else what)
         return self._changed(version)
 
-    def preview(self, edit: Edit) -> tuple[Take, takes.Previewed]:
-        """Return the take that an edit would make, and which curves it would change; nothing is changed."""
-        version, live = self.version().changed(edit), self.current
+    def _edited(self, edits: Sequence[Edit]) -> Version:
+        """Return the version after several edits; raise InputError if one does not fit."""
+        if not 0 < len(edits) <= limits.EDITS:
+            raise InputError(f"{len(edits)} edits at once; expected 1 to {limits.EDITS}")
+        version = self.version()
+        for edit in edits:
+            version = version.changed(edit)
+        return version
+
+    def preview(self, *edits: Edit) -> tuple[Take, takes.Previewed]:
+        """Return the take that edits would make, and which curves they would change; nothing is changed."""
+        version, live = self._edited(edits), self.current
         assert live is not None
         take = combine(version.audible, version.settings, version.utterance, live.take)
         changed = describe.changed_curves(live.curves, describe.curves(take.performance.values))

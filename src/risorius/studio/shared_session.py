@@ -101,9 +101,9 @@ class SharedSession:
             self._hold(asyncio.get_running_loop().create_task(self.save()), self._tasks)
         return answer
 
-    async def preview(self, edit: Edit) -> tuple[Take, takes.Previewed]:
-        """Return the take that an edit would make, and the answer for the page."""
-        return await self._run(lambda: self.session.preview(edit))
+    async def preview(self, *edits: Edit) -> tuple[Take, takes.Previewed]:
+        """Return the take that edits would make, and the answer for the page."""
+        return await self._run(lambda: self.session.preview(*edits))
 
     async def save(self) -> None:
         """Save the session; tell its pages that it is saved, or why it is not."""

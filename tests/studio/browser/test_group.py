@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from selenium.webdriver.common.keys import Keys
 
+from .acts import MOVED, remember_face
 from .driving import Page
 from .timeline import FRAME, JUMP, Timeline
 
@@ -56,6 +57,37 @@ def test_movements_are_selected_one_by_one_and_dragged_together(timeline: Timeli
     assert timeline.page.get("timeline.scene.model.take.undoes").endswith("and 1 more")
     timeline.page.run("await timeline.controller.undo()")
     assert signals(timeline) == before
+
+
+def test_what_is_dragged_together_is_seen_before_it_is_let_go_of(timeline: Timeline) -> None:
+    page, before, take = timeline.page, signals(timeline), timeline.take
+    one, other = before[0], before[-1]
+    middle = (one["apex_start"] + one["apex_end"]) / 2
+    page.run("studio.clock.seek(0)")
+    page.wait("studio.headPlayers.players[0].held === studio.store.get('take').frames")
+    page.run("studio.clock.seek(arguments[0])", middle)
+    remember_face(page)
+    blocks = "arguments.map((id) => timeline.scene.model.blocks.get(id))"
+    page.run(f"timeline.controller.chooseAll({blocks})", other["id"], one["id"])
+    x, y = timeline.place(one, middle)
+    chain = page.actions()
+    pointer = chain.w3c_actions.pointer_action
+    pointer.move_to_location(x, y)
+    pointer.pointer_down()
+    pointer.move_to_location(x + 80, y)
+    chain.perform()
+    page.wait("timeline.scene.model.previewed.size > 0")
+    previewed = set(page.get("[...timeline.scene.model.previewed.keys()]"))
+    assert all(previewed & set(block["targets"]) for block in (one, other))
+    page.wait(f"{MOVED} > 0.5")
+    timeline.press(Keys.ESCAPE)
+    page.wait(f"{MOVED} === 0")
+    assert page.get("timeline.scene.model.previewed.size") == 0
+    release = page.actions()
+    release.w3c_actions.pointer_action.pointer_up()
+    release.perform()
+    timeline.settle()
+    assert (signals(timeline), timeline.take) == (before, take)
 
 
 def test_a_box_selects_what_it_touches_and_delete_deletes_it_at_once(timeline: Timeline) -> None:

@@ -78,14 +78,14 @@ export class Actions {
   }
 
   /**
-   * Ask what a change would do; null where it cannot be made, which is not said: it is not yet what is wanted.
-   * @param {string} kind @param {Record<string, any>} fields as those of `edit`
+   * Ask what changes would do together; null where they cannot be made, which is not said: they are not yet wanted.
+   * @param {Record<string, any>[]} edits as those of `editAll`
    * @param {number | null} face the time at which the face should follow, which is then shown
    */
-  async preview(kind, fields, face) {
+  async preview(edits, face) {
     this.#store.set({ preview: face !== null });
     try {
-      return await this.#connection.request("preview", { kind, ...fields, face });
+      return await this.#connection.request("preview_all", { edits, face });
     } catch {
       return null;
     }

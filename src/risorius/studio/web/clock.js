@@ -2,7 +2,8 @@
  * Time of the performance: the sound's own while it plays, so that picture and sound cannot drift apart.
  *
  * The time that an audio element tells is that of what is heard: browsers take off what the sound's output tells them of
- * its latency. Headphones that tell less than they take are made up for by `delay`.
+ * its latency (docs/studio.md says where). `AudioContext.outputLatency` is for Web Audio's clock; taken off here, it
+ * would count twice. Headphones that tell less than they take are made up for by `delay`.
  *
  * Without a sound, and beyond its end, the page's time runs instead. `on("tick", call)` hears the time on
  * every animation frame on which it may have changed, `on("state", call)` changes of playing, speed and loop.

@@ -260,6 +260,13 @@
  * @property {number|null} [face]
  */
 /**
+ * Ask for the effect of several edits as one change, as Preview does for one; answered by Previewed.
+ * @typedef {Object} PreviewAll
+ * @property {"preview_all"} do
+ * @property {Array<Move|Stretch|Retarget|Add|Delete|Keys|ClearKeys>} edits
+ * @property {number|null} [face]
+ */
+/**
  * Set all markers of the line; they follow its words when the text changes. Answered by TakeChange.
  * @typedef {Object} SetMarkers
  * @property {"markers"} do
@@ -896,7 +903,7 @@
  * @property {[number, number, number]} cloth
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "relabel" | "edit_all" | "markers" | "lanes" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "relabel" | "edit_all" | "preview_all" | "markers" | "lanes" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

@@ -124,6 +124,14 @@ class Preview:
 
 
 @dataclass(frozen=True, slots=True)
+class PreviewAll:
+    """Ask for the effect of several edits as one change, as Preview does for one; answered by Previewed."""
+
+    edits: tuple[AnyEdit, ...]
+    face: Seconds | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class SetMarkers:
     """Set all markers of the line; they follow its words when the text changes. Answered by TakeChange."""
 
@@ -301,6 +309,7 @@ VERBS: Mapping[str, type] = {
     "choose": Choose,
     "relabel": Relabel,
     "edit_all": EditAll,
+    "preview_all": PreviewAll,
     "markers": SetMarkers,
     "lanes": SetLanes,
     "bring_back": BringBack,

@@ -63,13 +63,14 @@ export class Edits {
   /** Show a block at other times, without telling the server yet. @param {Block} block @param {Times | null} times */
   hold(block, times) {
     this.#blocks.set(block.id, times);
-    if (times) this.#preview.show(blockEdit(block, times));
+    if (times) this.#preview.show(editsOf([block], [times]));
     this.#changed();
   }
 
   /** Show several blocks at other times (null: deleted). @param {Block[]} blocks @param {Times[] | null} times */
   holdAll(blocks, times) {
     blocks.forEach((block, k) => this.#blocks.set(block.id, times === null ? null : times[k]));
+    if (times) this.#preview.show(editsOf(blocks, times));
     this.#changed();
   }
 
@@ -89,7 +90,8 @@ export class Edits {
   /** @param {string[]} names @param {Key[]} keys */
   holdKeys(names, keys) {
     for (const name of names) this.#keys.set(name, keys);
-    this.#preview.show(this.#keyEdit(names, keys));
+    const { kind, fields } = this.#keyEdit(names, keys);
+    this.#preview.show([{ kind, ...fields }]);
     this.#changed();
   }
 

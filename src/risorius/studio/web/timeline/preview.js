@@ -1,7 +1,7 @@
 import { curvesOf } from "../take.js";
 
 /**
- * The curves, and the face where the playhead stands, as they would be with the change that is being made by hand:
+ * The curves, and the face where the playhead stands, as they would be with the changes that are being made by hand:
  * one question at a time, the newest when the answer is there.
  */
 export class Preview {
@@ -9,7 +9,7 @@ export class Preview {
   #changed;
   /** @type {import("./model.js").Model | null} */
   #model = null;
-  /** @type {{kind: string, fields: object} | null} */
+  /** @type {Record<string, any>[] | null} edits of the wire */
   #wanted = null;
   #busy = false;
   #standing;
@@ -29,11 +29,11 @@ export class Preview {
     this.#model = model;
   }
 
-  /** See to it that the curves with an edit are shown. @param {{kind: string, fields: object} | null} edit */
-  show(edit) {
-    if (edit === null) this.end();
+  /** See to it that the curves with some edits are shown. @param {Record<string, any>[]} edits */
+  show(edits) {
+    if (edits.length === 0) this.end();
     else {
-      this.#wanted = edit;
+      this.#wanted = edits;
       this.#ask();
     }
   }
@@ -48,9 +48,8 @@ export class Preview {
   async #ask() {
     if (this.#busy || this.#wanted === null) return;
     this.#busy = true;
-    const { kind, fields } = this.#wanted;
     const asked = this.#wanted;
-    const answer = await this.#actions.preview(kind, fields, this.#standing());
+    const answer = await this.#actions.preview(asked, this.#standing());
     this.#busy = false;
     // What has been let go of or taken up meanwhile is no preview any more.
     if (this.#wanted && answer?.take === this.#model?.take.take) this.#put(curvesOf(answer.curves));
