@@ -36,7 +36,7 @@ from .messages import encoded
 from .session_list import NAME
 from .shared_session import SharedSession
 from .solvers import Solvers, stage_of
-from .uploads import TooLargeError, to_file, to_memory
+from .uploads import TooLargeError, sweep, to_file, to_memory
 
 WEB = Path(str(resources.files(__package__) / "web"))
 SAME_FOR_AN_HOUR = {"cache-control": "private, max-age=3600"}
@@ -114,6 +114,7 @@ class Studio:
             with suppress(RuntimeError):
                 loop.call_soon_threadsafe(self.warm.set)
 
+        await run_in_threadpool(sweep, self.folder)
         threading.Thread(target=warm, name="warming", daemon=True).start()
         yield
         for shared in self.sessions.values():

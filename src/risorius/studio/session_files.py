@@ -21,6 +21,7 @@ from ..ports.atomic import replacing
 from ..rules.emotions import emotion, emotion_key, emotion_names, emotion_text
 from ..script.read import RECORDING_SUFFIXES
 from ..speech.recordings.recording import read_recording
+from .uploads import BEGINNING
 
 T = TypeVar("T")
 _NAME = re.compile(r"[\w][\w -]{0,59}")
@@ -91,7 +92,7 @@ class SessionFiles:
 
     def temporary(self, data: bytes) -> Path:
         """Return a new file of the session's folder with `data`, to be taken in or removed."""
-        number, name = tempfile.mkstemp(prefix="upload-", dir=self.folder)
+        number, name = tempfile.mkstemp(prefix=BEGINNING, dir=self.folder)
         with os.fdopen(number, "wb") as file:
             file.write(data)
         return Path(name)

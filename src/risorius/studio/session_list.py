@@ -13,6 +13,7 @@ from pathlib import Path
 from ..errors import InputError
 from .autosave import DRAFT, FILE
 from .session_files import write_text
+from .uploads import BEGINNING
 
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 """What a session may be called in the address."""
@@ -69,7 +70,7 @@ def new_name() -> str:
 
 def copy(source: Path, target: Path) -> None:
     """Copy a session that nobody writes to meanwhile."""
-    beside = shutil.ignore_patterns("exports", "upload-*", ".risorius-*")
+    beside = shutil.ignore_patterns("exports", f"{BEGINNING}*", ".risorius-*")
     shutil.copytree(source, target, ignore=beside, copy_function=shutil.copyfile)
     called = title(source)
     rename(target, f"{called or 'Copy'}{' (copy)' if called else ''}"[:LONGEST_TITLE])

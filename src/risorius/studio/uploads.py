@@ -4,12 +4,18 @@ from __future__ import annotations
 
 import os
 import tempfile
+import time
 from collections.abc import AsyncIterator
+from contextlib import suppress
 from pathlib import Path
 
 from starlette.requests import ClientDisconnect, Request
 
 from ..errors import InputError
+
+BEGINNING = "upload-"
+"""Of the name of every file that is taken in or removed as soon as it is whole."""
+_OLD = 86_400.0  # s after which such a file is of a server that was killed
 
 
 class UnfinishedUploadError(InputError):
@@ -22,7 +28,7 @@ class TooLargeError(InputError):
 
 async def to_file(request: Request, folder: Path, most: int) -> Path:
     """Return a new file in `folder` with the request's body; raise TooLargeError beyond `most` bytes."""
-    number, name = tempfile.mkstemp(prefix="upload-", dir=folder)
+    number, name = tempfile.mkstemp(prefix=BEGINNING, dir=folder)
     path, size = Path(name), 0
     try:
         with os.fdopen(number, "wb") as file:
@@ -34,6 +40,16 @@ async def to_file(request: Request, folder: Path, most: int) -> Path:
         path.unlink(missing_ok=True)
         raise
     return path
+
+
+def sweep(folder: Path) -> None:
+    """Remove from all sessions in `folder` what a server that was killed had begun to take in."""
+    latest = time.time() - _OLD
+    for path in folder.glob(f"*/{BEGINNING}*"):
+        # Another server on the same folder may sweep, too.
+        with suppress(OSError):
+            if path.is_file() and path.stat().st_mtime < latest:
+                path.unlink()
 
 
 async def to_memory(request: Request, most: int) -> bytes:
