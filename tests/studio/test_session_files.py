@@ -149,6 +149,24 @@ def test_a_recording_is_taken_in_under_a_plain_name_and_performed(session, tmp_p
     _assert_same(other, session)
 
 
+def test_marks_in_a_recordings_transcript_follow_the_expression(session, tmp_path):
+    """The sound is heard once, but what its marks show is of the settings of each performance."""
+    perform(session, "I like it.")
+    uploaded = tmp_path / "upload"
+    uploaded.write_bytes(session.current.take.utterance.audio.path.read_bytes())
+    name = session.files.add_recording("line.wav", uploaded)
+    script = '<PHONEME time="0" text="I like it." /><EMOTIONDISPLAY time="0" duration="1.5" Joy="1" />'
+    felt = perform(session, script, format="xml", recording=name)
+    assert [word.text for word in felt.speech.words] == ["I", "like", "it"]
+    posed = session.choose(requests.Choose(shared.Choices(expression="posed")), quiet)
+
+    def rises(take):
+        return [b.apex_start - b.start for b in take.blocks if b.channel == "emotion"]
+
+    assert len(rises(felt)) == len(rises(posed)) > 0
+    assert all(shown < natural - 0.05 for shown, natural in zip(rises(posed), rises(felt), strict=True))
+
+
 def test_what_is_no_recording_is_refused(session, tmp_path):
     uploaded = tmp_path / "upload"
     uploaded.write_bytes(b"RIFF nothing")

@@ -15,7 +15,7 @@ from ..pipeline import compose, speak, with_profile
 from ..ports.readable import ScoreFile
 from ..rules.emotions import Display, Displays
 from ..rules.rule_set import emotions_of
-from ..script import Script, parse_script, read_script
+from ..script import Script, parse_script
 from ..settings import Settings
 from ..speech import LabelledRecording, Recording, hear
 from ..speech.recordings.recording import read_recording
@@ -95,9 +95,10 @@ class Performer:
         source, edges = replace(source, edges=()), source.edges
         if source.recording is not None or source.format == "TextGrid":
             language = settings.language
-            script, found = self._heard.get(
-                (source, language), lambda: hear(self._recording(source, language), progress)
-            )
+            recording = self._recording(source, language)
+            script, found = self._heard.get((source, language), lambda: hear(recording, progress))
+            if isinstance(recording, Recording) and recording.script is not None:
+                script = recording.script  # its marks show emotions as they are in force now
             heard = self._with_edges((source, language), found, edges)
             return script, heard, _placed(spans, heard)
         script = parse_script(source.script, _SUFFIX[source.format], "script")
@@ -125,7 +126,8 @@ class Performer:
     def _recording(self, source: Source, language: str | None) -> Recording | LabelledRecording:
         audio = None if source.recording is None else self._files.recording(source.recording)
         if audio is not None and source.format != "TextGrid":
-            script = read_script(source.script, text=True) if source.script else None
+            written = source.script.strip() != ""
+            script = parse_script(source.script, _SUFFIX[source.format], "script") if written else None
             return Recording(audio, script=script, language=language if script else None)
         labels = self._files.folder / "labels.TextGrid"
         labels.write_text(source.script, encoding="utf-8")
