@@ -67,8 +67,8 @@ def test_what_is_dragged_together_is_seen_before_it_is_let_go_of(timeline: Timel
     page.wait("studio.headPlayers.players[0].held === studio.store.get('take').frames")
     page.run("studio.clock.seek(arguments[0])", middle)
     remember_face(page)
-    blocks = "arguments.map((id) => timeline.scene.model.blocks.get(id))"
-    page.run(f"timeline.controller.chooseAll({blocks})", other["id"], one["id"])
+    blocks = "arguments[0].map((id) => timeline.scene.model.blocks.get(id))"
+    page.run(f"timeline.controller.chooseAll({blocks})", [other["id"], one["id"]])
     x, y = timeline.place(one, middle)
     chain = page.actions()
     pointer = chain.w3c_actions.pointer_action
