@@ -13,6 +13,8 @@ from risorius.face.rotations import head_rotation
 from ...serve.running import running
 from .driving import Page
 
+# So long (some half a minute) that a page that is kept waiting interrupts it all the same.
+LINE = f"{', '.join(['One two three four five six seven eight nine ten'] * 6)} eleven."
 CONVERSATION = """
 const { LiveFace } = await import("/risorius-live.js");
 const face = new LiveFace(`ws://${location.host}/live`, { outputs: ["arkit"] });
@@ -25,11 +27,11 @@ const until = async (done) => { while (!done()) await new Promise((go) => setTim
 const started = await face.start();
 face.feel("joy", 0.5);
 face.feel("jox", 0.5);
-face.say("One two three four five six seven eight nine ten eleven twelve thirteen fourteen. ");
+face.say("LINE ");
 face.flush();
 await until(() => face.frame()?.text);
 const lags = [];
-for (let k = 0; k < 20; k++) {
+for (let k = 0; k < 10; k++) {
   await new Promise((go) => setTimeout(go, 20));
   lags.push(face.now() - face.base - face.frame().time);
 }
@@ -43,7 +45,7 @@ face.close();
 await until(() => told.some(([kind]) => kind === "closed"));
 const weights = Array.from(face.frame().values.arkit);
 return { told, lags, playing, silent, names: started.arkit, weights };
-"""
+""".replace("LINE", LINE)
 DRIVING = """
 const { driving } = await import("/risorius-live.js");
 const THREE = await import("/web/vendor/three/three.module.min.js");
@@ -87,15 +89,11 @@ def test_the_module_speaks_and_falls_silent(tab: Page) -> None:
     kinds = [kind for kind, _ in heard["told"]]
     assert kinds == ["error", "sentence", "interrupted", "sentence", "ended", "closed"], heard["told"]
     assert heard["told"][0][1].startswith("unknown emotion 'jox'")
-    assert (
-        heard["told"][1][1]
-        == "One two three four five six seven eight nine ten eleven twelve thirteen fourteen."
-    )
-    # How much is left to say hangs on how busy the page was; the last word is.
-    assert heard["told"][2][1].endswith("fourteen.")
+    assert heard["told"][1][1] == LINE
+    assert heard["told"][2][1].endswith("ten eleven.")
     # A frame is shown until the next is due, or until a busy page comes round to it.
     assert min(heard["lags"]) >= 0.0
-    assert sorted(heard["lags"])[10] < 1.0
+    assert sorted(heard["lags"])[5] < 1.0
     assert heard["playing"] > 0
     assert heard["silent"] == 0
     assert heard["names"] == list(SHAPES)
