@@ -147,6 +147,22 @@ class Batch(NamedTuple):
     block: Float32Array
 
 
+class Facets(NamedTuple):
+    """The colours of a draft's triangles (m,), linear in the picture.
+
+    `kind` (m,) is one of `draft`'s; `plane` (m, 9) is the colour in sRGB bytes at the picture's upper left
+    corner, what it gains from pixel to pixel to the right, and what it gains downwards.
+    """
+
+    kind: ByteArray
+    plane: Float32Array
+
+
+def empty_facets(count: int) -> Facets:
+    """Return arrays for `count` triangles."""
+    return Facets(np.zeros(count, np.uint8), np.zeros((count, 9), np.float32))
+
+
 def empty_batch(capacity: int) -> Batch:
     """Return empty arrays for rows of up to `capacity` patches."""
     triangle, column, samples = (np.zeros(capacity, np.int32) for _ in range(3))

@@ -9,8 +9,8 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..core.kernels.jit import f4, fast_device, fast_kernel, index
 from .collect import collect
-from .draft import light_vertices, shade_row, write_patches
-from .inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
+from .draft import find_facets, shade_row, write_patches
+from .inputs import Batch, Facets, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
@@ -28,17 +28,20 @@ def shade(
     pose: Pose,
     tables: Tables,
     batch: Batch,
+    facets: Facets,
     out: ByteArray,
 ) -> None:
-    """Write the picture (height, width, 3) of sRGB bytes."""
-    draft = screen.detail > screen.pixel
+    """Write the picture (height, width, 3) of sRGB bytes; drafts have `facets`."""
+    draft = len(facets.kind) > 0
     if draft:
-        light_vertices(batch, mesh, screen, light, pose, tables)
+        for y in range(out.shape[0]):
+            uncover(y, screen, mesh)
+        find_facets(facets, batch, mesh, screen, light, pose, tables)
     for y in range(out.shape[0]):
-        uncover(y, screen, mesh)
         if draft:
-            n = shade_row(y, screen, mesh, batch, tables, out)
+            n = shade_row(y, screen, mesh, facets, batch, tables, out)
         else:
+            uncover(y, screen, mesh)
             n = collect(y, screen, mesh, batch)
             shade_skin(n, batch, mesh, screen, light, pose, tables)
             shade_cloth(n, batch, mesh, screen, light, tables)

@@ -22,7 +22,7 @@ from .diagram import shade_diagram
 from .diagram_paint import DiagramPaint
 from .framing import frame_head
 from .hair_views import HairViews
-from .inputs import Paint, Pose, PosedMesh, SceneLight, Screen, Tables, empty_batch
+from .inputs import Paint, Pose, PosedMesh, SceneLight, Screen, Tables, empty_batch, empty_facets
 from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
@@ -106,6 +106,7 @@ class SoftwareRenderer:
         self._xy: Int32Array = np.zeros((len(scene.positions), 2), np.int32)
         self._key: Float32Array = np.zeros(len(scene.positions), np.float32)
         self._batch = empty_batch(max(width * samples * samples, scene.skin_vertices if self._draft else 0))
+        self._facets = empty_facets(len(scene.triangles) if self._draft else 0)
         centre, radius = scene.anatomy.sphere()
         texels = DRAFT_SIZE if self._draft else SIZE
         direction, vertices = self._lights.lamps[0, :3], len(scene.positions)
@@ -217,7 +218,7 @@ class SoftwareRenderer:
             self._empty,
         )
         if self._diagram_paint is None:
-            shade(screen, mesh, light, pose, self._tables, self._batch, out)
+            shade(screen, mesh, light, pose, self._tables, self._batch, self._facets, out)
         else:
             paint: Paint = self._diagram_paint.paint
             shade_diagram(screen, mesh, light, pose, self._tables, paint, self._batch, out)

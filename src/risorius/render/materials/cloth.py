@@ -16,7 +16,8 @@ from .patch import Corners, corners_of, put, towards, weights_of
 from .shadows import shadow_at
 
 _RIBS = f4(110)  # around the neck
-_SEAM = f4(5)  # mm within which the collar's seam is seen
+SEAM = f4(5)
+"""Mm within which the collar's seam is seen."""
 _UP = (f4(0), f4(1), f4(0))
 
 
@@ -44,7 +45,7 @@ def light_cloth(
     for k in range(n):
         corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
         if weigh(mesh.attributes, corners, weights, CURVATURE)[2] >= -screen.detail:
-            woven = _cloth(mesh, screen, light, tables, corners, weights, COLLAR + _SEAM)
+            woven = _cloth(mesh, screen, light, tables, corners, weights, COLLAR + SEAM)
             put(mesh.cloth_light, batch.column[k], woven)
 
 
@@ -98,6 +99,6 @@ def _knit(tile: Float32Array, rest: Vec, albedo: Vec, normal: Vec, depth: float)
         rolled = f4(1) - saturate(depth * f4(1 / 4.0))
         normal = unit(along(normal, _UP, rolled * rolled))
     seam = depth - COLLAR
-    if abs(seam) < _SEAM:
+    if abs(seam) < SEAM:
         light *= f4(1) - f4(0.35) * math.exp(-seam * seam * f4(0.6))
     return scale(albedo, light), normal
