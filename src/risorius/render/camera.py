@@ -86,11 +86,26 @@ def snap(position: float) -> int:
 def project(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Float32Array) -> None:
     """Write positions in 1/256 sample and keys (1 / distance) of points (n, 3) for `Camera.matrix`."""
     for i in range(len(points)):
-        x, y, z = points[i, 0], points[i, 1], points[i, 2]
-        d = matrix[2, 0] * x + matrix[2, 1] * y + matrix[2, 2] * z + matrix[2, 3]
-        k = f4(1) / max(d, _NEAREST)
-        u = (matrix[0, 0] * x + matrix[0, 1] * y + matrix[0, 2] * z + matrix[0, 3]) * k
-        v = (matrix[1, 0] * x + matrix[1, 1] * y + matrix[1, 2] * z + matrix[1, 3]) * k
-        xy[i, 0] = snap(u)
-        xy[i, 1] = snap(v)
-        key[i] = k
+        _project(points, matrix, i, xy, key)
+
+
+@lean_kernel
+def project_pairs(
+    points: Float32Array, matrix: Float32Array, pairs: Int32Array, xy: Int32Array, key: Float32Array
+) -> None:
+    """Do what `project` does for the points `pairs` (k,) and the next of each alone."""
+    for i in pairs:
+        _project(points, matrix, i, xy, key)
+        _project(points, matrix, i + 1, xy, key)
+
+
+@lean_device
+def _project(points: Float32Array, matrix: Float32Array, i: int, xy: Int32Array, key: Float32Array) -> None:
+    x, y, z = points[i, 0], points[i, 1], points[i, 2]
+    d = matrix[2, 0] * x + matrix[2, 1] * y + matrix[2, 2] * z + matrix[2, 3]
+    k = f4(1) / max(d, _NEAREST)
+    u = (matrix[0, 0] * x + matrix[0, 1] * y + matrix[0, 2] * z + matrix[0, 3]) * k
+    v = (matrix[1, 0] * x + matrix[1, 1] * y + matrix[1, 2] * z + matrix[1, 3]) * k
+    xy[i, 0] = snap(u)
+    xy[i, 1] = snap(v)
+    key[i] = k

@@ -1,7 +1,8 @@
 """The visible parts of hairs: most hair lies under other hair and need not be drawn.
 
 For each direction of a grid around the head, when it is first needed, the head at rest is drawn to see which
-points of each hair win samples. A picture draws what is visible from any corner of the camera's cell.
+points of each hair win samples. A picture draws what is visible from any corner of the camera's cell; the
+rest is neither moved, projected, lit nor drawn.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from ..core.arrays import Array, Float32Array, FloatArray, Int8Array, Int32Array
 from ..looks.attributes import HAIR
 from .camera import Camera, project
 from .ribbons import NOTHING, WHOLE
-from .scene import HeadScene
+from .scene import HeadScene, ShownHair
 from .visibility import Visibility
 
 STEP = 12.0
@@ -36,6 +37,7 @@ class HairViews:
         self._side = min(math.ceil(2.0 * self._radius / sample), _LARGEST)
         self._centre = (0.0, float(centre[1]), float(centre[2]))
         self._nodes: dict[tuple[int, int], Int8Array] = {}
+        self._cells: dict[tuple[int, int], ShownHair] = {}
         self._buffers: _Buffers | None = None
 
     def clone(self, scene: HeadScene) -> HairViews:
@@ -49,10 +51,9 @@ class HairViews:
         """Whether the picture's samples are not much finer than those drawn here."""
         return self._sample * self._side >= _FINER * 2.0 * self._radius
 
-    def seen(self, eye: FloatArray, rotation: Array) -> Int8Array:
-        """Return the first and the last point (H, 2) of each hair that may be seen from `eye` (3,).
+    def seen(self, eye: FloatArray, rotation: Array) -> ShownHair:
+        """Return what may be seen of each hair from `eye` (3,); `rotation` (3, 3) is the head's.
 
-        `rotation` (3, 3) is the head's. For a hair that is not visible the first point comes after the last.
         The call may change the pose of the scene.
         """
         x, y, z = (np.subtract(eye, self._centre) @ rotation).tolist()
@@ -60,8 +61,11 @@ class HairViews:
         high = math.degrees(math.atan2(y, math.hypot(x, z)))
         up = max(-_HIGHEST, min(high, _HIGHEST - 1e-6)) / STEP
         i, j = math.floor(across), math.floor(up)
-        corners = np.stack([self._node(m % _AROUND, n) for m in (i, i + 1) for n in (j, j + 1)])
-        return np.stack([corners[:, :, 0].min(axis=0), corners[:, :, 1].max(axis=0)], axis=1)
+        if (i, j) not in self._cells:
+            corners = np.stack([self._node(m % _AROUND, n) for m in (i, i + 1) for n in (j, j + 1)])
+            points = np.stack([corners[:, :, 0].min(axis=0), corners[:, :, 1].max(axis=0)], axis=1)
+            self._cells[i, j] = self._scene.show_hair(points)
+        return self._cells[i, j]
 
     def _node(self, across: int, up: int) -> Int8Array:
         if (across, up) not in self._nodes:

@@ -113,12 +113,13 @@ class Screen(NamedTuple):
     `detail` is the least width in mm of what is shaded on the skin: a pixel, or in drafts, in which skin and
     cloth are lit at their vertices alone, more.
 
-    `rows` and `chunks` are those of `visibility.Visibility`, whose `ids` and `depth` are drawn with the
-    picture; `empty` (height, width, 3) uint8 is the picture of the background alone.
+    `order`, `rows` and `chunks` are those of `visibility.Visibility`, whose `ids` and `depth` are drawn with
+    the picture; `empty` (height, width, 3) uint8 is the picture of the background alone.
     """
 
     ids: Int32Array
     depth: Float32Array
+    order: Int32Array
     rows: Int32Array
     chunks: Int32Array
     samples: int

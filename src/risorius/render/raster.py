@@ -36,16 +36,18 @@ def extent(p: int, q: int, r: int, limit: int) -> tuple[int, int]:
 def find_rows(
     xy: Int32Array,
     triangles: Int32Array,
+    order: Int32Array,
     two_sided: ByteArray,
     height: int,
     width: int,
     rows: Int32Array,
     chunks: Int32Array,
 ) -> None:
-    """Write the first and last row of each triangle (first > last: not drawn) and of each chunk."""
+    """Write the first and last row of triangles in `order` (first > last: not drawn) and of chunks."""
     for chunk in range(len(chunks)):
         low, high = height, -1
-        for t in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(triangles))):
+        for place in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(order))):
+            t = index(order[place])
             a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])
             area = area_of(xy, a, b, c)
             first, last = extent(xy[a, 1], xy[b, 1], xy[c, 1], height)

@@ -66,12 +66,15 @@ def ribbons(
 
     Roots are read from the same arrays; `eye` (3,) is the place of the camera. Hairs whose roots face away
     from it, with a cosine below `behind`, are left out; the others are drawn from the first to the last point
-    in `shown` (S, 2). No hair is drawn narrower than `least` mm, because it would break up between samples;
-    instead, so many of the narrower hairs are left out that they cover the same area.
+    in `shown` (S, 2). If the last comes first, the hair's vertices stay as they are. No hair is drawn
+    narrower than `least` mm, because it would break up between samples; instead, so many of the narrower
+    hairs are left out that they cover the same area.
     """
     strands, points = widths.shape
     camera = (eye[0], eye[1], eye[2])
     for s in range(strands):
+        if shown[s, 0] > shown[s, 1]:
+            continue
         corners = (roots[s, 0], roots[s, 1], roots[s, 2])
         place = (weights[s, 0], weights[s, 1], weights[s, 2])
         origin = weigh(positions, corners, place, 0)

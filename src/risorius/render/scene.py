@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,6 +29,19 @@ from .turn import turn
 
 _LIPS = 0.35  # of the light that comes through the flesh to where the lips touch
 _SOFTENED = 0.8  # exponent: light reflected within folds brightens them a little
+
+
+class ShownHair(NamedTuple):
+    """What is shown of the hair.
+
+    `points` (hairs, 2): the first and the last point of each hair; if nothing is shown of it, the first comes
+    after the last. `order` (k,): all solid triangles and the hairs' that are shown. `pairs` (p,): the first
+    vertex of each pair across a hair that these have.
+    """
+
+    points: Int8Array
+    order: Int32Array
+    pairs: Int32Array
 
 
 class HeadScene:
@@ -73,13 +87,13 @@ class HeadScene:
         self.hairs = number - HAIR
         self.facial_hairs = sum(len(group.widths) for group in self._hairs[:2])
         self.hair_segments = np.concatenate([group.segments() for group in self._hairs])
-        self._all = np.tile(np.array([WHOLE], np.int8), (self.hairs, 1))
         self.triangles: Int32Array = np.concatenate(triangles).astype(np.int32)
         self.surfaces: Int32Array = np.concatenate(surfaces).astype(np.int32)
         self.two_sided: ByteArray = (self.surfaces >= HAIR).astype(np.uint8)
         self.attributes: Float32Array = np.concatenate(attributes)
         self._local: Float32Array = np.concatenate([part.points for part in parts]).astype(np.float32)
         self._local[: len(self._offset)] += self._offset
+        self.all_hair = self.show_hair(np.tile(np.array([WHOLE], np.int8), (self.hairs, 1)))
         self.rest: Float32Array = np.zeros((first, 3), np.float32)
         self.rest[: self.mesh_vertices] = self._local
         self.positions: Float32Array = self.rest.copy()
@@ -133,25 +147,30 @@ class HeadScene:
             if points.shape != (size, 3):
                 raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
-    def pose(
-        self, frame: FaceFrame, eye: Float32Array, sample: float, shown: Int8Array | None = None
-    ) -> Pose:
-        """Move all vertices to a frame.
+    def show_hair(self, points: Int8Array) -> ShownHair:
+        """Return what is shown of the hair if `points` are (see `ShownHair`)."""
+        first, last = points[self.surfaces[self.solid :] - HAIR].T
+        shown = self.solid + np.flatnonzero((first <= self.hair_segments) & (self.hair_segments < last))
+        pairs = np.unique((self.triangles[shown] - self.mesh_vertices) // 2)
+        order = np.concatenate([np.arange(self.solid), shown])
+        return ShownHair(points, order.astype(np.int32), (self.mesh_vertices + 2 * pairs).astype(np.int32))
+
+    def pose(self, frame: FaceFrame, eye: Float32Array, sample: float, shown: ShownHair) -> Pose:
+        """Move the vertices to a frame, of the hairs those that are `shown`.
 
         `eye` (3,) float32 is the place of the camera, `sample` the least width in mm that it can show.
-        `shown` (hairs, 2) holds the first and last point to draw of each hair; None draws all hairs whole.
         """
         rotation = frame.head_rotation.astype(np.float32)
         pivot = self.head.head_pivot.astype(np.float32)
         self._place(frame)
         turn(self._local, self._weight, rotation, pivot, self.positions[: self.mesh_vertices])
-        self._update_surface(eye, sample, self._all if shown is None else shown)
+        self._update_surface(eye, sample, shown.points)
         return self._read_pose(frame, rotation, pivot)
 
     def rest_at(self, eye: Float32Array, sample: float) -> None:
         """Move all vertices to rest, seen from `eye` (see `pose`)."""
         self.positions[: self.mesh_vertices] = self.rest[: self.mesh_vertices]
-        self._update_surface(eye, sample, self._all)
+        self._update_surface(eye, sample, self.all_hair.points)
 
     def _update_surface(self, eye: Float32Array, sample: float, shown: Int8Array) -> None:
         """Recompute normals and hairs from the posed mesh."""

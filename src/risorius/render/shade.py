@@ -64,6 +64,7 @@ def uncover(y: int, screen: Screen, mesh: PosedMesh) -> None:
             mesh.xy,
             mesh.key,
             mesh.triangles,
+            screen.order,
             screen.rows,
             screen.chunks,
             top,

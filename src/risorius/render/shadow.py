@@ -20,7 +20,8 @@ class ShadowMap:
     """A map of `size`² texels over a sphere that holds the scene.
 
     `low` and `high` (size, size) float32 are the least and the greatest depth among the taps that start at a
-    texel. Most places are fully lit or fully in the shade, and these two decide them.
+    texel. Most places are fully lit or fully in the shade, and these two decide them. `vertices` and
+    `triangles` are how many points and triangles cast the shadow.
     """
 
     def __init__(
@@ -34,6 +35,7 @@ class ShadowMap:
     ) -> None:
         self.matrix = light_matrix(direction, centre, radius, size)
         self.bias = 3.2 * radius / size  # mm: the depth that a texel spans on a slanted surface
+        self.vertices = vertices
         self._xy: Int32Array = np.zeros((vertices, 2), np.int32)
         self._key: Float32Array = np.zeros(vertices, np.float32)
         self.low, self.high, self._rows = (np.zeros((size, size), np.float32) for _ in range(3))

@@ -12,11 +12,12 @@ from ..core.kernels.jit import f4
 from ..core.look import QUALITIES, STYLES, Size
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
+from ..face.subdivide import triangulate
 from ..looks.eyeball import iris_image
 from ..looks.head_model import HeadModel, thin_hair
 from ..looks.noise import noise_tile
 from .backdrop import gradient
-from .camera import Camera, project
+from .camera import Camera, project, project_pairs
 from .cutout import covered, cut_out
 from .diagram import shade_diagram
 from .diagram_paint import DiagramPaint
@@ -108,9 +109,12 @@ class SoftwareRenderer:
         self._batch = empty_batch(max(width * samples * samples, scene.skin_vertices if self._draft else 0))
         self._facets = empty_facets(len(scene.triangles) if self._draft else 0)
         centre, radius = scene.anatomy.sphere()
-        texels = DRAFT_SIZE if self._draft else SIZE
-        direction, vertices = self._lights.lamps[0, :3], len(scene.positions)
-        self._shadow = ShadowMap(direction, centre, radius, vertices, scene.solid, texels)
+        direction, vertices, texels = self._lights.lamps[0, :3], scene.mesh_vertices, SIZE
+        self._casters = scene.triangles[: scene.solid]
+        if self._draft:  # the skin's coarse quads, whose vertices are the first of the fine ones
+            vertices, texels = len(scene.head.rest), DRAFT_SIZE
+            self._casters = triangulate(scene.head.quads)
+        self._shadow = ShadowMap(direction, centre, radius, vertices, len(self._casters), texels)
 
     def clone(self) -> SoftwareRenderer:
         """Return a renderer of the same pictures that another thread can use at the same time."""
@@ -160,20 +164,19 @@ class SoftwareRenderer:
     def _draw(self, frame: FaceFrame, out: ByteArray) -> None:
         scene = self.scene
         scene.check(frame)
-        shown = None
-        if self._hair_views is not None:
-            shown = self._hair_views.seen(self._eye, frame.head_rotation)
+        views, solid = self._hair_views, slice(0, scene.mesh_vertices)
+        shown = views.seen(self._eye, frame.head_rotation) if views is not None else scene.all_hair
         pose = scene.pose(frame, self._eye, self._least, shown)
-        project(scene.positions, self._matrix, self._xy, self._key)
+        project(scene.positions[solid], self._matrix, self._xy[solid], self._key[solid])
+        project_pairs(scene.positions, self._matrix, shown.pairs, self._xy, self._key)
+        self._buffer.order = shown.order
         self._buffer.prepare(self._xy, scene.triangles, scene.two_sided)
         self._shadow.update(
-            scene.positions[: scene.mesh_vertices],
-            scene.triangles[: scene.solid],
-            scene.two_sided[: scene.solid],
+            scene.positions[: self._shadow.vertices], self._casters, scene.two_sided[: len(self._casters)]
         )
-        self._shade(pose, out)
+        self._shade(pose, shown.pairs, out)
 
-    def _shade(self, pose: Pose, out: ByteArray) -> None:
+    def _shade(self, pose: Pose, hair_pairs: Int32Array, out: ByteArray) -> None:
         scene, shadow, samples = self.scene, self._shadow, self._samples
         mesh = PosedMesh(
             self._xy,
@@ -202,12 +205,13 @@ class SoftwareRenderer:
         )
         if not self._draft:
             cast_shadows(scene.positions, light, scene.shadow)
-        light_hairs(mesh, light, self._eye, scene.mesh_vertices)
+        light_hairs(mesh, light, self._eye, hair_pairs)
         pixel = f4(self.camera.millimetres_per_sample(self.size[1]))
         buffer = self._buffer
         screen = Screen(
             buffer.ids,
             buffer.depth,
+            buffer.order,
             buffer.rows,
             buffer.chunks,
             samples,

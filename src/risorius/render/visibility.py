@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array
-from ..core.kernels.jit import f4, lean_device, lean_kernel
+from ..core.kernels.jit import f4, index, lean_device, lean_kernel
 from .fill import fill
 from .raster import CHUNK, find_rows
 
@@ -19,16 +19,23 @@ BAND = 64  # rows of samples drawn at once
 class Visibility:
     """Buffers for drawing up to a given number of triangles.
 
-    After `draw`, `ids` (height, width) int32 holds the index of the triangle that each sample shows or -1,
-    and `depth` (height, width) float32 its key: larger is nearer, 0 is empty. After `prepare`, `rows` and
-    `chunks` tell `rasterize` which rows each triangle covers.
+    `order` (k,) is the triangles to draw, one after the other; at first it is all of them. After `draw`,
+    `ids` (height, width) int32 holds the index of the triangle that each sample shows or -1, and `depth`
+    (height, width) float32 its key: larger is nearer, 0 is empty. After `prepare`, `rows` and `chunks` tell
+    `rasterize` which rows each triangle covers.
     """
 
     def __init__(self, width: int, height: int, triangles: int, *, keep_ids: bool = True) -> None:
         self.depth: Float32Array = np.zeros((height, width), np.float32)
         self.ids: Int32Array = np.full((height, width) if keep_ids else (1, 1), -1, np.int32)
         self.rows: Int32Array = np.zeros((triangles, 2), np.int32)
-        self.chunks: Int32Array = np.zeros((-(-triangles // CHUNK), 2), np.int32)
+        self._chunks: Int32Array = np.zeros((-(-triangles // CHUNK), 2), np.int32)
+        self.order: Int32Array = np.arange(triangles, dtype=np.int32)
+
+    @property
+    def chunks(self) -> Int32Array:
+        """The first and last row (n, 2) of each group of triangles in `order`."""
+        return self._chunks[: -(-len(self.order) // CHUNK)]
 
     def draw(self, xy: Int32Array, key: Float32Array, triangles: Int32Array, two_sided: ByteArray) -> None:
         """Clear the buffers and draw.
@@ -41,11 +48,12 @@ class Visibility:
         if len(triangles) != len(self.rows):
             raise ValueError(f"{len(triangles)} triangles for a buffer of {len(self.rows)}")
         self.prepare(xy, triangles, two_sided)
-        rasterize_all(xy, key, triangles, self.rows, self.chunks, self.depth, self.ids)
+        rasterize_all(xy, key, triangles, self.order, self.rows, self.chunks, self.depth, self.ids)
 
     def prepare(self, xy: Int32Array, triangles: Int32Array, two_sided: ByteArray) -> None:
         """Find the rows that the triangles cover (see `draw`)."""
-        find_rows(xy, triangles, two_sided, self.depth.shape[0], self.depth.shape[1], self.rows, self.chunks)
+        height, width = self.depth.shape
+        find_rows(xy, triangles, self.order, two_sided, height, width, self.rows, self.chunks)
 
 
 @lean_kernel
@@ -53,14 +61,16 @@ def rasterize_all(
     xy: Int32Array,
     key: Float32Array,
     triangles: Int32Array,
+    order: Int32Array,
     rows: Int32Array,
     chunks: Int32Array,
     depth: Float32Array,
     ids: Int32Array,
 ) -> None:
-    """Draw all triangles, all rows."""
+    """Draw all triangles in `order`, all rows."""
     for top in range(0, depth.shape[0], BAND):
-        rasterize(xy, key, triangles, rows, chunks, top, min(top + BAND, depth.shape[0]), depth, ids)
+        bottom = min(top + BAND, depth.shape[0])
+        rasterize(xy, key, triangles, order, rows, chunks, top, bottom, depth, ids)
 
 
 @lean_device
@@ -68,6 +78,7 @@ def rasterize(
     xy: Int32Array,
     key: Float32Array,
     triangles: Int32Array,
+    order: Int32Array,
     rows: Int32Array,
     chunks: Int32Array,
     top: int,
@@ -83,7 +94,8 @@ def rasterize(
     for chunk in range(len(chunks)):
         if chunks[chunk, 0] >= bottom or chunks[chunk, 1] < top:
             continue
-        for t in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(triangles))):
+        for place in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(order))):
+            t = index(order[place])
             first, last = max(rows[t, 0], top), min(rows[t, 1], bottom - 1)
             if first <= last:
                 fill(xy, key, triangles, t, first, last, depth, ids, keep)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from ...core.arrays import Float32Array
+from ...core.arrays import Float32Array, Int32Array
 from ...core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel
 from ...core.kernels.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from ...looks.attributes import EXTRA, HAIR, OCCLUSION, SPECULAR
@@ -17,10 +17,10 @@ from .patch import corners_of, put, weights_of
 
 
 @fast_kernel
-def light_hairs(mesh: PosedMesh, light: SceneLight, eye: Float32Array, first: int) -> None:
-    """Write the light of all hairs' vertices, from row `first` on in pairs, into `mesh.vertex_light`."""
+def light_hairs(mesh: PosedMesh, light: SceneLight, eye: Float32Array, pairs: Int32Array) -> None:
+    """Write the light of hairs' vertices, `pairs` (k,) and the next of each, into `mesh.vertex_light`."""
     camera = (eye[0], eye[1], eye[2])
-    for i in range(first, len(mesh.positions), 2):
+    for i in pairs:
         direction = at(mesh.normals, i)
         if dot(direction, direction) == f4(0):
             continue  # a hair behind the head
