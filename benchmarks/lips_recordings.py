@@ -2,7 +2,8 @@
 
 FOLDER is laid out as TIMIT (`timit.py`). The recordings are aligned with their words. Prints
 - of the closures of /p b m/ (`pcl`, `bcl`, `m`, `em`, labelled by hand) the share whose middle, start and end
-  lie within 30 ms of those of our shut lips, which are taken from the curves at 200 fps;
+  lie within 30 ms of those of our shut lips, which are taken from the curves at 200 fps. Beside silence
+  only the other edge counts: lips at rest are shut, before a first /m/ as after a last one;
 - of the starts and ends of words the share within 50 ms of the hand's;
 - r of the lip gap that recognized phones (no transcript) and loudness alone make, with the gap of labels by
   hand, at 50 fps.
@@ -36,6 +37,7 @@ from risorius.speech.recordings.recording import read_recording
 
 FPS, COARSE = 200.0, 50.0
 CLOSURES = ("pcl", "bcl", "m", "em")
+SILENT = ("h#", "pau")
 NEAR, WORD = 0.03, 0.05
 SHUT_MM = 0.05
 APART = 0.15
@@ -85,15 +87,30 @@ def merged(spans: Sequence[Span]) -> list[Span]:
     return joined
 
 
-def errors(wanted: Sequence[Span], ours: Sequence[Span]) -> Iterator[tuple[float, float, float]]:
-    """Yield how late the middle, start and end of our nearest span are; infinite if there is none."""
+def errors(
+    wanted: Sequence[Span], ours: Sequence[Span], silent: Sequence[Span]
+) -> Iterator[tuple[float, float, float]]:
+    """Yield how late the middle, start and end of our nearest span are; infinite if there is none.
+
+    NaN is what a silence beside the span leaves open.
+    """
     for span in wanted:
         middle = sum(span) / 2.0
-        away = min(
-            ours, key=lambda s, middle=middle: abs(sum(s) / 2.0 - middle), default=Span(np.inf, np.inf)
+        begins, ends = (any(edge in s for s in silent) for edge in span)
+        away = min(ours, key=lambda s, span=span: _distance(s, span), default=Span(np.inf, np.inf))
+        if not _distance(away, span) <= APART:
+            yield (np.inf,) * 3
+            continue
+        yield (
+            np.nan if begins or ends else sum(away) / 2.0 - middle,
+            np.nan if begins else away.start - span.start,
+            np.nan if ends else away.end - span.end,
         )
-        late = sum(away) / 2.0 - middle
-        yield (late, away.start - span.start, away.end - span.end) if abs(late) <= APART else (np.inf,) * 3
+
+
+def _distance(one: Span, two: Span) -> float:
+    """Return how far apart the nearer edges of two spans are."""
+    return min(abs(one.start - two.start), abs(one.end - two.end))
 
 
 def loudness(audio: Audio, seconds: float) -> Array:
@@ -107,7 +124,9 @@ def loudness(audio: Audio, seconds: float) -> Array:
 
 
 def share(late: Array, within: float) -> str:
-    return f"{100 * (np.abs(late) <= within).mean():5.1f} % (median {1000 * np.median(late):+.0f} ms)"
+    late = late[~np.isnan(late)]
+    near = 100 * (np.abs(late) <= within).mean()
+    return f"{near:5.1f} % of {len(late)} (median {1000 * np.median(late):+.0f} ms)"
 
 
 def main() -> None:
@@ -124,7 +143,8 @@ def main() -> None:
         audio = read_recording(sentence.sound)
         aligned = align(audio, sentence.text)
         gap = lip_gap(aligned, FPS, audio.duration)
-        closures += errors(merged(labelled(sentence, ".phn", CLOSURES)), shut(gap))
+        hand = merged(labelled(sentence, ".phn", CLOSURES))
+        closures += errors(hand, shut(gap), labelled(sentence, ".phn", SILENT))
         words = labelled(sentence, ".wrd")
         if len(words) == len(aligned.words):
             pairs = zip(aligned.words, words, strict=True)

@@ -195,6 +195,16 @@ def test_a_closure_parts_before_its_release_is_heard_unless_it_is_short(utteranc
     assert short.start == pytest.approx(0.545, abs=1e-4)
 
 
+@pytest.mark.parametrize(("phone", "share"), [("P", 0.55), ("B", 0.75), ("M", 0.95)])
+def test_a_closure_that_is_too_short_begins_earlier_and_ends_at_its_release(
+    phone: str, share: float, utterance_of
+) -> None:
+    """The release is heard when it is; the lips' meeting may hide in the phone before."""
+    segment = next(s for s in segments(utterance_of(f"AA {phone} AA", seconds=0.033)) if s.phone == phone)
+    assert segment.end == pytest.approx(0.533 + share * 0.033, abs=1e-4)
+    assert segment.start == pytest.approx(segment.end - 0.04)
+
+
 def test_the_burst_of_a_stop_belongs_to_the_phone_after_it(utterance_of) -> None:
     closure, vowel = (s for s in segments(utterance_of("P AE")) if s.phone)
     assert vowel.start == closure.end < 0.6

@@ -194,11 +194,17 @@ def _from_release(segment: LipSegment, released: float) -> LipSegment:
 
 
 def _held(start: float, end: float, shape: PhoneShape) -> tuple[float, float]:
-    """Return when a phone's shape holds: a stop's until it is released, its burst is the next phone's."""
+    """Return when a phone's shape holds: a stop's until it is released, its burst is the next phone's.
+
+    A closure that is too short first gives up the parting before its release, then begins earlier: the
+    release is heard, the lips' meeting may hide in the phone before.
+    """
     held = shape.closure * (end - start)
-    if SEAL in shape.targets:
-        held -= PARTING
-    return start, min(start + max(held, SHORTEST_CLOSURE), end)
+    if SEAL not in shape.targets:
+        return start, min(start + max(held, SHORTEST_CLOSURE), end)
+    released = start + held
+    parted = max(released - PARTING, min(released, start + SHORTEST_CLOSURE))
+    return min(start, parted - SHORTEST_CLOSURE), parted
 
 
 def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:

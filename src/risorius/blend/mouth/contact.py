@@ -64,8 +64,10 @@ def _closures(segments: Sequence[LipSegment], contact: str) -> list[Goal]:
     for number, segment in enumerate(segments):
         value = segment.targets.get(contact, 0.0)
         if value > 0.0:
-            missing = max(0.0, table.seal.shortest - (segment.end - segment.start)) / 2.0
-            start, end = segment.start - missing, segment.end + missing
+            missing = max(0.0, table.seal.shortest - (segment.end - segment.start))
+            # A release is heard when it is, so a closure that is too short begins earlier.
+            start = segment.start - (missing if contact == SEAL else missing / 2.0)
+            end = max(segment.end, start + table.seal.shortest)
             goals.append(Goal(contact, number, start, end, value, ramp, ramp))
     return sorted(goals, key=_middle)
 
