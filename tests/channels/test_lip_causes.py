@@ -7,7 +7,8 @@ import pytest
 
 from risorius import blend
 from risorius.core.articulators import JAW
-from risorius.core.parameters import INDEX
+from risorius.core.lip_rig import gap_left
+from risorius.core.parameters import INDEX, NAMES
 from risorius.face.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.rules.lips import lip_table
@@ -31,6 +32,20 @@ def test_an_accent_opens_the_jaw_by_one_mechanism() -> None:
     assert len(utterance.accents) >= 5
     assert len(middles) >= 12
     assert np.abs(drops[0] - drops[1]).max() < 0.3
+
+
+def test_an_accent_does_not_open_rounded_vowels() -> None:
+    script = read_script("*Sue* saw *two* *new* *shoes*.", text=True)
+    utterance, rig = say(script), load_lip_rig()
+    middles = np.array([(p.start + p.end) / 2.0 for p in utterance.phones if p.symbol in ("UW", "AO")])
+    gaps = []
+    for without in ((), ("signals",)):
+        score = compose(script, utterance, (), Settings(seed=1, lively=False, without=without))
+        values = blend.at(score, middles, rig)
+        curves = {name: values[:, INDEX[name]] for name in NAMES}
+        gaps.append(gap_left(rig.gap(curves), curves["lip_seal"]))
+    assert len(middles) >= 5
+    assert np.abs(gaps[0] - gaps[1]).max() < 0.2
 
 
 @pytest.mark.parametrize("phone", ["AA", "AE", "EH"])

@@ -174,6 +174,22 @@ def test_a_vowel_begins_with_the_consonants_before_it(utterance_of) -> None:
     assert 0.57 < times[gap.argmax()] < 0.66
 
 
+def test_a_consonant_at_the_end_of_a_syllable_does_not_wait_for_the_next_vowel(utterance_of) -> None:
+    phones = "AA N DH AE"
+    bare = utterance_of(phones)
+    syllables = tuple(
+        Syllable(first, last, bare.phones[first].start, bare.phones[last - 1].end, 1, 0)
+        for first, last in ((1, 3), (3, 5))
+    )
+    ends, begins = (
+        next(s for s in segments(utterance) if s.phone == "N").targets["lip_aperture"]
+        for utterance in (replace(bare, syllables=syllables), utterance_of("AA N AE"))
+    )
+    assert ends == lip_table().shape("N").targets["lip_aperture"] < begins
+    onset = next(s for s in segments(replace(bare, syllables=syllables)) if s.phone == "DH")
+    assert onset.targets["lip_aperture"] > lip_table().shape("DH").targets["lip_aperture"] + 1.0
+
+
 def test_consonants_that_hold_the_lips_do_not_give_way_to_the_vowel(utterance_of) -> None:
     for phone in ("S", "W", "F", "P"):
         before, after = (

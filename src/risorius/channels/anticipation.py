@@ -1,18 +1,19 @@
 """Which consonants a coming vowel already takes part in, and what it makes of their targets.
 
-A vowel begins with the consonants before it (Öhman 1966; Browman and Goldstein 1988): an articulator that
-such a consonant leaves free already moves to the vowel.
+A vowel begins with the consonants of its syllable that are before it (Öhman 1966): an articulator that such a
+consonant leaves free already moves to the vowel. The consonants at the end of a syllable are timed by the
+vowel before them, and do not wait for the next one (Browman and Goldstein 1988).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..core.frozen import FrozenDict
 from ..core.movement import LipSegment
-from ..core.utterance import SILENCE, Phone
+from ..core.utterance import SILENCE, Phone, Utterance
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,13 +33,19 @@ class TargetsHeld(NamedTuple):
 
 
 def coming_vowels(
-    phones: Sequence[Phone], anticipates: Callable[[Phone], Mapping[str, float]]
+    utterance: Utterance, anticipates: Callable[[Phone], Mapping[str, float]]
 ) -> Mapping[int, ComingVowel]:
-    """Return the coming vowel by index of the consonants that a vowel follows, silence not between.
+    """Return the coming vowel by index of the consonants that the vowel of their syllable follows.
 
     `anticipates`: the shares of a consonant. Of several consonants before a vowel, one anticipates only what
-    all after it do.
+    all after it do. Phones that no syllable holds belong together.
     """
+    phones = utterance.phones
+    syllable = {
+        index: number
+        for number, held in enumerate(utterance.syllables)
+        for index in range(held.first_phone, held.last_phone)
+    }
     coming: dict[int, ComingVowel] = {}
     vowel, free = -1, FrozenDict[str, float]()
     for index in reversed(range(len(phones))):
@@ -47,7 +54,7 @@ def coming_vowels(
             vowel = -1
         elif phone.stress >= 0:
             vowel = index
-        elif vowel >= 0:
+        elif vowel >= 0 and syllable.get(index) == syllable.get(vowel):
             shares = anticipates(phone)
             if index + 1 < vowel:
                 shares = {name: share for name, share in shares.items() if name in free}

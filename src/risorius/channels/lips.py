@@ -61,7 +61,7 @@ class _Shaper:
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
         self._shared: dict[tuple[object, ...], TargetsHeld] = {}
         self._onsets = _onsets(self.utterance)
-        self._coming = coming_vowels(self.utterance.phones, self._anticipates)
+        self._coming = coming_vowels(self.utterance, self._anticipates)
         self._final = _phrase_final_phones(self.utterance)
         accents = {accent.syllable for accent in self.utterance.accents}
         self._accented = {
