@@ -274,7 +274,7 @@ class Take:
         """
         from .face.arkit_fit import ArkitFit
 
-        return ArkitFit.of(self.head).track(self.faces())
+        return ArkitFit.of(self.head).track(self.faces(reuse=True))
 
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
         """Return `arkit`; when it is fitted for the first time, tell what the weights leave over."""

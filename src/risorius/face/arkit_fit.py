@@ -88,12 +88,11 @@ class ArkitFit:
         self._free, self._direct = _roles(SHAPES if available is None else available)
         self.shapes: ArkitShapes = arkit_shapes(head)
         self.rest: Array = head.skin.matrix @ head.rest
-        dense = self.shapes.skin.toarray()
-        size = np.linalg.norm(dense.reshape(len(SHAPES), -1, 3), axis=2).max(axis=0)
-        own = len(head.rest)
-        self.counted = np.flatnonzero(_visible(head, self.rest)[:own] & (size[:own] > MOVED))
+        skin, own = self.shapes.skin[:, : 3 * len(head.rest)], len(head.rest)
+        moved = [np.linalg.norm(row.toarray().reshape(-1, 3), axis=1) > MOVED for row in skin]
+        self.counted = np.flatnonzero(_visible(head, self.rest)[:own] & np.any(moved, axis=0))
         columns = (3 * self.counted[:, None] + np.arange(3)).ravel()
-        self._basis = np.ascontiguousarray(dense[:, columns])
+        self._basis = skin[:, columns].toarray()
         self._fitted = self._basis.copy()
         self._fitted[_CLOSE] += self._fitted[_JAW]
         lips = head.skin.matrix @ head.masks["lips"]
