@@ -12,7 +12,8 @@ import argparse
 import resource
 import statistics
 import time
-from itertools import cycle, islice
+from concurrent.futures import ThreadPoolExecutor
+from itertools import chain, cycle, islice
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,7 @@ from risorius.live.hearing import HeardPhrase
 from risorius.live.voice import VoicedPhrase
 
 SENTENCES = [
-    f"The quick brown fox jumps over the {n} dog tonight." for n in ("lazy", "sleepy", "old", "angry", "poor")
+    f"The quick brown fox jumps over the {n} dog." for n in ("lazy", "sleepy", "old", "angry", "poor")
 ]
 TALK = (
     "I went to the market this morning. They had no bread at all, so I came home. Do you know what I mean? "
@@ -62,6 +63,7 @@ def main() -> None:
     print(f"a frame that is not the first: {rest / count * 1e6:.0f} µs")
     voices()
     weights()
+    paced()
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     start = time.process_time()
     for _ in islice(frames, IDLE_MINUTES * 60 * 60):
@@ -89,6 +91,32 @@ def weights() -> None:
         used, took = time.process_time() - computing, time.perf_counter() - start
         cores = f"{used / seconds:.0%} of a core, {took / seconds:.2f} s for a second in one thread"
         print(f"{faces} talking at {fps} fps with ARKit weights: {cores}")
+
+
+def paced() -> None:
+    """Print whether many talking faces keep the pace of the clock, each in a thread."""
+    talking = [Live(fps=30, arkit=True) for _ in range(HEADS)]
+    for face in talking:
+        face.say(TALK * 2)
+    with ThreadPoolExecutor(HEADS) as threads:
+        late = list(chain(*threads.map(_lateness, talking)))
+    missed = sum(seconds > 1.0 / 30.0 for seconds in late) / len(late)
+    print(
+        f"{HEADS} faces paced at 30 fps with ARKit weights: {missed:.1%} of the frames come a frame late or"
+        f" more, at most {max(late) * 1e3:.0f} ms"
+    )
+
+
+def _lateness(face: Live) -> list[float]:
+    """Return by how many seconds the frames of four seconds come later than the first of them allows."""
+    frames = face.frames(paced=True)
+    start, late = None, []
+    for frame in islice(frames, 30, 150):
+        now = time.perf_counter() - frame.time
+        start = now if start is None else min(start, now)
+        late.append(now)
+    assert start is not None
+    return [max(seconds - start, 0.0) for seconds in late]
 
 
 def hour() -> None:

@@ -7,7 +7,8 @@
     await face.aclose()
 
 `show` is called with each frame of the face (`risorius.live.frame.LiveFrame`), 30 a second: publish its ARKit
-weights as data, or drive what draws the face. Tried with livekit-agents 1.8.
+weights as data, or drive what draws the face. The mouth follows the words' times if the speech service sends
+them, otherwise what is heard. Tried with livekit-agents 1.8.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import asyncio
 from collections.abc import Awaitable, Callable
 
 from livekit import rtc
+from livekit.agents.types import USERDATA_TIMED_TRANSCRIPT
 from livekit.agents.voice.io import AudioOutput, AudioOutputCapabilities
 
 from risorius import Live, Settings
@@ -40,13 +42,18 @@ class FaceOutput(AudioOutput):
         assert self.next_in_chain is not None
         self._show, self._sink = show, self.next_in_chain
         self._face = Live(settings, fps=fps, arkit=True)
-        self._spoke = self._ended = False
+        # Whether the agent's sound has ended, and sound was passed on whose end is still to come.
+        self._ended = self._passed = False
+        self._interruptions = 0
         self._playing = asyncio.create_task(self._play())
 
     async def capture_frame(self, frame: rtc.AudioFrame) -> None:
         """Take a piece of the agent's sound."""
         await super().capture_frame(frame)
-        self._face.say(audio=bytes(frame.data), rate=frame.sample_rate)
+        timed = frame.userdata.get(USERDATA_TIMED_TRANSCRIPT, ())
+        words = [(word.strip(), word.start_time, word.end_time) for word in timed if word.strip()]
+        self._face.say(audio=bytes(frame.data), rate=frame.sample_rate, words=words)
+        self._ended = False
 
     def flush(self) -> None:
         """End what is being said."""
@@ -57,6 +64,10 @@ class FaceOutput(AudioOutput):
     def clear_buffer(self) -> None:
         """Fall silent: the agent was interrupted."""
         self._face.interrupt()
+        self._interruptions += 1
+        if self._passed:
+            self._sink.flush()
+        self._ended = self._passed = False
         self._sink.clear_buffer()
 
     async def aclose(self) -> None:
@@ -67,6 +78,7 @@ class FaceOutput(AudioOutput):
     async def _play(self) -> None:
         frames = self._face.aframes()
         while True:
+            before = self._interruptions
             try:
                 frame = await anext(frames, None)
             except RisoriusError as error:
@@ -76,10 +88,13 @@ class FaceOutput(AudioOutput):
             if frame is None:
                 return
             await self._show(frame)
+            if before != self._interruptions:
+                # It was made before the agent was interrupted.
+                continue
             if frame.speaking:
                 sound = frame.sound.astype("<i2").tobytes()
+                self._passed = True
                 await self._sink.capture_frame(rtc.AudioFrame(sound, frame.sample_rate, 1, len(frame.sound)))
-            elif self._spoke and self._ended:
-                self._ended = False
+            elif self._passed and self._ended and not self._face.waiting:
+                self._passed = False
                 self._sink.flush()
-            self._spoke = frame.speaking
