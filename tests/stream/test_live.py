@@ -63,6 +63,7 @@ def test_each_frame_is_sent_when_it_is_due(datagrams: Datagrams) -> None:
         each.say("Oh.")
         each.close()
     frames = list(same.frames())
+    start = time.monotonic()
     assert send_live(live, "livelink", datagrams.to).frames == len(frames)
     got = datagrams.end()
     packets = PROTOCOLS.get("livelink").make(same.fps, Options())
@@ -73,7 +74,7 @@ def test_each_frame_is_sent_when_it_is_due(datagrams: Datagrams) -> None:
         turns = np.degrees(frame.rotations).reshape(3, 3)
         expected += packets(ArkitMoment(frame.index, frame.arkit, turns[0], turns[1:]))
     assert [data for _, data in got] == expected
-    assert got[-1][0] - got[0][0] == pytest.approx((len(frames) - 1) / 30, abs=0.25)
+    assert got[-1][0] - start > (len(frames) - 1) / 30 - 0.05
     assert max(frame.arkit[INDEX["jawOpen"]] for frame in frames if frame.arkit is not None) > 0.1
 
 
