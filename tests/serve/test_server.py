@@ -23,10 +23,12 @@ from risorius.core.parameters import NAMES
 from risorius.errors import InputError, SpeechError
 from risorius.live import hearing
 from risorius.live.voice import VoicedPhrase
+from risorius.pipeline import perform
 from risorius.ports.glb_file import GlbFile
 from risorius.ports.rig import Rig
 from risorius.serve import limits
 from risorius.serve.server import ServeOptions
+from risorius.speech import Input
 
 from .running import Client, Running, running, sound_of, unpacked
 
@@ -198,12 +200,12 @@ def test_one_that_reads_nothing_goes_and_the_others_stay(
 
 
 def test_an_engine_that_dies_is_one_message(client: Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    def dying(words: str, **options: Any) -> Take:
-        if "dies" in words:
+    def dying(given: Input, *choices: Any, goes_on: bool) -> Take:
+        if "dies" in str(given.script):
             raise SpeechError("the voice ended")
-        return speak(words, **options)
+        return perform(given, *choices, goes_on=goes_on)
 
-    monkeypatch.setattr("risorius.live.session.speak", dying)
+    monkeypatch.setattr("risorius.live.session.perform_input", dying)
     client.start(fps=20)
     client.send("say", text="It dies. ")
     assert client.until("error")["message"] == "the voice ended"

@@ -92,7 +92,7 @@ def _smiles(inputs: ChannelInputs) -> list[Glance]:
 
 def _silence(inputs: ChannelInputs) -> list[Glance]:
     """Return the time after the last word, up to the next listening, as a look at the listener."""
-    if inputs.utterance is None or not inputs.utterance.words:
+    if inputs.utterance is None or not inputs.utterance.words or inputs.goes_on:
         return []
     start = inputs.utterance.words[-1].end
     end = min([inputs.duration, *(first for first, last in inputs.listening if last > start)])
@@ -168,7 +168,7 @@ def _averted(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -
         foreseen = min(end + _SHORTEST, time + _FORESIGHT)
         rival = next((k for k in looks if k.start < foreseen and time < k.end + _SHORTEST), None)
         end = min([end, *(k.start for k in looks if k.start >= foreseen)])
-        if rival is None and end < inputs.duration:
+        if rival is None and (end < inputs.duration or inputs.goes_on):
             found.append(Glance(time, end, direction, Cause(AVERSION, "habit")))
         last = end if rival is None else rival.end
         if rival is not None and rival.direction == LISTENER:

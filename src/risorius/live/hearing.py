@@ -112,13 +112,19 @@ def _by_ear(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
     return HeardPhrase(phrase, *heard(audio))
 
 
-def perform_voice(phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings) -> Take:
-    """Perform phrases that follow one another, with the settings' lead before them and their tail after."""
+def perform_voice(
+    phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings, *, goes_on: bool = False
+) -> Take:
+    """Perform phrases that follow one another, with the settings' lead before them and their tail after.
+
+    With `goes_on` more will be said, in the same turn.
+    """
     settings = with_profile(settings)
     utterance = measured(_joined(phrases, settings))
     line = SpokenLine(utterance.text, 0.0, Place("live"))
     script = script_of((line,), timed=False, source="live", language=utterance.language)
-    return combine(compose(script, utterance, feelings, settings), settings, utterance)
+    score = compose(script, utterance, feelings, settings, goes_on=goes_on)
+    return combine(score, settings, utterance)
 
 
 def texts_of(phrases: Sequence[HeardPhrase]) -> tuple[str, ...]:

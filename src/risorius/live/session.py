@@ -14,22 +14,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..api import checked, speak
+from ..api import checked
 from ..channels.eye_head import Angles
 from ..channels.gaze import LISTENER
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
 from ..core.parameters import INDEX
 from ..errors import InputError, ParameterError, UnreadError, check_number, unknown
+from ..pipeline import perform as perform_input
 from ..pipeline import with_profile
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
+from ..speech import Input
 from ..speech.engines.registry import is_voice_file, load_engine
 from ..speech.engines.voices import find_voice
 from ..take import Take
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
-from .joining import Joining, join_later
+from .joining import Joining, end_later, join_later
 from .listening import PauseListener, nod_pitch
 from .looking import Looking, direction_of
 from .pace import Pace
@@ -59,9 +61,10 @@ _SAMPLE_RATE = 22_050
 _HEAD_PITCH, _EYE_PITCH = INDEX["head_pitch"], INDEX["gaze_pitch"]
 
 
-def perform_sentence(text: str, feelings: Displays, settings: Settings) -> Take:
-    """Perform sentences as `speak` does."""
-    return speak(text, text=True, source="live", emotion=feelings, settings=settings)
+def perform_sentence(text: str, feelings: Displays, settings: Settings, goes_on: bool = False) -> Take:
+    """Perform sentences as `speak` does; with `goes_on` more will be said, in the same turn."""
+    given = Input(text, text=True, name="live", language=settings.language)
+    return perform_input(given, feelings, settings, goes_on=goes_on)
 
 
 class Live:
@@ -276,6 +279,7 @@ class Live:
             if playing and (self._next >= playing.end or self._interrupted):
                 playing = None
             self._interrupted = False
+            goes_on = False
             if playing is not None and playing.sentences:
                 if not self._joins(playing):
                     return playing
@@ -285,12 +289,13 @@ class Live:
                 few = FEW_SENTENCES, FIRST_CHARACTERS
                 sentences = self._beginning = self._waiting.take(None, *few, heard=not self._waits)
                 feelings = sentences[0].feelings if sentences else self._waiting.felt
+                goes_on = bool(sentences) and self._waiting.follows(sentences)
                 if not sentences and self._closed and not len(self._waiting):
                     return None
         if self._joining is not None:
             self._join(self._joining)
         elif sentences or playing is None:
-            self._begin(sentences, feelings)
+            self._begin(sentences, feelings, goes_on=goes_on)
         return self._stretch
 
     def _performing(self) -> tuple[LiveSentence, ...]:
@@ -300,11 +305,16 @@ class Live:
     def _joins(self, playing: LiveStretch) -> bool:
         """Have sentences that came in time join the turn that plays; tell whether they are due."""
         plan = self._plan
-        if self._joining is None and plan is not None and self._next <= playing.last_call(plan.settings.fps):
+        in_time = plan is not None and self._next <= playing.last_call(plan.settings.fps)
+        if in_time and not self._performing():
+            assert plan is not None
             most = room(len(playing.sentences), len(self._waiting))
             new = self._waiting.take(playing.sentences[0], most, heard=not self._waits)
+            goes_on = self._waiting.follows((*playing.sentences, *new))
             if new:
-                self._joining = join_later(playing, new, plan, self._next)
+                self._joining = join_later(playing, new, plan, self._next, goes_on=goes_on)
+            elif playing.goes_on and self._joining is None:
+                self._joining = end_later(playing, plan, self._next, told=not goes_on)
         return self._joining is not None and self._next >= self._joining.at
 
     def _join(self, joining: Joining) -> None:
@@ -331,15 +341,18 @@ class Live:
         if performed.error is not None:
             raise performed.error
 
-    def _begin(self, sentences: tuple[LiveSentence, ...], feelings: Displays) -> None:
-        """Begin a turn, or an idle stretch; raises RisoriusError for a sentence that cannot be spoken."""
+    def _begin(self, sentences: tuple[LiveSentence, ...], feelings: Displays, *, goes_on: bool) -> None:
+        """Begin a turn, or an idle stretch; raises RisoriusError for a sentence that cannot be spoken.
+
+        With `goes_on` it is known that more will be said.
+        """
         before, self._stretch = self._stretch, None
         if sentences:
             # The first turn has the random numbers of `speak`, every other one others.
             chosen = replace(self._settings, seed=self._settings.seed + self._turns)
             chosen, first = self._after(before, chosen, feelings)
             self._plan = TurnPlan(self._perform, chosen, feelings, first, self._sample_rate)
-            performed = self._plan.extended((), sentences)
+            performed = self._plan.extended((), sentences, goes_on=goes_on)
             with self._lock:
                 if self._interrupted:
                     # While it was performed: nothing of it is said.

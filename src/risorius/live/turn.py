@@ -17,14 +17,14 @@ from ..rules.emotions import Displays
 from ..settings import Settings
 from ..take import Take
 from .hearing import perform_voice, texts_of
-from .waiting import LiveSentence
+from .waiting import MOST_SENTENCES, LiveSentence
 
 TAIL = 0.35
 """Seconds of silence behind a sentence; with the seam before the next they make its pause."""
 FIRST_CHARACTERS = 200
 """Characters with which a turn begins, if there are so many: the others join it while it plays. What is said
 after so much text changes nothing of its first second (`channels.HORIZON`)."""
-FEW_SENTENCES, MOST_SENTENCES, GROWTH = 8, 64, 4
+FEW_SENTENCES, GROWTH = 8, 4
 """Sentences of a turn. Joining performs the turn anew: one of more than a few sentences is joined only by as
 many as it has at least, and grows at most so many times, so that the cost of a sentence is bounded."""
 LAST_CALL = 0.9
@@ -32,7 +32,8 @@ LAST_CALL = 0.9
 PREROLL = 1.0
 """Seconds in which emotions that are shown already rise before a stretch; they are not played."""
 
-PerformSentence = Callable[[str, Displays, Settings], Take]
+PerformSentence = Callable[[str, Displays, Settings, bool], Take]
+"""Performs a text with what is felt; the last says whether more will be said in the same turn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +41,8 @@ class LiveStretch:
     """What is played: values (frames, parameters) and samples, from the face's frame `first` on.
 
     `sentences`: what is said, none if nothing is; `spoken`: their text, and as `labels` that of each.
-    `starts`: seconds at which each begins. `words`: seconds and first character of each.
+    `starts`: seconds at which each begins. `words`: seconds and first character of each. `goes_on`: it was
+    performed as a turn that does not end with it.
     """
 
     first: int
@@ -53,6 +55,7 @@ class LiveStretch:
     starts: tuple[float, ...] = ()
     words: tuple[tuple[float, int], ...] = ()
     feelings: Displays = ()
+    goes_on: bool = False
 
     @property
     def end(self) -> int:
@@ -86,25 +89,33 @@ class TurnPlan:
     first: int
     rate: int
 
-    def performed(self, sentences: tuple[LiveSentence, ...]) -> LiveStretch:
-        """Perform sentences together; raises RisoriusError if that cannot be done."""
+    def performed(self, sentences: tuple[LiveSentence, ...], *, goes_on: bool) -> LiveStretch:
+        """Perform sentences together; raises RisoriusError if that cannot be done.
+
+        With `goes_on` more will be said: nothing is done yet that ends a turn.
+        """
         phrases = [sentence.voice.result() for sentence in sentences if sentence.voice is not None]
         if phrases:
-            take, texts = perform_voice(phrases, self.feelings, self.settings), texts_of(phrases)
+            take = perform_voice(phrases, self.feelings, self.settings, goes_on=goes_on)
+            texts = texts_of(phrases)
         else:
             texts = tuple(sentence.text for sentence in sentences)
-            take = self.perform("".join(texts), self.feelings, self.settings)
-        return stretch_of(take, sentences, texts, self.first, self.feelings, self.rate)
+            take = self.perform("".join(texts), self.feelings, self.settings, goes_on)
+        stretch = stretch_of(take, sentences, texts, self.first, self.feelings, self.rate)
+        return replace(stretch, goes_on=goes_on)
 
-    def extended(self, before: tuple[LiveSentence, ...], new: tuple[LiveSentence, ...]) -> PerformedTurn:
+    def extended(
+        self, before: tuple[LiveSentence, ...], new: tuple[LiveSentence, ...], *, goes_on: bool
+    ) -> PerformedTurn:
         """Perform a turn with new sentences. If they cannot be spoken together, the others wait again."""
         try:
-            return PerformedTurn(self.performed((*before, *new)), faults=_faults(new))
+            return PerformedTurn(self.performed((*before, *new), goes_on=goes_on), faults=_faults(new))
         except RisoriusError as error:
-            if len(new) == 1:
+            if len(new) <= 1:
                 return PerformedTurn(error=error)
         try:
-            return PerformedTurn(self.performed((*before, new[0])), new[1:], _faults(new[:1]))
+            first = self.performed((*before, new[0]), goes_on=True)
+            return PerformedTurn(first, new[1:], _faults(new[:1]))
         except RisoriusError as error:
             return PerformedTurn(None, new[1:], error=error)
 

@@ -16,6 +16,8 @@ from .hearing import Hearing, hear_later, texts_of
 from .sentences import SentenceBuffer
 from .voice import VoiceBuffer, VoicedPhrase
 
+MOST_SENTENCES = 64
+"""Sentences of a turn."""
 MOST_WAITING = 1_000
 """Sentences that may wait to be said."""
 
@@ -60,6 +62,12 @@ class WaitingSentences:
     def is_unfinished(self) -> bool:
         """Tell whether something waits for its end."""
         return bool(self._text) or bool(self._voice)
+
+    def follows(self, sentences: tuple[LiveSentence, ...]) -> bool:
+        """Tell whether it is known that more will be said in a turn of these sentences."""
+        if len(sentences) >= MOST_SENTENCES:
+            return False
+        return self._whole[0].joins(sentences[0]) if self._whole else self.is_unfinished
 
     def __len__(self) -> int:
         return len(self._whole)

@@ -5,15 +5,18 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import Any, Protocol
 
 from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
-from .discourse import groups_of, rate_of_phrase, turns_of
+from .discourse import Turn, groups_of, rate_of_phrase, turns_of
 from .rule import Level, Position
 from .situation import Situation
 from .synchrony import synchrony
 from .unit import Unit
 
+LATER = 60.0
+"""Seconds after all that is known at which a turn that goes on is taken to end: no rule reaches so far."""
 # Words of a stretch that messages show.
 _SHOWN = 8
 
@@ -50,7 +53,7 @@ class SpokenUnits:
         self._stretches: dict[Level, Sequence[WordRange]] = {
             Level.PHRASE: said.phrases,
             Level.UTTERANCE: said.sentences,
-            Level.TURN: turns_of(said, situation.listening),
+            Level.TURN: _open(turns_of(said, situation.listening), situation),
         }
         self._boundary_of = {boundary.word: boundary.label for boundary in said.boundaries}
         self._groups = list(groups_of(said))
@@ -163,7 +166,8 @@ class SpokenUnits:
     def stretches(self, level: Level) -> Iterator[Unit]:
         """Yield phrases, by their place in the utterance, utterances, by that in the turn, or turns."""
         stretches = self._stretches[level]
-        positions = _positions(self._owner(level, s.first_word) for s in stretches)
+        goes_on = level is Level.UTTERANCE and self.situation.goes_on
+        positions = _positions((self._owner(level, s.first_word) for s in stretches), goes_on=goes_on)
         counts = Counter[int]()
         for s, position in zip(stretches, positions, strict=True):
             text = f'"{self._text(self._naming(level, s))}"'
@@ -213,10 +217,22 @@ def _kind(pause: Pause | None) -> PauseKind | None:
     return None if pause is None else pause.kind
 
 
-def _positions(owners: Iterable[int]) -> Iterator[Position]:
-    """Yield the position of each of some units among those with the same owner; owners come in order."""
+def _open(turns: tuple[Turn, ...], situation: Situation) -> tuple[Turn, ...]:
+    """Return turns of which the last ends after all that is known, if it goes on."""
+    if not (situation.goes_on and turns):
+        return turns
+    return (*turns[:-1], replace(turns[-1], end=situation.duration + LATER))
+
+
+def _positions(owners: Iterable[int], *, goes_on: bool) -> Iterator[Position]:
+    """Yield the position of each of some units among those with the same owner; owners come in order.
+
+    With `goes_on` another one of the last owner will follow.
+    """
     listed = list(owners)
     counts, seen = Counter(listed), Counter[int]()
+    if goes_on:
+        counts[listed[-1]] += 1
     for owner in listed:
         yield _position(seen[owner], counts[owner])
         seen[owner] += 1
