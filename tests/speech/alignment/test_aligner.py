@@ -14,6 +14,9 @@ from risorius.core.utterance import Utterance
 from risorius.errors import InputError, SpeechWarning
 from risorius.speech import synthesize
 from risorius.speech.alignment import align
+from risorius.speech.alignment.decoder import AlignedPhone
+from risorius.speech.alignment.doubt import check_words
+from risorius.speech.alignment.lexicon import read_transcript
 
 WRONG = "Some completely different words were never spoken here at all."
 
@@ -46,6 +49,19 @@ def test_more_words_than_there_is_time_for_are_refused(spoken: Utterance) -> Non
 def test_a_transcript_without_words_is_refused(text: str, spoken: Utterance) -> None:
     with pytest.raises(InputError):
         align(spoken.audio, text)
+
+
+@pytest.mark.parametrize(("doubtful", "refused"), [(1, False), (2, False), (3, True), (9, True)])
+def test_one_word_in_doubt_of_a_poor_voice_is_no_refusal(doubtful: int, refused: bool) -> None:
+    _, words = read_transcript("your letter went away on Monday night number nine")
+    scores = [-60.0] * doubtful + [-40.0] * (9 - doubtful)
+    aligned = [AlignedPhone("AH", 0.3 * k, 0.3 * (k + 1), k, score) for k, score in enumerate(scores)]
+    if refused:
+        with pytest.raises(InputError, match="does not fit the recording"):
+            check_words(words, aligned)
+    else:
+        with pytest.warns(SpeechWarning, match=rf"perhaps not said .*\({doubtful} of 9 words\)"):
+            check_words(words, aligned)
 
 
 def test_words_that_are_not_said_are_named(spoken: Utterance) -> None:
