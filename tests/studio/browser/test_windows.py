@@ -45,6 +45,15 @@ def test_all_parts_can_be_reached_in_a_small_window(sized: Page, size: tuple[int
     assert sized.get("document.getElementById('head').getBoundingClientRect().height") > 150
 
 
+def test_several_lanes_are_seen_in_a_usual_window(sized: Page) -> None:
+    resize(sized, 1280, 720)
+    sized.wait(f"innerHeight === 720 && {DRAWN}")
+    timeline = "document.getElementById('timeline').timeline"
+    lanes = sized.get(f"{timeline}.scene.height - {timeline}.scene.headHeight")
+    assert lanes >= 160  # pixels: six lanes of the least height
+    assert sized.get("document.getElementById('head').clientHeight") >= 300
+
+
 def test_a_backdrop_has_no_stripes_at_any_scale(performed: Page) -> None:
     left_out = performed.run("""
       const { Backdrop } = await import("/web/stage/backdrop.js");
