@@ -48,6 +48,8 @@ def test_a_line_is_heard_and_seen(performed: Page) -> None:
 SEEN_AND_HEARD = """
   const [from, to, delay] = arguments;
   const { clock, headPlayers: { stage, players: [player] } } = studio;
+  if (stage.baked) stage.baked.on = false; // fine pictures, made while nothing is done, lie over the canvas
+  stage.baked?.forget();
   const pen = new OffscreenCanvas(48, 48).getContext("2d", { willReadFrequently: true });
   const canvas = document.getElementById("head");
   const look = () => {
@@ -60,7 +62,10 @@ SEEN_AND_HEARD = """
     sound = this;
     return play.call(this);
   };
-  const end = clock.on("tick", () => {
+  // A picture can be looked at only in the frame of the page in which it is drawn.
+  const frame = window.requestAnimationFrame;
+  window.requestAnimationFrame = (call) => frame.call(window, (now) => {
+    call(now);
     if (stage.drawn === drawn) return;
     drawn = stage.drawn;
     if (sound && !sound.paused && !player.behind) seen.push([sound.currentTime, look()]);
@@ -72,7 +77,7 @@ SEEN_AND_HEARD = """
     while (clock.playing && clock.time < to) await new Promise((go) => setTimeout(go, 20));
     clock.pause();
   }
-  end();
+  window.requestAnimationFrame = frame;
   clock.delay = 0;
   HTMLMediaElement.prototype.play = play;
   stage.playing = true; // drawn as coarsely as what plays
@@ -90,6 +95,7 @@ SEEN_AND_HEARD = """
     }
   }
   stage.playing = false;
+  if (stage.baked) stage.baked.on = true;
   const apart = (a, b) => a.reduce((sum, value, k) => sum + (value - b[k]) ** 2, 0);
   return seen.filter(([heard]) => from + 0.2 < heard && heard < to).map(([heard, picture]) => {
     const far = known.map(([, other]) => apart(picture, other));
