@@ -1,4 +1,4 @@
-"""What both papers ask, on the curves that are shown: each formula recomputed, each rule read off a curve.
+"""What paper B asks, on the curves that are shown: each rule read off a curve.
 
 Rules fire wherever they can here; a curve is that of the movements that they made, combined as in any
 performance.
@@ -6,8 +6,6 @@ performance.
 
 from __future__ import annotations
 
-from dataclasses import replace
-from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
@@ -15,21 +13,36 @@ import numpy as np
 import pytest
 
 import risorius
-from risorius.blend import combine
 from risorius.channels import ChannelInputs, Display, compose
 from risorius.core.action_units import resolve_targets
-from risorius.core.arrays import Array
-from risorius.core.counted import Counted
 from risorius.core.movement import Movement
-from risorius.core.parameters import INDEX, PARAMETERS, RIVALS
-from risorius.core.score import BlendSettings, Score
+from risorius.core.parameters import RIVALS
 from risorius.core.utterance import PauseKind, Utterance
-from risorius.face.lip_file import load_lip_rig
 from risorius.rules.emotions import emotion, emotion_text
 from risorius.rules.profiles import profile_of
 from risorius.rules.rule_set import extended, shipped
 
 from .channels.at_work import LID, LONG, Maker, movements
+from .paper_curves import (
+    FPS,
+    FRAME,
+    FROWN,
+    HEAD,
+    INNER,
+    NOSE,
+    OUTER,
+    SMILE,
+    Curves,
+    active,
+    closures,
+    edges_of,
+    minimum_jerk,
+    near,
+    part,
+    performed,
+    shown,
+    value,
+)
 
 TOLD = " ".join(
     [
@@ -38,61 +51,6 @@ TOLD = " ".join(
     ]
     * 6
 )
-
-FPS = 200
-FRAME = 1.0 / FPS
-INNER, OUTER = "frontalis_medialis.left", "frontalis_lateralis.left"
-FROWN, SMILE, NOSE = "corrugator_supercilii.left", "zygomatic_major.left", "levator_labii_nasi.left"
-HEAD = ("head_pitch", "head_yaw", "head_roll")
-Curves = dict[str, Array]
-
-
-def performed(found: object, duration: float, fps: int = FPS, **settings: str) -> Curves:
-    blend = BlendSettings(**settings)  # type: ignore[arg-type]
-    return combine(Score(duration, tuple(found), settings=blend), Fraction(fps)).curves  # type: ignore[call-overload]
-
-
-def shown(
-    said: Utterance, *prefixes: str, also: tuple[str, ...] = (), seed: int = 0, **inputs: object
-) -> Curves:
-    """Return the curves of what rules under the prefixes, and habits named beside, make of an utterance."""
-    found = movements(said, *prefixes, seed=seed, **inputs)
-    return performed([m for m in found if m.cause.rule.startswith((*prefixes, *also))], said.duration)
-
-
-def active(curve: Array, least: float = 1e-3) -> tuple[float, float]:
-    """Return from when to when a curve is away from rest, in seconds."""
-    moving = np.flatnonzero(np.abs(curve) > least)
-    assert moving.size
-    return float(moving[0] * FRAME), float(moving[-1] * FRAME)
-
-
-def value(curve: Array, time: float) -> float:
-    return float(curve[round(time * FPS)])
-
-
-def part(curve: Array, start: float, end: float) -> Array:
-    return curve[round(start * FPS) : round(end * FPS)]
-
-
-def closures(curve: Array, least: float = 0.4) -> list[tuple[float, float]]:
-    """Return when a lid is closed beyond a share, as spans of seconds."""
-    closed = np.concatenate(([0], curve > least, [0])).astype(int)
-    edges = np.flatnonzero(np.diff(closed))
-    return [(a * FRAME, b * FRAME) for a, b in edges.reshape(-1, 2)]
-
-
-def near(times: Array, time: float) -> float:
-    return float(np.abs(times - time).min())
-
-
-def edges_of(said: Utterance) -> Array:
-    return np.array([0.0, *(p.end for p in said.phones)])
-
-
-def minimum_jerk(share: Array) -> Array:
-    u = np.clip(share, 0.0, 1.0)
-    return u**3 * (10.0 - 15.0 * u + 6.0 * u**2)
 
 
 # Paper B, section 2.1
@@ -426,147 +384,3 @@ def test_eyes_scan_the_listener_where_nothing_is_asked(sentence_of: Maker) -> No
     fixations = {tuple(p.round(2)) for p in world.T[1:][still]}
     assert len(fixations) > 10
     assert np.hypot(*world).max() < 5.5
-
-
-# Combination (paper B, sections 4.4 and 6.4; paper A, sections 4 to 6)
-
-
-def test_attenuated_directions_follow_the_formula() -> None:
-    slow = Movement("head", 0.2, 2.8, 1.0, 1.0, {"head_pitch": 12.0}, function="minimum_jerk")
-    nod = Movement("signals", 1.0, 1.6, 0.2, 0.2, {"head_pitch": -8.0}, function="minimum_jerk")
-    one, two, both = (performed(m, 3.0)["head_pitch"] for m in ([slow], [nod], [slow, nod]))
-    wanted = one / (1 + 0.5 * np.abs(two) / 20.0) + two / (1 + 0.5 * np.abs(one) / 20.0)
-    assert np.abs(both - wanted).max() < 1e-5
-
-
-def test_attenuated_units_add_and_a_rival_leaves_a_fifth() -> None:
-    brow = Movement("emotion", 0.2, 2.8, 0.4, 0.4, {"AU1": 0.5})
-    more = Movement("signals", 0.8, 1.8, 0.2, 0.2, {"AU1": 0.4})
-    both = performed([brow, more], 3.0, conflict="attenuate")[INNER]
-    assert value(both, 1.3) == pytest.approx(0.9, abs=1e-6)
-    smile = Movement("emotion", 0.2, 2.8, 0.4, 0.4, {SMILE: 0.8})
-    lips = Movement("signals", 0.8, 1.8, 0.2, 0.2, {"orbicularis_oris_funneler": 0.7})
-    alone, rival = (performed([m], 3.0)[n] for m, n in ((smile, SMILE), (lips, "orbicularis_oris_funneler")))
-    shared = performed([smile, lips], 3.0, conflict="attenuate")[SMILE]
-    assert np.abs(shared - alone * (1 - 0.8 * rival)).max() < 1e-5
-
-
-def test_a_rival_inhibits_by_paper_a_s_formula() -> None:
-    """aF = 0 where the rival is over its threshold, else min(F, Psi to the last time and to the next)."""
-    fps = 1000
-    smile = Movement("emotion", 0.2, 3.8, 0.4, 0.4, {SMILE: 0.8})
-    lips = Movement("signals", 1.5, 2.2, 0.2, 0.2, {"orbicularis_oris_funneler": 0.9})
-    name, rival = PARAMETERS[INDEX[SMILE]], PARAMETERS[INDEX["orbicularis_oris_funneler"]]
-    alone, other = (performed([m], 4.0, fps)[n.name] for m, n in ((smile, name), (lips, rival)))
-    shared = performed([smile, lips], 4.0, fps, conflict="inhibit")[SMILE]
-    times = np.arange(len(alone)) / fps
-    inhibited = times[other > rival.threshold]
-    since, until = times - inhibited[-1], inhibited[0] - times
-    psi = np.minimum(
-        np.where(since > 0, 2.0 ** (since / name.min_onset) - 1.0, np.inf),
-        np.inf if not inhibited.size else np.where(since > 0, np.inf, 2.0 ** (until / name.min_offset) - 1.0),
-    )
-    wanted = np.where(other > rival.threshold, 0.0, np.minimum(alone, np.minimum(psi, 1.0)))
-    assert np.abs(shared - wanted).max() < 0.01
-    strong = replace(smile, priority=80)
-    assert np.abs(performed([strong, lips], 4.0, fps, conflict="inhibit")[SMILE] - alone).max() < 1e-6
-
-
-def test_movements_of_a_channel_concatenate_by_paper_a_s_formulas() -> None:
-    """Figure 5: from 1 at 2 s to 0.5, by the first one's own offset shifted to where it fits."""
-    one = Movement("signals", 0.5, 3.0, 0.4, 1.0, {INNER: 1.0})
-    two = Movement("signals", 2.0, 4.0, 0.6, 0.4, {INNER: 0.5})
-    curve = performed([one, two], 5.0)[INNER]
-    times = np.arange(len(curve)) * FRAME
-    rise = (times >= 0.5) & (times <= 0.9)
-    assert np.abs(curve[rise] - (2.0 ** ((times[rise] - 0.5) / 0.4) - 1.0)).max() < 1e-5
-    shift = 1.0 * (1.0 - np.log2(1.0 + 0.5))
-    fall = (times > 2.0) & (times < 2.0 + 1.0 - shift)
-    wanted = 0.5 + (2.0 ** (1.0 - (times[fall] - 2.0 + shift)) - 1.0)
-    assert np.abs(curve[fall] - wanted).max() < 1e-5
-    assert value(curve, 3.2) == pytest.approx(0.5)
-
-
-def test_random_blinks_of_itti_wait_since_the_last_saccade_or_blink(sentence_of: Maker) -> None:
-    said = sentence_of("One two.", tail=60.0)
-    speaker = profile_of("neutral", "itti")
-    speaker = replace(speaker, gaze=replace(speaker.gaze, scan=2.5))
-    curves = performed(compose(ChannelInputs(said.duration, said, profile=speaker)).movements, said.duration)
-    world = [curves[f"gaze_{a}"] + curves[f"head_{a}"] for a in ("pitch", "yaw")]
-    quick = FPS * np.hypot(*np.diff(world)) > 40.0
-    saccades = (np.flatnonzero(quick[:-1] & ~quick[1:]) + 1) * FRAME
-    spans = closures(curves[LID], 1e-3)
-    assert len(spans) > 5
-    assert len(saccades) > 5
-    for (_, last), (start, end) in pairwise(spans):
-        before = max([last, *saccades[saccades <= start]])
-        assert start - before >= speaker.blinks.wait - 0.06
-        assert end - start == pytest.approx(0.19, abs=0.02)
-
-
-def test_an_emblem_is_weaker_shorter_and_a_part_of_its_display(sentence_of: Maker) -> None:
-    said = sentence_of("She was very sad[H*] then.")
-    emblem = shown(said, "emotion.emblem.sadness")
-    display = shown(said, "none", also=("emotion",), emotions=(Display("sadness", 1.0),))
-    moved, whole = (
-        {n for n, c in curves.items() if n != "gaze_distance" and np.ptp(c) > 0.02}
-        for curves in (emblem, display)
-    )
-    assert moved
-    assert moved < whole
-    assert all(emblem[n].max() < display[n].max() for n in moved)
-    start, end = active(emblem[next(iter(moved))])
-    assert end - start < 1.5
-
-
-# Jumps: none
-
-
-def measured(said: Utterance) -> Utterance:
-    """Return an utterance whose syllables have pitch, as those of measured sound."""
-    numbers = Counted(5)
-    pitched = tuple(replace(s, pitch=numbers.normal(i, limit=2.0)) for i, s in enumerate(said.syllables))
-    return replace(said, syllables=pitched)
-
-
-@pytest.fixture(scope="module")
-def scores(sentence_of: Maker) -> list[Score]:
-    """Scores of several sentences, speakers and emotions, with all that habits and rules do."""
-    texts = (
-        "The council[H*] waited, because nobody[H*] had the money[L+H*]. You like it?",
-        "Well[H*], what about Julia[H*]? She likes popcorn[L+H*]! No[H*], never.",
-        "I am sure[H*]… very sure[H*]. Yes, I do.",
-    )
-    felt = (("happiness", 0.8), ("anger", 1.0), ("sadness", 0.6))
-    found = []
-    for seed, (text, (name, much)) in enumerate(zip(texts, felt, strict=True)):
-        said = measured(sentence_of(text, phone=0.08, pause=0.4, tail=2.0))
-        inputs = ChannelInputs(said.duration, said, emotions=(Display(name, much, 0.3, said.duration - 0.5),))
-        found.append(compose(inputs, seed=seed))
-    return found
-
-
-RIG = load_lip_rig("standard")
-QUICK = ("gaze", "head", "orbicularis_oculi_palpebralis", "levator_palpebrae")
-
-
-@pytest.mark.parametrize("conflict", ["graded", "inhibit", "attenuate"])
-def test_no_curve_jumps(scores: list[Score], conflict: str) -> None:
-    """Where a curve is continuous its largest step shrinks with the frame; that of a jump stays.
-
-    Four times as many frames make it at least half as large. Saccades, blinks, and the eyes that follow beats
-    of the head, are over within few frames at 100 frames a second: they are looked at between 400 and 1600.
-    """
-    for score in scores:
-        blend = replace(score.settings, conflict=conflict)
-        steps = {
-            fps: {
-                n: np.abs(np.diff(c)).max()
-                for n, c in combine(replace(score, settings=blend), Fraction(fps), RIG).curves.items()
-            }
-            for fps in (100, 400, 1600)
-        }
-        for name in steps[100]:
-            coarse, fine = (400, 1600) if name.startswith(QUICK) else (100, 400)
-            least = 1e-3 if name.startswith(("gaze", "head")) else 1e-4
-            assert steps[fine][name] <= max(0.5 * steps[coarse][name], least), (name, conflict)
