@@ -39,8 +39,9 @@ class Questions:
     If `verb_first`, any word before one of `subjects` that is not a function word is a verb and asks for yes
     or no; so does a word that a hyphen joins to one of `hyphenated`. One of `last` asks for information as
     the last word, one of `anywhere` (words, or several) wherever it stands; one of `last_yes_no` asks for yes
-    or no at the end, whatever stands before. One of `alternative` offers a choice. Else a question asks
-    `otherwise`.
+    or no at the end, whatever stands before; so does, if `tags`, one of `yes_no` before one of `pronouns` at
+    the end of a statement ("He did it, didn't he?"). One of `alternative` offers a choice. Else a question
+    asks `otherwise`.
     """
 
     openers: tuple[str, ...] = ()
@@ -53,6 +54,7 @@ class Questions:
     hyphenated: tuple[str, ...] = ()
     last: tuple[str, ...] = ()
     last_yes_no: tuple[str, ...] = ()
+    tags: bool = False
     alternative: tuple[str, ...] = ()
     otherwise: Question = Question.YES_NO
 

@@ -42,7 +42,7 @@ def question_of(words: Sequence[str], language: Language) -> Question:
     if any(map(line.ends, table.last_yes_no)):
         return Question.YES_NO
     kind = _by_first_words(texts, table)
-    if kind is None and _is_inverted(texts, language):
+    if kind is None and (_is_inverted(texts, language) or _is_tagged(texts, table)):
         kind = Question.YES_NO
     asks = any(map(line.ends, table.last)) or any(map(line.holds, table.anywhere))
     if kind is Question.WH or (kind is None and asks):
@@ -79,6 +79,12 @@ def _is_inverted(texts: Sequence[str], language: Language) -> bool:
     subject_follows = table.verb_first and len(texts) > 1 and texts[1] in table.subjects
     verb_first = subject_follows and not language.is_function_word(texts[0])
     return verb_first or any(_holds_subject(text, table) for text in texts)
+
+
+def _is_tagged(texts: Sequence[str], table: Questions) -> bool:
+    """Tell whether a statement ends with a question of two words: "He did it, didn't he?"."""
+    ends = table.tags and len(texts) > 2
+    return ends and texts[-2] in table.yes_no and texts[-1] in table.pronouns
 
 
 def _holds_subject(text: str, table: Questions) -> bool:
