@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, BoolArray, IndexArray
-from ..core.kernels.jit import device, summing_kernel
+from ..core.kernels.jit import summing_device, summing_kernel
 
 PATIENCE = 3  # rounds in which the number of wrong unknowns does not fall, until they change one by one
 ROUNDING = 1e-12  # of the largest right side: an unknown at 0 that would gain less stays
@@ -41,7 +41,7 @@ def least_squares(normal: Array, right: Array, begin: Array) -> Array:
     return weights
 
 
-@device
+@summing_device
 def _solve_for(chosen: IndexArray, normal: Array, right: Array, factor: Array, weights: Array) -> None:
     """Write the least squares of the `chosen` unknowns to `weights` (n,), 0 for all others.
 
@@ -67,7 +67,7 @@ def _solve_for(chosen: IndexArray, normal: Array, right: Array, factor: Array, w
             found[k] -= factor[i, k] * found[i]
 
 
-@device
+@summing_device
 def _mark_wrong(normal: Array, right: Array, weights: Array, positive: BoolArray, wrong: BoolArray) -> int:
     """Mark the unknowns that are below their limit, or at it and would gain above it; return how many."""
     largest = 0.0
@@ -86,7 +86,7 @@ def _mark_wrong(normal: Array, right: Array, weights: Array, positive: BoolArray
     return count
 
 
-@device
+@summing_device
 def _change(positive: BoolArray, wrong: BoolArray, together: bool) -> None:
     """Take the wrong unknowns out of the positive ones, or into them: all `together`, or the last one."""
     for i in range(len(wrong) - 1, -1, -1):

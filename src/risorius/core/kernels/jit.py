@@ -13,9 +13,9 @@ from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
-from numba.extending import register_jitable
 
 from .compile_cache import use_own_folder
+from .device_compiler import register_device
 
 use_own_folder()
 
@@ -63,6 +63,11 @@ def device(function: F) -> F:
     return _device(function)
 
 
+def summing_device(function: F) -> F:
+    """Compile a device function whose sums may be taken in any order, several at once."""
+    return _device(function, fastmath=_SUMS)
+
+
 def lean_device(function: F) -> F:
     """Compile an exact device function that neither makes nor slices arrays."""
     return _device(function, _nrt=False)
@@ -102,9 +107,10 @@ def _kernel(function: F, **options: Any) -> F:
 
 
 def _device(function: F, **options: Any) -> F:
-    """Compile a function for kernels to call.
+    """Compile a function for kernels to call, which is stored within each of them.
 
-    It is compiled together with each kernel that calls it and stored within that kernel, without entry points
-    for Python and C: these would take longer to compile than most of our functions.
+    Python keeps the function itself, not compiled.
     """
-    return cast(F, register_jitable(error_model="numpy", no_cfunc_wrapper=True, **options)(function))
+    standard = {"nopython": True, "boundscheck": None, "error_model": "numpy", "fastmath": False}
+    register_device(function, {**standard, **options})
+    return function
