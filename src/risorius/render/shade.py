@@ -28,30 +28,40 @@ def shade(
     pose: Pose,
     tables: Tables,
     batch: Batch,
+    out: ByteArray,
+) -> None:
+    """Write the picture (height, width, 3) of sRGB bytes."""
+    for y in range(out.shape[0]):
+        uncover(y, screen, mesh)
+        n = collect(y, screen, mesh, batch)
+        shade_skin(n, batch, mesh, screen, light, pose, tables)
+        shade_cloth(n, batch, mesh, screen, light, tables)
+        shade_hairs(n, batch, mesh)
+        shade_eyes(n, batch, mesh, screen, light, pose, tables)
+        shade_mouth(n, batch, mesh, screen, light, pose)
+        resolve(y, n, screen, batch, tables, out)
+
+
+@fast_kernel
+def shade_draft(
+    screen: Screen,
+    mesh: PosedMesh,
+    light: SceneLight,
+    pose: Pose,
+    tables: Tables,
+    batch: Batch,
     facets: Facets,
     out: ByteArray,
 ) -> None:
-    """Write the picture (height, width, 3) of sRGB bytes; drafts have `facets`."""
-    draft = len(facets.kind) > 0
-    if draft:
-        for y in range(out.shape[0]):
-            uncover(y, screen, mesh)
-        find_facets(facets, batch, mesh, screen, light, pose, tables)
+    """Write the draft of a picture (height, width, 3), a kernel of its own: few runs need both."""
     for y in range(out.shape[0]):
-        if draft:
-            n = shade_row(y, screen, mesh, facets, batch, tables, out)
-        else:
-            uncover(y, screen, mesh)
-            n = collect(y, screen, mesh, batch)
-            shade_skin(n, batch, mesh, screen, light, pose, tables)
-            shade_cloth(n, batch, mesh, screen, light, tables)
-            shade_hairs(n, batch, mesh)
+        uncover(y, screen, mesh)
+    find_facets(facets, batch, mesh, screen, light, pose, tables)
+    for y in range(out.shape[0]):
+        n = shade_row(y, screen, mesh, facets, batch, tables, out)
         shade_eyes(n, batch, mesh, screen, light, pose, tables)
         shade_mouth(n, batch, mesh, screen, light, pose)
-        if draft:
-            write_patches(y, n, batch, tables, out)
-        else:
-            resolve(y, n, screen, batch, tables, out)
+        write_patches(y, n, batch, tables, out)
 
 
 @fast_device

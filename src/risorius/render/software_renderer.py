@@ -28,7 +28,7 @@ from .lights import STUDIO, LightRig
 from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
 from .scene import HeadScene
-from .shade import shade
+from .shade import shade, shade_draft
 from .shadow import DRAFT_SIZE, SIZE, ShadowMap
 from .subsurface import diffuse_table
 from .tone import film_table, to_bytes, tone_table
@@ -222,7 +222,10 @@ class SoftwareRenderer:
             self._empty,
         )
         if self._diagram_paint is None:
-            shade(screen, mesh, light, pose, self._tables, self._batch, self._facets, out)
+            if self._draft:
+                shade_draft(screen, mesh, light, pose, self._tables, self._batch, self._facets, out)
+            else:
+                shade(screen, mesh, light, pose, self._tables, self._batch, out)
         else:
             paint: Paint = self._diagram_paint.paint
             shade_diagram(screen, mesh, light, pose, self._tables, paint, self._batch, out)
