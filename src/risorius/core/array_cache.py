@@ -17,7 +17,7 @@ from .arrays import AnyArray
 from .kernels import compile_cache
 from .npz import read_arrays
 
-MOST_FILES = 64  # a head at one age needs five
+MOST_FILES = 96  # a head at one age needs seven, and a picture of it one for its size
 _LARGEST = 2_000_000_000  # bytes
 _TEMPORARY, _OLD = ".part", 86_400.0  # of a file that is written, and s after which nobody writes it any more
 
@@ -28,12 +28,12 @@ def cached_arrays(
     """Return what `compute` returns, from disk if it was computed before from the same `inputs`.
 
     `compute` must depend on `inputs` and the sources of the face and the renderer alone. A folder that cannot
-    be read or written costs time, never the result.
+    be read or written costs time, never the result. Arrays are in C order, as kernels are compiled for them.
     """
     path = _folder() / f"{name}-{_digest(inputs)}.npz"
     stored = _read(path)
     if stored is None:
-        stored = compute()
+        stored = tuple(np.asarray(array, order="C") for array in compute())
         with contextlib.suppress(OSError):
             _write(path, stored)
             _thin_out(path.parent)

@@ -16,6 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
 from ..core.kernels.jit import kernel
 from ..core.parameters import PARAMETERS
@@ -84,22 +85,29 @@ class Crowding:
     def of(cls, head: Head) -> Crowding:
         """Find the distances that all muscles of `head` together could shorten too far."""
         fields = _fields(head)
-        edges, widths = struts(head.quads), altitudes(head.quads)
-        along, across = Distances.of(edges[:, [0, 1, 1]], head.rest), Distances.of(widths, head.rest)
-        narrowed = _shortened(across, fields)
-        limits = [
-            _limits(along, _shortened(along, fields), 1.0 - LEAST, 1.0 - LEAST),
-            _limits(across, narrowed, 1.0 - LEAST_WIDTH, TURNING),
-            *_tilts(across, np.sum(narrowed, axis=0), fields, head.rest),
-        ]
-        tables = [(d.points, d.foot, d.way, d.length, allowance) for d, allowance in limits]
-        *distances, allowance = (np.concatenate(parts) for parts in zip(*tables, strict=True))
+        *distances, allowance = cached_arrays(
+            "crowding", [head.rest, head.quads, *fields], lambda: _at_risk(head, fields)
+        )
         return cls(Distances(*distances), allowance)
 
     def relieve(self, displacement: Array) -> None:
         """Change `displacement` (N0, 3) mm in place until no distance is too short."""
         distances = self.distances
         relieve(distances.points, distances.foot, distances.way, self.allowance, SWEEPS, displacement)
+
+
+def _at_risk(head: Head, fields: list[Array]) -> tuple[Array, ...]:
+    """Return the columns of the `Distances` that all `fields` could shorten too far, then the allowances."""
+    edges, widths = struts(head.quads), altitudes(head.quads)
+    along, across = Distances.of(edges[:, [0, 1, 1]], head.rest), Distances.of(widths, head.rest)
+    narrowed = _shortened(across, fields)
+    limits = [
+        _limits(along, _shortened(along, fields), 1.0 - LEAST, 1.0 - LEAST),
+        _limits(across, narrowed, 1.0 - LEAST_WIDTH, TURNING),
+        *_tilts(across, np.sum(narrowed, axis=0), fields, head.rest),
+    ]
+    tables = [(d.points, d.foot, d.way, d.length, allowance) for d, allowance in limits]
+    return tuple(np.concatenate(parts) for parts in zip(*tables, strict=True))
 
 
 def struts(quads: IntArray) -> IntArray:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
+import numpy.typing as npt
 
 from ..core.arrays import Array, FloatArray
 from ..face.head import Head
@@ -27,6 +28,13 @@ class Anatomy:
     mouth_half_width: float
     top: float
     chin: float
+
+    def measures(self) -> tuple[npt.ArrayLike, ...]:
+        """Return all values in one order, as a key for what is computed from them."""
+        names = sorted(self.masks)
+        masks = [self.masks[name] for name in names]
+        values = (getattr(self, field.name) for field in fields(self) if field.name != "masks")
+        return *values, np.array(names), *masks
 
     def sphere(self) -> tuple[Array, float]:
         """Return centre (3,) and radius in mm of the sphere within which the head casts shadows."""

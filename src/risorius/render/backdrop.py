@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..core.array_cache import cached_arrays
 from ..core.arrays import ByteArray, Float32Array
 from ..core.look import ByteColour, parse_colour
 from ..core.paths import is_file
@@ -44,6 +45,13 @@ def gradient(width: int, height: int, centre: ByteColour, edge: ByteColour) -> F
 
     Half a step of fixed noise hides the bands that eight bits would show.
     """
+    (light,) = cached_arrays(
+        "gradient", [width, height, centre, edge], lambda: (_shaded(width, height, centre, edge),)
+    )
+    return light
+
+
+def _shaded(width: int, height: int, centre: ByteColour, edge: ByteColour) -> Float32Array:
     y, x = np.mgrid[0:height, 0:width]
     reach = 0.5 * max(width, height)
     distance = np.hypot((x - 0.5 * width) / (1.25 * reach), (y - 0.46 * height) / (1.25 * reach))
