@@ -146,6 +146,22 @@ def test_hair_shades_the_forehead_below_the_hairline_from_above(anatomy):
     assert around[far].max() == 0
 
 
+def test_skin_behind_chin_length_hair_is_in_its_shade_and_the_face_is_not(anatomy):
+    covered, _, around = hair_shade(anatomy, "medium", np.array([0.0, 0.7, 0.7]))
+    ears = anatomy.masks["ears"] > 0.9
+    assert covered[ears].mean() > 0.9
+    assert around[ears].mean() > 0.7
+    height = anatomy.skin[:, 1] - anatomy.eye_height
+    face = (np.abs(anatomy.skin[:, 0]) < 45) & (height < 40) & (anatomy.skin[:, 2] > 0)
+    assert covered[face].max() == 0
+
+
+def test_chin_length_hair_darkens_no_skin_before_its_first_hairs(anatomy):
+    bare = inside_hairline(anatomy, anatomy.skin) < 3.0
+    assert scalp_shade(anatomy, "medium")[bare].max() == 0
+    assert scalp_shade(anatomy, "medium").max() > 0.8
+
+
 def test_lower_lashes_are_fainter_than_upper_ones(head, surface):
     lashes = grow_lashes(head, surface, BROWN, SKIN, upper=20, lower=10)
     faint = np.tile(np.repeat([False, True], [20, 10]), 2)

@@ -11,7 +11,17 @@ from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .locks import gather_locks, height_over_skin, respaced, smoothed
 from .noise import noise_at
-from .scalp import LAYERS, HairRoots, grow_layers, hair_density, inside_hairline, layer_heights
+from .scalp import (
+    AXIS,
+    FACE,
+    LAYERS,
+    HairRoots,
+    grow_layers,
+    hair_ends,
+    inside_hairline,
+    layer_heights,
+    styled_density,
+)
 from .strands import Strands
 from .surface import Surface, flat, unit
 
@@ -21,18 +31,13 @@ _SEED = 45
 _SHARE = 0.45  # longer hairs are drawn wider and in smaller number
 _BESIDE = 5  # a hair with fewer points of others near it is alone
 _PARTING = -24.0  # mm: x of the parting
-_AXIS = -72.0  # mm: z of the axis around which hair is turned off the face
-# Heights over the eyes in mm, and the angle from the front within which no hair hangs at that height.
-_FACE = ((-45.0, -12.0, 10.0, 30.0, 46.0, 56.0, 61.0), (48.0, 52.0, 55.0, 55.0, 51.0, 44.0, 0.0))
 
 
 def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
     """Return hairs of linear albedo `colour` (3,); `count` is how many hairs a short style has."""
     rng = np.random.default_rng(_SEED)
-    density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
-    # Hairs alone on the forehead would look like scratches.
-    density = density * (1.0 + 1.4 * front) * smoothstep(3.0, 11.0, inside_hairline(anatomy, surface.points))
+    density = styled_density(anatomy, surface.points, "medium") * (1.0 + 1.4 * front)
     each = round(_SHARE * count) // LAYERS
     triangles, weights = grow_layers(anatomy, surface, density, each, _SEED)
     count = len(triangles)
@@ -55,11 +60,6 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     return dataclasses.replace(hairs, behind=-2.0)
 
 
-def _ends(anatomy: Anatomy) -> float:
-    """Return the height in mm at which hair ends: a little above the chin."""
-    return 0.55 * float(anatomy.mouth[1]) + 0.45 * anatomy.chin
-
-
 def _in_place(anatomy: Anatomy, curves: Array) -> Array:
     """Return which of the hairs `curves` (S, P, 3) neither hang alone below the others nor on the temples,
     nor stand off the crown.
@@ -70,7 +70,7 @@ def _in_place(anatomy: Anatomy, curves: Array) -> Array:
     high = places[:, 1] > anatomy.eye_height + 40.0 * anatomy.unit
     high &= np.abs(places[:, 0]) > 26.0 * anatomy.unit
     bare = (high & (inside_hairline(anatomy, places) < 0.0)).reshape(len(curves), -1).any(axis=1)
-    hangs_alone = curves[..., 1].min(axis=1) < _ends(anatomy) - 14.0 * anatomy.unit
+    hangs_alone = curves[..., 1].min(axis=1) < hair_ends(anatomy) - 14.0 * anatomy.unit
     return np.asarray(~(bare | hangs_alone | _stands_off(anatomy, curves)))
 
 
@@ -89,7 +89,7 @@ def _stands_off(anatomy: Anatomy, curves: Array) -> Array:
 def _lengths(anatomy: Anatomy, origin: Array) -> Array:
     """Return lengths in mm (S,) that let all hair end a little above the chin."""
     u = anatomy.unit
-    end = _ends(anatomy)
+    end = hair_ends(anatomy)
     high = smoothstep(20.0 * u, 90.0 * u, origin[:, 1] - anatomy.eye_height)
     away = np.where(origin[:, 0] > _PARTING * u, -1.0, 1.0)
     across = np.clip(72.0 * u + away * origin[:, 0], 0.0, None)
@@ -146,7 +146,7 @@ def _turned_in(anatomy: Anatomy, place: Array) -> Array:
     """Return what directions (S, 3) of hair at places (S, 3) gain towards the neck: ends turn in."""
     u = anatomy.unit
     low = smoothstep(float(anatomy.mouth[1]) + 22.0 * u, anatomy.chin + 4.0 * u, place[:, 1])
-    inwards = np.stack([-place[:, 0], np.zeros(len(place)), _AXIS * u - place[:, 2]], axis=1)
+    inwards = np.stack([-place[:, 0], np.zeros(len(place)), AXIS * u - place[:, 2]], axis=1)
     return 0.55 * low[:, None] * unit(inwards)
 
 
@@ -156,11 +156,11 @@ def _off_face(anatomy: Anatomy, place: Array) -> Array:
     Above the temples the face ends at the hairline, below them at an angle from the front.
     """
     u = anatomy.unit
-    depth = place[:, 2] - _AXIS * u
+    depth = place[:, 2] - AXIS * u
     angle, reach = np.arctan2(np.abs(place[:, 0]), depth), np.hypot(place[:, 0], depth)
-    least = np.radians(np.interp((place[:, 1] - anatomy.eye_height) / u, *_FACE))
+    least = np.radians(np.interp((place[:, 1] - anatomy.eye_height) / u, *FACE))
     turned = np.maximum(angle, least)
     moved = place.copy()
     moved[:, 0] = np.where(place[:, 0] < 0.0, -1.0, 1.0) * reach * np.sin(turned)
-    moved[:, 2] = _AXIS * u + reach * np.cos(turned)
+    moved[:, 2] = AXIS * u + reach * np.cos(turned)
     return moved

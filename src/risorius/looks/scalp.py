@@ -13,13 +13,17 @@ from .surface import Surface, flat, unit
 
 # Heights of the hairline over the eyes in mm, by the angle from the front around an axis through the skull.
 _ANGLES = (0, 15, 30, 42, 49, 54, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
-_HEIGHTS = (60, 61, 64, 60, 50, 35, 26, 9, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
-_AXIS = -72.0  # mm: z of that axis
+_HEIGHTS = (61, 61, 61, 58, 49, 38, 27, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
+AXIS = -72.0  # mm: z of that axis
+# Heights over the eyes in mm, and the angle from the front within which no hair of chin length hangs there.
+FACE = ((-45.0, -12.0, 10.0, 30.0, 46.0, 56.0, 61.0), (48.0, 52.0, 55.0, 55.0, 51.0, 44.0, 0.0))
 LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
 # How much the scalp is darkened under each style of hair.
 _UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.62, "bald": 0.0}
+# mm inside the hairline over which hair of each style begins, so that its edge has no hairs alone: scratches.
+EDGES = {"short": (0.0, 6.0), "medium": (3.0, 11.0)}
 # The power of the density by which that shade rises: hair grows thicker away from its line.
 _SOFT = {"short": 1.2, "medium": 1.4, "shaved": 1.5, "bald": 1.5}
 
@@ -27,7 +31,7 @@ _SOFT = {"short": 1.2, "medium": 1.4, "shaved": 1.5, "bald": 1.5}
 def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
     """Return the distance (n,) in mm of points (n, 3) inside an uneven hairline, negative outside."""
     u = anatomy.unit
-    angle = np.degrees(np.arctan2(np.abs(points[:, 0]), points[:, 2] - _AXIS * u))
+    angle = np.degrees(np.arctan2(np.abs(points[:, 0]), points[:, 2] - AXIS * u))
     line = anatomy.eye_height + u * np.interp(angle, _ANGLES, _HEIGHTS)
     uneven = 1.6 * noise_at(points, 16.0) + 0.8 * noise_at(points, 6.0)
     return np.asarray(points[:, 1] - line + uneven * u)
@@ -38,11 +42,17 @@ def hair_density(anatomy: Anatomy, points: Array, ears: Array) -> Array:
     return smoothstep(-2.5, 15.0, inside_hairline(anatomy, points)) * (1.0 - smoothstep(0.05, 0.3, ears))
 
 
+def styled_density(anatomy: Anatomy, points: Array, style: str) -> Array:
+    """Return the density (n,) of a style of hair at points (n, 3), one for each vertex of the skin."""
+    density = hair_density(anatomy, points, anatomy.masks["ears"])
+    if style in EDGES:
+        density = density * smoothstep(*EDGES[style], inside_hairline(anatomy, points))
+    return density
+
+
 def scalp_shade(anatomy: Anatomy, style: str) -> Array:
     """Return by how much, 0..1, each skin vertex (N1,) is darkened by hairs too fine to be drawn."""
-    strength = _UNDER[style]
-    density = hair_density(anatomy, anatomy.skin, anatomy.masks["ears"])
-    return np.asarray(strength * density ** _SOFT[style])
+    return np.asarray(_UNDER[style] * styled_density(anatomy, anatomy.skin, style) ** _SOFT[style])
 
 
 def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray) -> tuple[Array, Array, Array]:
@@ -61,8 +71,29 @@ def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray) -> tuple[Array, A
         seen = [(1.0 - 0.7 * s) * hair_density(anatomy, skin + s * thick * way, ears) for s in steps]
         return np.asarray(np.max(seen, axis=0))
 
-    covered = hair_density(anatomy, skin, ears)
-    return covered, 0.85 * ahead(np.asarray(lamp)), 0.5 * ahead(np.array([0.0, 1.0, 0.0]))
+    behind = _behind_hair(anatomy) if style == "medium" else np.zeros(len(skin))
+    covered = np.maximum(styled_density(anatomy, skin, style), behind)
+    around = np.maximum(0.5 * ahead(np.array([0.0, 1.0, 0.0])), 0.8 * behind)
+    return covered, 0.85 * ahead(np.asarray(lamp)), around
+
+
+def hair_ends(anatomy: Anatomy) -> float:
+    """Return the height in mm at which hair of chin length ends: a little above the chin."""
+    return 0.55 * float(anatomy.mouth[1]) + 0.45 * anatomy.chin
+
+
+def _behind_hair(anatomy: Anatomy) -> Array:
+    """Return how far, 0..1, hair of chin length hangs before each skin vertex (N1,), as before the ears.
+
+    Lit skin would shine between hairs as specks.
+    """
+    skin, u = anatomy.skin, anatomy.unit
+    angle = np.degrees(np.arctan2(np.abs(skin[:, 0]), skin[:, 2] - AXIS * u))
+    free = np.interp((skin[:, 1] - anatomy.eye_height) / u, *FACE)
+    end = hair_ends(anatomy)
+    height = smoothstep(end - 4.0 * u, end + 16.0 * u, skin[:, 1])
+    height *= smoothstep(36.0 * u, 16.0 * u, skin[:, 1] - anatomy.eye_height)
+    return np.asarray(smoothstep(1.0, 8.0, angle - free) * height)
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:

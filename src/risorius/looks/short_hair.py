@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .locks import gather_locks, height_over_skin, smoothed
-from .scalp import LAYERS, HairRoots, flow, grow_layers, hair_density, inside_hairline, layer_heights
+from .scalp import LAYERS, HairRoots, flow, grow_layers, inside_hairline, layer_heights, styled_density
 from .strands import Strands
 from .surface import Surface, flat
 
@@ -19,7 +19,7 @@ _SEED = 21
 def grow_short(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
     """Return `count` hairs of linear albedo `colour` (3,)."""
     rng = np.random.default_rng(_SEED)
-    density = hair_density(anatomy, surface.points, anatomy.masks["ears"])
+    density = styled_density(anatomy, surface.points, "short")
     behind = smoothstep(-115.0, -150.0, surface.points[:, 2])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     density = density * (1.0 - 0.5 * behind) * (1.0 + 1.2 * front)
