@@ -3,7 +3,7 @@ import pytest
 
 from risorius.render.aperture import lid_margins, lip_edges
 from risorius.render.materials.eye import LID_STEPS
-from risorius.render.materials.mouth import LIP_STEPS, past_lips
+from risorius.render.materials.mouth import LIP_STEPS, past_lips, spread_in_flesh
 
 IDENTITY, ORIGIN = np.eye(3, dtype=np.float32), np.zeros(3, np.float32)
 
@@ -63,3 +63,8 @@ def test_lid_margins_are_heights_over_the_eye():
     assert (heights[:, 0] > 3).all()
     assert (heights[:, 1] < -3.5).all()
     assert heights == pytest.approx(heights[::-1], abs=1e-9)
+
+
+def test_flesh_that_no_light_reaches_past_the_lips_is_dim_and_not_black():
+    assert 0.05 < spread_in_flesh(np.float32(0)) < 0.2
+    assert spread_in_flesh(np.float32(1)) == pytest.approx(1.0)

@@ -17,6 +17,7 @@ LIP_STEPS = 32
 _FRONT = 2  # lamps; the others stand behind the head
 _GLOSS = f4(0.03)
 _DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate absorb half of the light
+_GLOW = f4(0.13)  # share of light that lips and cheeks let through to the flesh behind them
 _FAUCES = f4(35)  # mm behind the lips; the lining is drawn further back, but a mouth is not deeper
 
 
@@ -42,9 +43,9 @@ def past_lips(
 
 @fast_device
 def spread_in_flesh(deep: float) -> float:
-    """Return the share of light from flesh where the share `deep` arrives: some comes from beside it."""
+    """Return the share of light from flesh where the share `deep` arrives: some comes through it."""
     root = math.sqrt(deep)
-    spread: float = root * (f4(0.35) + f4(0.65) * root)
+    spread: float = _GLOW + (f4(1) - _GLOW) * root * (f4(0.35) + f4(0.65) * root)
     return spread
 
 
