@@ -15,7 +15,8 @@ from .laws import Laws
 
 OVERLAP, SEALED, LIDS, CLEAR = 0.3, 0.05, 0.01, 0.25
 PIERCED = 0.3
-OVERSHOOT, EXACT = 2.5, 0.999
+# Rounded lips press on each other at their sides, where contact holds them apart: on the fullest lips most.
+OVERSHOOT, EXACT = 2.5, 0.995
 # One corner of the mouth up, the other side of the lower lip down: the last places to close.
 ASKEW = {"zygomatic_major.left": 0.93, "zygomatic_major.right": 0.5, "depressor_labii.left": 0.96}
 TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_out": 1.0}

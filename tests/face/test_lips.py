@@ -160,3 +160,25 @@ def test_nothing_jumps_on_the_way_from_one_pose_to_another(solver, start, end):
     skins = np.array([solver.solve(a + (b - a) * share).skin for share in np.linspace(0.0, 1.0, 61)])
     bend = np.linalg.norm(np.diff(skins, n=2, axis=0), axis=-1)
     assert bend.max() < 0.5
+
+
+def test_sucked_lips_roll_in_and_stay_shut(face, head, opening):
+    rest, sucked = face(), face(orbicularis_oris_presser=1.0)
+    middles = [51, 57]
+    ways = head.landmarks(sucked.skin)[middles] - head.landmarks(rest.skin)[middles]
+    assert ways[0, 1] < -2.0
+    assert ways[0, 2] < -5.0
+    assert ways[1, 1] > 5.0
+    assert opening(sucked) < 2 * SEALED
+
+
+def test_rounded_lips_open_in_the_middle_alone(face, head):
+    mouth = Mouth.of(head)
+    frame = face(orbicularis_oris_funneler=0.8, masseter=0.05)
+    points = frame.skin[mouth.vertices].astype(np.float64)
+    found = Contacts.allocate(len(mouth.facing.vertices))
+    count = find_contacts(mouth.facing, points, np.inf, found)
+    half = 0.5 * float(np.ptp(head.landmarks(frame.skin)[[48, 54], 0]))
+    x, gap = np.abs(found.x[:count]), found.gap[:count]
+    assert gap[x < 0.1 * half].min() > 1.5
+    assert gap[(x > 0.55 * half) & (x < 0.65 * half)].min() < 0.7

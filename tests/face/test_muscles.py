@@ -96,7 +96,7 @@ def test_any_two_muscles_overshoot_the_larger_by_little(displaced):
 
 
 def test_the_cap_sets_in_without_a_jump(displaced):
-    steps = np.linspace(0.0, 1.0, 41)
+    steps = np.linspace(0.0, 1.0, 81)
     course = np.stack([displaced(zygomatic_major=1.0, risorius=a, orbicularis_oris_presser=a) for a in steps])
     speed = np.linalg.norm(np.diff(course, axis=0), axis=2)
     assert np.abs(np.diff(speed, axis=0)).max() < 0.1

@@ -140,7 +140,7 @@ def _taper(crown: Crown) -> list[float]:
     if crown.cusps == 0:
         return [0.70, 0.82, 1.0, 1.0, 0.985]
     if crown.cusps == 1:
-        return [0.70, 0.82, 1.0, 1.0, 0.82]
+        return [0.70, 0.82, 1.0, 1.0, 0.9]
     return [0.76, 0.86, 1.0, 1.0, 0.88]
 
 
@@ -165,7 +165,7 @@ def _relief(crown: Crown, u: AnyArray, v: AnyArray, height: float) -> AnyArray:
     if crown.cusps == 0:
         return -0.05 * height * np.abs(u) ** 4
     if crown.cusps == 1:
-        return -0.20 * height * np.abs(u) ** 1.3
+        return -0.14 * height * np.abs(u) ** 1.3
     ridges = np.cos(np.pi * u) if crown.cusps == 2 else -np.cos(2.0 * np.pi * u)
     return 0.05 * height * ridges * np.sign(np.abs(v) - 0.1) - 0.08 * height * (np.abs(v) < 0.2)
 
