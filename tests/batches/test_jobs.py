@@ -5,11 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import risorius
 from risorius.batches.jobs import JobMaker, check_job
 from risorius.batches.manifest import Manifest, ManifestRow
 from risorius.batches.patterns import OutputPattern, checked_part
 from risorius.core.setting import rows
-from risorius.errors import InputError, OutputError, Place, RisoriusError
+from risorius.errors import InputError, OutputError, ParameterError, Place, RisoriusError
 from risorius.rules.emotions import Display
 from risorius.settings import Settings
 
@@ -128,3 +129,39 @@ def test_names_that_are_not_utf_8_are_refused_before_anything_is_performed(tmp_p
         OutputPattern("out\udcff/{id}.wav")
     with pytest.raises(InputError, match="is not named in UTF-8"):
         Manifest(tmp_path / "\udcff.csv")
+
+
+RULES = """
+[[entry]]
+id = "emotions.smirk"
+values = { targets = { "AU12.left" = 0.7 } }
+source = "This speaker"
+"""
+SMIRK = '<PHONEME time="0" text="Ha." /><EMOTIONDISPLAY time="0" duration="1" smirk="0.5" />'
+
+
+def test_emotions_of_a_user_s_rules_may_be_in_any_column(tmp_path: Path) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.write_text(RULES)
+    (tmp_path / "x.xml").write_text(SMIRK)
+    cells = {"id": "a", "text": "Ha.", "emotion": "smirk:0.9"}
+    job = maker(tmp_path).job(ManifestRow(PLACE, {**cells, "rules": str(mine)}))
+    assert job.emotions == (Display("smirk", 0.9),)
+    check_job(job)
+    check_job(maker(tmp_path).job(ManifestRow(PLACE, {"id": "b", "script": "x.xml", "rules": str(mine)})))
+    with pytest.raises(ParameterError, match="unknown emotion 'smirk'"):
+        maker(tmp_path).job(ManifestRow(PLACE, cells))
+
+
+def test_all_lines_may_feel_an_emotion_of_a_user_s_rules(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("mine.toml").write_text(RULES)
+    settings = Settings(rules=Path("mine.toml"), lively=False)
+    rows = [{"id": "a", "text": "Ha."}]
+    (made,) = risorius.batch(rows, "{id}.muscles.csv", emotion="smirk:1", settings=settings, jobs=0)
+    assert made.error == ""
+    speak = risorius.speak("Ha.", emotion="smirk:1", settings=settings)
+    speak.write("b.muscles.csv")
+    assert Path("a.muscles.csv").read_bytes() == Path("b.muscles.csv").read_bytes()

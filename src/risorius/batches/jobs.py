@@ -13,7 +13,7 @@ from ..pipeline import with_profile
 from ..ports.targets import Target, check_alpha
 from ..rules.emotions import Displays, parse_display
 from ..rules.profiles import attitude
-from ..rules.rule_set import rule_set_of
+from ..rules.rule_set import emotions_of, rule_set_of
 from ..script import Script
 from ..settings import Settings, settings_of
 from ..speech import Input, read
@@ -79,10 +79,8 @@ class JobMaker:
         if "id" not in cells:
             raise InputError("has no id; expected one")
         name = checked_part("id", cells["id"].strip())
-        emotions = (
-            tuple(map(parse_display, _several(cells["emotion"]))) if "emotion" in cells else self.emotions
-        )
         settings = settings_of(self._settings(cells), self.settings)
+        emotions = self.emotions if "emotion" not in cells else _displays(cells["emotion"], settings)
         outputs = tuple(pattern.name(cells) for pattern in self.patterns)
         refuse_unwritten(settings, [pattern.format for pattern in self.patterns])
         if settings.look.transparent:
@@ -156,10 +154,17 @@ def _check_job(job: BatchJob) -> None:
     for name in settings.attitudes:
         attitude(name)
     if not any(map(is_remote, filter(None, (job.given.script, job.given.transcript)))):
-        source = read(job.given)
+        with emotions_of(settings.rules, settings.expression):
+            source = read(job.given)
         refuse_unread(source, settings)
         if isinstance(source, Script) and not source.lines and not source.marks:
             raise InputError("says and shows nothing; expected words or marks")
+
+
+def _displays(cell: str, settings: Settings) -> Displays:
+    """Return the displays of a cell; its emotions may be those of the line's own rules."""
+    with emotions_of(settings.rules, settings.expression):
+        return tuple(map(parse_display, _several(cell)))
 
 
 def _several(cell: str) -> list[str]:

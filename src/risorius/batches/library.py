@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..api import Emotions, checked, displays_of
 from ..errors import InputError, OutputError, Place, RisoriusError
+from ..rules.emotions import Displays
+from ..rules.rule_set import emotions_of
 from ..settings import Settings
 from .executors import BatchExecutor, InProcess, LocalPool
 from .jobs import JobMaker
@@ -73,7 +75,7 @@ class BatchPlan:
         patterns = [OutputPattern(os.fspath(output)) for output in self.outputs]
         manifest = self.manifest
         folder = Path() if manifest is None else manifest.folder
-        displays = displays_of(self.emotions)
+        displays = _displays(self.emotions, self.settings)
         sheets = self.folder() / "sheets" if self.sheets else None
         return JobMaker(patterns, folder, self.settings, displays, self.ignore, sheets)
 
@@ -140,11 +142,12 @@ def batch(
     processes = usual_processes() if jobs is None else jobs
     part = Shard() if shard is None else Shard.parse(shard)
     folder = None if journal is None else Path(journal)
+    settings = checked(settings)
     plan = BatchPlan(
         rows,
         names,
-        checked(settings),
-        displays_of(emotion),
+        settings,
+        _displays(emotion, settings),
         processes,
         timeout,
         ray,
@@ -171,10 +174,17 @@ def pipe(
     RisoriusError for the first text that cannot be performed.
     """
     _check_iterable("texts", texts)
-    displays, settings = displays_of(emotion), checked(settings)
+    settings = checked(settings)
+    displays = _displays(emotion, settings)
     if not as_tuples:
         return takes(texts, displays, settings, n_process)
     return _with_contexts(texts, displays, settings, n_process)
+
+
+def _displays(emotion: Emotions, settings: Settings) -> Displays:
+    """Return the displays that all lines have; emotions may be those of a user's rules."""
+    with emotions_of(settings.rules, settings.expression):
+        return displays_of(emotion)
 
 
 def usual_processes() -> int:

@@ -10,7 +10,7 @@ import click
 from ..core.setting import Stage
 from .batch_progress import BatchProgress
 from .console import EXIT_INTERRUPTED, Console
-from .options import SHOWN, Command, displays, emotion_option, option, setting_options, settings_from
+from .options import SHOWN, Command, emotion_option, option, setting_options, settings_from
 
 if TYPE_CHECKING:
     from ..batches.library import BatchPlan
@@ -99,7 +99,7 @@ def batch(
     from ..batches.run import Shard
 
     plan = BatchPlan(
-        manifest, outputs, settings_from(chosen), displays(emotions),
+        manifest, outputs, settings_from(chosen), emotions,
         usual_processes() if jobs is None else jobs, timeout, ray,
         Shard() if shard is None else Shard.parse(shard), journal, ignore, sheets,
     )  # fmt: skip

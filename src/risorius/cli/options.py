@@ -230,8 +230,13 @@ def check_outputs(
         refuse_unwritten(settings, [target.format for target in targets])
 
 
-def displays(emotions: tuple[str, ...]) -> tuple[Display, ...]:
-    """Return the displays of emotions that are given as texts; raise InputError for one that is none."""
-    from ..rules.emotions import parse_display
+def displays(emotions: tuple[str, ...], settings: Settings) -> tuple[Display, ...]:
+    """Return the displays of emotions that are given as texts, those of the settings' rules among them.
 
-    return tuple(parse_display(text) for text in emotions)
+    Raises InputError for a text that is none.
+    """
+    from ..rules.emotions import parse_display
+    from ..rules.rule_set import emotions_of
+
+    with emotions_of(settings.rules, settings.expression):
+        return tuple(parse_display(text) for text in emotions)

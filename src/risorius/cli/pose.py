@@ -45,7 +45,7 @@ def pose(
     settings = settings_from(chosen)
     with Console() as console, files_for(outputs) as files:
         check_outputs(files, settings, WITHOUT_SPEECH)
-        take = hold(_assignments(targets), emotion=displays(emotions), settings=settings)
+        take = hold(_assignments(targets), emotion=displays(emotions, settings), settings=settings)
         take.write(*files)
         console.wrote(outputs)
 

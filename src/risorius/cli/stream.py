@@ -105,7 +105,7 @@ def stream(
         check_outputs([_LIKE], settings)
         line |= {"sound": not without_sound, "progress": console.progress}
         if source == "-" and audio is None and transcript is None:
-            face = face_of(settings, displays(emotions))
+            face = face_of(settings, displays(emotions, settings))
             typed = TypedText(face)
             sent = send_live(face, protocol, to, **line)
             typed.check()
