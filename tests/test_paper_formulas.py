@@ -66,6 +66,36 @@ def test_a_rival_inhibits_by_paper_a_s_formula() -> None:
     assert np.abs(performed([strong, lips], 4.0, fps, conflict="inhibit")[SMILE] - alone).max() < 1e-6
 
 
+def test_a_movement_rises_holds_and_falls_by_paper_a_s_functions() -> None:
+    """Figure 4: 7 s, of which 2 s of onset and 3 s of offset."""
+    curve = performed([Movement("signals", 0.5, 7.5, 2.0, 3.0, {INNER: 0.8})], 8.0)[INNER]
+    times = np.arange(len(curve)) * FRAME
+    rise = 2.0 ** ((times - 0.5) / 2.0) - 1.0
+    fall = 2.0 ** (1.0 - (times - 4.5) / 3.0) - 1.0
+    wanted = 0.8 * np.clip(np.minimum(np.minimum(rise, fall), 1.0), 0.0, None)
+    assert np.abs(curve - wanted).max() < 1e-6
+
+
+def test_a_channel_rises_to_a_higher_target_early_and_waits() -> None:
+    """Section 5.2, case 1: by the second onset from where the first one is; then as it is alone."""
+    one = Movement("signals", 0.5, 3.0, 0.4, 1.0, {INNER: 0.4})
+    two = Movement("signals", 2.0, 4.0, 0.8, 0.4, {INNER: 1.0})
+    curve = performed([one, two], 5.0)[INNER]
+    times = np.arange(len(curve)) * FRAME
+    early = (times > 2.0) & (times < 2.8)
+    wanted = np.minimum(0.4 + 2.0 ** ((times[early] - 2.0) / 0.8) - 1.0, 1.0)
+    assert np.abs(curve[early] - wanted).max() < 1e-5
+    after = times > 2.8
+    assert np.abs(curve[after] - performed([two], 5.0)[INNER][after]).max() < 1e-6
+
+
+def test_the_largest_of_the_channels_is_shown_and_exponentials_have_paper_a_s_shape() -> None:
+    low = Movement("emotion", 0.2, 2.8, 0.4, 0.4, {INNER: 0.4})
+    high = Movement("signals", 0.8, 1.8, 0.2, 0.2, {INNER: 0.7})
+    one, two, both = (performed(found, 3.0)[INNER] for found in ([low], [high], [low, high]))
+    assert np.abs(both - np.maximum(one, two)).max() < 1e-7
+
+
 def test_movements_of_a_channel_concatenate_by_paper_a_s_formulas() -> None:
     """Figure 5: from 1 at 2 s to 0.5, by the first one's own offset shifted to where it fits."""
     one = Movement("signals", 0.5, 3.0, 0.4, 1.0, {INNER: 1.0})
