@@ -1,8 +1,8 @@
 """A sparse symmetric matrix that is factored once and solved many times for points, in one thread.
 
 The unknowns have the order of the factor (minimum degree), so that solving needs no permutation. Points are
-rows of four (x, y, z and an unused 0), so that no row crosses a line of the cache; the fourth is not solved.
-Indices are unsigned, because numba checks signed ones for negative values.
+rows of four (x, y, z and an unused 0), so that a row fits a vector register and no row crosses a line of
+the cache. Indices are unsigned, because numba checks signed ones for negative values.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from scipy.sparse.linalg import splu
 
 from ..core.arrays import Array, IndexArray, UInt32Array
 from ..core.kernels.jit import summing_kernel
+from .points_of_four import gather, spread
 
 _SYMMETRIC = {"options": {"SymmetricMode": True}, "diag_pivot_thresh": 0.0}
 
@@ -45,7 +46,7 @@ class Factor:
         )
 
     def solve(self, points: Array) -> None:
-        """Replace x, y and z of `points` (n, 4) by their solution, in place."""
+        """Replace each column of `points` (n, 4) by its solution, in place."""
         solve(self.start, self.row, self.weight, self.inverse, points)
 
 
@@ -57,21 +58,9 @@ def sparing_order(matrix: sp.csc_matrix) -> IndexArray:
 
 @summing_kernel
 def solve(start: UInt32Array, row: UInt32Array, weight: Array, inverse: Array, points: Array) -> None:
-    """Solve L D Lᵀ x = b for x, y and z of `points` (n, 4); the first four arguments as in `Factor`."""
+    """Solve L D Lᵀ x = b for each column of `points` (n, 4); the first four arguments as in `Factor`."""
     count = len(inverse)
     for j in range(count):
-        a, b, c = points[j, 0], points[j, 1], points[j, 2]
-        for e in range(start[j], start[j + 1]):
-            w, i = weight[e], row[e]
-            points[i, 0] -= w * a
-            points[i, 1] -= w * b
-            points[i, 2] -= w * c
+        spread(points, j, row, weight, start[j], start[j + 1])
     for j in range(count - 1, -1, -1):
-        w = inverse[j]
-        a, b, c = w * points[j, 0], w * points[j, 1], w * points[j, 2]
-        for e in range(start[j], start[j + 1]):
-            w, i = weight[e], row[e]
-            a -= w * points[i, 0]
-            b -= w * points[i, 1]
-            c -= w * points[i, 2]
-        points[j, 0], points[j, 1], points[j, 2] = a, b, c
+        gather(points, j, inverse[j], -1.0, points, row, weight, start[j], start[j + 1])

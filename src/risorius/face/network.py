@@ -21,6 +21,7 @@ from ..core.parameters import PARAMETERS
 from .cholesky import Factor, sparing_order
 from .head import Head
 from .muscles import ELSEWHERE
+from .points_of_four import gather
 from .stiffness import spring_stiffness
 
 STILL = 0.02  # mm at full contraction: a point that moves less counts as one that no muscle moves
@@ -80,12 +81,4 @@ def pull(
 ) -> None:
     """Add `factor` K times `points` (r, 4) to `out` (r, 4); the first three arguments as in `Network`."""
     for i in range(len(out)):
-        a, b, c = 0.0, 0.0, 0.0
-        for e in range(start[i], start[i + 1]):
-            w, j = weight[e], column[e]
-            a += w * points[j, 0]
-            b += w * points[j, 1]
-            c += w * points[j, 2]
-        out[i, 0] += factor * a
-        out[i, 1] += factor * b
-        out[i, 2] += factor * c
+        gather(out, i, 1.0, factor, points, column, weight, start[i], start[i + 1])
