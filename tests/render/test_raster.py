@@ -156,3 +156,16 @@ def test_a_new_drawing_forgets_the_last():
     buffer.draw(nothing, np.ones(3, np.float32), np.array([[0, 1, 2]], np.int32), np.ones(1, np.uint8))
     assert (buffer.ids == -1).all()
     assert (buffer.depth == 0).all()
+
+
+@pytest.mark.parametrize("size", [NARROW, SIZE, WIDE])
+@examples(60)
+@given(corners=st.tuples(PLACES, PLACES, PLACES, PLACES))
+def test_a_segment_of_a_hair_shows_its_two_triangles(corners, size):
+    """A convex segment is drawn at once: each sample shows the triangle that covers it."""
+    segment = [[0, 1, 2], [1, 3, 2]]
+    ids = drawn(corners, [1] * 4, segment, size=size).ids
+    first, second = (inside([corners[k] for k in triangle], size) for triangle in segment)
+    assert np.array_equal(ids >= 0, first | second)
+    assert (ids[first & ~second] == 0).all()
+    assert (ids[second & ~first] == 1).all()

@@ -9,7 +9,7 @@ from ..core.arrays import Float32Array, Int32Array
 from ..core.kernels.jit import f4, f8, fast_inlined, i4, i8, index, lean_device
 from ..core.kernels.vec import Vec
 from .raster import HALF, SUBPIXEL, area_of, extent
-from .row_block import LANES, cover, cover_depth
+from .row_block import LANES, cover, cover_depth, cover_ribbon
 
 _MOST = 1 << 30
 """Width times height, in 1/SUBPIXEL², of triangles whose edge functions are sure to fit in 32 bits."""
@@ -107,6 +107,80 @@ def _fill_blocks(
                 cover_depth(depth, place, (ea, eb, ec), across, f4(k), f4(near[1]))
             ea, eb, ec = i4(ea + downs[0]), i4(eb + downs[1]), i4(ec + downs[2])
             k, place = k + near[2], place + depth.shape[1]
+
+
+@fast_inlined
+def fill_ribbon(
+    xy: Int32Array,
+    key: Float32Array,
+    p: int,
+    t: int,
+    first: int,
+    last: int,
+    depth: Float32Array,
+    ids: Int32Array,
+) -> bool:
+    """Draw the rows from `first` to `last` of a segment of a hair from vertex p on, triangles t and the next.
+
+    Its depth is the first triangle's. Return False, and draw nothing, if it is not convex or very large.
+    """
+    corners = index(p), index(p + 1), index(p + 2), index(p + 3)
+    area = area_of(xy, corners[0], corners[1], corners[2])
+    side = 1 if area > 0 else -1
+    if (
+        side * area <= 0
+        or side * area_of(xy, corners[1], corners[3], corners[2]) <= 0
+        or side * area_of(xy, corners[0], corners[1], corners[3]) <= 0
+        or side * area_of(xy, corners[0], corners[3], corners[2]) <= 0
+    ):
+        return False
+    a, b, c, d = corners
+    ax, ay, bx, by = i8(xy[a, 0]), i8(xy[a, 1]), i8(xy[b, 0]), i8(xy[b, 1])
+    cx, cy, dx, dy = i8(xy[c, 0]), i8(xy[c, 1]), i8(xy[d, 0]), i8(xy[d, 1])
+    low, high = min(ax, bx, cx, dx), max(ax, bx, cx, dx)
+    tall = max(ay, by, cy, dy) - min(ay, by, cy, dy)
+    if depth.shape[1] < LANES or (high - low + LANES * SUBPIXEL) * tall >= _MOST:
+        return False
+    left, right = extent(low, low, high, depth.shape[1])
+    x, y = left * SUBPIXEL + HALF, first * SUBPIXEL + HALF
+    e0, s0, d0 = _edge(side, ax, ay, bx, by, x, y)
+    e1, s1, d1 = _edge(side, bx, by, dx, dy, x, y)
+    e2, s2, d2 = _edge(side, dx, dy, cx, cy, x, y)
+    e3, s3, d3 = _edge(side, cx, cy, ax, ay, x, y)
+    e4, s4, d4 = _edge(side, bx, by, cx, cy, x, y)
+    whole = 1.0 / f8(area)
+    near_b, near_c = (key[b] - key[a]) * whole, (key[c] - key[a]) * whole
+    over, under = (ax - cx) * (y - cy) - (ay - cy) * (x - cx), (bx - ax) * (y - ay) - (by - ay) * (x - ax)
+    start = key[a] + over * near_b + under * near_c
+    right_by = SUBPIXEL * ((cy - ay) * near_b + (ay - by) * near_c)
+    down_by = SUBPIXEL * ((ax - cx) * near_b + (bx - ax) * near_c)
+    steps = i4(s0), i4(s1), i4(s2), i4(s3), i4(s4)
+    for column in range(left, right + 1, LANES):
+        begin, top, bottom = min(column, depth.shape[1] - LANES), first, last
+        if right - left >= LANES:
+            one = _rows_between(begin, (f4(ax), f4(ay), f4(bx), f4(by), f4(cx), f4(cy)), first, last)
+            other = _rows_between(begin, (f4(bx), f4(by), f4(dx), f4(dy), f4(cx), f4(cy)), first, last)
+            top, bottom = min(one[0], other[0]), max(one[1], other[1])
+        x, y = begin - left, top - first
+        f0, f1, f2 = i4(e0 + x * s0 + y * d0), i4(e1 + x * s1 + y * d1), i4(e2 + x * s2 + y * d2)
+        f3, diagonal = i4(e3 + x * s3 + y * d3), i4(e4 + x * s4 + y * d4)
+        k, place = start + x * right_by + y * down_by, top * depth.shape[1] + begin
+        for _ in range(top, bottom + 1):
+            cover_ribbon(depth, ids, place, (f0, f1, f2, f3, diagonal), steps, f4(k), f4(right_by), i4(t))
+            f0, f1, f2 = i4(f0 + d0), i4(f1 + d1), i4(f2 + d2)
+            f3, diagonal = i4(f3 + d3), i4(diagonal + d4)
+            k, place = k + down_by, place + depth.shape[1]
+    return True
+
+
+@lean_device
+def _edge(side: int, px: int, py: int, qx: int, qy: int, x: int, y: int) -> tuple[int, int, int]:
+    """Return the edge function of p to q at (x, y), with its bias, and its steps to the right and downwards.
+
+    `side` is 1 if the corners run clockwise, else −1.
+    """
+    dx, dy = side * (qx - px), side * (qy - py)
+    return dx * (y - py) - dy * (x - px) + _bias(dx, dy), -dy * SUBPIXEL, dx * SUBPIXEL
 
 
 @lean_device

@@ -32,6 +32,23 @@ def extent(p: int, q: int, r: int, limit: int) -> tuple[int, int]:
     return max(first, 0), min(last, limit - 1)
 
 
+@lean_device
+def is_ribbon(triangles: Int32Array, t: int, after: int) -> bool:
+    """Return whether triangle t and the one drawn `after` it are a segment of a hair.
+
+    That is a quad p, p + 1, p + 3, p + 2, which they share by its diagonal (`looks.strands`).
+    """
+    p = triangles[t, 0]
+    return bool(
+        after == t + 1
+        and triangles[t, 1] == p + 1
+        and triangles[t, 2] == p + 2
+        and triangles[after, 0] == p + 1
+        and triangles[after, 1] == p + 3
+        and triangles[after, 2] == p + 2
+    )
+
+
 @lean_kernel
 def find_rows(
     xy: Int32Array,
@@ -43,7 +60,10 @@ def find_rows(
     rows: Int32Array,
     chunks: Int32Array,
 ) -> None:
-    """Write the first and last row of triangles in `order` (first > last: not drawn) and of chunks."""
+    """Write the first and last row of triangles in `order` (first > last: not drawn) and of chunks.
+
+    The two triangles of a ribbon's segment have their rows together.
+    """
     for chunk in range(len(chunks)):
         low, high = height, -1
         for place in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(order))):
@@ -54,6 +74,10 @@ def find_rows(
             left, right = extent(xy[a, 0], xy[b, 0], xy[c, 0], width)
             if area == 0 or (area > 0 and two_sided[t] == 0) or left > right or first > last:
                 first, last = height, -1
+            before = index(order[max(place - 1, chunk * CHUNK)])
+            if is_ribbon(triangles, before, t):
+                first, last = min(first, rows[before, 0]), max(last, rows[before, 1])
+                rows[before, 0], rows[before, 1] = first, last
             rows[t, 0], rows[t, 1] = first, last
             low, high = min(low, first), max(high, last)
         chunks[chunk, 0], chunks[chunk, 1] = low, high

@@ -18,7 +18,7 @@ LANES = 16
 _NUMBER = ir.IntType(32)
 _NUMBERS = ir.VectorType(_NUMBER, LANES)
 _REALS = ir.VectorType(ir.FloatType(), LANES)
-_THREE = types.UniTuple(types.int32, 3)
+_THREE, _FIVE = types.UniTuple(types.int32, 3), types.UniTuple(types.int32, 5)
 
 _in_kernels = cast(Callable[[Callable[..., Any]], Any], intrinsic)
 
@@ -39,6 +39,18 @@ def cover(
 
 
 @_in_kernels
+def cover_ribbon(
+    context: Any, depth: Any, ids: Any, place: Any, edges: Any, steps: Any, key: Any, step: Any, number: Any
+) -> Any:
+    """Do what `cover` does for a quad of two triangles, `number` and the next.
+
+    Of the five edge functions the last is the diagonal's: it is negative in the second triangle.
+    """
+    taken = types.int64, _FIVE, _FIVE, types.float32, types.float32, types.int32
+    return types.void(depth, ids, *taken), _cover_ribbon
+
+
+@_in_kernels
 def cover_depth(context: Any, depth: Any, place: Any, edges: Any, steps: Any, key: Any, step: Any) -> Any:
     """Do what `cover` does without recording which triangle a sample shows."""
     return types.void(depth, types.int64, _THREE, _THREE, types.float32, types.float32), _cover_depth
@@ -47,26 +59,41 @@ def cover_depth(context: Any, depth: Any, place: Any, edges: Any, steps: Any, ke
 def _cover(context: Any, builder: ir.IRBuilder, signature: Any, arguments: Any) -> Any:
     depth, ids, place, edges, steps, key, step, number = arguments
     nearest = _lanes(context, builder, signature.args[0], depth, place, _REALS)
-    wins = _win(builder, nearest, edges, steps, key, step)
-    shown = _lanes(context, builder, signature.args[1], ids, place, _NUMBERS)
-    previous = builder.load(shown, align=4)
-    builder.store(builder.select(wins, _splat(builder, number, _NUMBERS), previous), shown, align=4)
+    wins = _win(builder, nearest, edges, steps, 3, key, step)
+    _show(
+        builder,
+        _lanes(context, builder, signature.args[1], ids, place, _NUMBERS),
+        wins,
+        _splat(builder, number, _NUMBERS),
+    )
+    return context.get_dummy_value()
+
+
+def _cover_ribbon(context: Any, builder: ir.IRBuilder, signature: Any, arguments: Any) -> Any:
+    depth, ids, place, edges, steps, key, step, number = arguments
+    nearest = _lanes(context, builder, signature.args[0], depth, place, _REALS)
+    wins = _win(builder, nearest, edges, steps, 4, key, step)
+    beyond = builder.ashr(_edge(builder, edges, steps, 4), ir.Constant(_NUMBERS, [31] * LANES))
+    triangles = builder.sub(_splat(builder, number, _NUMBERS), beyond)
+    _show(builder, _lanes(context, builder, signature.args[1], ids, place, _NUMBERS), wins, triangles)
     return context.get_dummy_value()
 
 
 def _cover_depth(context: Any, builder: ir.IRBuilder, signature: Any, arguments: Any) -> Any:
     depth, place, *where = arguments
-    _win(builder, _lanes(context, builder, signature.args[0], depth, place, _REALS), *where)
+    edges, steps, key, step = where
+    _win(
+        builder, _lanes(context, builder, signature.args[0], depth, place, _REALS), edges, steps, 3, key, step
+    )
     return context.get_dummy_value()
 
 
-def _win(builder: ir.IRBuilder, nearest: Any, edges: Any, steps: Any, key: Any, step: Any) -> Any:
-    """Update the nearest keys; return the lanes in which the triangle is the nearest."""
-    lanes, none = ir.Constant(_NUMBERS, list(range(LANES))), ir.Constant(_NUMBERS, None)
+def _win(builder: ir.IRBuilder, nearest: Any, edges: Any, steps: Any, count: int, key: Any, step: Any) -> Any:
+    """Update the nearest keys; return the lanes in which a shape of `count` edges is the nearest."""
+    none = ir.Constant(_NUMBERS, None)
     below = none
-    for edge in range(3):
-        start, grows = (_splat(builder, builder.extract_value(of, edge), _NUMBERS) for of in (edges, steps))
-        below = builder.or_(below, builder.add(start, builder.mul(grows, lanes)))
+    for edge in range(count):
+        below = builder.or_(below, _edge(builder, edges, steps, edge))
     counted = ir.Constant(_REALS, [float(lane) for lane in range(LANES)])
     grown = builder.fmul(_splat(builder, step, _REALS), counted)
     near = builder.fadd(_splat(builder, key, _REALS), grown)
@@ -74,6 +101,18 @@ def _win(builder: ir.IRBuilder, nearest: Any, edges: Any, steps: Any, key: Any, 
     wins = builder.and_(builder.icmp_signed(">=", below, none), builder.fcmp_ordered(">", near, old))
     builder.store(builder.select(wins, near, old), nearest, align=4)
     return wins
+
+
+def _edge(builder: ir.IRBuilder, edges: Any, steps: Any, edge: int) -> Any:
+    """Return an edge function in all lanes."""
+    lanes = ir.Constant(_NUMBERS, list(range(LANES)))
+    start, grows = (_splat(builder, builder.extract_value(of, edge), _NUMBERS) for of in (edges, steps))
+    return builder.add(start, builder.mul(grows, lanes))
+
+
+def _show(builder: ir.IRBuilder, shown: Any, wins: Any, triangles: Any) -> None:
+    """Write which triangle the lanes that it wins show."""
+    builder.store(builder.select(wins, triangles, builder.load(shown, align=4)), shown, align=4)
 
 
 def _lanes(context: Any, builder: ir.IRBuilder, kind: Any, array: Any, place: Any, vector: Any) -> Any:

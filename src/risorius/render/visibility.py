@@ -10,8 +10,8 @@ import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array
 from ..core.kernels.jit import f4, index, lean_device, lean_kernel
-from .fill import fill
-from .raster import CHUNK, find_rows
+from .fill import fill, fill_ribbon
+from .raster import CHUNK, find_rows, is_ribbon
 
 BAND = 64  # rows of samples drawn at once
 
@@ -94,8 +94,19 @@ def rasterize(
     for chunk in range(len(chunks)):
         if chunks[chunk, 0] >= bottom or chunks[chunk, 1] < top:
             continue
-        for place in range(chunk * CHUNK, min((chunk + 1) * CHUNK, len(order))):
+        place, end = chunk * CHUNK, min((chunk + 1) * CHUNK, len(order))
+        while place < end:
             t = index(order[place])
+            place += 1
             first, last = max(rows[t, 0], top), min(rows[t, 1], bottom - 1)
-            if first <= last:
+            if first > last:
+                continue
+            if (
+                keep
+                and place < end
+                and is_ribbon(triangles, t, order[place])
+                and fill_ribbon(xy, key, triangles[t, 0], t, first, last, depth, ids)
+            ):
+                place += 1
+            else:
                 fill(xy, key, triangles, t, first, last, depth, ids, keep)
