@@ -132,6 +132,14 @@ def test_the_tucked_lower_lip_meets_the_upper_teeth(face, head, emotion):
     assert np.abs(lip[:, 2] - z).max() < 2.5
 
 
+def test_the_tucked_lip_touches_the_teeth_from_before(face, head):
+    frame = face(masseter=0.08, lip_tuck=1.0)
+    mouth = Mouth.of(head)
+    lip = (np.maximum(-mouth.line, 0.0) @ frame.skin[mouth.vertices])[len(mouth.line) // 2]
+    _, edge = TeethEdge.of(head.teeth_upper, 15.0, 16).at(lip[:1])
+    assert 1.7 < lip[2] - edge[0] < 2.5
+
+
 def test_the_lip_gap_grows_with_the_jaw(face, head):
     gauge = Gauge(head)
     gap = [gauge.measure(face(masseter=jaw)).lip_gap_mm for jaw in np.linspace(0.0, 1.0, 11)]

@@ -32,7 +32,7 @@ PLACES, WIDTH = (
 )  # places at which a seal closes the lips, and the width of each as a share of the mouth
 SWEEPS = 300  # the most; most faces need only a few
 TUCK_WIDTH = 11.0  # mm to either side of the midline over which the lip meets the teeth
-TUCK_ABOVE, TUCK_BEFORE = 0.7, 1.2  # mm of the tucked lip above and before the teeth's edge
+TUCK_ABOVE, TUCK_BEFORE = 0.7, 2.2  # mm of the tucked lip above and before the teeth's edge
 APART = 2.0  # mm that profiles may be apart for each mm that a seal does not reach: it begins without a step
 OPEN = 0.5  # mm between lips from which on they keep to the line when their corners are pushed apart
 TUCK_ROOM = 1.2  # mm of the upper lip above the teeth's edge, so that it does not meet the tucked lip
