@@ -6,10 +6,16 @@ import numpy as np
 import pytest
 
 from risorius import blend
+from risorius.core.arkit import INDEX as SHAPE
 from risorius.core.articulators import JAW
 from risorius.core.lip_rig import gap_left
+from risorius.core.movement import LipSegment
 from risorius.core.parameters import INDEX, NAMES
+from risorius.core.score import Score
+from risorius.face.arkit_fit import ArkitFit
+from risorius.face.head import load_head
 from risorius.face.lip_file import load_lip_rig
+from risorius.face.solve import FaceSolver
 from risorius.pipeline import compose
 from risorius.rules.lips import lip_table
 from risorius.script import read_script
@@ -52,6 +58,22 @@ def test_an_accent_hardly_opens_rounded_vowels() -> None:
 def test_the_chin_gives_most_of_an_open_vowel_and_not_all(phone: str) -> None:
     targets = lip_table().shape(phone).targets
     assert 0.55 <= targets["jaw_drop"] / targets["lip_aperture"] <= 0.65
+
+
+def test_arkit_puckers_closed_lips_and_funnels_open_ones() -> None:
+    """Apple's Pucker rounds closed lips, its Funnel open ones (facts: lips-motion, 11)."""
+    fit, solver = ArkitFit.of(load_head()), FaceSolver(load_head())
+    shares = {}
+    for phone in ("W", "UW", "AO", "SH", "R"):
+        held = LipSegment(phone, 0.5, 3.5, lip_table().shape(phone).targets)
+        values = blend.at(Score(4.0, lips=(held,)), np.array([2.0]), load_lip_rig())[0]
+        weights = fit.weights(solver.solve(values))
+        pucker, funnel = (float(weights[SHAPE[f"mouth{name}"]]) for name in ("Pucker", "Funnel"))
+        assert pucker + funnel > 0.3
+        shares[phone] = pucker / (pucker + funnel)
+    assert shares["W"] > 0.9
+    assert 0.5 < shares["UW"] < shares["W"]
+    assert max(shares[phone] for phone in ("AO", "SH", "R")) < 0.5
 
 
 def test_tongue_and_head_have_no_corners_in_speech() -> None:
