@@ -1,0 +1,46 @@
+"""Functions that only kernels call are compiled once for each set of types, whoever calls them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from risorius.core.arrays import Array
+from risorius.core.kernels.jit import device, fast_kernel, kernel, summing_kernel
+
+
+@device
+def scaled(x: float, times: int) -> float:
+    return x * times
+
+
+@kernel
+def exact(values: Array, out: Array) -> None:
+    for k in range(len(values)):
+        out[k] = scaled(values[k], 2) + scaled(values[k], times=3)
+
+
+@summing_kernel
+def summing(values: Array, out: Array) -> None:
+    for k in range(len(values)):
+        out[k] = scaled(values[k], k)
+
+
+@fast_kernel
+def fast(values: Array, out: Array) -> None:
+    for k in range(len(values)):
+        out[k] = scaled(values[k], 7)
+
+
+def test_kernels_of_all_arithmetics_share_one_form_of_a_device() -> None:
+    values, out = np.arange(4.0), np.empty(4)
+    expected = {exact: 5.0 * values, summing: values**2, fast: 7.0 * values}
+    for function, result in expected.items():
+        # Compiled now, not read from the cache, which would not compile the device.
+        vars(function)["_cache"].flush()
+        function(values, out)
+        np.testing.assert_array_equal(out, result)
+    assert len(vars(scaled)["dispatcher"].overloads) == 1
+
+
+def test_python_calls_a_device_that_is_not_compiled() -> None:
+    assert scaled("ab", 2) == "abab"  # type: ignore[arg-type, comparison-overlap]
