@@ -1,4 +1,8 @@
-"""A real cluster of Ray on this machine, with two processors."""
+"""A real cluster of Ray on this machine, with two processors.
+
+`scripts/check --full` installs Ray and what belongs to it, which takes over a minute: too long for
+`scripts/test`.
+"""
 
 import sys
 from pathlib import Path
