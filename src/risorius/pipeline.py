@@ -23,18 +23,8 @@ from .take import Take, lip_rig
 from .unread import refuse_unread
 
 
-def perform(
-    given: Input,
-    emotions: Displays,
-    settings: Settings,
-    progress: Progress = quiet,
-    *,
-    goes_on: bool = False,
-) -> Take:
-    """Perform a text, a script or a recording, showing `emotions` beside those that it marks.
-
-    With `goes_on` more will be said, in the same turn.
-    """
+def perform(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
+    """Perform a text, a script or a recording, showing `emotions` beside those that it marks."""
     with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
         source = read(given)
         refuse_unread(source, settings)
@@ -43,7 +33,7 @@ def perform(
             script, utterance = source, speak(source, emotions, settings, progress)
         else:
             script, utterance = hear(source, progress)
-        score = compose(script, utterance, emotions, settings, goes_on=goes_on)
+        score = compose(script, utterance, emotions, settings)
     return combine(announced(score, settings.fps, progress), settings, utterance)
 
 
@@ -64,22 +54,11 @@ def speak(
     return say(script, felt=felt, progress=progress, **{n: getattr(settings, n) for n in VOICE_SETTINGS})
 
 
-def compose(
-    script: Script,
-    utterance: Utterance | None,
-    emotions: Displays,
-    settings: Settings,
-    *,
-    goes_on: bool = False,
-) -> Score:
-    """Derive the movements of all channels from what is said, if anything is, and marked.
-
-    With `goes_on` more will be said, in the same turn.
-    """
+def compose(script: Script, utterance: Utterance | None, emotions: Displays, settings: Settings) -> Score:
+    """Derive the movements of all channels from what is said, if anything is, and marked."""
     with emotions_of(settings.rules, settings.expression):
         inputs = replace(
             channels.inputs_of(script, utterance, emotions),
-            goes_on=goes_on,
             articulation=settings.articulation,
             manner=settings.manner,
             lively=settings.lively,

@@ -63,17 +63,22 @@ def test_the_chin_gives_most_of_an_open_vowel_and_not_all(phone: str) -> None:
 def test_arkit_puckers_closed_lips_and_funnels_open_ones() -> None:
     """Apple's Pucker rounds closed lips, its Funnel open ones (facts: lips-motion, 11)."""
     fit, solver = ArkitFit.of(load_head()), FaceSolver(load_head())
-    shares = {}
-    for phone in ("W", "UW", "AO", "SH", "R"):
-        held = LipSegment(phone, 0.5, 3.5, lip_table().shape(phone).targets)
+
+    def share_of_pucker(phone: str, **targets: float) -> float:
+        held = LipSegment(phone, 0.5, 3.5, {**lip_table().shape(phone).targets, **targets})
         values = blend.at(Score(4.0, lips=(held,)), np.array([2.0]), load_lip_rig())[0]
         weights = fit.weights(solver.solve(values))
         pucker, funnel = (float(weights[SHAPE[f"mouth{name}"]]) for name in ("Pucker", "Funnel"))
         assert pucker + funnel > 0.3
-        shares[phone] = pucker / (pucker + funnel)
-    assert shares["W"] > 0.9
-    assert 0.5 < shares["UW"] < shares["W"]
-    assert max(shares[phone] for phone in ("AO", "SH", "R")) < 0.5
+        return pucker / (pucker + funnel)
+
+    assert share_of_pucker("W") > 0.9
+    assert max(share_of_pucker(phone) for phone in ("AO", "SH", "R")) < 0.5
+    # One fades into the other at about a millimetre of gap.
+    shut, near, ajar, apart = (share_of_pucker("UW", lip_aperture=gap) for gap in (0.0, 1.0, 1.5, 4.0))
+    assert shut > 0.9
+    assert 0.3 < near < 0.8
+    assert apart < ajar < 0.5
 
 
 def test_tongue_and_head_have_no_corners_in_speech() -> None:

@@ -200,10 +200,10 @@ def test_one_that_reads_nothing_goes_and_the_others_stay(
 
 
 def test_an_engine_that_dies_is_one_message(client: Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    def dying(given: Input, *choices: Any, goes_on: bool) -> Take:
+    def dying(given: Input, *choices: Any) -> Take:
         if "dies" in str(given.script):
             raise SpeechError("the voice ended")
-        return perform(given, *choices, goes_on=goes_on)
+        return perform(given, *choices)
 
     monkeypatch.setattr("risorius.live.session.perform_input", dying)
     client.start(fps=20)

@@ -123,7 +123,7 @@ def perform_voice(
     utterance = measured(_joined(phrases, settings))
     line = SpokenLine(utterance.text, 0.0, Place("live"))
     script = script_of((line,), timed=False, source="live", language=utterance.language)
-    score = compose(script, utterance, feelings, settings, goes_on=goes_on)
+    score = compose(replace(script, goes_on=goes_on), utterance, feelings, settings)
     return combine(score, settings, utterance)
 
 

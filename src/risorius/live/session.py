@@ -63,8 +63,8 @@ _HEAD_PITCH, _EYE_PITCH = INDEX["head_pitch"], INDEX["gaze_pitch"]
 
 def perform_sentence(text: str, feelings: Displays, settings: Settings, goes_on: bool = False) -> Take:
     """Perform sentences as `speak` does; with `goes_on` more will be said, in the same turn."""
-    given = Input(text, text=True, name="live", language=settings.language)
-    return perform_input(given, feelings, settings, goes_on=goes_on)
+    given = Input(text, text=True, name="live", language=settings.language, goes_on=goes_on)
+    return perform_input(given, feelings, settings)
 
 
 class Live:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 
@@ -22,7 +22,7 @@ class Input:
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
     name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
-    holds, if it is not to be read from there.
+    holds, if it is not to be read from there. `goes_on`: more will be said after it, in the same turn.
     """
 
     script: str | None = None
@@ -32,6 +32,7 @@ class Input:
     name: str = "text"
     content: str | None = None
     language: str | None = None
+    goes_on: bool = False
 
     @property
     def labels(self) -> str | None:
@@ -62,8 +63,10 @@ def read(source: Input) -> Script | Recording | LabelledRecording:
 
 def _script(source: Input, script: str) -> Script:
     if source.content is not None:
-        return parse_script(source.content, Path(script).suffix.lower(), script)
-    return read_script(script, text=source.text, source=source.name)
+        read_one = parse_script(source.content, Path(script).suffix.lower(), script)
+    else:
+        read_one = read_script(script, text=source.text, source=source.name)
+    return replace(read_one, goes_on=source.goes_on)
 
 
 def read_transcript(transcript: str | None) -> str | None:
