@@ -22,6 +22,7 @@ from ..structure.syllables import syllabify
 from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings, with_decoders
 from .doubt import check_words, mean_score
 from .edges import place_edges
+from .glottal import glottal_starts
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
 from .spectra import band_levels
@@ -155,7 +156,7 @@ def refined(resampled: Resampled, aligned: Sequence[AlignedPhone]) -> list[Align
     levels = band_levels(resampled.read(start, end))
     edges = np.array([phone.start - start for phone in aligned[1:]])
     symbols = [phone.symbol for phone in aligned]
-    placed = start + place_edges(levels, symbols, edges)
+    placed = start + glottal_starts(levels, aligned, place_edges(levels, symbols, edges))
     for index, (before, stop) in enumerate(pairwise(aligned)):
         if before.symbol == SILENCE and phonesets.is_stop(stop.symbol):
             placed[index] -= UNHEARD_CLOSURE
