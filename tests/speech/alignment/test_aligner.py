@@ -16,7 +16,7 @@ from risorius.speech import synthesize
 from risorius.speech.alignment import align
 from risorius.speech.alignment.decoder import AlignedPhone
 from risorius.speech.alignment.doubt import check_words
-from risorius.speech.alignment.lexicon import read_transcript
+from risorius.speech.alignment.lexicon import OwnPhone, read_transcript
 
 WRONG = "Some completely different words were never spoken here at all."
 
@@ -62,6 +62,14 @@ def test_one_word_in_doubt_of_a_poor_voice_is_no_refusal(doubtful: int, refused:
     else:
         with pytest.warns(SpeechWarning, match=rf"perhaps not said .*\({doubtful} of 9 words\)"):
             check_words(words, aligned)
+
+
+def test_foreign_words_are_refused_though_none_is_in_doubt_by_itself() -> None:
+    _, words = read_transcript("my dear old friend")
+    foreign = tuple(word._replace(own=(OwnPhone("AH", 1),)) for word in words)
+    aligned = [AlignedPhone("AH", 0.3 * k, 0.3 * (k + 1), k, -60.0) for k in range(len(foreign))]
+    with pytest.raises(InputError, match="does not fit the recording"):
+        check_words(foreign, aligned)
 
 
 def test_words_that_are_not_said_are_named(spoken: Utterance) -> None:

@@ -86,7 +86,8 @@ def check_words(words: Sequence[ScriptWord], aligned: Sequence[AlignedPhone]) ->
         places = _listed([f"{f.start:.2f} to {f.end:.2f} s" for f in missing])
         reasons.append(f"said in the recording, but not in the transcript: {places}")
     wrong = _seconds(missing) + sum(_seconds(span) for span in spans if mean_score(span) < limits.poor)
-    another = bool(missing) or len(doubtful) >= DOUBTFUL_SHARE * len(words)
+    # A foreign word is hardly ever in doubt by itself: there the poor ones alone tell another's transcript.
+    another = limits is FOREIGN or bool(missing) or len(doubtful) >= DOUBTFUL_SHARE * len(words)
     if another and wrong > WRONG_SHARE * (_seconds(missing) + sum(map(_seconds, spans))):
         raise InputError("; ".join(["the transcript does not fit the recording", *reasons]))
     for reason in reasons:
