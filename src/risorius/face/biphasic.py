@@ -12,11 +12,12 @@ import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array
 from ..core.kernels.jit import kernel
+from ..core.mesh_sides import edges
 from ..core.parameters import INDEX, PARAMETERS
 from .head import Head
 from .muscles import ELSEWHERE, MuscleFields
 from .network import Network, pull
-from .stiffness import NEIGHBOUR, edges
+from .stiffness import NEIGHBOUR
 
 YIELD = 0.15  # strain s₀ at which the second phase begins
 SECOND = 1.0  # stiffness k₂ of the second phase, added to the first

@@ -19,6 +19,7 @@ import numpy as np
 from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
 from ..core.kernels.jit import kernel
+from ..core.mesh_sides import unique_pairs
 from ..core.parameters import PARAMETERS
 from .head import Head
 from .muscles import ELSEWHERE
@@ -113,11 +114,7 @@ def _at_risk(head: Head, fields: list[Array]) -> tuple[Array, ...]:
 def struts(quads: IntArray) -> IntArray:
     """Return the sides and diagonals (e, 2) of `quads` (Q, 4), each once."""
     ends = [quads[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3))]
-    sides = np.sort(np.vstack(ends), axis=1).astype(np.int64)
-    # Numbers are sorted much faster than pairs.
-    beyond = int(sides.max(initial=0)) + 1
-    once = np.unique(sides[:, 0] * beyond + sides[:, 1])
-    return np.column_stack(np.divmod(once, beyond)).astype(quads.dtype)
+    return unique_pairs(np.vstack(ends))
 
 
 def altitudes(quads: IntArray) -> IntArray:

@@ -14,6 +14,7 @@ from scipy.spatial import cKDTree
 
 from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
+from ..core.mesh_sides import edges
 
 BENDING, STRETCHING, BED = 0.5, 0.05, 0.004
 REACH = 45.0  # mm from a push; farther vertices do not move
@@ -36,8 +37,7 @@ class Response:
 
 def stiffness(count: int, quads: IntArray) -> sp.csc_matrix:
     """Return K (count, count) of the mesh `quads` (Q, 4)."""
-    sides = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
-    ends = np.unique(np.sort(sides, axis=1), axis=0)
+    ends = edges(quads)
     ones = np.ones(2 * len(ends))
     beside = sp.csr_matrix((ones, (ends.ravel(), ends[:, ::-1].ravel())), shape=(count, count))
     laplacian = sp.diags(np.asarray(beside.sum(axis=1)).ravel()) - beside

@@ -6,6 +6,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import IntArray
+from ..core.mesh_sides import edges
 
 NEIGHBOUR, REST = 1.0, 0.1  # stiffness k of the springs between points, and k₀ of those to the rest
 
@@ -21,9 +22,3 @@ def laplacian(count: int, quads: IntArray) -> sp.csr_matrix:
     ones = np.ones(2 * len(ends))
     beside = sp.csr_matrix((ones, (ends.ravel(), ends[:, ::-1].ravel())), shape=(count, count))
     return sp.diags(np.asarray(beside.sum(axis=1)).ravel()) - beside
-
-
-def edges(quads: IntArray) -> IntArray:
-    """Return the edges (E, 2) of the mesh `quads` (Q, 4), each once, lower index first."""
-    sides = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
-    return np.unique(np.sort(sides, axis=1), axis=0)

@@ -8,6 +8,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Int32Array, Int64Array, IntArray
+from ..core.mesh_sides import mesh_sides
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +27,7 @@ class Subdivision:
 
 @dataclass(frozen=True, slots=True)
 class _Edges:
-    ends: Int64Array  # (E, 2), sorted
+    ends: IntArray  # (E, 2), sorted
     of_corner: Int64Array  # (Q, 4): the edge from each corner of a face to the next
     faces: Int64Array  # (E,): how many faces share the edge
 
@@ -57,8 +58,7 @@ def triangulate(quads: IntArray) -> Int32Array:
 
 
 def _edges(quads: Int64Array) -> _Edges:
-    sides = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
-    ends, of_corner, faces = np.unique(sides, axis=0, return_inverse=True, return_counts=True)
+    ends, of_corner, faces = mesh_sides(quads)
     return _Edges(ends, of_corner.reshape(-1, 4), faces)
 
 

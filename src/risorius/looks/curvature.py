@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, FloatArray, IntArray
+from ..core.mesh_sides import edges
 
 
 def mean_curvature(
@@ -14,8 +15,7 @@ def mean_curvature(
     rounds: int = 3,
 ) -> Array:
     """Return the size (n,) of the curvature in 1/mm: the change of the normals along edges, smoothed."""
-    sides = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
-    i, j = np.unique(sides, axis=0).T
+    i, j = edges(quads).T
     length = np.linalg.norm(points[i] - points[j], axis=1)
     bend = np.linalg.norm(normals[i] - normals[j], axis=1) / np.maximum(length, 1e-3)
     ends, degree = np.concatenate([i, j]), np.bincount(np.concatenate([i, j]), minlength=len(points))
