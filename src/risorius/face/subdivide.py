@@ -62,7 +62,7 @@ def _edges(quads: Int64Array) -> _Edges:
     return _Edges(ends, of_corner.reshape(-1, 4), faces)
 
 
-def _incidence(rows: Int64Array, columns: Int64Array, height: int, width: int) -> sp.csr_matrix:
+def _incidence(rows: IntArray, columns: IntArray, height: int, width: int) -> sp.csr_matrix:
     return sp.csr_matrix((np.ones(len(rows)), (rows, columns)), shape=(height, width))
 
 
