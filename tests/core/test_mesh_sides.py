@@ -31,5 +31,6 @@ def test_sides_lead_back_to_the_quads(quads: IntArray) -> None:
     sides = mesh_sides(quads)
     np.testing.assert_array_equal(sides.ends, edges(quads))
     around = np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
-    np.testing.assert_array_equal(sides.ends[sides.of_corner], np.sort(around, axis=1))
-    np.testing.assert_array_equal(sides.quads, np.bincount(sides.of_corner, minlength=len(sides.ends)))
+    np.testing.assert_array_equal(sides.ends[sides.of_corner.ravel()], np.sort(around, axis=1))
+    counts = np.bincount(sides.of_corner.ravel(), minlength=len(sides.ends))
+    np.testing.assert_array_equal(sides.quads, counts)

@@ -10,7 +10,7 @@ from .arrays import Int64Array, IntArray
 
 
 class MeshSides(NamedTuple):
-    """`ends` (E, 2), lower index first, in order; `of_corner` (4 Q,): the side that begins at each corner;
+    """`ends` (E, 2), lower index first, in order; `of_corner` (Q, 4): the side that begins at each corner;
     `quads` (E,): how many quads a side belongs to.
     """
 
@@ -21,20 +21,25 @@ class MeshSides(NamedTuple):
 
 def mesh_sides(quads: IntArray) -> MeshSides:
     """Return the sides of the mesh `quads` (Q, 4)."""
-    numbers, beyond = _numbered(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2))
+    numbers, beyond = _numbered(_around(quads))
     once, of_corner, counts = np.unique(numbers, return_inverse=True, return_counts=True)
-    return MeshSides(_pairs(once, beyond, quads), of_corner, counts)
+    return MeshSides(_pairs(once, beyond, quads), of_corner.reshape(-1, 4), counts)
 
 
 def edges(quads: IntArray) -> IntArray:
     """Return the ends (E, 2) of the sides of the mesh `quads` (Q, 4), each once, lower index first."""
-    return unique_pairs(np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2))
+    return unique_pairs(_around(quads))
 
 
 def unique_pairs(pairs: IntArray) -> IntArray:
     """Return `pairs` (n, 2) each once whichever way round it is, lower index first, in order."""
     numbers, beyond = _numbered(pairs)
     return _pairs(np.unique(numbers), beyond, pairs)
+
+
+def _around(quads: IntArray) -> IntArray:
+    """Return the corners at both ends of each side of each quad (4 Q, 2)."""
+    return np.stack([quads, np.roll(quads, -1, axis=1)], axis=-1).reshape(-1, 2)
 
 
 def _numbered(pairs: IntArray) -> tuple[Int64Array, int]:

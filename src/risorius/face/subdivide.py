@@ -8,7 +8,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Int32Array, Int64Array, IntArray
-from ..core.mesh_sides import mesh_sides
+from ..core.mesh_sides import MeshSides, mesh_sides
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,13 +25,6 @@ class Subdivision:
     triangles: Int32Array
 
 
-@dataclass(frozen=True, slots=True)
-class _Edges:
-    ends: IntArray  # (E, 2), sorted
-    of_corner: Int64Array  # (Q, 4): the edge from each corner of a face to the next
-    faces: Int64Array  # (E,): how many faces share the edge
-
-
 def catmull_clark(vertices: int, quads: IntArray) -> Subdivision:
     """Subdivide a mesh of `vertices` vertices and `quads` (Q, 4) once.
 
@@ -39,7 +32,7 @@ def catmull_clark(vertices: int, quads: IntArray) -> Subdivision:
     a border) or two.
     """
     faces = np.asarray(quads, dtype=np.int64)
-    edges = _edges(faces)
+    edges = mesh_sides(faces)
     face_points = _incidence(np.repeat(np.arange(len(faces)), 4), faces.ravel(), len(faces), vertices) / 4.0
     middles = (
         _incidence(np.repeat(np.arange(len(edges.ends)), 2), edges.ends.ravel(), len(edges.ends), vertices)
@@ -57,29 +50,24 @@ def triangulate(quads: IntArray) -> Int32Array:
     return np.asarray(quads)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3).astype(np.int32)
 
 
-def _edges(quads: Int64Array) -> _Edges:
-    ends, of_corner, faces = mesh_sides(quads)
-    return _Edges(ends, of_corner.reshape(-1, 4), faces)
-
-
 def _incidence(rows: IntArray, columns: IntArray, height: int, width: int) -> sp.csr_matrix:
     return sp.csr_matrix((np.ones(len(rows)), (rows, columns)), shape=(height, width))
 
 
 def _edge_points(
-    edges: _Edges, quads: Int64Array, face_points: sp.csr_matrix, middles: sp.csr_matrix
+    edges: MeshSides, quads: Int64Array, face_points: sp.csr_matrix, middles: sp.csr_matrix
 ) -> sp.csr_matrix:
     faces = _incidence(
         edges.of_corner.ravel(), np.repeat(np.arange(len(quads)), 4), len(edges.ends), len(quads)
     )
-    border = edges.faces == 1
+    border = edges.quads == 1
     inner = sp.diags(np.where(border, 1.0, 0.5)) @ middles
     return inner + sp.diags(np.where(border, 0.0, 0.25)) @ (faces @ face_points)
 
 
 def _vertex_points(
     vertices: int,
-    edges: _Edges,
+    edges: MeshSides,
     quads: Int64Array,
     face_points: sp.csr_matrix,
     middles: sp.csr_matrix,
@@ -94,14 +82,14 @@ def _vertex_points(
         + sp.diags(2.0 / valence**2) @ spokes @ middles
         + sp.diags((valence - 3.0) / valence)
     )
-    open_edges = np.flatnonzero(edges.faces == 1)
+    open_edges = np.flatnonzero(edges.quads == 1)
     on_border = np.zeros(vertices)
     on_border[edges.ends[open_edges].ravel()] = 1.0
     border = 0.5 * sp.identity(vertices) + 0.25 * (spokes[:, open_edges] @ middles[open_edges])
     return sp.diags(1.0 - on_border) @ inner + sp.diags(on_border) @ border
 
 
-def _fine_quads(vertices: int, quads: Int64Array, edges: _Edges) -> Int32Array:
+def _fine_quads(vertices: int, quads: Int64Array, edges: MeshSides) -> Int32Array:
     centre = vertices + len(edges.ends) + np.arange(len(quads))
     corner = vertices + edges.of_corner
     parts = [np.stack([quads[:, k], corner[:, k], centre, corner[:, k - 1]], axis=1) for k in range(4)]
