@@ -35,6 +35,7 @@ for (let k = 0; k < 10; k++) {
   await new Promise((go) => setTimeout(go, 20));
   lags.push(face.now() - face.base - face.frame().time);
 }
+await until(() => face.sources.size);
 const playing = face.sources.size;
 face.interrupt();
 const silent = face.sources.size;
