@@ -15,6 +15,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.performance import Performance
 from .frame import FaceFrame, FrameBuffers
+from .muscles import AT_ONCE
 from .solve import FaceSolver, checked_rows
 from .springs import RATE, Springs
 
@@ -77,6 +78,7 @@ class Motion:
         self._springs, self._drive = solver.springs(), drive
         self._step = -1
         self._block, self._first = np.empty((0, 0)), 0
+        self._targets, self._few = np.empty((0, 0, 0)), range(0)
 
     def go_to(self, time: Fraction) -> tuple[Springs, float]:
         """Go to `time` ≥ 0 in seconds; start again if that is in the past.
@@ -89,7 +91,7 @@ class Motion:
             self._rest_at(0)
         while self._step < last:
             self._step += 1
-            self._springs.step(self._values(self._step))
+            self._springs.go_on(*self._targets_of(self._step))
         return self._springs, float(1 - (last - exact))
 
     def start_before(self, time: Fraction, lead_in: float) -> None:
@@ -104,12 +106,19 @@ class Motion:
         self._first, self._step = step, step
         self._block = self._values_from(step, FIRST_BLOCK)
         self._springs.come_to_rest(self._block[0])
+        self._few = range(step, step)
 
-    def _values(self, step: int) -> Array:
-        if step - self._first >= len(self._block):
-            count = min(2 * len(self._block), LARGEST_BLOCK)
-            self._first, self._block = step, self._values_from(step, count)
-        return np.asarray(self._block[step - self._first])
+    def _targets_of(self, step: int) -> tuple[Array, int]:
+        """Return the targets of a few steps, and the number of `step` among them."""
+        if step not in self._few:
+            if step - self._first >= len(self._block):
+                count = min(2 * len(self._block), LARGEST_BLOCK)
+                self._first, self._block = step, self._values_from(step, count)
+            place = step - self._first
+            values = self._block[place : place + AT_ONCE]
+            self._few = range(step, step + len(values))
+            self._targets = self._springs.targets(values)
+        return self._targets, step - self._few.start
 
     def _values_from(self, step: int, count: int) -> Array:
         return checked_rows(self._drive(np.arange(step, step + count) / RATE))

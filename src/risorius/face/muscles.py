@@ -12,10 +12,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
-from ..core.kernels.jit import inlined, kernel, summing_kernel
+from ..core.kernels.four import Four, any_above, four, larger, root, row, set_row, where_above
+from ..core.kernels.jit import inlined, lean_device, lean_kernel
 from ..core.parameters import INDEX, PARAMETERS
 from .head import Head
-from .roots import inverse_cube_root
+from .roots import inverse_cube_roots
 
 # These have no field on the skin at rest: the jaw is a frame, and the lids slide over the eyeball.
 ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")
@@ -95,68 +96,60 @@ class MuscleFields:
 
     def displace(self, values: Array, out: Array) -> None:
         """Write the displacement (n, 3) in mm for `values` (46,) to `out`."""
-        out[:] = 0.0
-        _displace(*self._arrays(), values, _bits(values), _EVERY, out)
+        out[:] = DisplacedSkin(self).at(values)
 
-    def update(self, before: Array, values: Array, out: Array) -> None:
-        """Change `out` (n, 3), the displacement for the values `before` (46,), to that for `values` (46,).
 
-        Vertices whose muscles have not changed are skipped; `before` becomes `values`.
-        """
-        changed = _bits_of_changes(before, values)
-        if changed:
-            _displace(*self._arrays(), values, _bits(values), changed, out)
-
-    def _arrays(self) -> tuple[UInt32Array, ByteArray, ByteArray, ByteArray, Array, UInt64Array]:
-        return self.start, self.parameter, self.source, self.muscle, self.displacement, self.acting
+AT_ONCE = 4
+"""Instants whose displacements are computed at once."""
 
 
 class DisplacedSkin:
     """The skin displaced by the muscles; a new call recomputes only the vertices whose muscles changed."""
 
     def __init__(self, fields: MuscleFields) -> None:
-        self._fields, self._values = fields, np.zeros(len(PARAMETERS))
-        self._skin = np.zeros((len(fields.acting), 3))
+        self._fields, self._rows = fields, np.zeros((AT_ONCE, len(PARAMETERS)))
+        self._before = np.zeros(len(PARAMETERS))
+        self._skin = np.zeros((len(fields.acting), 3, AT_ONCE))
+        self._work = np.zeros((len(PARAMETERS), AT_ONCE)), np.zeros((MOST, _PULL, AT_ONCE))
+        self._entries = np.zeros(MOST, np.uint32)
 
     def at(self, values: Array) -> Array:
-        """Return the displacement (n, 3) in mm for `values` (46,).
+        """Return the displacement (n, 3) in mm for `values` (46,), as `over`."""
+        return self.over(values[None])[:, :, -1]
 
-        The caller must not change it, and the next call overwrites it.
+    def over(self, values: Array) -> Array:
+        """Return the displacements (n, 3, AT_ONCE) in mm for at most AT_ONCE rows of `values` (k, 46).
+
+        The last row counts for those that are left over. The caller must not change the result, and the next
+        call overwrites it.
         """
-        self._fields.update(self._values, values, self._skin)
+        fields = self._fields
+        self._rows[: len(values)] = values
+        self._rows[len(values) :] = values[-1]
+        _displace(
+            fields.start,
+            fields.parameter,
+            fields.source,
+            fields.muscle,
+            fields.displacement,
+            fields.acting,
+            self._rows,
+            self._before,
+            *self._work,
+            self._entries,
+            self._skin,
+        )
         return self._skin
 
 
 MOST = 32  # no vertex has more entries
 # mm that two muscles together may move a vertex beyond the larger alone; the second without any damping.
 EXCESS, FREE_EXCESS = 1.45, 1.15
-_PULL = 8  # columns of a pull, one cache line: its three components, and scratch
+_PULL = 5  # rows of a pull: its three components, its length, and scratch
 NOTHING = 1e-9  # mm: a smaller pull counts as none, because its cube would underflow
-_EVERY = np.uint64(2**64 - 1)
 
 
-@kernel
-def _bits(values: Array) -> np.uint64:
-    """Return the bits of the parameters that are above 0."""
-    bits, one = np.uint64(0), np.uint64(1)
-    for p in range(len(values)):
-        if values[p] > 0.0:
-            bits |= one << np.uint64(p)
-    return bits
-
-
-@kernel
-def _bits_of_changes(before: Array, values: Array) -> np.uint64:
-    """Return the bits of the parameters that differ, and copy `values` to `before`."""
-    bits, one = np.uint64(0), np.uint64(1)
-    for p in range(len(values)):
-        if values[p] != before[p]:
-            bits |= one << np.uint64(p)
-            before[p] = values[p]
-    return bits
-
-
-@summing_kernel
+@lean_kernel
 def _displace(
     start: UInt32Array,
     parameter: ByteArray,
@@ -164,30 +157,63 @@ def _displace(
     muscle: ByteArray,
     displacement: Array,
     acting: UInt64Array,
-    values: Array,
-    live: np.uint64,
-    changed: np.uint64,
+    rows: Array,
+    before: Array,
+    lanes: Array,
+    pulls: Array,
+    entries: UInt32Array,
     out: Array,
 ) -> None:
-    entries, pulls = np.empty(MOST, np.uint32), np.empty((MOST, _PULL))
-    for v in range(len(out)):
+    """Write the displacements at the activations in each of the `rows` to `out`; see `DisplacedSkin`.
+
+    The vertices whose muscles differ in no row from `before`, which becomes the last row, keep the last one.
+    `lanes` (46, AT_ONCE), `pulls` (MOST, _PULL, AT_ONCE) and `entries` (MOST,) are scratch.
+    """
+    live, changed = _turn_rows(rows, before, lanes)
+    for v in range(len(acting)):
         if not acting[v] & changed:
-            continue
-        if not acting[v] & live:
-            out[v, 0], out[v, 1], out[v, 2] = 0.0, 0.0, 0.0
+            for c in range(3):
+                set_row(out, 3 * v + c, four(out[v, c, AT_ONCE - 1]))
             continue
         count = 0
         for e in range(start[v], start[v + 1]):
             entries[count] = e
-            count += values[parameter[e]] > 0.0
-        sources = _gather(entries, count, parameter, source, displacement, values, pulls)
+            count += int((live >> np.uint64(parameter[e])) & np.uint64(1))
+        if not acting[v] & live or count == 0:
+            for c in range(3):
+                set_row(out, 3 * v + c, four(0.0))
+            continue
+        sources = _gather(entries, count, parameter, source, displacement, lanes, pulls)
         if sources > 1:
-            _limited_sum(pulls, sources, v, out)
+            square = _limited_sum(pulls, sources, v, out)
         else:
-            out[v, 0], out[v, 1], out[v, 2] = pulls[0, 0], pulls[0, 1], pulls[0, 2]
-        square = out[v, 0] * out[v, 0] + out[v, 1] * out[v, 1] + out[v, 2] * out[v, 2]
-        if square > FREE_EXCESS * FREE_EXCESS:
-            _cap(entries, count, parameter, muscle, displacement, values, np.sqrt(square), v, out)
+            x, y, z = row(pulls, 0) + 0.0, row(pulls, 1) + 0.0, row(pulls, 2) + 0.0
+            set_row(out, 3 * v, x)
+            set_row(out, 3 * v + 1, y)
+            set_row(out, 3 * v + 2, z)
+            square = x * x + y * y + z * z
+        if any_above(square, FREE_EXCESS * FREE_EXCESS):
+            for lane in range(AT_ONCE):
+                _cap(entries, count, parameter, muscle, displacement, rows, lane, v, out)
+
+
+@lean_device
+def _turn_rows(rows: Array, before: Array, lanes: Array) -> tuple[np.uint64, np.uint64]:
+    """Copy the activations in `rows` (AT_ONCE, 46) to `lanes` (46, AT_ONCE), and the last row to `before`.
+
+    Returns the bits of the parameters that are above 0 in a row, and of those that differ from `before`.
+    """
+    live, changed, one = np.uint64(0), np.uint64(0), np.uint64(1)
+    for p in range(len(before)):
+        bit = one << np.uint64(p)
+        for lane in range(AT_ONCE):
+            lanes[p, lane] = rows[lane, p]
+            if rows[lane, p] > 0.0:
+                live |= bit
+            if rows[lane, p] != before[p]:
+                changed |= bit
+        before[p] = rows[AT_ONCE - 1, p]
+    return live, changed
 
 
 @inlined
@@ -197,25 +223,25 @@ def _gather(
     parameter: ByteArray,
     source: ByteArray,
     displacement: Array,
-    values: Array,
+    lanes: Array,
     pulls: Array,
 ) -> int:
     """Write the pull of each source in the first `count` of `entries` to `pulls`; return their number."""
-    e = entries[0]
-    last, s, activation = source[e], 0, values[parameter[e]]
-    for c in range(3):
-        pulls[0, c] = activation * displacement[e, c]
-    for k in range(1, count):
+    s, last = -_PULL, -1
+    x, y, z = four(0.0), four(0.0), four(0.0)
+    for k in range(count):
         e = entries[k]
-        activation = values[parameter[e]]
         if source[e] != last:
-            last, s = source[e], s + 1
-            for c in range(3):
-                pulls[s, c] = activation * displacement[e, c]
-        else:
-            for c in range(3):
-                pulls[s, c] += activation * displacement[e, c]
-    return s + 1
+            last, s = int(source[e]), s + _PULL
+            x, y, z = four(0.0), four(0.0), four(0.0)
+        activation = row(lanes, parameter[e])
+        x += activation * displacement[e, 0]
+        y += activation * displacement[e, 1]
+        z += activation * displacement[e, 2]
+        set_row(pulls, s, x)
+        set_row(pulls, s + 1, y)
+        set_row(pulls, s + 2, z)
+    return s // _PULL + 1
 
 
 @inlined
@@ -225,12 +251,12 @@ def _cap(
     parameter: ByteArray,
     muscle: ByteArray,
     displacement: Array,
-    values: Array,
-    length: float,
+    rows: Array,
+    lane: int,
     v: int,
     out: Array,
 ) -> None:
-    """Shorten `out[v]`, `length` mm long, if it is much longer than any of the muscles would make it alone.
+    """Shorten `out[v, :, lane]` if it is much longer than any of the muscles would make it alone.
 
     The muscles are those of the first `count` of `entries`. Of n equal ones, each of the last n − 1 may add
     up to EXCESS mm.
@@ -242,45 +268,56 @@ def _cap(
         if k > 0 and muscle[e] != muscle[entries[k - 1]]:
             total, largest = total + own, max(largest, own)
             x, y, z = 0.0, 0.0, 0.0
-        activation = values[parameter[e]]
+        activation = rows[lane, parameter[e]]
         x += activation * displacement[e, 0]
         y += activation * displacement[e, 1]
         z += activation * displacement[e, 2]
         own = np.sqrt(x * x + y * y + z * z)
-    if total == 0.0 or length <= max(largest, own) + FREE_EXCESS:
-        return
+    x, y, z = out[v, 0, lane], out[v, 1, lane], out[v, 2, lane]
+    length = np.sqrt(x * x + y * y + z * z)
     total, largest = total + own, max(largest, own)
+    if length <= largest + FREE_EXCESS:
+        return
     others = max(total / largest - 1.0, 1.0)
     over = length - largest - others * FREE_EXCESS
     if over > 0.0:
         room = others * (EXCESS - FREE_EXCESS)
         allowed = length - over + room * np.tanh(over / room)
         for c in range(3):
-            out[v, c] *= allowed / length
+            out[v, c, lane] *= allowed / length
 
 
 @inlined
-def _limited_sum(pulls: Array, count: int, v: int, out: Array) -> None:
-    """Write to `out[v]` the limited sum of the first `count` of `pulls`.
+def _limited_sum(pulls: Array, count: int, v: int, out: Array) -> Four:
+    """Write to `out[v]` the limited sum of the first `count` of `pulls`; return the square of its length.
 
     Each pull D counts |D|² / (Σ |D'|³ c²)^⅔ times, over all D', with c the cosine between D and D' if it is
     positive, else 0. A single pull, and pulls at right angles or against each other, are exact; n equal
     parallel pulls give ∛n times one. The sum is continuous and does not depend on the frame of reference.
-    Columns 3 and 4 of `pulls` are scratch: lengths, and Σ |D'| (D·D')² over the others.
+    The last rows of a pull are its length, and Σ |D'| (D·D')² over the others.
     """
-    for m in range(count):
-        square = pulls[m, 0] * pulls[m, 0] + pulls[m, 1] * pulls[m, 1] + pulls[m, 2] * pulls[m, 2]
-        pulls[m, 3], pulls[m, 4] = np.sqrt(square), 0.0
-    for m in range(1, count):
-        for n in range(m):
-            dot = pulls[m, 0] * pulls[n, 0] + pulls[m, 1] * pulls[n, 1] + pulls[m, 2] * pulls[n, 2]
-            along = max(dot, 0.0)
-            pulls[m, 4] += along * along * pulls[n, 3]
-            pulls[n, 4] += along * along * pulls[m, 3]
-    x, y, z = 0.0, 0.0, 0.0
-    for m in range(count):
-        own, share = pulls[m, 3], 1.0
-        if own > NOTHING and pulls[m, 4] > 0.0:
-            share = inverse_cube_root(1.0 + pulls[m, 4] / (own * own * own * own * own)) ** 2
-        x, y, z = x + share * pulls[m, 0], y + share * pulls[m, 1], z + share * pulls[m, 2]
-    out[v, 0], out[v, 1], out[v, 2] = x, y, z
+    for m in range(0, _PULL * count, _PULL):
+        mx, my, mz = row(pulls, m), row(pulls, m + 1), row(pulls, m + 2)
+        own, parallel = root(mx * mx + my * my + mz * mz), four(0.0)
+        for n in range(0, m, _PULL):
+            dot = mx * row(pulls, n) + my * row(pulls, n + 1) + mz * row(pulls, n + 2)
+            along = larger(dot, four(0.0))
+            square = along * along
+            parallel += square * row(pulls, n + 3)
+            set_row(pulls, n + 4, row(pulls, n + 4) + square * own)
+        set_row(pulls, m + 3, own)
+        set_row(pulls, m + 4, parallel)
+    x, y, z = four(0.0), four(0.0), four(0.0)
+    for m in range(0, _PULL * count, _PULL):
+        own, parallel = row(pulls, m + 3), row(pulls, m + 4)
+        whole = larger(own, four(NOTHING))
+        less = inverse_cube_roots(parallel / (whole * whole * whole * whole * whole) + 1.0)
+        shortened = where_above(own, NOTHING, less * less, four(1.0))
+        share = where_above(parallel, 0.0, shortened, four(1.0))
+        x += share * row(pulls, m)
+        y += share * row(pulls, m + 1)
+        z += share * row(pulls, m + 2)
+    set_row(out, 3 * v, x)
+    set_row(out, 3 * v + 1, y)
+    set_row(out, 3 * v + 2, z)
+    return x * x + y * y + z * z

@@ -16,7 +16,7 @@ from ..core.kernels.jit import summing_kernel
 from ..core.parameters import NAMES
 from .biphasic import Biphasic
 from .links import NO_LINKS, Links
-from .muscles import DisplacedSkin, MuscleFields
+from .muscles import AT_ONCE, DisplacedSkin, MuscleFields
 from .network import Network, pull
 from .stiffness import REST
 
@@ -44,7 +44,7 @@ class Springs:
     ) -> None:
         self.network = network
         self._displaced, self._links = DisplacedSkin(fields.at(network.free)), links
-        self._linked = np.zeros(len(NAMES))
+        self._linked = np.zeros((AT_ONCE, len(NAMES)))
         self._second = second_phase
         step = 1.0 / RATE
         stiffness = step**2 * (second_phase.stiffest if second_phase else 1.0)
@@ -55,7 +55,7 @@ class Springs:
 
     def come_to_rest(self, values: Array) -> None:
         """Rest at the equilibrium for the activations `values` (46,)."""
-        linked = self._links.apply(values, self._linked)
+        linked = self._links.apply(values, self._linked[0])
         self._place[:, :3] = self._displaced.at(linked)
         if self._second is not None:
             self._second.relax(linked, self._place)
@@ -64,13 +64,33 @@ class Springs:
 
     def step(self, values: Array) -> None:
         """Go on by one step of 1 / RATE seconds, under the activations `values` (46,) at its end."""
-        linked = self._links.apply(values, self._linked)
+        self.run(values[None])
+
+    def run(self, values: Array) -> None:
+        """Go on by steps, under the activations `values` (k, 46) at their ends."""
+        for first in range(0, len(values), AT_ONCE):
+            some = values[first : first + AT_ONCE]
+            targets = self.targets(some)
+            for number in range(len(some)):
+                self.go_on(targets, number)
+
+    def targets(self, values: Array) -> Array:
+        """Return where the muscles pull the points: (r, 3, AT_ONCE) mm, at the ends of the next few steps.
+
+        `values` (k, 46) are the activations at at most AT_ONCE of them. The next call overwrites the result.
+        """
+        for row, linked in zip(values, self._linked, strict=False):
+            self._links.apply(row, linked)
+        return self._displaced.over(self._linked[: len(values)])
+
+    def go_on(self, targets: Array, number: int) -> None:
+        """Go on by one step, to the end that has that `number` among the latest `targets`."""
         self._before[:] = self._place
-        _load(self._displaced.at(linked), self._place, self._strain, self._velocity, MASS)
+        _load(targets, number, self._place, self._strain, self._velocity, MASS)
         net = self.network
         pull(net.start, net.column, net.weight, self._strain, 1.0 / RATE, self._velocity)
         if self._second is not None:
-            self._second.pull(linked, self._place, 1.0 / RATE, self._velocity)
+            self._second.pull(self._linked[number], self._place, 1.0 / RATE, self._velocity)
         self._factor.solve(self._velocity)
         _move(self._place, self._velocity, 1.0 / RATE)
 
@@ -83,10 +103,10 @@ class Springs:
 
 
 @summing_kernel
-def _load(target: Array, place: Array, strain: Array, velocity: Array, mass: float) -> None:
-    for i in range(len(target)):
+def _load(targets: Array, number: int, place: Array, strain: Array, velocity: Array, mass: float) -> None:
+    for i in range(len(targets)):
         for c in range(3):
-            strain[i, c] = target[i, c] - place[i, c]
+            strain[i, c] = targets[i, c, number] - place[i, c]
             velocity[i, c] *= mass
 
 

@@ -72,9 +72,9 @@ class LiveWeights:
         """Move the skin up to the step `last`, straight from the values of the frame before to these."""
         assert self._springs is not None
         first = max(self._step, last - LONGEST)
-        for step in range(first + 1, last + 1):
-            share = min(float((step - self._at) / (exact - self._at)), 1.0)
-            self._springs.step(self._before + share * (values - self._before))
+        steps = range(first + 1, last + 1)
+        shares = np.array([min(float((step - self._at) / (exact - self._at)), 1.0) for step in steps])
+        self._springs.run(self._before + shares[:, None] * (values - self._before))
 
 
 class _Solvers:
