@@ -17,6 +17,8 @@ from risorius.core.utterance import Utterance
 from risorius.core.worker_process import Answer, WorkerProcess
 from risorius.errors import SpeechError
 from risorius.speech.alignment import align, decoder
+from risorius.speech.alignment.lexicon import read_transcript
+from risorius.speech.recordings.resampled import Resampled
 
 
 def failing(monkeypatch: pytest.MonkeyPatch, number: int, times: int) -> list[int]:
@@ -77,3 +79,18 @@ def test_one_that_dies_or_stands_still_is_replaced(
     assert time.monotonic() - began < decoder.PATIENCE / 2
     if Path("/proc").is_dir():
         assert not Path(f"/proc/{hit[0]}").exists()
+
+
+def test_sounds_aligned_in_turn_are_found_as_by_one_process(spoken: Utterance) -> None:
+    resampled = Resampled(spoken.audio)
+    whole = resampled.read(0.0, resampled.audio.duration)
+    _, words = read_transcript(spoken.text, None)
+    readings = [word.readings for word in words]
+    sounds = [whole, 0.5 * whole, whole]
+    with decoder.Decoders() as decoders:
+        alone = [decoders.align_words(sound, readings) for sound in sounds]
+    with decoder.Decoders() as decoders:
+        begun = [decoders.align_in_turn(sound, readings, last=n == 2) for n, sound in enumerate(sounds)]
+        assert [alignment.result() for alignment in begun] == alone
+    # What a decoder has heard before matters: else this test would prove nothing.
+    assert alone[2] != alone[0]

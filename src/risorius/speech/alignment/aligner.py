@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 from itertools import islice, pairwise
 from typing import NamedTuple
@@ -116,20 +117,30 @@ def _stretches(
     resampled: Resampled, words: Sequence[Readings], decoders: Decoders, progress: Progress
 ) -> Iterator[list[AlignedPhone]]:
     whole = resampled.audio.duration
+    begun: deque[tuple[Window, Future[list[AlignedPhone]] | None]] = deque()
     for window in _ahead(windows(resampled, words, decoders)):
+        inside, last = words[window.first : window.last], window.end >= whole
+        sound = resampled.read(window.start, window.end)
+        begun.append((window, decoders.align_in_turn(sound, inside, last=last) if inside else None))
         if whole > WHOLE:
-            progress("Aligning …", round(window.start), round(whole))
-        inside = words[window.first : window.last]
-        if not inside:
-            yield [AlignedPhone(SILENCE, window.start, window.end, -1, 0.0)]
-            continue
-        try:
-            aligned = decoders.align_words(resampled.read(window.start, window.end), inside)
-        except AlignmentError:
-            span = f"{window.start:.2f} to {window.end:.2f} s"
-            message = f"the transcript does not fit the recording; {len(inside)} words do not fit into {span}"
-            raise InputError(message) from None
-        yield without_gaps(moved(aligned, window.start, window.end, window.first))
+            progress("Aligning …", round(begun[0][0].start), round(whole))
+        if len(begun) > 1:
+            yield _stretch(*begun.popleft())
+    while begun:
+        yield _stretch(*begun.popleft())
+
+
+def _stretch(window: Window, alignment: Future[list[AlignedPhone]] | None) -> list[AlignedPhone]:
+    """Return the phones and silences of a window, in which nothing is said unless it is being aligned."""
+    if alignment is None:
+        return [AlignedPhone(SILENCE, window.start, window.end, -1, 0.0)]
+    try:
+        aligned = alignment.result()
+    except AlignmentError:
+        span, count = f"{window.start:.2f} to {window.end:.2f} s", window.last - window.first
+        message = f"the transcript does not fit the recording; {count} words do not fit into {span}"
+        raise InputError(message) from None
+    return without_gaps(moved(aligned, window.start, window.end, window.first))
 
 
 def _ahead(found: Iterator[Window]) -> Iterator[Window]:

@@ -7,10 +7,12 @@ nothing of Risorius, so that it starts fast. The library is in C: in a process o
 delays it breaks or delays no more than one recording.
 
 Requests, by `op`: `align` and `follow` (readings: of each word in order, its readings, each a list of
-phones), `name_words`, `name_phones`. Answers: `segments`, each [name, first frame, last frame]; for `align`
-also `words`, each [name, phones], each phone [name, first frame, frames, log likelihood].
+phones), `hear`, `name_words`, `name_phones`. Answers: `segments`, each [name, first frame, last frame]; for
+`align` also `words`, each [name, phones], each phone [name, first frame, frames, log likelihood]; for `hear`,
+nothing.
 
-Each of the four has a decoder of its own, made when first needed, which adapts to the voice as it hears it.
+All but `hear` have a decoder of their own, made when first needed, which adapts to the voice as it hears it.
+`hear` lets the decoder of `align` adapt to a sound as if it had aligned it, in a seventh of the time.
 """
 
 from __future__ import annotations
@@ -30,6 +32,10 @@ RATE = 16_000
 # `align`'s loses no transcript, however wrong; `follow`'s is enough to follow one.
 _WIDE_BEAM, _BEAM = 1e-200, 1e-80
 _GRAMMAR = "words"
+# How often `align` decodes its sound.
+_PASSES = 2
+# The model's phone of silence: a search for it alone takes the least time.
+_SILENCE = "SIL"
 # How likely it is, word by word, that the sound ends there: only where it must, as far as that matters.
 _STOP_PROBABILITY = 1e-3
 
@@ -44,6 +50,8 @@ class AlignerWorker:
         op = request.get("op")
         if op == "align":
             return self._align(request["readings"], sound)
+        if op == "hear":
+            return self._hear(sound)
         if op == "follow":
             _set_grammar(self._narrow, request["readings"], stops=True)
             return {"segments": _heard(self._narrow, sound)}
@@ -66,6 +74,12 @@ class AlignerWorker:
             for word in decoder.get_alignment()
         ]
         return {"segments": segments, "words": words}
+
+    def _hear(self, sound: bytes) -> dict[str, Any]:
+        _set_grammar(self._wide, [[[_SILENCE]]], stops=False)
+        for _ in range(_PASSES):
+            _decode(self._wide, sound)
+        return {}
 
     @cached_property
     def _wide(self) -> Decoder:

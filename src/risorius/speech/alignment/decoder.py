@@ -10,6 +10,7 @@ from __future__ import annotations
 import importlib.util
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from types import TracebackType
 from typing import Any, NamedTuple, Self, TypeVar
@@ -71,6 +72,7 @@ class Decoders:
 
     def __init__(self) -> None:
         self._aligner, self._follower = _Process(), _Process()
+        self._turns = _Turns((self._aligner, _Process()))
 
     def __enter__(self) -> Self:
         return self
@@ -78,7 +80,7 @@ class Decoders:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._aligner.end()
+        self._turns.end()
         self._follower.end()
 
     def align_words(self, sound: Array, words: Sequence[Readings]) -> list[AlignedPhone]:
@@ -86,10 +88,16 @@ class Decoders:
 
         They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
         """
-        answer = self._aligner.ask("align", sound, words)
-        if sum(segment.spoken for segment in _segments(answer)) != len(words):
-            raise AlignmentError
-        return list(_phones(answer["words"], len(sound) / RATE))
+        return _aligned(self._aligner, sound, words)
+
+    def align_in_turn(
+        self, sound: Array, words: Sequence[Readings], *, last: bool
+    ) -> Future[list[AlignedPhone]]:
+        """Begin to align the next of several sounds, which finds what `align_words` does, and return at once.
+
+        Two are aligned at the same time. `last`: no other will follow.
+        """
+        return self._turns.align(sound, words, last)
 
     def follow_words(self, sound: Array, words: Sequence[Readings]) -> list[tuple[float, float]]:
         """Return the spans in seconds of as many of `words`, from the first on, as are said in `sound`."""
@@ -112,18 +120,65 @@ class _Process:
 
     def __init__(self) -> None:
         self._worker: WorkerProcess | None = None
+        self._failed = False
 
     def ask(self, op: str, sound: Array, words: Sequence[Readings] = ()) -> dict[str, Any]:
-        """Return the answer to a request; raise WorkerError if there is none."""
+        """Return the answer to a request; raise WorkerError if there is none, now or before."""
+        if self._failed:
+            raise WorkerError("it has ended")
         if self._worker is None:
             self._worker = WorkerProcess(_command())
         patience = PATIENCE + PATIENCE_PER_SECOND * len(sound) / RATE
-        return self._worker.request({"op": op, "readings": words}, patience, _prepared(sound))[0]
+        try:
+            return self._worker.request({"op": op, "readings": words}, patience, _prepared(sound))[0]
+        except WorkerError:
+            self._failed = True
+            raise
 
     def end(self) -> None:
         """End it."""
         if self._worker is not None:
             self._worker.kill()
+
+
+class _Turns:
+    """Processes that align one sound after another in turn.
+
+    Each hears the others' sounds, too, so that its decoder adapts as that of a single process would.
+    """
+
+    def __init__(self, processes: Sequence[_Process]) -> None:
+        self._processes = processes
+        self._threads = [ThreadPoolExecutor(1, "align") for _ in processes]
+        self._count = 0
+
+    def align(self, sound: Array, words: Sequence[Readings], last: bool) -> Future[list[AlignedPhone]]:
+        """Begin to align the next sound in its process; unless it is the `last`, let the others hear it."""
+        turn = self._count % len(self._processes)
+        self._count += 1
+        for number, (thread, process) in enumerate(zip(self._threads, self._processes, strict=True)):
+            if number != turn and not last:
+                thread.submit(process.ask, "hear", sound)
+        return self._threads[turn].submit(_aligned, self._processes[turn], sound, words)
+
+    def end(self) -> None:
+        """End all processes, whatever they are doing."""
+        for thread in self._threads:
+            thread.shutdown(wait=False, cancel_futures=True)
+        for process in self._processes:
+            process.end()
+        for thread in self._threads:
+            thread.shutdown()
+        # A thread may have been about to start one.
+        for process in self._processes:
+            process.end()
+
+
+def _aligned(process: _Process, sound: Array, words: Sequence[Readings]) -> list[AlignedPhone]:
+    answer = process.ask("align", sound, words)
+    if sum(segment.spoken for segment in _segments(answer)) != len(words):
+        raise AlignmentError
+    return list(_phones(answer["words"], len(sound) / RATE))
 
 
 def with_decoders(work: Callable[[Decoders], T]) -> T:
