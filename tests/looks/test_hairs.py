@@ -3,9 +3,11 @@ import pytest
 from scipy.spatial import cKDTree
 
 from risorius.face.identity import Looks
+from risorius.looks.attributes import OCCLUSION
 from risorius.looks.brows import brow_shade, grow_brows
 from risorius.looks.hair_styles import grow_hair
 from risorius.looks.lashes import grow_lashes
+from risorius.looks.parts import hair_attributes
 from risorius.looks.scalp import flow, hair_density, hair_shade, inside_hairline, scalp_shade
 from risorius.looks.strands import Strands, root_frames
 from risorius.looks.surface import unit
@@ -46,7 +48,7 @@ def test_combed_hair_lies_along_the_skin_and_back_from_the_face(anatomy, surface
 
 
 def test_hair_grows_from_the_scalp_and_stays_off_the_skull(anatomy, surface):
-    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=800))
+    hairs = grow_hair(anatomy, surface, BROWN, Looks(hairs=800))["hair"]
     curves = curves_in_head(surface, hairs)
     assert inside_hairline(anatomy, curves[:, 0]).min() > -10
     _, near = cKDTree(surface.points).query(curves[:, 2:].reshape(-1, 3))
@@ -74,7 +76,7 @@ def test_brows_fade_at_their_heads_and_edges(anatomy, surface):
 
 
 def test_chin_length_hair_covers_the_ears_and_turns_in_at_its_ends(anatomy, surface):
-    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hair_style="medium", hairs=3000))
+    hairs = grow_hair(anatomy, surface, BROWN, Looks(hair_style="medium", hairs=3000))["hair"]
     curves = curves_in_head(surface, hairs)
     out = np.hypot(curves[..., 0], curves[..., 2] + 72.0 * anatomy.unit)
     hanging = curves[:, -1, 1] < anatomy.mouth[1] - 20.0
@@ -104,15 +106,15 @@ def test_lashes_point_out_of_the_eye(head, surface):
 
 
 def test_the_same_hairs_grow_every_time(anatomy, surface):
-    first, second = (grow_hair(anatomy, surface, BROWN, Looks(hairs=200))[0] for _ in range(2))
+    first, second = (grow_hair(anatomy, surface, BROWN, Looks(hairs=200))["hair"] for _ in range(2))
     assert np.array_equal(first.curves, second.curves)
     assert np.array_equal(first.colours, second.colours)
 
 
 @pytest.mark.parametrize("style", ["short", "medium", "shaved"])
 def test_every_cut_leaves_the_face_free_and_enters_no_skull(anatomy, surface, style):
-    (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style))
-    points = curves_in_head(surface, hairs)[:, 1:].reshape(-1, 3)
+    grown = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style)).values()
+    points = np.concatenate([curves_in_head(surface, hairs)[:, 1:].reshape(-1, 3) for hairs in grown])
     x, y, z = np.abs(points[:, 0]), points[:, 1] - anatomy.eye_height, points[:, 2]
     assert not ((x < 45) & (y < 25) & (y > -110) & (z > 0)).any()
     _, near = cKDTree(surface.points).query(points)
@@ -123,20 +125,20 @@ def test_every_cut_leaves_the_face_free_and_enters_no_skull(anatomy, surface, st
 def test_medium_hair_hangs_lower_than_short_hair(anatomy, surface):
     lowest = {}
     for style in ("short", "medium"):
-        (hairs,) = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style))
+        hairs = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style))["hair"]
         lowest[style] = np.percentile(curves_in_head(surface, hairs)[:, -1, 1], 10)
     assert lowest["medium"] < lowest["short"] - 20
     assert lowest["medium"] == pytest.approx(anatomy.chin, abs=40)
 
 
 def test_a_bald_head_has_no_hair_and_no_shade_of_it(anatomy, surface):
-    assert grow_hair(anatomy, surface, BROWN, Looks(hair_style="bald")) == []
+    assert grow_hair(anatomy, surface, BROWN, Looks(hair_style="bald")) == {}
     assert scalp_shade(anatomy, "bald").max() == 0
-    assert all(share.max() == 0 for share in hair_shade(anatomy, "bald", np.array([0.0, 1.0, 0.0])))
+    assert all(share.max() == 0 for share in hair_shade(anatomy, "bald", np.array([0.0, 1.0, 0.0]), 0.1))
 
 
 def test_hair_shades_the_forehead_below_the_hairline_from_above(anatomy):
-    covered, cast, around = hair_shade(anatomy, "short", np.array([0.0, 0.7, 0.7]))
+    covered, cast, around = hair_shade(anatomy, "short", np.array([0.0, 0.7, 0.7]), 0.02)
     inside = inside_hairline(anatomy, anatomy.skin)
     front = (anatomy.skin[:, 2] > 0) & (anatomy.masks["ears"] < 0.01)
     close, far = front & (inside < -3) & (inside > -8), front & (inside < -25)
@@ -147,7 +149,7 @@ def test_hair_shades_the_forehead_below_the_hairline_from_above(anatomy):
 
 
 def test_skin_behind_chin_length_hair_is_in_its_shade_and_the_face_is_not(anatomy):
-    covered, _, around = hair_shade(anatomy, "medium", np.array([0.0, 0.7, 0.7]))
+    covered, _, around = hair_shade(anatomy, "medium", np.array([0.0, 0.7, 0.7]), 0.02)
     ears = anatomy.masks["ears"] > 0.9
     assert covered[ears].mean() > 0.9
     assert around[ears].mean() > 0.7
@@ -157,9 +159,46 @@ def test_skin_behind_chin_length_hair_is_in_its_shade_and_the_face_is_not(anatom
 
 
 def test_chin_length_hair_darkens_no_skin_before_its_first_hairs(anatomy):
-    bare = inside_hairline(anatomy, anatomy.skin) < 3.0
+    bare = inside_hairline(anatomy, anatomy.skin, uneven=0.0) < 3.0
     assert scalp_shade(anatomy, "medium")[bare].max() == 0
     assert scalp_shade(anatomy, "medium").max() > 0.8
+
+
+def test_the_scalp_is_shaded_by_its_distance_from_the_hairline_alone(anatomy):
+    distance = inside_hairline(anatomy, anatomy.skin, uneven=0.0)
+    free = anatomy.masks["ears"] < 0.04
+    for style in ("short", "medium"):
+        shade = scalp_shade(anatomy, style)[free][np.argsort(distance[free])]
+        assert (np.diff(shade) >= 0.0).all()
+
+
+@pytest.mark.parametrize("style", ["short", "medium"])
+def test_hair_begins_with_fine_short_hairs(anatomy, surface, style):
+    parts = grow_hair(anatomy, surface, BROWN, Looks(hairs=4000, hair_style=style))
+    fine, hair = parts["hairline"], parts["hair"]
+    assert fine.widths.max() < 0.5 * hair.widths.max()
+    curves = curves_in_head(surface, fine)
+    assert np.linalg.norm(np.diff(curves, axis=1), axis=2).sum(axis=1).max() < 40
+    first = [
+        np.percentile(inside_hairline(anatomy, curves_in_head(surface, h)[:, 0]), 2) for h in (fine, hair)
+    ]
+    assert first[0] < first[1]
+    back = curves[:, -1] - curves[:, 0]
+    assert ((back[:, 2] < 0) | (np.abs(back[:, 0]) > np.abs(back[:, 1]))).mean() > 0.95
+
+
+def test_the_roots_along_a_parting_lie_bare(anatomy, surface):
+    hair = grow_hair(anatomy, surface, BROWN, Looks(hairs=4000, hair_style="medium"))["hair"]
+    light = hair_attributes(hair).reshape(*hair.widths.shape, 2, -1)[:, 0, 0, OCCLUSION]
+    assert light[hair.bare > 0.7].min() > 2 * np.median(light[hair.bare < 0.01])
+
+
+def test_light_reaches_the_roots_of_light_hair(anatomy, surface):
+    roots = [
+        hair_attributes(grow_hair(anatomy, surface, colour, Looks(hairs=400))["hair"])[::12, OCCLUSION].mean()
+        for colour in (BROWN, np.full(3, 0.6))
+    ]
+    assert roots[1] > 1.5 * roots[0]
 
 
 def test_lower_lashes_are_fainter_than_upper_ones(head, surface):

@@ -21,9 +21,9 @@ def parts(model):
 
 
 def test_the_solids_stand_before_the_hairs(parts):
-    assert list(parts) == [*SOLIDS, "brows", "lashes", "hair"]
+    assert list(parts) == [*SOLIDS, "brows", "lashes", "hair", "hairline"]
     assert all(part.name == name for name, part in parts.items())
-    assert [name for name, part in parts.items() if part.two_sided] == ["brows", "lashes", "hair"]
+    assert [name for name, part in parts.items() if part.two_sided] == ["brows", "lashes", "hair", "hairline"]
 
 
 def test_a_bald_head_has_brows_and_lashes_alone(head):

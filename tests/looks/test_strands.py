@@ -16,6 +16,7 @@ def hairs():
         np.ones((2, 3), np.float32),
         np.ones((2, 3), np.float32),
         np.zeros(2, np.float32),
+        np.zeros(2, np.float32),
         0.5,
     )
 

@@ -91,7 +91,7 @@ def test_all_pieces_are_there_and_the_sound_is_named(folder: Path) -> None:
     names = {mesh["name"] for mesh in document.json["meshes"]}
     assert names == {
         *("skin", "eye_left", "eye_right", "teeth_upper", "teeth_lower", "tongue"),
-        *("brows", "lashes", "hair"),
+        *("brows", "lashes", "hair", "hairline"),
     }
     assert document.json["asset"]["extras"]["audio"] == "x.wav"
     assert {"skin", "eye", "teeth", "tongue", "hair"} <= {m["name"] for m in document.json["materials"]}

@@ -23,8 +23,9 @@ class HeadModel:
     """A head at rest with its looks, in mm in the head frame.
 
     `solids` are the parts with a volume by name: skin, eye_left, eye_right, teeth_upper, teeth_lower and
-    tongue. `hairs` are brows, lashes and, unless the head is bald, hair. `skin` is the skin's surface, in
-    which hairs are rooted; `cloth` the garment's linear albedo (3,).
+    tongue. `hairs` are brows, lashes and, unless the head is bald, hair and, unless it is shaved, hairline:
+    the fine hairs at its edge. `skin` is the skin's surface, in which hairs are rooted; `cloth` the garment's
+    linear albedo (3,).
 
     In a frame (`face.frame.FaceFrame`) the points of skin, tongue and lower teeth are the frame's own, each
     eye turns about `head.eye_centre` by `eye_rotation`, and hairs move with the skin's triangles. Then all
@@ -62,14 +63,16 @@ def head_model(head: Head, looks: Looks | None = None) -> HeadModel:
     hairs = {
         "brows": grow_brows(anatomy, surface, brows, linear(looks.skin), looks.brow_hairs),
         "lashes": grow_lashes(head, surface, 0.35 * hair, linear(looks.skin)),
+        **grow_hair(anatomy, surface, hair, looks),
     }
-    for strands in grow_hair(anatomy, surface, hair, looks):
-        hairs["hair"] = strands
     by_name = {part.name: part for part in solids}
     return HeadModel(head, looks, anatomy, surface, by_name, hairs, linear(looks.cloth))
 
 
 def thin_hair(model: HeadModel, number: int) -> HeadModel:
     """Return a model with one in `number` of the hairs on the head, and all of its brows and lashes."""
-    thin = {name: thinned(hairs, number) for name, hairs in model.hairs.items() if name == "hair"}
-    return replace(model, hairs={**model.hairs, **thin})
+    facial = ("brows", "lashes")
+    return replace(
+        model,
+        hairs={n: hairs if n in facial else thinned(hairs, number) for n, hairs in model.hairs.items()},
+    )

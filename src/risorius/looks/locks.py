@@ -9,16 +9,18 @@ from ..core.arrays import Array
 from .surface import Surface, unit
 
 _LOCKS = 700
+_NEAREST = 12
 _EVEN = 0.35  # weight of even spacing against spacing by bends
 
 
 def height_over_skin(tree: cKDTree, surface: Surface, places: Array) -> tuple[Array, Array]:
     """Return the height (S,) in mm of places (S, 3) over the skin, and the skin's normals (S, 3) there.
 
-    Both are means over the nearest vertices: with a single one, hairs would break where it changes.
+    Both are means over the nearest vertices, of which the last counts nothing: hairs would break where
+    another one becomes the nearest.
     """
-    distance, nearest = tree.query(places, k=5)
-    weight = 1.0 / (distance + 0.5)
+    distance, nearest = tree.query(places, k=_NEAREST)
+    weight = (1.0 - distance / (distance[:, -1:] + 1e-9)) + 1e-6
     weight /= weight.sum(axis=1, keepdims=True)
     normal = unit(np.einsum("sk,skc->sc", weight, surface.normals[nearest]))
     foot = np.einsum("sk,skc->sc", weight, surface.points[nearest])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -25,11 +26,12 @@ from .scalp import (
 from .strands import Strands
 from .surface import Surface, flat, unit
 
-POINTS = 9
+POINTS = 11
 _STEPS = 28  # steps of a hair's path, from which its points are chosen
 _SEED = 45
-_SHARE = 0.45  # longer hairs are drawn wider and in smaller number
+_SHARE = 0.42  # longer hairs are drawn wider and in smaller number
 _BESIDE = 5  # a hair with fewer points of others near it is alone
+_SOFT = math.radians(3.0)  # how softly hair is held off the face
 _PARTING = -24.0  # mm: x of the parting
 
 
@@ -37,7 +39,9 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     """Return hairs of linear albedo `colour` (3,); `count` is how many hairs a short style has."""
     rng = np.random.default_rng(_SEED)
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
-    density = styled_density(anatomy, surface.points, "medium") * (1.0 + 1.4 * front)
+    density = styled_density(anatomy, surface.points, "medium")
+    # At the front and the parting no other hairs lie over the roots: there must be more.
+    density *= 1.0 + 1.4 * front + 3.0 * _parted(anatomy, surface.points)
     each = round(_SHARE * count) // LAYERS
     triangles, weights = grow_layers(anatomy, surface, density, each, _SEED)
     count = len(triangles)
@@ -53,11 +57,22 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     curves, way = respaced(curves, POINTS)
     shade = (0.74 + 0.36 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
     fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)
-    widths = 0.74 * fine[:, None] * (1.0 - 0.8 * way**3)
+    widths = 0.78 * fine[:, None] * (1.0 - 0.8 * way**3)
     depths = 0.6 * (1.0 - layer) * smoothstep(2.0, 14.0, within)
-    hairs = surface.root(triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0)
+    parted = _parted(anatomy, curves[:, 0])
+    depths *= 1.0 - parted
+    hairs = surface.root(
+        triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0, 0.75 * parted
+    )
     # Hair from the nape shows beside the neck.
     return dataclasses.replace(hairs, behind=-2.0)
+
+
+def _parted(anatomy: Anatomy, points: Array) -> Array:
+    """Return how near, 0..1, points (n, 3) of the scalp are to the parting, which runs over the crown."""
+    u = anatomy.unit
+    beside = np.exp(-(((points[:, 0] / u - _PARTING) / 12.0) ** 2))
+    return beside * smoothstep(30.0 * u, 50.0 * u, points[:, 1] - anatomy.eye_height)
 
 
 def _in_place(anatomy: Anatomy, curves: Array) -> Array:
@@ -159,7 +174,9 @@ def _off_face(anatomy: Anatomy, place: Array) -> Array:
     depth = place[:, 2] - AXIS * u
     angle, reach = np.arctan2(np.abs(place[:, 0]), depth), np.hypot(place[:, 0], depth)
     least = np.radians(np.interp((place[:, 1] - anatomy.eye_height) / u, *FACE))
-    turned = np.maximum(angle, least)
+    # With a sharp limit the hairs would gather at it, and leave a gap behind them.
+    least -= 1.5 * _SOFT
+    turned = least + _SOFT * np.logaddexp(0.0, (angle - least) / _SOFT)
     moved = place.copy()
     moved[:, 0] = np.where(place[:, 0] < 0.0, -1.0, 1.0) * reach * np.sin(turned)
     moved[:, 2] = AXIS * u + reach * np.cos(turned)

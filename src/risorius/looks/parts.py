@@ -164,14 +164,16 @@ def hair_part(name: str, hairs: Strands, skin: Surface) -> Part:
 def hair_attributes(hairs: Strands) -> Float32Array:
     """Return attributes (n, ATTRIBUTES) of the ribbons' vertices, hair by hair from root to tip.
 
-    They are colour, depth, gloss, and the way from root (0) to tip (1).
+    They are colour, the share of light that reaches the hair, and gloss. Roots lie in the shade of the hairs
+    above them, which is the lighter the lighter these are: light goes on from hair to hair.
     """
     strands, points = hairs.widths.shape
+    lit = np.maximum(0.25 + 0.6 * np.clip(hairs.colours.mean(axis=1), 0.0, 1.0), hairs.bare)[:, None]
+    free = (1.0 - hairs.depths)[:, None] * (lit + (1.0 - lit) * np.linspace(0.0, 1.0, points))
     result = np.zeros((strands, points, 2, ATTRIBUTES), np.float32)
     result[..., ALBEDO : ALBEDO + 3] = hairs.colours[:, None, None, :]
-    result[..., OCCLUSION] = (1.0 - hairs.depths)[:, None, None]
+    result[..., OCCLUSION] = free[..., None]
     result[..., SPECULAR] = hairs.gloss
-    result[..., EXTRA] = np.linspace(0.0, 1.0, points)[None, :, None]
     return result.reshape(-1, ATTRIBUTES)
 
 

@@ -24,22 +24,27 @@ _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
 _UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.62, "bald": 0.0}
 # mm inside the hairline over which hair of each style begins, so that its edge has no hairs alone: scratches.
 EDGES = {"short": (0.0, 6.0), "medium": (3.0, 11.0)}
-# The power of the density by which that shade rises: hair grows thicker away from its line.
-_SOFT = {"short": 1.2, "medium": 1.4, "shaved": 1.5, "bald": 1.5}
+# mm inside the even hairline over which that shade rises: slowly, as skin knows it at few points, and where
+# hair hides it. Stubble hides nothing.
+_SHADES = {"short": (1.0, 20.0), "medium": (3.0, 20.0), "shaved": (-2.5, 21.0), "bald": (0.0, 1.0)}
 
 
-def inside_hairline(anatomy: Anatomy, points: Array) -> Array:
-    """Return the distance (n,) in mm of points (n, 3) inside an uneven hairline, negative outside."""
+def inside_hairline(anatomy: Anatomy, points: Array, uneven: float = 1.0) -> Array:
+    """Return the distance (n,) in mm of points (n, 3) inside the hairline, negative outside.
+
+    `uneven` is how much the line swings to and fro, 1 as hair grows.
+    """
     u = anatomy.unit
     angle = np.degrees(np.arctan2(np.abs(points[:, 0]), points[:, 2] - AXIS * u))
     line = anatomy.eye_height + u * np.interp(angle, _ANGLES, _HEIGHTS)
-    uneven = 1.6 * noise_at(points, 16.0) + 0.8 * noise_at(points, 6.0)
-    return np.asarray(points[:, 1] - line + uneven * u)
+    swing = 1.6 * noise_at(points, 16.0) + 0.8 * noise_at(points, 6.0) if uneven else 0.0
+    return np.asarray(points[:, 1] - line + uneven * u * swing)
 
 
-def hair_density(anatomy: Anatomy, points: Array, ears: Array) -> Array:
+def hair_density(anatomy: Anatomy, points: Array, ears: Array, uneven: float = 1.0) -> Array:
     """Return the density (n,) of hair at points (n, 3), 0..1: it rises over 17 mm, and is 0 on the ears."""
-    return smoothstep(-2.5, 15.0, inside_hairline(anatomy, points)) * (1.0 - smoothstep(0.05, 0.3, ears))
+    inside = inside_hairline(anatomy, points, uneven)
+    return smoothstep(-2.5, 15.0, inside) * (1.0 - smoothstep(0.05, 0.3, ears))
 
 
 def styled_density(anatomy: Anatomy, points: Array, style: str) -> Array:
@@ -52,14 +57,14 @@ def styled_density(anatomy: Anatomy, points: Array, style: str) -> Array:
 
 def scalp_shade(anatomy: Anatomy, style: str) -> Array:
     """Return by how much, 0..1, each skin vertex (N1,) is darkened by hairs too fine to be drawn."""
-    return np.asarray(_UNDER[style] * styled_density(anatomy, anatomy.skin, style) ** _SOFT[style])
+    return _UNDER[style] * _hidden(anatomy, style)
 
 
-def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray) -> tuple[Array, Array, Array]:
+def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray, albedo: float) -> tuple[Array, Array, Array]:
     """Return three shares of light (N1,) that hair takes from each skin vertex; 0 for shaved and bald heads.
 
-    They are the share of all lamps that hair takes from the skin it covers, and what hair that stands out
-    over the skin takes of the key lamp in direction `lamp` (3,), and of the light from above.
+    They are the share of all lamps that hair of a mean `albedo` takes from the skin it covers, and what hair
+    that stands out over the skin takes of the key lamp in direction `lamp` (3,), and of the light from above.
     """
     skin, ears = anatomy.skin, anatomy.masks["ears"]
     thick = _THICK[style]
@@ -68,13 +73,19 @@ def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray) -> tuple[Array, A
 
     def ahead(way: FloatArray) -> Array:
         steps = np.linspace(0.0, 1.0, 5)[1:]
-        seen = [(1.0 - 0.7 * s) * hair_density(anatomy, skin + s * thick * way, ears) for s in steps]
+        seen = [(1.0 - 0.7 * s) * hair_density(anatomy, skin + s * thick * way, ears, 0.0) for s in steps]
         return np.asarray(np.max(seen, axis=0))
 
     behind = _behind_hair(anatomy) if style == "medium" else np.zeros(len(skin))
-    covered = np.maximum(styled_density(anatomy, skin, style), behind)
+    covered = np.maximum((1.0 - albedo) * _hidden(anatomy, style), behind)
     around = np.maximum(0.5 * ahead(np.array([0.0, 1.0, 0.0])), 0.8 * behind)
     return covered, 0.85 * ahead(np.asarray(lamp)), around
+
+
+def _hidden(anatomy: Anatomy, style: str) -> Array:
+    """Return how far, 0..1, a style of hair hides each skin vertex (N1,)."""
+    rise = smoothstep(*_SHADES[style], inside_hairline(anatomy, anatomy.skin, uneven=0.0))
+    return np.asarray(rise * (1.0 - smoothstep(0.05, 0.3, anatomy.masks["ears"])))
 
 
 def hair_ends(anatomy: Anatomy) -> float:
@@ -91,9 +102,9 @@ def _behind_hair(anatomy: Anatomy) -> Array:
     angle = np.degrees(np.arctan2(np.abs(skin[:, 0]), skin[:, 2] - AXIS * u))
     free = np.interp((skin[:, 1] - anatomy.eye_height) / u, *FACE)
     end = hair_ends(anatomy)
-    height = smoothstep(end - 4.0 * u, end + 16.0 * u, skin[:, 1])
+    height = smoothstep(end - 16.0 * u, end + 4.0 * u, skin[:, 1])
     height *= smoothstep(36.0 * u, 16.0 * u, skin[:, 1] - anatomy.eye_height)
-    return np.asarray(smoothstep(1.0, 8.0, angle - free) * height)
+    return np.asarray(smoothstep(0.0, 11.0, angle - free) * height)
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:

@@ -19,7 +19,8 @@ class Strands:
     curves      (S, P, 3) float32, mm in the root's frame (see `root_frames`)
     widths      (S, P) float32, mm
     colours     (S, 3) float32, linear
-    depths      (S,) float32, 0 (free) to 1 (buried: no light reaches the root)
+    depths      (S,) float32, 0 (free) to 1 (buried: no light reaches the hair)
+    bare        (S,) float32, 0 to 1: no hairs lie over the root, as at a parting
     gloss       strength of the highlights
     behind      a hair is drawn if the cosine between the normal at its root and the direction to the camera
                 is greater than this
@@ -31,6 +32,7 @@ class Strands:
     widths: Float32Array
     colours: Float32Array
     depths: Float32Array
+    bare: Float32Array
     gloss: float
     behind: float = -0.45
 
@@ -54,14 +56,14 @@ class Strands:
 
 def join(groups: list[Strands]) -> Strands:
     """Return groups of hairs with the same number of points as one group."""
-    names = ("roots", "weights", "curves", "widths", "colours", "depths")
+    names = ("roots", "weights", "curves", "widths", "colours", "depths", "bare")
     arrays: dict[str, Any] = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
     return replace(groups[0], **arrays)
 
 
 def thinned(strands: Strands, number: int) -> Strands:
     """Return one in `number` hairs, `number` times as wide, which cover the same area."""
-    names = ("roots", "weights", "curves", "colours", "depths")
+    names = ("roots", "weights", "curves", "colours", "depths", "bare")
     arrays: dict[str, Any] = {name: getattr(strands, name)[::number].copy() for name in names}
     return replace(strands, widths=strands.widths[::number] * np.float32(number), **arrays)
 

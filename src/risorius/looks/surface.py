@@ -49,8 +49,12 @@ class Surface:
         colours: Array,
         depths: Array,
         gloss: float,
+        bare: Array | None = None,
     ) -> Strands:
-        """Return hairs that start at weights in triangles; `curves` (S, P, 3) mm stand in the head frame."""
+        """Return hairs that start at weights in triangles; `curves` (S, P, 3) mm stand in the head frame.
+
+        The others are fields of `Strands`; `bare` is 0 where None.
+        """
         roots = self.triangles[triangles]
         frames = root_frames(self.points, self.normals, roots, weights.astype(np.float32))
         origin = np.einsum("sk,skd->sd", weights, self.points[roots])
@@ -62,6 +66,7 @@ class Surface:
             widths.astype(np.float32),
             colours.astype(np.float32),
             depths.astype(np.float32),
+            np.zeros(len(depths), np.float32) if bare is None else bare.astype(np.float32),
             gloss,
         )
 

@@ -19,6 +19,7 @@ from ..looks.head_model import HeadModel
 from ..looks.normals import Normals
 from ..looks.parts import Part, hair_attributes
 from ..looks.scalp import hair_shade
+from ..looks.srgb import linear
 from .aperture import lid_margins, lip_edges
 from .creases import lay_creases, raise_creases
 from .inputs import Pose
@@ -116,7 +117,9 @@ class HeadScene:
         columns = max(len(lamps), LAMPS)  # as many as kernels read
         self.reach: Float32Array = np.ones((len(self.rest), columns), np.float32)
         self.reach[:count, 1 : len(lamps)] = reach[:count]
-        covered, cast, around = hair_shade(self.anatomy, self.model.looks.hair_style, lamps[0, :3])
+        looks = self.model.looks
+        albedo = float(linear(looks.hair).mean())
+        covered, cast, around = hair_shade(self.anatomy, looks.hair_style, lamps[0, :3], albedo)
         self.reach[:count] *= 1.0 - covered[:, None]
         self.reach[:count, 0] *= 1.0 - cast
         self.shadow: Float32Array = np.ones(count, np.float32)

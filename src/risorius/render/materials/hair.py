@@ -10,7 +10,7 @@ import math
 from ...core.arrays import Float32Array, Int32Array
 from ...core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel
 from ...core.kernels.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
-from ...looks.attributes import EXTRA, HAIR, OCCLUSION, SPECULAR
+from ...looks.attributes import HAIR, OCCLUSION, SPECULAR
 from ..inputs import Batch, PosedMesh, SceneLight
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, weights_of
@@ -47,13 +47,7 @@ def shade_hairs(n: int, batch: Batch, mesh: PosedMesh) -> None:
 def _fibre(mesh: PosedMesh, light: SceneLight, i: int, p: Vec, direction: Vec, view: Vec) -> Vec:
     """Return the light from a hair at p, vertex i, that runs along `direction`."""
     albedo = at(mesh.attributes, i)
-    free, strength, way = (
-        mesh.attributes[i, OCCLUSION],
-        mesh.attributes[i, SPECULAR],
-        mesh.attributes[i, EXTRA],
-    )
-    # Roots lie in the shade of the hairs above them.
-    free *= f4(0.25) + f4(0.75) * way
+    free, strength = mesh.attributes[i, OCCLUSION], mesh.attributes[i, SPECULAR]
     across = unit(along(view, direction, -dot(view, direction)))
     shadow = key_share(light, p)
     total = times(albedo, ambient_light(light.ambient, across, free))

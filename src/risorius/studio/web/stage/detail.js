@@ -21,6 +21,7 @@ const STRANDS = {
   brows: { share: 0.35, wide: 3 },
   lashes: { share: 1, wide: 1 },
   hair: { share: 0.28, wide: 2.9 },
+  hairline: { share: 0.35, wide: 2 },
 };
 
 /** @type {Record<string, Lighten>} */

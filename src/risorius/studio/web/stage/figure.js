@@ -9,6 +9,7 @@ import * as THREE from "../vendor/three/three.module.min.js";
 import { lighterOf, shade as shadeAnew } from "./detail.js";
 import { MM, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
 import { readGlb } from "./glb.js";
+import { HAIRS } from "./hair.js";
 import { lightBetween, slitsOf } from "./lips.js";
 import { materialOf } from "./materials.js";
 import { Order, asStrands } from "./strands.js";
@@ -17,7 +18,6 @@ import { Order, asStrands } from "./strands.js";
 
 /** @typedef {{mirrored: THREE.Texture, iris: THREE.Texture}} Pictures of what the eyes mirror, and of an iris */
 
-const HAIRS = ["brows", "lashes", "hair"];
 const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 
 /**

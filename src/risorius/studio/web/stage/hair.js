@@ -4,6 +4,8 @@ import * as THREE from "../vendor/three/three.module.min.js";
 import { patch } from "./patch.js";
 import { quickened } from "./quick.js";
 
+export const HAIRS = ["brows", "lashes", "hair", "hairline"];
+
 const SOLID = "strand.y * clamp( ( 1.0 - abs( aside ) ) * strand.x, 0.0, 1.0 )";
 
 // Hair is lit from both sides of a strand, and shines along its length where the light grazes it. A strand's edges

@@ -5,11 +5,10 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
-import { hairMaterial } from "./hair.js";
+import { HAIRS, hairMaterial } from "./hair.js";
 import { patch } from "./patch.js";
 import { skinMaterial } from "./skin.js";
 
-const HAIRS = ["brows", "lashes", "hair"];
 const MOUTH = ["teeth", "tongue"];
 
 /**
