@@ -7,6 +7,7 @@ depend on the frame rate and move with their causes. Between knots the curves ar
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -21,6 +22,21 @@ with the score. Results depend on it by rounding alone."""
 def block_number(time: float) -> int:
     """Return the number of the block in which a time lies."""
     return math.floor(time / BLOCK)
+
+
+def parts(times: Array, length: float) -> Iterator[tuple[int, slice]]:
+    """Yield each part of `length` seconds that holds some of the sorted times, with their place."""
+    if not len(times):
+        return
+    first, last = math.floor(times[0] / length), math.floor(times[-1] / length)
+    if first == last:
+        yield first, slice(0, len(times))
+        return
+    numbers = np.floor(times / length)
+    edges = np.searchsorted(numbers, np.arange(first, last + 2)).tolist()
+    for number, place in zip(range(first, last + 1), map(slice, edges, edges[1:]), strict=True):
+        if place.start < place.stop:
+            yield number, place
 
 
 def block_knots(knots: Knots, number: int, margin: float) -> Array:

@@ -9,11 +9,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Annotated
 
 from ..errors import ParameterError, unknown
+from .frozen import FrozenDict
 from .hints import Then
-from .parameters import BASES, PARAMETERS, Parameter, check_value, parameters_named
+from .parameters import BASES, INDEX, PARAMETERS, Parameter, check_value, parameters_named
 from .schema import MisfitError
 
 
@@ -108,6 +110,7 @@ _AU_NAME = re.compile(r"au_?0*(\d+)(?:\.(left|right|l|r))?", re.IGNORECASE)
 _AU_SIDES = {"l": "left", "r": "right"}
 
 
+@lru_cache(maxsize=1024)
 def action_unit(name: str) -> tuple[ActionUnit, str] | None:
     """Return the unit and side ("" for both) of a name such as `AU12.left`, None if it is not an AU.
 
@@ -126,13 +129,15 @@ def action_unit(name: str) -> tuple[ActionUnit, str] | None:
     return unit, _AU_SIDES.get(side, side)
 
 
-def _parameters_of(unit: ActionUnit, side: str) -> list[tuple[Parameter, float]]:
-    pairs = [(p, weight) for base, weight in unit.weights.items() for p in parameters_named(base)]
+@lru_cache(maxsize=1024)
+def _parameters_of(number: int, side: str) -> tuple[tuple[Parameter, float], ...]:
+    unit = ACTION_UNITS[number]
+    pairs = tuple((p, weight) for base, weight in unit.weights.items() for p in parameters_named(base))
     if not side:
         return pairs
     if all(not p.side for p, _ in pairs):
         raise ParameterError(f"AU{unit.number} ({unit.name}) has no sides; expected AU{unit.number}")
-    return [(p, weight) for p, weight in pairs if p.side in ("", side)]
+    return tuple((p, weight) for p, weight in pairs if p.side in ("", side))
 
 
 def target_names() -> dict[str, str]:
@@ -163,9 +168,10 @@ def resolve_targets(targets: Mapping[str, float]) -> dict[str, float]:
             continue
         unit, side = unit_and_side
         intensity = check_intensity(name, value)
-        for p, weight in _parameters_of(unit, side):
+        for p, weight in _parameters_of(unit.number, side):
             total[p.name] = total.get(p.name, 0.0) + weight * intensity
-    return {p.name: min(max(total[p.name], p.low), p.high) for p in PARAMETERS if p.name in total}
+    parameters = [PARAMETERS[index] for index in sorted(INDEX[name] for name in total)]
+    return {p.name: min(max(total[p.name], p.low), p.high) for p in parameters}
 
 
 def kept_units(targets: Mapping[str, float]) -> dict[str, float]:
@@ -178,22 +184,23 @@ def kept_units(targets: Mapping[str, float]) -> dict[str, float]:
     others: dict[str, float] = {}
     for name, value in targets.items():
         unit_and_side = action_unit(name)
-        if unit_and_side is None or any(p.signed for p, _ in _parameters_of(*unit_and_side)):
+        unit, side = unit_and_side or (None, "")
+        if unit is None or any(p.signed for p, _ in _parameters_of(unit.number, side)):
             others[name] = value
             continue
-        unit, side = unit_and_side
         written = f"AU{unit.number}.{side}" if side else f"AU{unit.number}"
         units[written] = min(units.get(written, 0.0) + check_intensity(name, value), 1.0)
     return {**units, **resolve_targets(others)}
 
 
-def unit_weights(name: str) -> dict[str, float]:
+@lru_cache(maxsize=1024)
+def unit_weights(name: str) -> Mapping[str, float]:
     """Return the weights of the parameters that an action unit, written as `kept_units` does, contracts.
 
     Empty for the name of a parameter.
     """
-    unit_and_side = action_unit(name)
-    return {p.name: weight for p, weight in _parameters_of(*unit_and_side)} if unit_and_side else {}
+    unit, side = action_unit(name) or (None, "")
+    return FrozenDict({} if unit is None else {p.name: w for p, w in _parameters_of(unit.number, side)})
 
 
 def in_parameters(targets: Mapping[str, float]) -> Mapping[str, float]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 
 import numpy as np
 
@@ -177,6 +178,11 @@ def parameters_named(name: str) -> tuple[Parameter, ...]:
     """
     if not isinstance(name, str):
         raise ParameterError(f"{name!r} is not the name of a muscle or parameter")
+    return _parameters_named(name)
+
+
+@lru_cache(maxsize=1024)
+def _parameters_named(name: str) -> tuple[Parameter, ...]:
     stem, dot, side = name.strip().lower().replace("-", "_").replace(" ", "_").partition(".")
     base = ALIASES.get(stem, stem)
     parameters = BASES.get(base)

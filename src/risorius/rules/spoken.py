@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, Protocol
 
@@ -55,6 +55,7 @@ class SpokenUnits:
             Level.UTTERANCE: said.sentences,
             Level.TURN: _open(turns_of(said, situation.listening), situation),
         }
+        self._first_words = {level: [s.first_word for s in own] for level, own in self._stretches.items()}
         self._boundary_of = {boundary.word: boundary.label for boundary in said.boundaries}
         self._groups = list(groups_of(said))
         self._rates = [rate_of_phrase(said, phrase) for phrase in said.phrases]
@@ -73,14 +74,15 @@ class SpokenUnits:
         phrase = self._index(Level.PHRASE, word)
         sentence = self.said.phrases[phrase].sentence
         number, counts[phrase] = counts[phrase], counts[phrase] + 1
-        known: dict[str, Any] = {
-            "question": self.said.phrases[phrase].question,
-            "group": self._groups[sentence],
-            "rate": self._rates[phrase],
-            "emotions": self.situation.emotions_at(felt),
-            "turn": self.situation.turn_at(start),
-        }
-        return Unit(level, phrase, number, start, end, text, **{**known, **more})
+        more.setdefault("question", self.said.phrases[phrase].question)
+        return Unit(
+            level, phrase, number, start, end, text,
+            group=self._groups[sentence],
+            rate=self._rates[phrase],
+            emotions=self.situation.emotions_at(felt),
+            turn=self.situation.turn_at(start),
+            **more,
+        )  # fmt: skip
 
     def _texts(self, index: int) -> frozenset[str]:
         """Return a word's text, and those of the two and three words that begin with it."""
@@ -116,13 +118,17 @@ class SpokenUnits:
                 **self._ending(phone.word, index + 1 == word.last_phone),
             )  # fmt: skip
 
-    def syllables(self, level: Level = Level.SYLLABLE) -> Iterator[Unit]:
-        """Yield the syllables."""
+    def syllables(
+        self, level: Level = Level.SYLLABLE, phrases: Container[int] | None = None
+    ) -> Iterator[Unit]:
+        """Yield the syllables, of some `phrases` or of all."""
         accents = {accent.syllable: accent for accent in self.said.accents}
         counts = Counter[int]()
         place = 0
         for index, s in enumerate(self.said.syllables):
             place = place + 1 if index and self.said.syllables[index - 1].word == s.word else 0
+            if phrases is not None and self._index(Level.PHRASE, s.word) not in phrases:
+                continue
             count = self._syllables_of[s.word]
             text = self.said.words[s.word].text
             yield self._unit(
@@ -134,14 +140,17 @@ class SpokenUnits:
                 **self._ending(s.word, place + 1 == count),
             )  # fmt: skip
 
-    def words(self, level: Level = Level.WORD) -> Iterator[Unit]:
-        """Yield the words."""
+    def words(self, level: Level = Level.WORD, phrases: Container[int] | None = None) -> Iterator[Unit]:
+        """Yield the words, of some `phrases` or of all."""
         counts = Counter[int]()
         stresses: dict[int, int] = {}
         for s in self.said.syllables:
             stresses[s.word] = max(stresses.get(s.word, 0), s.stress)
         for index, word in enumerate(self.said.words):
-            phrase = self.said.phrases[self._index(Level.PHRASE, index)]
+            number = self._index(Level.PHRASE, index)
+            if phrases is not None and number not in phrases:
+                continue
+            phrase = self.said.phrases[number]
             yield self._unit(
                 level, counts, word, f'"{word.text}"', index,
                 **self._accented(self._accents(index, index + 1)),
@@ -159,9 +168,10 @@ class SpokenUnits:
     def items(self) -> Iterator[Unit]:
         """Yield words, and the syllables of phrases that are spoken slowly (paper B, section 4.1)."""
         limit = synchrony().slow_rate
-        slow = [s for s in self.syllables(Level.ITEM) if s.rate < limit]
-        fast = [w for w in self.words(Level.ITEM) if w.rate >= limit]
-        yield from sorted([*slow, *fast], key=lambda unit: unit.start)
+        slow = {number for number, rate in enumerate(self._rates) if rate < limit}
+        fast = {number for number in range(len(self._rates)) if number not in slow}
+        units = [*self.syllables(Level.ITEM, slow), *self.words(Level.ITEM, fast)]
+        yield from sorted(units, key=lambda unit: unit.start)
 
     def stretches(self, level: Level) -> Iterator[Unit]:
         """Yield phrases, by their place in the utterance, utterances, by that in the turn, or turns."""
@@ -198,7 +208,7 @@ class SpokenUnits:
 
     def _index(self, level: Level, word: int) -> int:
         """Return which phrase, utterance or turn holds a word."""
-        return bisect_right(self._stretches[level], word, key=lambda s: s.first_word) - 1
+        return bisect_right(self._first_words[level], word) - 1
 
     def pauses(self) -> Iterator[Unit]:
         """Yield the pauses."""

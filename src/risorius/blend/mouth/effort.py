@@ -12,25 +12,25 @@ shape: effort against precision (Šimko and Cummins 2010, "Embodied task dynamic
 
 The curve is linear in the targets, and the shares of the segments sum to 1; a share may dip to -0.05 beside a
 precise segment. It is found by finite elements: cubic pieces that join with their slope, on nodes at the ends
-of the windows and at most `ELEMENT` apart; one banded system per group of parameters, with all values of a
-segment as right sides.
+of the windows and at most `ELEMENT` apart; one banded system per group of parameters, with each value of the
+segments as a right side.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg import solveh_banded
+from scipy.linalg import cho_solve_banded, cholesky_banded
 
 from ...core.arrays import Array, IndexArray
 from ...core.movement import LipSegment
 from ...core.utterance import SILENCE
 from ..intervals import ranges
-from ..knots import Knots
+from ..knots import Knots, parts
 from .coarticulation import LIP_MODELS, ParameterGroups, SegmentValues, SegmentWeights, SharedMappings
 
 EFFORT = 5e-7
@@ -88,6 +88,54 @@ class _Elements:
     bending: Array
 
 
+@dataclass(frozen=True, slots=True)
+class _System:
+    """The system of one group in one part, and its solutions so far.
+
+    `precision` (segments,); `factor` (4, unknowns): its Cholesky factor, lower bands; `solutions`: the
+    unknowns (unknowns,) for values of the segments.
+    """
+
+    elements: _Elements
+    precision: Array
+    factor: Array
+    solutions: dict[SegmentValues, Array] = field(default_factory=dict)
+
+    def solution(self, values: SegmentValues) -> Array:
+        """Return the unknowns for values of the segments; if two threads need them, both compute them."""
+        solution = self.solutions.get(values)
+        if solution is None:
+            (solution,) = self.solve(values[self.elements.near][np.newaxis])
+            self.solutions[values] = solution
+        return solution
+
+    def solve(self, values: Array) -> Array:
+        """Return the unknowns for k values of each segment, (k, segments) -> (k, unknowns)."""
+        loads = _loads(self.elements, self.precision * values)
+        unknowns = cho_solve_banded((self.factor, True), loads.T, overwrite_b=True, check_finite=False)
+        return np.asarray(unknowns.T)
+
+
+class _Basis(NamedTuple):
+    """Sorted times (n,) of one part: their `place` among others, and the cubics that are not 0 at each.
+
+    `first` (n,): the first of the four unknowns that matter; `shapes`: how much each of them counts, (n,)
+    each.
+    """
+
+    part: int
+    place: slice
+    first: IndexArray
+    shapes: tuple[Array, ...]
+
+    def curve(self, solution: Array) -> Array:
+        """Return the curve of a solution at the times, (unknowns,) or (k, unknowns) -> (n,) or (k, n)."""
+        curve: Array = np.zeros(())
+        for number, shape in enumerate(self.shapes):
+            curve = curve + shape * np.take(solution, self.first + number, axis=-1)
+        return curve
+
+
 @LIP_MODELS.register("effort")
 class EffortModel:
     """Coarticulation with the least effort (see `coarticulation.Coarticulation`)."""
@@ -103,8 +151,9 @@ class EffortModel:
         self._windows = _windows(segments)
         self._groups = ParameterGroups(self._precision)
         self._elements = lru_cache(maxsize=CACHED)(self._elements_of)
-        self._solution = lru_cache(maxsize=CACHED * GROUPS)(self._solved)
+        self._system = lru_cache(maxsize=CACHED * GROUPS)(self._system_of)
         self._shares = lru_cache(maxsize=GROUPS)(self._shared)
+        self._latest: tuple[Array, tuple[_Basis, ...]] | None = None
 
     def group(self, parameter: str) -> int:
         """Return the number of the group of parameters for which each segment has one precision."""
@@ -117,19 +166,23 @@ class EffortModel:
     def averages(self, group: int, values: Sequence[SegmentValues], times: Array) -> list[Array]:
         """Return the least-effort curve through each of some values at sorted times, shape (n,) each."""
         averages = np.empty((len(values), len(times)))
-        for part, place in _parts(times):
-            solution = self._solution(group, part, tuple(values))
-            averages[:, place] = _evaluated(self._elements(part).nodes, solution, times[place]).T
-        return list(np.round(averages / GRAIN) * GRAIN)
+        for basis in self._bases(times):
+            system = self._system(group, basis.part)
+            for average, value in zip(averages, values, strict=True):
+                average[basis.place] = basis.curve(system.solution(value))
+        averages /= GRAIN
+        np.rint(averages, out=averages)
+        averages *= GRAIN
+        return list(averages)
 
     def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return the share of each segment at sorted times: the curve if its target is 1 and all others 0."""
         segments, places, shares = [], [], []
-        for part, place in _parts(times):
-            elements = self._elements(part)
-            shares.append(_evaluated(elements.nodes, self._shares(group, part), times[place]).ravel())
-            segments.append(np.tile(elements.near, place.stop - place.start))
-            places.append(np.repeat(np.arange(place.start, place.stop), len(elements.near)))
+        for basis in self._bases(times):
+            near, place = self._elements(basis.part).near, basis.place
+            shares.append(basis.curve(self._shares(group, basis.part)).T.ravel())
+            segments.append(np.tile(near, place.stop - place.start))
+            places.append(np.repeat(np.arange(place.start, place.stop), len(near)))
         return SegmentWeights(
             np.concatenate(segments), np.concatenate(places), np.concatenate(shares), len(times)
         )
@@ -137,28 +190,28 @@ class EffortModel:
     def _precision(self, parameter: str) -> Array:
         return np.array([s.precision_of(parameter) for s in self._first])[self._precisions.number]
 
-    def _solved(self, group: int, part: int, values: Sequence[SegmentValues]) -> Array:
-        """Return the unknowns of a part, (unknowns, k), for k values of the segments."""
+    def _bases(self, times: Array) -> tuple[_Basis, ...]:
+        """Return the basis in each part that holds some of the sorted times; all groups share the latest."""
+        latest = self._latest
+        if latest is None or latest[0] is not times:
+            bases = (
+                _basis(part, place, self._elements(part).nodes, times[place])
+                for part, place in parts(times, PART)
+            )
+            latest = self._latest = (times, tuple(bases))
+        return latest[1]
+
+    def _system_of(self, group: int, part: int) -> _System:
         elements = self._elements(part)
-        return self._solve(group, elements, np.array([v[elements.near] for v in values]).T)
+        precision = self._groups.rows[group][elements.near]
+        matrix = _matrix(elements, precision)
+        factor = cholesky_banded(matrix, overwrite_ab=True, lower=True, check_finite=False)
+        return _System(elements, precision, factor)
 
     def _shared(self, group: int, part: int) -> Array:
-        """Return the unknowns of a part, (unknowns, segments), for each segment alone at 1."""
-        elements = self._elements(part)
-        return self._solve(group, elements, np.eye(len(elements.near)))
-
-    def _solve(self, group: int, elements: _Elements, values: Array) -> Array:
-        precision = self._groups.rows[group][elements.near]
-        loads = _loads(elements, precision[:, None] * values)
-        unknowns: Array = solveh_banded(
-            _matrix(elements, precision),
-            loads,
-            overwrite_ab=True,
-            overwrite_b=True,
-            lower=True,
-            check_finite=False,
-        )
-        return unknowns
+        """Return the unknowns of a part, (segments, unknowns), for each segment alone at 1."""
+        system = self._system(group, part)
+        return system.solve(np.eye(len(system.precision)))
 
     def _elements_of(self, part: int) -> _Elements:
         """Return the elements of a part, and of `REACH` around it."""
@@ -169,14 +222,6 @@ class EffortModel:
         # A window that goes on for long has no more elements than others: far from its ends nothing bends.
         felt = (part * PART - LONGEST, (part + 1) * PART + LONGEST)
         return _elements(near, *(np.clip(edges[near], *felt) for edges in self._windows))
-
-
-def _parts(times: Array) -> Iterator[tuple[int, slice]]:
-    """Yield each part that holds some of the sorted times, with the place of these times."""
-    numbers = np.floor(times / PART)
-    for number in np.unique(numbers):
-        first, last = np.searchsorted(numbers, (number, number + 1))
-        yield int(number), slice(int(first), int(last))
 
 
 def _windows(segments: Sequence[LipSegment]) -> _Windows:
@@ -221,28 +266,26 @@ def _matrix(elements: _Elements, precision: Array) -> Array:
 
 
 def _loads(elements: _Elements, pulls: Array) -> Array:
-    """Return the right sides, (unknowns, k), for the segments' precision times value, (segments, k)."""
+    """Return the right sides, (k, unknowns), for the segments' precision times value, (k, segments)."""
     h = elements.length
-    loads = np.zeros((2 * len(elements.nodes), pulls.shape[1]))
-    pull = np.zeros((len(h), pulls.shape[1]))
-    np.add.at(pull, elements.element, pulls[elements.segment])
-    for row in range(4):
-        loads[row : row + 2 * len(h) : 2] += pull * (_LOAD[row] * h ** (1 + row % 2))[:, None]
+    loads = np.zeros((len(pulls), 2 * len(elements.nodes)))
+    for load, own in zip(loads, pulls, strict=True):
+        pull = np.bincount(elements.element, own[elements.segment], len(h))
+        for row in range(4):
+            load[row : row + 2 * len(h) : 2] += pull * (_LOAD[row] * h ** (1 + row % 2))
     return loads
 
 
-def _evaluated(nodes: Array, solution: Array, times: Array) -> Array:
-    """Return the curves at times, shape (n, k); constant before the first and after the last node."""
+def _basis(part: int, place: slice, nodes: Array, times: Array) -> _Basis:
+    """Return the basis at some times; curves are constant before the first and after the last node."""
     inside = np.clip(times, nodes[0], nodes[-1])
     element = np.clip(np.searchsorted(nodes, inside, side="right") - 1, 0, len(nodes) - 2)
     h = nodes[element + 1] - nodes[element]
     x = (inside - nodes[element]) / h
-    first = 2 * element
     shapes = (
         1.0 - x * x * (3.0 - 2.0 * x),
         h * x * (1.0 - x) ** 2,
         x * x * (3.0 - 2.0 * x),
         -h * x * x * (1.0 - x),
     )
-    curves = sum(shape[:, None] * solution[first + k] for k, shape in enumerate(shapes))
-    return np.asarray(curves, dtype=np.float64)
+    return _Basis(part, place, 2 * element, shapes)

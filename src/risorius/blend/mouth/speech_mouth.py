@@ -17,7 +17,7 @@ from ...core.movement import LipSegment
 from ...core.parameters import RIVALS
 from ...core.utterance import SILENCE
 from ..intervals import EMPTY, Spans, above_line, spans_between, union
-from ..knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope
+from ..knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope, parts
 from ..roots import find_roots
 from ..tuning import Tuning
 from .approach import Approach
@@ -147,12 +147,10 @@ class SpeechMouth:
 
     def interpolated(self, curve: Callable[[KnotBlock], Array], times: Array) -> Array:
         """Return at sorted times, shape (n,), a curve that is known on the knots of each block."""
-        numbers = np.floor(times / BLOCK)
         values = np.empty(len(times))
-        for number in np.unique(numbers):
-            first, last = np.searchsorted(numbers, (number, number + 1))
-            block = self.block(int(number))
-            values[first:last] = np.interp(times[first:last], block.knots, curve(block))
+        for number, place in parts(times, BLOCK):
+            block = self.block(number)
+            values[place] = np.interp(times[place], block.knots, curve(block))
         return values
 
     def block_at(self, time: float) -> KnotBlock:
@@ -199,6 +197,9 @@ class KnotBlock:
         self.knots = knots
         self._mouth = mouth
         self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
+        first = np.searchsorted(knots, [g.start for g in self._goals], side="left")
+        last = np.searchsorted(knots, [g.end for g in self._goals], side="right")
+        self._places = [slice(*ends) for ends in zip(first.tolist(), last.tolist(), strict=True)]
         self._averages = SegmentAverages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
         self.shares: dict[tuple[str, str], Array] = {}
@@ -278,9 +279,9 @@ class KnotBlock:
 
         def make(name: str) -> Array:
             limit = np.ones(len(self.knots))
-            for goal in self._goals:
+            for goal, place in zip(self._goals, self._places, strict=True):
                 if goal.contact == SEAL:
-                    self._lower(limit, goal, 1.0 - goal.value * (1.0 - JAW_AT_SEAL))
+                    _lower(limit[place], 1.0 - goal.value * (1.0 - JAW_AT_SEAL))
             return self._envelope(name, limit)
 
         return self._curve("seal", JAW, make)
@@ -294,21 +295,21 @@ class KnotBlock:
     def closures(self, name: str) -> Array:
         """Return the limits of closures alone: each holds during its whole closure."""
         limit = np.ones(len(self.knots))
-        for goal in self._goals:
+        for goal, place in zip(self._goals, self._places, strict=True):
             limits = self._mouth.limits[goal.segment].get(name)
             if limits is not None:
-                self._lower(limit, goal, limits[1])
+                _lower(limit[place], limits[1])
         return limit
-
-    def _lower(self, limit: Array, goal: Goal, value: float) -> None:
-        first = int(np.searchsorted(self.knots, goal.start, side="left"))
-        last = int(np.searchsorted(self.knots, goal.end, side="right"))
-        np.minimum(limit[first:last], value, out=limit[first:last])
 
     def _envelope(self, name: str, limit: Array) -> Array:
         """Return the highest curve below `limit` that respects the parameter's minimum durations."""
         tuning = self._mouth.tuning
         return envelope(self.knots, limit, tuning.min_onset[name], tuning.min_offset[name])
+
+
+def _lower(limit: Array, value: float) -> None:
+    """Make a limit `value` at most, in place."""
+    np.minimum(limit, value, out=limit)
 
 
 def limits_in_force(segments: Sequence[LipSegment], goals: Sequence[Goal]) -> tuple[SegmentLimits, ...]:
