@@ -26,7 +26,7 @@ from .scalp import (
 from .strands import Strands
 from .surface import Surface, flat, unit
 
-POINTS = 11
+POINTS = 10
 _STEPS = 28  # steps of a hair's path, from which its points are chosen
 _SEED = 45
 _SHARE = 0.42  # longer hairs are drawn wider and in smaller number
