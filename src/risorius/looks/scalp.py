@@ -60,16 +60,16 @@ def scalp_shade(anatomy: Anatomy, style: str) -> Array:
     return _UNDER[style] * _hidden(anatomy, style)
 
 
-def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray, albedo: float) -> tuple[Array, Array, Array]:
-    """Return three shares of light (N1,) that hair takes from each skin vertex; 0 for shaved and bald heads.
+def hair_shade(anatomy: Anatomy, style: str, lamps: FloatArray, albedo: float) -> tuple[Array, Array]:
+    """Return which shares of light hair of a mean `albedo` takes from each skin vertex.
 
-    They are the share of all lamps that hair of a mean `albedo` takes from the skin it covers, and what hair
-    that stands out over the skin takes of the key lamp in direction `lamp` (3,), and of the light from above.
+    The first (N1, n) is that of each lamp in the directions `lamps` (n, 3), the second (N1,) that of the
+    light from above. Both are 0 for shaved and bald heads.
     """
     skin, ears = anatomy.skin, anatomy.masks["ears"]
     thick = _THICK[style]
     if thick == 0.0:
-        return np.zeros(len(skin)), np.zeros(len(skin)), np.zeros(len(skin))
+        return np.zeros((len(skin), len(lamps))), np.zeros(len(skin))
 
     def ahead(way: FloatArray) -> Array:
         steps = np.linspace(0.0, 1.0, 5)[1:]
@@ -78,8 +78,9 @@ def hair_shade(anatomy: Anatomy, style: str, lamp: FloatArray, albedo: float) ->
 
     behind = _behind_hair(anatomy) if style == "medium" else np.zeros(len(skin))
     covered = np.maximum((1.0 - albedo) * _hidden(anatomy, style), behind)
+    cast = np.stack([0.85 * ahead(lamp) for lamp in np.asarray(lamps, np.float64)], axis=1)
     around = np.maximum(0.5 * ahead(np.array([0.0, 1.0, 0.0])), 0.8 * behind)
-    return covered, 0.85 * ahead(np.asarray(lamp)), around
+    return 1.0 - (1.0 - covered[:, None]) * (1.0 - cast), around
 
 
 def _hidden(anatomy: Anatomy, style: str) -> Array:

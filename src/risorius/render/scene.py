@@ -119,9 +119,8 @@ class HeadScene:
         self.reach[:count, 1 : len(lamps)] = reach[:count]
         looks = self.model.looks
         albedo = float(linear(looks.hair).mean())
-        covered, cast, around = hair_shade(self.anatomy, looks.hair_style, lamps[0, :3], albedo)
-        self.reach[:count] *= 1.0 - covered[:, None]
-        self.reach[:count, 0] *= 1.0 - cast
+        taken, around = hair_shade(self.anatomy, looks.hair_style, lamps[:, :3], albedo)
+        self.reach[:count, : len(lamps)] *= 1.0 - taken
         self.shadow: Float32Array = np.ones(count, np.float32)
         self.cloth_light: Float32Array = np.zeros((count, 3), np.float32)
         self.attributes[:count, OCCLUSION] *= 1.0 - around
