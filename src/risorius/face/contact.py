@@ -13,14 +13,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, BoolArray, Int32Array, Int64Array, IntArray
-from ..core.kernels.jit import device, inlined, kernel
+from ..core.kernels.four import EVERY_LANE, LANES, four_at, lanes_above
+from ..core.kernels.jit import i8, inlined, kernel, lean_device, lean_kernel
 
 Grid = tuple[float, float, float, float]
 
 COLUMNS, ROWS = 48, 32  # of cells, over x and z
-ITEMS = 24  # triangles in cells, per vertex that may touch: more than lips have
 EDGE = 1e-9  # share of a triangle; a point this little outside still belongs to it
 SPILL = 1e-6  # share of a cell around a triangle that counts as covered: more than EDGE
+_CELLS = COLUMNS * ROWS
 
 
 class Facing(NamedTuple):
@@ -36,58 +37,59 @@ class Facing(NamedTuple):
     lower: IntArray
 
 
-class Cells(NamedTuple):
-    """Workspace for triangles sorted into cells of the (x, z) plane; it grows if it is too small.
+class Places(NamedTuple):
+    """Workspace for vertices sorted into cells of the (x, z) plane: first those below, then those above.
 
-    `span` (m, 4): each triangle's first and last column and row; `shape` (m, 8): its lowest height, x and z
-    of its first corner and of the vectors to the second and third, and twice its area. A cell's `items` start
-    and end at `start` (COLUMNS · ROWS + 1,), filled up to `fill`.
+    The vertices of a cell stand at `start[cell]:start[cell + 1]`; `highest` (2 · COLUMNS,) is the largest
+    bound in each column of cells. `slot` (k,) is the place of each vertex in this order. In this order:
+    `vertex` its number, `x`, `z` (k + 3,), `nearest` its nearest triangle, −1 if there is none, and `found`
+    (k, 3) the least height found, or a bound for it, and the weights of the triangle's last two corners.
     """
 
-    span: Int32Array
-    shape: Array
     start: Int32Array
-    fill: Int32Array
-    items: IntArray
+    highest: Array
+    slot: Int32Array
+    vertex: IntArray
+    x: Array
+    z: Array
+    nearest: Int32Array
+    found: Array
 
     @classmethod
-    def allocate(cls, count: int) -> Cells:
-        """Allocate for the triangles among `count` vertices."""
-        start, fill = np.zeros(COLUMNS * ROWS + 1, np.int32), np.zeros(COLUMNS * ROWS + 1, np.int32)
-        most = ITEMS * count
-        return cls(np.zeros((most, 4), np.int32), np.zeros((most, 8)), start, fill, np.zeros(most, np.uint32))
+    def allocate(cls, count: int) -> Places:
+        """Allocate for `count` vertices."""
+        start, slot, nearest = (np.zeros(size, np.int32) for size in (2 * _CELLS + 2, count, count))
+        x, z = np.zeros(count + LANES - 1), np.zeros(count + LANES - 1)
+        vertex = np.zeros(count, np.uint32)
+        return cls(start, np.zeros(2 * COLUMNS), slot, vertex, x, z, nearest, np.zeros((count, 3)))
 
 
 class Contacts(NamedTuple):
     """Workspace for the contacts of one instant, at most one per vertex of `Facing`.
 
     The gap of row i is Σ weight[i] · y[points[i]]: `points` (k, 4), `weight` (k, 4), `gap` (k,) mm, negative
-    if the surfaces overlap; `x` (k,): its place. `upper`, `lower`: their sorted triangles.
+    if the surfaces overlap; `x` (k,): its place. `places`: the sorted vertices.
     """
 
     points: IntArray
     weight: Array
     gap: Array
     x: Array
-    upper: Cells
-    lower: Cells
+    places: Places
 
     @classmethod
     def allocate(cls, count: int) -> Contacts:
         """Allocate for `count` contacts."""
         points, weight = np.zeros((count, 4), np.uint32), np.zeros((count, 4))
-        return cls(
-            points, weight, np.zeros(count), np.zeros(count), Cells.allocate(count), Cells.allocate(count)
-        )
+        return cls(points, weight, np.zeros(count), np.zeros(count), Places.allocate(count))
 
 
 def find_contacts(facing: Facing, points: Array, reach: float, out: Contacts) -> int:
     """Write the contacts of `points` (n, 3) whose gap is below `reach` mm to `out`; return how many."""
-    x, upper, lower = out.x, out.upper, out.lower
-    return int(_find(*facing, points, reach, out.points, out.weight, out.gap, x, upper, lower))
+    return int(_find(*facing, points, reach, out.points, out.weight, out.gap, out.x, out.places))
 
 
-@kernel
+@lean_kernel
 def _find(
     vertices: IntArray,
     above: BoolArray,
@@ -99,25 +101,21 @@ def _find(
     out_weight: Array,
     out_gap: Array,
     out_x: Array,
-    upper_cells: Cells,
-    lower_cells: Cells,
+    places: Places,
 ) -> int:
     grid = _grid_of(points)
-    upper_start, upper_items, upper_shape = _sort_into_cells(points, upper, grid, 1.0, upper_cells)
-    lower_start, lower_items, lower_shape = _sort_into_cells(points, lower, grid, -1.0, lower_cells)
+    _sort_into_cells(points, vertices, above, reach, grid, places)
+    for side in range(2):
+        sign, faces = (-1.0, lower) if side else (1.0, upper)
+        for t in range(len(faces)):
+            _cover(t, side, sign, points, faces, grid, places)
     count = 0
     for k in range(len(vertices)):
-        v = vertices[k]
-        cell = _column(points[v, 0], grid) * ROWS + _row(points[v, 2], grid)
-        if above[k]:
-            sign, faces, shape = -1.0, lower, lower_shape
-            start, items = lower_start, lower_items
-        else:
-            sign, faces, shape = 1.0, upper, upper_shape
-            start, items = upper_start, upper_items
-        t, y, wb, wc = _cover(v, sign, reach, points, faces, shape, items, start[cell], start[cell + 1])
+        s, v = places.slot[k], vertices[k]
+        t, y, wb, wc = places.nearest[s], places.found[s, 0], places.found[s, 1], places.found[s, 2]
         if t < 0:
             continue
+        sign, faces = (-1.0, lower) if above[k] else (1.0, upper)
         out_points[count, 0], out_weight[count, 0] = v, -sign
         out_points[count, 1], out_weight[count, 1] = faces[t, 0], sign * (1.0 - wb - wc)
         out_points[count, 2], out_weight[count, 2] = faces[t, 1], sign * wb
@@ -127,112 +125,114 @@ def _find(
     return count
 
 
-@device
+@lean_device
 def _grid_of(points: Array) -> Grid:
     """Return the least x and z of `points` (n, 3), and how many columns and rows go into one mm."""
     west, east, back, front = points[0, 0], points[0, 0], points[0, 2], points[0, 2]
-    for p in points:
-        west, east = min(west, p[0]), max(east, p[0])
-        back, front = min(back, p[2]), max(front, p[2])
+    for p in range(len(points)):
+        west, east = min(west, points[p, 0]), max(east, points[p, 0])
+        back, front = min(back, points[p, 2]), max(front, points[p, 2])
     return west, COLUMNS / max(east - west, 1e-6), back, ROWS / max(front - back, 1e-6)
 
 
-@device
+@lean_device
 def _column(x: float, grid: Grid) -> int:
     return min(max(int((x - grid[0]) * grid[1]), 0), COLUMNS - 1)
 
 
-@device
+@lean_device
 def _row(z: float, grid: Grid) -> int:
     return min(max(int((z - grid[2]) * grid[3]), 0), ROWS - 1)
 
 
-@device
+@lean_device
 def _sort_into_cells(
-    points: Array, triangles: IntArray, grid: Grid, sign: float, work: Cells
-) -> tuple[IntArray, IntArray, Array]:
-    """Return start (COLUMNS · ROWS + 1,) and items of the cells of the `grid`, and the triangles' shapes (m,
-    8).
-
-    The items of a cell are the triangles that meet it. The lowest height is the least `sign` times y.
-    """
-    span, shape, start, fill, items = work
-    if len(span) < len(triangles):
-        span, shape = np.empty((len(triangles), 4), np.int32), np.empty((len(triangles), 8))
-    start[:] = 0
-    room = SPILL / grid[3]
-    for t in range(len(triangles)):
-        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        _measure(points, a, b, c, sign, shape[t])
-        span[t, 0] = _column(min(points[a, 0], points[b, 0], points[c, 0]), grid)
-        span[t, 1] = _column(max(points[a, 0], points[b, 0], points[c, 0]), grid)
-        span[t, 2] = _row(min(points[a, 2], points[b, 2], points[c, 2]) - room, grid)
-        span[t, 3] = _row(max(points[a, 2], points[b, 2], points[c, 2]) + room, grid)
-        for column in range(span[t, 0], span[t, 1] + 1):
-            for cell in range(column * ROWS + span[t, 2], column * ROWS + span[t, 3] + 1):
-                start[cell + 1] += 1
-    for cell in range(COLUMNS * ROWS):
+    points: Array, vertices: IntArray, above: BoolArray, reach: float, grid: Grid, places: Places
+) -> None:
+    start, highest, slot, found = places.start, places.highest, places.slot, places.found
+    for cell in range(len(start)):
+        start[cell] = 0
+    for column in range(len(highest)):
+        highest[column] = -np.inf
+    for k in range(len(vertices)):
+        v, side = vertices[k], i8(above[k])
+        column = _column(points[v, 0], grid)
+        slot[k] = side * _CELLS + column * ROWS + _row(points[v, 2], grid)
+        # One cell too far: filling the cells moves each start to the next.
+        start[slot[k] + 2] += 1
+        column += side * COLUMNS
+        highest[column] = max(highest[column], _bound(points[v, 1], side, reach))
+    for cell in range(2 * _CELLS):
         start[cell + 1] += start[cell]
-        fill[cell] = start[cell]
-    if len(items) < start[COLUMNS * ROWS]:
-        items = np.empty(start[COLUMNS * ROWS], np.uint32)
-    for t in range(len(triangles)):
-        for column in range(span[t, 0], span[t, 1] + 1):
-            for cell in range(column * ROWS + span[t, 2], column * ROWS + span[t, 3] + 1):
-                items[fill[cell]] = t
-                fill[cell] += 1
-    return start, items, shape
+    for k in range(len(vertices)):
+        v, cell = vertices[k], slot[k] + 1
+        s = start[cell]
+        start[cell] += 1
+        slot[k], places.vertex[s], places.nearest[s] = s, v, -1
+        places.x[s], places.z[s] = points[v, 0], points[v, 2]
+        found[s, 0] = _bound(points[v, 1], i8(above[k]), reach)
 
 
-@inlined
-def _measure(points: Array, a: int, b: int, c: int, sign: float, out: Array) -> None:
-    """Write the shape (8,) of the triangle with the corners a, b, c; a flat one covers nothing."""
-    x, z = points[a, 0], points[a, 2]
-    ux, uz, vx, vz = points[b, 0] - x, points[b, 2] - z, points[c, 0] - x, points[c, 2] - z
-    area = ux * vz - uz * vx
-    lowest = min(sign * points[a, 1], sign * points[b, 1], sign * points[c, 1])
-    out[0], out[1], out[2] = lowest if abs(area) >= EDGE else np.inf, x, z
-    out[3], out[4], out[5], out[6], out[7] = ux, uz, vx, vz, area
+@lean_device
+def _bound(y: float, side: int, reach: float) -> float:
+    """Return below which height, or above which as a negative number, a triangle is not within `reach` mm."""
+    return (-y if side else y) + reach
 
 
 @inlined
 def _cover(
-    v: int,
-    sign: float,
-    reach: float,
-    points: Array,
-    triangles: IntArray,
-    shape: Array,
-    items: IntArray,
-    first: int,
-    last: int,
-) -> tuple[int, float, float, float]:
-    """Return the triangle over vertex v with the lowest y (`sign` 1) or the highest (−1).
+    t: int, side: int, sign: float, points: Array, triangles: IntArray, grid: Grid, places: Places
+) -> None:
+    """Give triangle t to the vertices of a `side` that it covers: the lowest (`sign` 1) or highest (−1).
 
-    Also returns `sign` times that y, and the weights of its last two corners; −1 if no triangle is nearer
-    than `reach` along y. The search is over the `items` from `first` to `last`, with their `shape`.
+    A flat one covers nothing.
     """
-    x, z = points[v, 0], points[v, 2]
-    nearest, best, weight_b, weight_c = -1, sign * points[v, 1] + reach, 0.0, 0.0
-    for k in range(first, last):
-        t = items[k]
-        if shape[t, 0] >= best:
-            continue
-        px, pz = x - shape[t, 1], z - shape[t, 2]
-        area = shape[t, 7]
-        # Most triangles miss, and a quotient is slow: signs and sizes are enough.
-        turn, size = np.copysign(1.0, area), abs(area)
-        b, c = turn * (px * shape[t, 6] - pz * shape[t, 5]), turn * (shape[t, 3] * pz - shape[t, 4] * px)
-        if b < -EDGE * size or c < -EDGE * size or b + c > (1.0 + EDGE) * size:
-            continue
-        p, q, r = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        if v in (p, q, r):
-            continue
-        wb, wc = b / size, c / size
-        y = sign * (points[p, 1] + wb * (points[q, 1] - points[p, 1]) + wc * (points[r, 1] - points[p, 1]))
-        if y < best:
-            nearest, best, weight_b, weight_c = t, y, wb, wc
-    return nearest, best, weight_b, weight_c
+    p, q, r = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+    x, z, room = points[p, 0], points[p, 2], SPILL / grid[3]
+    west = _column(min(x, points[q, 0], points[r, 0]), grid)
+    east = _column(max(x, points[q, 0], points[r, 0]), grid)
+    lowest = min(sign * points[p, 1], sign * points[q, 1], sign * points[r, 1])
+    near = False
+    for column in range(side * COLUMNS + west, side * COLUMNS + east + 1):
+        near |= lowest < places.highest[column]
+    ux, uz, vx, vz = points[q, 0] - x, points[q, 2] - z, points[r, 0] - x, points[r, 2] - z
+    area = ux * vz - uz * vx
+    turn, size = np.copysign(1.0, area), abs(area)
+    if not near or size < EDGE:
+        return
+    back = _row(min(z, points[q, 2], points[r, 2]) - room, grid)
+    front = _row(max(z, points[q, 2], points[r, 2]) + room, grid)
+    for column in range(west, east + 1):
+        cell = side * _CELLS + column * ROWS
+        last = places.start[cell + front + 1]
+        for first in range(places.start[cell + back], last, LANES):
+            px, pz = four_at(places.x, first) - x, four_at(places.z, first) - z
+            b, c = turn * (px * vz - pz * vx), turn * (ux * pz - uz * px)
+            edge = 2.0 * EDGE * size
+            missed = lanes_above(0.0 - b, edge) | lanes_above(0.0 - c, edge) | lanes_above(b + c, size + edge)
+            if missed == EVERY_LANE:
+                continue
+            for s in range(first, min(first + LANES, last)):
+                if not missed >> (s - first) & 1 and lowest < places.found[s, 0]:
+                    _meet(s, t, sign, points, triangles, places)
+
+
+@lean_device
+def _meet(s: int, t: int, sign: float, points: Array, triangles: IntArray, places: Places) -> None:
+    """Give triangle t to the vertex in place s if it covers it, with a height below what is found so far."""
+    v, p, q, r = places.vertex[s], triangles[t, 0], triangles[t, 1], triangles[t, 2]
+    x, z = points[p, 0], points[p, 2]
+    px, pz = places.x[s] - x, places.z[s] - z
+    ux, uz, vx, vz = points[q, 0] - x, points[q, 2] - z, points[r, 0] - x, points[r, 2] - z
+    area = ux * vz - uz * vx
+    turn, size = np.copysign(1.0, area), abs(area)
+    b, c = turn * (px * vz - pz * vx), turn * (ux * pz - uz * px)
+    if b < -EDGE * size or c < -EDGE * size or b + c > (1.0 + EDGE) * size or v in (p, q, r):
+        return
+    wb, wc = b / size, c / size
+    y = sign * (points[p, 1] + wb * (points[q, 1] - points[p, 1]) + wc * (points[r, 1] - points[p, 1]))
+    if y < places.found[s, 0]:
+        places.found[s, 0], places.found[s, 1], places.found[s, 2], places.nearest[s] = y, wb, wc, t
 
 
 @kernel

@@ -23,9 +23,11 @@ from numba.np.arrayobj import make_array
 Four = Any
 """The type, as mypy shall see it."""
 
-_LANES = 4
-_VECTOR = ir.VectorType(ir.DoubleType(), _LANES)
-_LONGS = ir.VectorType(ir.IntType(64), _LANES)
+LANES = 4
+EVERY_LANE = 15
+"""All lanes, as the bits of an integer."""
+_VECTOR = ir.VectorType(ir.DoubleType(), LANES)
+_LONGS = ir.VectorType(ir.IntType(64), LANES)
 _in_kernels = cast(Callable[[Callable[..., Any]], Any], intrinsic)
 
 
@@ -90,6 +92,12 @@ def set_row(context: Any, array: Any, i: Any, value: Any) -> Any:
 
 
 @_in_kernels
+def four_at(context: Any, array: Any, i: Any) -> Any:
+    """Return the numbers i to i + 3 of a contiguous array, counted through all its axes."""
+    return _four(array, types.int64), _four_at
+
+
+@_in_kernels
 def root(context: Any, value: Any) -> Any:
     """Return the square roots."""
     return _four(_four), lambda _, builder, __, values: _call(builder, "sqrt", values)
@@ -116,6 +124,12 @@ def any_above(context: Any, value: Any, limit: Any) -> Any:
 
 
 @_in_kernels
+def lanes_above(context: Any, value: Any, limit: Any) -> Any:
+    """Return the lanes in which `value` is above the number `limit`, as the bits of an integer."""
+    return types.int64(_four, types.float64), _lanes_above
+
+
+@_in_kernels
 def with_third_of_bits(context: Any, value: Any, start: Any) -> Any:
     """Return the numbers whose bits are `start` less a third of those of `value`, which is positive.
 
@@ -128,14 +142,18 @@ def _row(context: Any, builder: ir.IRBuilder, kind: Any, values: Any) -> Any:
     return builder.load(_place(context, builder, kind, values), align=8)
 
 
+def _four_at(context: Any, builder: ir.IRBuilder, kind: Any, values: Any) -> Any:
+    return builder.load(_place(context, builder, kind, values, 1), align=8)
+
+
 def _set_row(context: Any, builder: ir.IRBuilder, kind: Any, values: Any) -> Any:
     builder.store(values[2], _place(context, builder, kind, values), align=8)
     return context.get_dummy_value()
 
 
-def _place(context: Any, builder: ir.IRBuilder, kind: Any, values: Any) -> Any:
+def _place(context: Any, builder: ir.IRBuilder, kind: Any, values: Any, step: int = LANES) -> Any:
     data = make_array(kind.args[0])(context, builder, values[0]).data
-    start = builder.gep(data, [builder.mul(values[1], ir.Constant(values[1].type, _LANES))])
+    start = builder.gep(data, [builder.mul(values[1], ir.Constant(values[1].type, step))])
     return builder.bitcast(start, _VECTOR.as_pointer())
 
 
@@ -150,16 +168,24 @@ def _where_above(context: Any, builder: ir.IRBuilder, kind: Any, values: Any) ->
 
 
 def _any_above(context: Any, builder: ir.IRBuilder, kind: Any, values: Any) -> Any:
+    return builder.icmp_unsigned("!=", _bits_above(builder, values), ir.IntType(LANES)(0))
+
+
+def _lanes_above(context: Any, builder: ir.IRBuilder, kind: Any, values: Any) -> Any:
+    return builder.zext(_bits_above(builder, values), ir.IntType(64))
+
+
+def _bits_above(builder: ir.IRBuilder, values: Any) -> Any:
     above = builder.fcmp_ordered(">", values[0], _wide(builder, values[1]))
-    return builder.icmp_unsigned("!=", builder.bitcast(above, ir.IntType(_LANES)), ir.IntType(_LANES)(0))
+    return builder.bitcast(above, ir.IntType(LANES))
 
 
 def _with_third_of_bits(context: Any, builder: ir.IRBuilder, kind: Any, values: Any) -> Any:
     value, start = values
-    half = ir.Constant(_LONGS, [32] * _LANES)
+    half = ir.Constant(_LONGS, [32] * LANES)
     upper = builder.lshr(builder.bitcast(value, _LONGS), half)
     # A product of two halves is one operation; a quotient, or a product of whole numbers, is not.
-    third = builder.lshr(builder.mul(upper, ir.Constant(_LONGS, [0x55555556] * _LANES)), half)
+    third = builder.lshr(builder.mul(upper, ir.Constant(_LONGS, [0x55555556] * LANES)), half)
     return builder.bitcast(builder.sub(_splat(builder, start, _LONGS), builder.shl(third, half)), _VECTOR)
 
 
@@ -170,4 +196,4 @@ def _wide(builder: ir.IRBuilder, value: Any) -> Any:
 def _splat(builder: ir.IRBuilder, value: Any, vector: Any) -> Any:
     empty = ir.Constant(vector, ir.Undefined)
     one = builder.insert_element(empty, value, ir.Constant(ir.IntType(32), 0))
-    return builder.shuffle_vector(one, empty, ir.Constant(ir.VectorType(ir.IntType(32), _LANES), None))
+    return builder.shuffle_vector(one, empty, ir.Constant(ir.VectorType(ir.IntType(32), LANES), None))
